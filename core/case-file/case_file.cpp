@@ -1,0 +1,171 @@
+#include "case-file/case_file.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <vector>
+
+#include "case-file/input_error.h"
+#include "case-file/object_reader.h"
+
+namespace ravnoves {
+
+namespace {
+
+void check_finite(const Json& value, const std::string& pointer) {
+    if (value.is_number_float() && !std::isfinite(value.get<double>())) {
+        throw std::logic_error("the result " + pointer + " is not finite");
+    }
+    if (value.is_structured()) {
+        for (const auto& item : value.items()) {
+            check_finite(item.value(), pointer + "/" + item.key());
+        }
+    }
+}
+
+std::string line_and_column(std::string_view text, std::size_t byte) {
+    byte = std::min(byte, text.size());
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(byte);
+    const auto line = std::count(text.begin(), end, '\n') + 1;
+    const std::size_t newline = byte == 0 ? std::string_view::npos : text.rfind('\n', byte - 1);
+    const std::size_t column = newline == std::string_view::npos ? byte : byte - newline - 1;
+    return "line " + std::to_string(line) + ", column " +
+           std::to_string(std::max<std::size_t>(column, 1));
+}
+
+}  // namespace
+
+Json parse_json(std::string_view text) {
+    try {
+        return Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        throw InputError(line_and_column(text, error.byte), "is not valid JSON");
+    } catch (const Json::out_of_range&) {
+        throw InputError("", "holds a number that is too large for this program");
+    }
+}
+
+CaseFile read_case(const Json& document) {
+    ObjectReader reader(document, "");
+    reader.choice("format", {case_format});
+    const int version = reader.integer("version", 1, 1'000'000);
+    if (version > case_version) {
+        throw InputError("/version",
+                         "must be at most " + std::to_string(case_version) +
+                             " (a newer program wrote this case; update to open it)",
+                         std::to_string(version));
+    }
+    CaseFile file;
+    file.scene = reader.text("scene");
+    std::string names;
+    std::vector<std::string> candidates;
+    for (const SceneSolver& scene : scene_solvers()) {
+        names += (names.empty() ? "\"" : ", \"") + std::string(scene.name) + "\"";
+        candidates.emplace_back(scene.name);
+    }
+    if (std::find(candidates.begin(), candidates.end(), file.scene) == candidates.end()) {
+        std::string allowed = "must be one of " + names;
+        if (const auto near = nearest_word(file.scene, candidates)) {
+            allowed += " (the nearest is \"" + *near + "\")";
+        }
+        throw InputError("/scene", allowed, show(document.at("scene")));
+    }
+    file.title = reader.text("title", "");
+    const Json& input = reader.raw("input");
+    if (!input.is_object()) {
+        throw InputError("/input", "must be an object", show(input));
+    }
+    reader.finish();
+    file.input = input;
+    return file;
+}
+
+CaseFile parse_case(std::string_view text) {
+    return read_case(parse_json(text));
+}
+
+Json write_case(const CaseFile& file) {
+    return {{"format", case_format},
+            {"version", case_version},
+            {"scene", file.scene},
+            {"title", file.title},
+            {"input", file.input}};
+}
+
+Json solve_case(const CaseFile& file, const CaseContext& context) {
+    const auto scenes = scene_solvers();
+    const auto scene = std::find_if(scenes.begin(), scenes.end(),
+                                    [&](const SceneSolver& s) { return s.name == file.scene; });
+    if (scene == scenes.end()) {
+        throw InputError("/scene", "must be a known scene", file.scene);
+    }
+    Json result = scene->solve(file.input, context);
+    check_finite(result, "/result");
+    return {{"format", result_format},
+            {"version", case_version},
+            {"scene", file.scene},
+            {"title", file.title},
+            {"result", std::move(result)}};
+}
+
+std::string read_text_file(const std::filesystem::path& path) {
+    constexpr std::uintmax_t largest = 64U << 20U;
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) {
+        throw InputError("", "must be a file, not a folder");
+    }
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) {
+        throw InputError("", std::string("cannot be read: ") + std::strerror(errno));
+    }
+    std::string text;
+    std::vector<char> block(1U << 16U);
+    while (stream.read(block.data(), static_cast<std::streamsize>(block.size())) ||
+           stream.gcount() > 0) {
+        text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+        if (text.size() > largest) {
+            throw InputError("", "must be at most 64 MiB");
+        }
+    }
+    if (stream.bad()) {
+        throw InputError("", "cannot be read to its end");
+    }
+    return text;
+}
+
+void write_text_file(const std::filesystem::path& path, std::string_view text) {
+    std::error_code error;
+    if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error)) {
+        // A device or a pipe (/dev/stdout) has no beside: write straight through.
+        std::ofstream stream(path, std::ios::binary);
+        stream << text << std::flush;
+        if (!stream) {
+            throw InputError("", std::string("cannot be written: ") + std::strerror(errno));
+        }
+        return;
+    }
+    std::filesystem::path partial = path;
+    partial += ".part" + std::to_string(::getpid());
+    {
+        std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
+        stream << text << std::flush;
+        if (!stream) {
+            const std::string reason = std::strerror(errno);
+            stream.close();
+            std::filesystem::remove(partial, error);
+            throw InputError("", "cannot be written: " + reason);
+        }
+    }
+    std::filesystem::rename(partial, path, error);
+    if (error) {
+        const std::string reason = error.message();
+        std::filesystem::remove(partial, error);
+        throw InputError("", "cannot be written: " + reason);
+    }
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,257 @@
+#include "case-file/object_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "case-file/input_error.h"
+
+namespace ravnoves {
+
+namespace {
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, substituted});
+        }
+    }
+    return row.back();
+}
+
+/// A key as a segment of a JSON pointer (RFC 6901).
+std::string escape_segment(std::string_view key) {
+    std::string text;
+    for (const char c : key) {
+        if (c == '~') {
+            text += "~0";
+        } else if (c == '/') {
+            text += "~1";
+        } else {
+            text += c;
+        }
+    }
+    return text;
+}
+
+double checked_number(const Json& value, const std::string& pointer, const Range& range) {
+    if (!value.is_number()) {
+        throw InputError(pointer, "must be a number", show(value));
+    }
+    const double number = value.get<double>();
+    if (!range.contains(number)) {
+        throw InputError(pointer, range.describe(), format_number(number));
+    }
+    return number;
+}
+
+int checked_integer(const Json& value, const std::string& pointer, int min, int max) {
+    const double number = value.is_number() ? value.get<double>() : std::nan("");
+    if (!(number >= min && number <= max && std::floor(number) == number)) {
+        throw InputError(
+            pointer,
+            "must be a whole number from " + std::to_string(min) + " to " + std::to_string(max),
+            show(value));
+    }
+    return static_cast<int>(number);
+}
+
+const Json& checked_array(const Json& value, const std::string& pointer) {
+    if (!value.is_array()) {
+        throw InputError(pointer, "must be a list", show(value));
+    }
+    return value;
+}
+
+}  // namespace
+
+std::string show(const Json& value) {
+    std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    constexpr std::size_t longest = 40;
+    if (text.size() > longest) {
+        std::size_t cut = longest;
+        while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0U) == 0x80U) {
+            --cut;  // not inside a UTF-8 sequence
+        }
+        text = text.substr(0, cut) + "…";
+    }
+    return text;
+}
+
+std::optional<std::string> nearest_word(std::string_view word,
+                                        const std::vector<std::string>& candidates) {
+    std::optional<std::string> best;
+    std::size_t best_distance = std::max<std::size_t>(2, word.size() / 2) + 1;
+    for (const std::string& candidate : candidates) {
+        const std::size_t distance = edit_distance(word, candidate);
+        if (distance < best_distance) {
+            best_distance = distance;
+            best = candidate;
+        }
+    }
+    return best;
+}
+
+ObjectReader::ObjectReader(const Json& value, std::string pointer)
+    : value_(value), pointer_(std::move(pointer)) {
+    if (!value_.is_object()) {
+        throw InputError(pointer_, "must be an object", show(value_));
+    }
+}
+
+std::string ObjectReader::pointer_to(std::string_view key) const {
+    return pointer_ + "/" + escape_segment(key);
+}
+
+void ObjectReader::know(std::string_view key) {
+    if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
+        known_.emplace_back(key);
+    }
+}
+
+bool ObjectReader::has(std::string_view key) {
+    know(key);
+    return value_.contains(key);
+}
+
+const Json& ObjectReader::require(std::string_view key) {
+    if (!has(key)) {
+        throw InputError(pointer_to(key), "is required and missing");
+    }
+    return value_.at(std::string(key));
+}
+
+double ObjectReader::number(std::string_view key, const Range& range) {
+    return checked_number(require(key), pointer_to(key), range);
+}
+
+double ObjectReader::number(std::string_view key, const Range& range, double fallback) {
+    return has(key) ? number(key, range) : fallback;
+}
+
+std::optional<double> ObjectReader::optional_number(std::string_view key, const Range& range) {
+    return has(key) ? std::optional(number(key, range)) : std::nullopt;
+}
+
+double ObjectReader::si(const FieldSpec& field, double fallback_si) {
+    return has(field.key) ? si(field) : fallback_si;
+}
+
+std::optional<double> ObjectReader::optional_si(const FieldSpec& field) {
+    return has(field.key) ? std::optional(si(field)) : std::nullopt;
+}
+
+int ObjectReader::integer(std::string_view key, int min, int max) {
+    return checked_integer(require(key), pointer_to(key), min, max);
+}
+
+int ObjectReader::integer(std::string_view key, int min, int max, int fallback) {
+    return has(key) ? integer(key, min, max) : fallback;
+}
+
+bool ObjectReader::boolean(std::string_view key, bool fallback) {
+    if (!has(key)) {
+        return fallback;
+    }
+    const Json& value = require(key);
+    if (!value.is_boolean()) {
+        throw InputError(pointer_to(key), "must be true or false", show(value));
+    }
+    return value.get<bool>();
+}
+
+std::string ObjectReader::text(std::string_view key) {
+    const Json& value = require(key);
+    if (!value.is_string()) {
+        throw InputError(pointer_to(key), "must be a text", show(value));
+    }
+    return value.get<std::string>();
+}
+
+std::string ObjectReader::text(std::string_view key, std::string fallback) {
+    return has(key) ? text(key) : fallback;
+}
+
+std::string ObjectReader::choice(std::string_view key,
+                                 std::initializer_list<std::string_view> choices) {
+    const Json& value = require(key);
+    if (value.is_string()) {
+        const auto& word = value.get_ref<const std::string&>();
+        if (std::find(choices.begin(), choices.end(), word) != choices.end()) {
+            return word;
+        }
+    }
+    std::string allowed = "must be one of ";
+    for (const std::string_view choice : choices) {
+        allowed += (allowed.back() == ' ' ? "\"" : ", \"") + std::string(choice) + "\"";
+    }
+    throw InputError(pointer_to(key), allowed, show(value));
+}
+
+std::string ObjectReader::choice(std::string_view key,
+                                 std::initializer_list<std::string_view> choices,
+                                 std::string_view fallback) {
+    return has(key) ? choice(key, choices) : std::string(fallback);
+}
+
+std::vector<double> ObjectReader::numbers(std::string_view key, const Range& range) {
+    const Json& array = checked_array(require(key), pointer_to(key));
+    std::vector<double> values;
+    values.reserve(array.size());
+    for (const Json& element : array) {
+        if (!element.is_number() || !range.contains(element.get<double>())) {
+            checked_number(element, pointer_to(key) + "/" + std::to_string(values.size()), range);
+        }
+        values.push_back(element.get<double>());
+    }
+    return values;
+}
+
+std::vector<int> ObjectReader::integers(std::string_view key, int min, int max) {
+    const Json& array = checked_array(require(key), pointer_to(key));
+    std::vector<int> values;
+    values.reserve(array.size());
+    for (const Json& element : array) {
+        values.push_back(checked_integer(
+            element, pointer_to(key) + "/" + std::to_string(values.size()), min, max));
+    }
+    return values;
+}
+
+ObjectReader ObjectReader::object(std::string_view key) {
+    return {require(key), pointer_to(key)};
+}
+
+const Json& ObjectReader::raw(std::string_view key) {
+    return require(key);
+}
+
+std::vector<std::string> ObjectReader::keys() {
+    std::vector<std::string> names;
+    for (const auto& item : value_.items()) {
+        names.push_back(item.key());
+        know(item.key());
+    }
+    return names;
+}
+
+void ObjectReader::finish() const {
+    for (const auto& item : value_.items()) {
+        if (std::find(known_.begin(), known_.end(), item.key()) != known_.end()) {
+            continue;
+        }
+        std::string allowed = "is not a known key";
+        if (const auto near = nearest_word(item.key(), known_)) {
+            allowed += "; the nearest is \"" + *near + "\"";
+        }
+        throw InputError(pointer_to(item.key()), allowed);
+    }
+}
+
+}  // namespace ravnoves

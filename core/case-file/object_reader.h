@@ -1,0 +1,79 @@
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "case-file/json.h"
+#include "case-file/range.h"
+
+namespace ravnoves {
+
+/// Reads one JSON object of a case and refuses, with an InputError that names the JSON pointer,
+/// every missing key, wrong type, value out of range and (in finish()) unknown key.
+///
+/// Every key that is asked for becomes a known key; finish() offers the nearest one for a
+/// misspelt key. The reader refers to the Json it was made from, which must outlive it.
+class ObjectReader {
+  public:
+    /// @param value    must be a JSON object, else InputError
+    /// @param pointer  its JSON pointer, for example "/input"
+    ObjectReader(const Json& value, std::string pointer);
+
+    const std::string& pointer() const { return pointer_; }
+    std::string pointer_to(std::string_view key) const;
+
+    /// True where the key is there; makes it a known key.
+    bool has(std::string_view key);
+
+    double number(std::string_view key, const Range& range);
+    double number(std::string_view key, const Range& range, double fallback);
+    std::optional<double> optional_number(std::string_view key, const Range& range);
+
+    /// The field in SI units, by its key and range.
+    double si(const FieldSpec& field) { return number(field.key, field.range) * field.to_si; }
+    double si(const FieldSpec& field, double fallback_si);
+    std::optional<double> optional_si(const FieldSpec& field);
+
+    int integer(std::string_view key, int min, int max);
+    int integer(std::string_view key, int min, int max, int fallback);
+    bool boolean(std::string_view key, bool fallback);
+    std::string text(std::string_view key);
+    std::string text(std::string_view key, std::string fallback);
+    /// One of the listed words.
+    std::string choice(std::string_view key, std::initializer_list<std::string_view> choices);
+    std::string choice(std::string_view key, std::initializer_list<std::string_view> choices,
+                       std::string_view fallback);
+    /// An array of numbers, each within the range; errors name the element.
+    std::vector<double> numbers(std::string_view key, const Range& range);
+    std::vector<int> integers(std::string_view key, int min, int max);
+
+    /// The nested object.
+    ObjectReader object(std::string_view key);
+    /// The raw value of a required key, for what the calls above do not cover.
+    const Json& raw(std::string_view key);
+    /// Every key with a value, in the file's order, made known (objects such as {name: kg}).
+    std::vector<std::string> keys();
+
+    /// Refuses any key that was not asked for, with the nearest known key.
+    void finish() const;
+
+  private:
+    const Json& require(std::string_view key);
+    void know(std::string_view key);
+
+    const Json& value_;
+    std::string pointer_;
+    std::vector<std::string> known_;
+};
+
+/// The value as an error message shows it: compact JSON, cut after 40 characters.
+std::string show(const Json& value);
+
+/// The candidate nearest to the word by edit distance, or nothing where none is near.
+std::optional<std::string> nearest_word(std::string_view word,
+                                        const std::vector<std::string>& candidates);
+
+}  // namespace ravnoves

@@ -1,0 +1,40 @@
+#include "case-file/range.h"
+
+#include <array>
+#include <charconv>
+
+namespace ravnoves {
+
+std::string format_number(double value) {
+    if (std::isnan(value)) {
+        return "not a number";
+    }
+    if (std::isinf(value)) {
+        return value > 0 ? "infinity" : "-infinity";
+    }
+    std::array<char, 64> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+    return {buffer.data(), end};
+}
+
+std::string Range::describe() const {
+    const bool has_min = std::isfinite(min);
+    const bool has_max = std::isfinite(max);
+    if (has_min && has_max) {
+        if (!min_open && !max_open) {
+            return "must be from " + format_number(min) + " to " + format_number(max);
+        }
+        return std::string("must be ") + (min_open ? "greater than " : "at least ") +
+               format_number(min) + " and " + (max_open ? "less than " : "at most ") +
+               format_number(max);
+    }
+    if (has_min) {
+        return (min_open ? "must be greater than " : "must be at least ") + format_number(min);
+    }
+    if (has_max) {
+        return (max_open ? "must be less than " : "must be at most ") + format_number(max);
+    }
+    return "must be a finite number";
+}
+
+}  // namespace ravnoves

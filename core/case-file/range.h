@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace ravnoves {
+
+/// The interval in which an input may lie, in the unit that the user sees.
+///
+/// Case files and forms read the same Range, so both refuse the same values.
+struct Range {
+    double min = -std::numeric_limits<double>::infinity();
+    double max = std::numeric_limits<double>::infinity();
+    bool min_open = false;  ///< min itself is not allowed
+    bool max_open = false;  ///< max itself is not allowed
+
+    static constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+    /// min < x <= max
+    static constexpr Range greater_than(double min, double max = unbounded) {
+        return {min, max, true, false};
+    }
+    /// min <= x <= max
+    static constexpr Range between(double min, double max) { return {min, max, false, false}; }
+    /// min <= x
+    static constexpr Range at_least(double min) { return {min, unbounded, false, false}; }
+
+    /// True where x is finite and lies in the interval.
+    bool contains(double x) const {
+        return std::isfinite(x) && (min_open ? x > min : x >= min) &&
+               (max_open ? x < max : x <= max);
+    }
+
+    /// The rule in words: "must be greater than 0", "must be from 0 to 360".
+    std::string describe() const;
+};
+
+/// One input of a scene: the key of the case file, the unit the user sees and the allowed range.
+struct FieldSpec {
+    std::string_view key;   ///< key in the case file, for example "crank_radius_mm"
+    std::string_view unit;  ///< unit of the key, for example "mm"; empty for pure numbers
+    Range range;
+    double to_si = 1.0;  ///< SI value = to_si × value in `unit`
+};
+
+/// A number as a person would write it: the shortest decimal text that reads back to the same
+/// double, with a decimal point, in any locale.
+std::string format_number(double value);
+
+}  // namespace ravnoves

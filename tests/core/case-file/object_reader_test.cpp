@@ -1,0 +1,78 @@
+#include "case-file/object_reader.h"
+
+#include <gtest/gtest.h>
+
+#include "case-file/case_file.h"
+#include "case-file/decimal.h"
+#include "case-file/input_error.h"
+
+namespace ravnoves {
+namespace {
+
+std::string error_of(const auto& action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(ObjectReader, NamesPointerRuleAndFinding) {
+    const Json input = parse_json(R"({"crank_radius_mm": -46, "name": 3, "list": [1, 2, "x"]})");
+    ObjectReader reader(input, "/input");
+    EXPECT_EQ(error_of([&] { reader.number("crank_radius_mm", Range::greater_than(0)); }),
+              "/input/crank_radius_mm: must be greater than 0, got -46");
+    EXPECT_EQ(error_of([&] { reader.number("speed_rpm", Range::greater_than(0)); }),
+              "/input/speed_rpm: is required and missing");
+    EXPECT_EQ(error_of([&] { reader.text("name"); }), "/input/name: must be a text, got 3");
+    EXPECT_EQ(error_of([&] { reader.numbers("list", Range{}); }),
+              "/input/list/2: must be a number, got \"x\"");
+}
+
+TEST(ObjectReader, UnknownKeyNamesTheNearest) {
+    const Json input = parse_json(R"({"crank_radus_mm": 46})");
+    ObjectReader reader(input, "/input");
+    reader.has("crank_radius_mm");
+    reader.has("lambda");
+    EXPECT_EQ(error_of([&] { reader.finish(); }),
+              "/input/crank_radus_mm: is not a known key; the nearest is \"crank_radius_mm\"");
+}
+
+TEST(ObjectReader, RefusesAnythingButAnObject) {
+    const Json list = Json::array({1});
+    EXPECT_EQ(error_of([&] { ObjectReader(list, "/input"); }),
+              "/input: must be an object, got [1]");
+}
+
+TEST(ParseJson, SyntaxErrorsNameLineAndColumn) {
+    EXPECT_EQ(error_of([] { parse_json("{\n  \"a\": NaN\n}"); }),
+              "line 2, column 8: is not valid JSON");
+    EXPECT_NE(error_of([] { parse_json("{\"a\": 1e999}"); }), "no error");
+    EXPECT_NE(error_of([] { parse_json(""); }), "no error");
+    EXPECT_NE(error_of([] { parse_json(std::string_view("\0\1\2\377", 4)); }), "no error");
+}
+
+TEST(Decimal, ReadsCommaAndPoint) {
+    EXPECT_EQ(parse_decimal("1,5"), 1.5);
+    EXPECT_EQ(parse_decimal(" 1.5\t"), 1.5);
+    EXPECT_EQ(parse_decimal("\xE2\x88\x92"
+                            "3"),
+              -3.0);
+    EXPECT_EQ(parse_decimal("+2e3"), 2000.0);
+    for (const char* bad : {"", " ", "1.234,5", "1 2", "abc", "1,2,3", "nan", "inf", "1e999", "--1",
+                            "+-1", "0x10", "1e"}) {
+        EXPECT_FALSE(parse_decimal(bad).has_value()) << bad;
+    }
+}
+
+TEST(RangeTest, DescribesItself) {
+    EXPECT_EQ(Range::greater_than(0).describe(), "must be greater than 0");
+    EXPECT_EQ(Range::between(0, 360).describe(), "must be from 0 to 360");
+    EXPECT_EQ((Range::greater_than(0, 5)).describe(), "must be greater than 0 and at most 5");
+    EXPECT_FALSE(Range{}.contains(std::nan("")));
+    EXPECT_FALSE(Range{}.contains(Range::unbounded));
+}
+
+}  // namespace
+}  // namespace ravnoves
