@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ravnoves::balance_shaft {
+
+/// Engine torque M_id over one four-stroke cycle, at rows of ascending crank angle.
+///
+/// The last row repeats the first one cycle later: its angle is the first angle + 720°, its torque
+/// is the first torque. Angles are kept in degrees because tables are written in them: 15° stays
+/// 15°.
+struct TorqueTable {
+    std::vector<double> crank_angle_deg;  ///< °, from top dead centre, in the direction of rotation
+    std::vector<double> torque;           ///< N·m, as many as angles
+
+    std::size_t size() const { return crank_angle_deg.size(); }
+    bool operator==(const TorqueTable&) const = default;
+};
+
+inline constexpr std::size_t largest_torque_table = 1'000'000;  ///< rows
+inline constexpr double largest_torque = 1e12;                  ///< N·m
+
+/// What parse_torque_table() found out about a text, for the page to say.
+struct TorqueTableText {
+    TorqueTable table;
+    char separator = '\t';    ///< between the columns: comma, semicolon, tab or blank
+    bool has_header = false;  ///< the first line held words
+    bool in_radians = false;  ///< angles were in radians (by the header or by the span)
+    bool repeated = false;    ///< the text spanned 360° and stands here twice
+    bool decimal_comma = false;
+
+    /// "49 rows, separated by semicolons, decimal comma, angles in degrees": one sentence without
+    /// the full stop.
+    std::string describe() const;
+};
+
+/// Reads a torque table from CSV text or from what a spreadsheet puts on the clipboard.
+///
+/// Two columns, crank angle and torque, separated by semicolon, tab, comma or blanks; decimal point
+/// or comma; a header line, empty lines, a byte-order mark and lines that begin with '#' are
+/// passed over. Further columns are refused. Angles in degrees or radians: the header says which
+/// ("rad", "deg", "°"), else the span (720, 360, 4π or 2π within 0.1 %). A span of 360° is
+/// repeated.
+/// @throws InputError that names line and column ("line 4, column 2"), or the row for a table that
+///         is not one cycle: unsorted, duplicate angle, too few rows, end that differs from start
+TorqueTableText parse_torque_table(std::string_view text);
+
+/// Checks that a table is one cycle: at least 3 rows, finite, angles ascending, span of 720°, last
+/// torque equal to the first (to 1e-9 of the largest), at most largest_torque_table rows.
+/// @param where  JSON pointer of the object that holds crank_angle_deg and torque_Nm
+/// @throws InputError
+void check_torque_table(const TorqueTable& table, const std::string& where);
+
+/// The table as CSV with a header, decimal point and comma, for the clipboard or a file.
+std::string write_torque_table(const TorqueTable& table);
+
+}  // namespace ravnoves::balance_shaft
