@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "case-file/input_error.h"
 
@@ -175,7 +176,7 @@ std::string ObjectReader::text(std::string_view key) {
 }
 
 std::string ObjectReader::text(std::string_view key, std::string fallback) {
-    return has(key) ? text(key) : fallback;
+    return has(key) ? text(key) : std::move(fallback);
 }
 
 std::string ObjectReader::choice(std::string_view key,

@@ -1,0 +1,107 @@
+#!/usr/bin/env bash
+# Solves every example case, renders its page and writes a report with pictures. Needs no display.
+set -euo pipefail
+
+if [ $# -ne 4 ]; then
+    echo "usage: report.sh RAVNOVES-CLI RAVNOVES EXAMPLES-FOLDER REPORT-FOLDER" >&2
+    exit 2
+fi
+cli=$1 program=$2 examples=$3 report=$4
+export QT_QPA_PLATFORM=offscreen LC_ALL=C.UTF-8
+unset QT_FONT_DPI QT_SCALE_FACTOR
+
+# field NAME FILE: a top-level string of a case file.
+field() { sed -n "s/.*\"$1\"[[:space:]]*:[[:space:]]*\"\([^\"]*\)\".*/\1/p" "$2" | head -n 1; }
+escape() { sed -e 's/&/\&amp;/g' -e 's/</\&lt;/g' -e 's/>/\&gt;/g'; }
+
+# The result with every long list of numbers folded into one line that says how many it holds.
+fold_lists() {
+    awk '
+        function flush() { if (held != "") printf "%s", held; held = "" }
+        /\[$/ { flush(); held = $0 "\n"; head = $0; count = 0; first = ""; next }
+        held != "" && /^ *-?[0-9.eE+-]+,?$/ {
+            value = $0; gsub(/[ ,]/, "", value)
+            if (count == 0) first = value
+            last = value; count++; held = held $0 "\n"; next
+        }
+        held != "" && /^ *\],?$/ {
+            tail = $0; sub(/^ */, "", tail)
+            if (count > 4) { printf "%s %s, ... %s %s   (%d values)\n", head, first, last, tail, count; held = "" }
+            else { held = held $0 "\n"; flush() }
+            next
+        }
+        { flush(); print }
+        END { flush() }'
+}
+
+mkdir -p "$report"
+rm -f "$report"/*.png "$report"/*.result.json "$report"/index.html
+page=$report/index.html
+failures=0
+{
+    cat <<'END'
+<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<title>Ravnoves: the example cases</title>
+<style>
+body { font: 15px/1.45 sans-serif; max-width: 1100px; margin: 2em auto; padding: 0 1em; }
+img { width: 100%; border: 1px solid #bbb; }
+pre { background: #f4f4f4; color: #111; padding: .8em; overflow: auto; max-height: 28em; }
+.bad { color: #b00020; }
+</style>
+</head>
+<body>
+<h1>Ravnoves: the example cases</h1>
+END
+} >"$page"
+
+for case_file in "$examples"/*.case.json; do
+    [ -f "$case_file" ] || continue
+    name=$(basename "$case_file" .case.json)
+    scene=$(field scene "$case_file")
+    title=$(field title "$case_file")
+    result=$report/$name.result.json
+    picture=$report/$name.png
+    status=solved
+    if ! complaint=$("$cli" solve "$case_file" -o "$result" 2>&1); then
+        status=failed
+        failures=$((failures + 1))
+    fi
+    drawn=yes
+    if ! drawing_complaint=$("$program" --screenshot "$picture" --scene "$scene" \
+        --case "$case_file" 2>&1) || ! [ -s "$picture" ]; then
+        drawn=no
+        failures=$((failures + 1))
+    fi
+    {
+        printf '<h2>%s</h2>\n' "$(printf '%s' "${title:-$name}" | escape)"
+        printf '<p>Scene %s, case %s</p>\n' "$scene" "$(basename "$case_file" | escape)"
+        if [ $drawn = yes ]; then
+            printf '<p><img src="%s.png" alt="The page of this case"></p>\n' "$name"
+        else
+            printf '<p class="bad">The page was not rendered: %s</p>\n' \
+                "$(printf '%s' "$drawing_complaint" | escape)"
+        fi
+        if [ $status = solved ]; then
+            printf '<details><summary>Result (<a href="%s.result.json">all of it</a>)</summary>\n' "$name"
+            printf '<pre>%s</pre></details>\n' "$(fold_lists <"$result" | escape)"
+        else
+            printf '<p class="bad">Not solved: %s</p>\n' "$(printf '%s' "$complaint" | escape)"
+        fi
+    } >>"$page"
+
+    printf '  %-22s %-16s %s' "$name" "$scene" "$status"
+    if [ $drawn = yes ]; then printf ', %s.png' "$name"; else printf ', NO PICTURE'; fi
+    printf '\n'
+    [ $status = solved ] || printf '    %s\n' "$complaint"
+    [ $drawn = yes ] || printf '    %s\n' "$drawing_complaint"
+done
+printf '</body>\n</html>\n' >>"$page"
+
+printf '\nReport: %s\n' "$page"
+if [ $failures -ne 0 ]; then
+    printf '%d of its parts failed.\n' "$failures" >&2
+    exit 1
+fi

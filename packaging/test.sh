@@ -1,0 +1,123 @@
+#!/usr/bin/env bash
+# Builds Ravnoves and passes all its tests; on a fresh Debian 12 it first installs what that takes.
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=common.sh
+. "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+usage() {
+    cat <<END
+usage: packaging/test.sh [--quick] [--no-install]
+
+  1. core-only    core and the command line with Qt hidden from CMake: build, tests
+  2. release      the whole program, warnings are errors: build, tests (offscreen)
+  3. asan-ubsan   address and undefined-behaviour sanitizers: build, tests
+  4. lint         clang-tidy over core, ui and app; shellcheck over the scripts
+
+  --quick        stages 1 and 2 only
+  --no-install   take the packages as they are
+  --help         show this text
+
+Exits with 0 only if every stage passed.
+END
+}
+
+quick=no install=yes
+while [ $# -gt 0 ]; do
+    case $1 in
+        --quick) quick=yes ;;
+        --no-install) install=no ;;
+        -h | --help)
+            usage
+            exit 0
+            ;;
+        *)
+            usage >&2
+            fail "unknown argument '$1'"
+            ;;
+    esac
+    shift
+done
+
+# The tests see neither the user's display nor the user's settings, and the same scale everywhere.
+export QT_QPA_PLATFORM=offscreen LC_ALL=C.UTF-8
+unset QT_FONT_DPI QT_SCALE_FACTOR DISPLAY WAYLAND_DISPLAY
+export XDG_CONFIG_HOME=$root/build/test-home/config XDG_DATA_HOME=$root/build/test-home/data
+export UBSAN_OPTIONS=print_stacktrace=1
+
+summary=() failed=()
+passed_total=0 failed_total=0 skipped_total=0
+
+heading() { printf '\n==== %s ====\n' "$*"; }
+
+# stage NAME COMMAND…: runs it, notes its time and outcome, goes on after a failure.
+stage() {
+    local name=$1 started=$SECONDS outcome=ok
+    shift
+    heading "$name"
+    "$@" || outcome=FAILED
+    [ $outcome = ok ] || failed+=("$name")
+    summary+=("$(printf '%-34s %-7s %4d s' "$name" $outcome $((SECONDS - started)))")
+    [ $outcome = ok ]
+}
+
+# Counts from ctest's own summary; a skipped test, which ctest calls passed, is counted apart.
+run_tests() {
+    local preset=$1 log=$root/build/$1/tests.log status=0 failed total skipped
+    (cd "$root" && ctest --preset "$preset" -j "$(nproc)" --no-tests=error) | tee "$log" || status=1
+    read -r failed total < <(sed -n \
+        's/^.*tests passed, \([0-9]*\) tests failed out of \([0-9]*\)$/\1 \2/p' "$log") || true
+    if [ -z "${total:-}" ]; then
+        say "ctest did not say how many tests ran."
+        return 1
+    fi
+    skipped=$(grep -c '(Skipped)$' "$log" || true)
+    skipped_total=$((skipped_total + skipped))
+    passed_total=$((passed_total + total - failed - skipped))
+    failed_total=$((failed_total + failed))
+    return $status
+}
+
+build_and_test() {
+    local preset=$1
+    shift
+    stage "$preset: configure" configure "$preset" -DRAVNOVES_BUILD_TESTS=ON "$@" || return 0
+    stage "$preset: build" build "$preset" || return 0
+    stage "$preset: tests" run_tests "$preset" || return 0
+}
+
+# Goes on after a file that has faults, so that one run names them all.
+run_tidy() { (cd "$root" && cmake --build --preset tidy -j "$(build_jobs)" -- -k 0); }
+
+lint_sources() {
+    stage "lint: configure" configure tidy || return 0
+    stage "lint: clang-tidy" run_tidy || return 0
+}
+
+lint_scripts() {
+    if ! command -v shellcheck >/dev/null; then
+        say "shellcheck is not installed."
+        return 1
+    fi
+    (cd "$root" && shellcheck -x packaging/*.sh .ci/run tests/*/*.sh)
+}
+
+sections=(core ui run test)
+[ $quick = yes ] || sections+=(lint)
+[ $install = no ] || stage "packages" install_sections "${sections[@]}"
+
+build_and_test core-only
+build_and_test release
+if [ $quick = no ]; then
+    build_and_test asan-ubsan
+    stage "lint: scripts" lint_scripts || true
+    lint_sources
+fi
+
+heading "summary"
+printf '%s\n' "${summary[@]}"
+[ $skipped_total -eq 0 ] || printf '%d skipped\n' "$skipped_total"
+printf '%d passed, %d failed\n' "$passed_total" "$failed_total"
+if [ ${#failed[@]} -ne 0 ]; then
+    printf 'FAILED: %s\n' "${failed[*]}"
+    exit 1
+fi

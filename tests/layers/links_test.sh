@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# links_test.sh PROGRAM: neither the program nor a library that it loads is Qt or a display's.
+set -euo pipefail
+program=$1
+needed=$(readelf -d "$program" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p')
+loaded=$(ldd "$program")
+printf 'needs:\n%s\nloads:\n%s\n' "$needed" "$loaded"
+grep -q '^libc\.so' <<<"$needed" || {
+    echo "the list of needed libraries could not be read"
+    exit 1
+}
+if grep -E 'not found' <<<"$loaded"; then
+    exit 1
+fi
+if grep -iE 'lib(Qt|X11|xcb|wayland|GL|EGL)' <<<"$needed $loaded"; then
+    echo "the command line must run without Qt and without a display"
+    exit 1
+fi

@@ -1,0 +1,111 @@
+#!/usr/bin/env bash
+# sources_test.sh SOURCE-FOLDER [QT-WIDGETS-INCLUDE-FOLDER...]
+# The arrows app -> ui -> core as the includes draw them:
+#   core and the command line include no Qt, and nothing from the layers above them;
+#   ui includes nothing from app;
+#   a view-model includes no widget or chart class, nor does any header of ours that it reaches.
+set -euo pipefail
+cd "$1"
+shift
+faults=0
+fault() {
+    printf 'FAULT: %s\n' "$*"
+    faults=$((faults + 1))
+}
+
+quoted_includes() { sed -n 's/^[[:space:]]*#[[:space:]]*include[[:space:]]*"\([^"]*\)".*/\1/p' "$1"; }
+angled_includes() { sed -n 's/^[[:space:]]*#[[:space:]]*include[[:space:]]*<\([^>]*\)>.*/\1/p' "$1"; }
+sources() { find "$@" -type f \( -name '*.cpp' -o -name '*.h' \) | sort; }
+
+# resolve FILE INCLUDE ROOT...: where a quoted include lies, beside the file or under a root.
+resolve() {
+    local file=$1 include=$2 base
+    shift 2
+    for base in "$(dirname "$file")" "$@"; do
+        if [ -f "$base/$include" ]; then
+            printf '%s\n' "$base/$include"
+            return 0
+        fi
+    done
+    return 1
+}
+
+# check_layer LAYER ROOT...: every quoted include of LAYER lies under one of the ROOTs.
+check_layer() {
+    local layer=$1 file include found
+    shift
+    for file in $(sources "$layer"); do
+        for include in $(quoted_includes "$file"); do
+            case $include in *.moc | moc_*.cpp | ui_*.h) continue ;; esac
+            if ! found=$(resolve "$file" "$include" "$@"); then
+                fault "$file includes \"$include\", which is not under: $*"
+            elif [[ $found == */../* ]]; then
+                fault "$file includes \"$include\" through ..; include from the layer's root"
+            fi
+        done
+    done
+}
+
+check_no_qt() {
+    local file include
+    for file in $(sources "$@"); do
+        for include in $(angled_includes "$file") $(quoted_includes "$file"); do
+            case $include in
+                Q[A-Z]* | Qt*/* | q[a-z]*.h) fault "$file includes $include: no Qt in this layer" ;;
+            esac
+        done
+    done
+}
+
+# A layer with no files would pass every check.
+[ "$(sources core | wc -l)" -gt 5 ] || fault "core holds no sources: nothing was checked"
+
+check_layer core core
+check_layer app/cli core
+check_no_qt core app/cli
+if grep -nE 'Qt[0-9]*(::|[[:space:]]+REQUIRED|[[:space:]]+COMPONENTS)' core/CMakeLists.txt; then
+    fault "core/CMakeLists.txt asks for Qt"
+fi
+
+if [ $# -gt 0 ]; then
+    check_layer ui ui core
+    check_layer app/desktop app/desktop ui core
+
+    declare -A is_widget=()
+    for folder in "$@"; do
+        for header in "$folder"/*; do
+            is_widget[$(basename "$header")]=$(basename "$folder")
+        done
+    done
+    [ -n "${is_widget[QWidget]:-}" ] || fault "QWidget is not in: $*"
+
+    view_models=$(sources ui | grep view_model || true)
+    [ -n "$view_models" ] || fault "ui holds no view-models: nothing was checked"
+    for start in $view_models; do
+        declare -A reached=([$start]=$start)
+        queue=("$start")
+        while [ ${#queue[@]} -gt 0 ]; do
+            file=${queue[0]}
+            queue=("${queue[@]:1}")
+            for include in $(angled_includes "$file"); do
+                name=${include##*/}
+                if [[ $include == QtWidgets/* || $include == QtCharts/* || -n "${is_widget[$name]:-}" ]]; then
+                    fault "$start reaches <$include> by ${reached[$file]}"
+                fi
+            done
+            for include in $(quoted_includes "$file"); do
+                next=$(resolve "$file" "$include" ui core) || continue
+                if [ -z "${reached[$next]:-}" ]; then
+                    reached[$next]="${reached[$file]} -> $next"
+                    queue+=("$next")
+                fi
+            done
+        done
+        unset reached
+    done
+fi
+
+if [ $faults -ne 0 ]; then
+    printf '%d faults\n' "$faults"
+    exit 1
+fi

@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# scripts_test.sh SOURCE-FOLDER: the scripts parse, the package list is sound and read as written.
+set -euo pipefail
+cd "$1"
+status=0
+fault() {
+    printf 'FAULT: %s\n' "$*"
+    status=1
+}
+
+for script in packaging/*.sh .ci/run tests/*/*.sh; do
+    bash -n "$script" || fault "$script does not parse"
+done
+for script in packaging/run.sh packaging/test.sh packaging/report.sh .ci/run; do
+    [ -x "$script" ] || fault "$script is not executable"
+done
+packaging/run.sh --help | grep -q '^usage: packaging/run.sh' || fault "run.sh --help says nothing"
+packaging/test.sh --help | grep -q '^usage: packaging/test.sh' || fault "test.sh --help says nothing"
+if packaging/run.sh --no-such-option 2>/dev/null; then
+    fault "run.sh takes an option that it does not know"
+fi
+if packaging/test.sh --no-such-option 2>/dev/null; then
+    fault "test.sh takes an option that it does not know"
+fi
+
+. packaging/common.sh
+all=$(packages_in core ui run test lint benchmark)
+packages_in core | grep -qx cmake || fault "section [core] is not read"
+packages_in ui | grep -qx qt6-charts-dev || fault "section [ui] is not read"
+! packages_in core | grep -qi qt || fault "section [core] asks for Qt"
+repeated=$(sort <<<"$all" | uniq -d)
+[ -z "$repeated" ] || fault "listed twice: $repeated"
+# Every line that is no comment and no heading is a package that some section gives out.
+listed=$(sed 's/#.*//' packaging/packages.txt | awk 'NF && $1 !~ /^\[/ { print $1 }' | sort)
+[ "$listed" = "$(sort <<<"$all")" ] || fault "a section of packages.txt is read by nobody"
+odd=$(grep -vE '^[a-z0-9][a-z0-9.+-]+$' <<<"$all" || true)
+[ -z "$odd" ] || fault "not a package name: $odd"
+
+if command -v dpkg-query >/dev/null; then
+    [ -z "$(missing_packages bash)" ] || fault "bash is said to be missing"
+    [ "$(missing_packages bash no-such-package-at-all)" = no-such-package-at-all ] ||
+        fault "a missing package is not found out"
+fi
+exit $status
