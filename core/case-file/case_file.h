@@ -49,8 +49,7 @@ Json write_case(const CaseFile& file);
 /// @throws InputError for bad input, std::logic_error for a fault of ours
 Json solve_case(const CaseFile& file, const CaseContext& context);
 
-/// Parses JSON text; syntax errors, NaN and numbers beyond double name line and column. Nesting is
-/// limited to 100 levels.
+/// Parses JSON text; syntax errors, NaN and numbers beyond double name line and column.
 /// @throws InputError
 Json parse_json(std::string_view text);
 

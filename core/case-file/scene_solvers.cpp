@@ -1,12 +1,15 @@
 #include <array>
 
 #include "case-file/case_file.h"
+#include "v8-plugs/solver.h"
 
 namespace ravnoves {
 
 std::span<const SceneSolver> scene_solvers() {
     // One line per scene; the order is that of the navigation.
-    static const std::array<SceneSolver, 0> scenes{};
+    static const std::array scenes{
+        SceneSolver{"v8-plugs", v8_plugs::solve_case_input},
+    };
     return scenes;
 }
 
