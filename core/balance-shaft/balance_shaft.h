@@ -202,6 +202,19 @@ struct FrontView {
     double wall;
 };
 
+/// What the user should know about a result beyond its numbers. The kind is for translators, the
+/// text is the English sentence that the command line prints.
+struct Note {
+    enum class Kind {
+        no_shaft_moment,         ///< P₁ l = 0: the angle changes nothing
+        range_without_gain,      ///< no α has a smaller range than the engine without a shaft
+        rms_without_gain,        ///< no α has a smaller RMS than the engine without a shaft
+        counterweight_mismatch,  ///< the given m₁ is not that of equation (1)
+    };
+    Kind kind;
+    std::string text;
+};
+
 /// Everything that the page shows and that the command line prints.
 struct Result {
     // What the shaft's angle does not change.
@@ -220,7 +233,7 @@ struct Result {
     Optimum best_range;
     Optimum best_rms;
     AngleSweep sweep;
-    std::vector<std::string> notes;  ///< sentences the user should read
+    std::vector<Note> notes;
 
     // What follows the shaft's angle: updated by Solver::move_shaft().
     double shaft_angle = 0.0;  ///< α, rad, 0…2π
@@ -254,7 +267,8 @@ class Solver {
     const Input& input() const;
     /// The whole result at the input's α.
     Result result() const;
-    /// Sets α in a result of this solver and updates all that follows it; allocates nothing.
+    /// Sets α in a result of this solver and updates all that follows it; allocates nothing
+    /// for tables of up to 1000 different angles modulo 360°.
     /// @param shaft_angle  rad, any finite angle
     void move_shaft(double shaft_angle, Result& result) const;
 
@@ -264,6 +278,7 @@ class Solver {
     double range(double shaft_angle) const;
     /// RMS of M_ups about its mean at α, N·m.
     double rms(double shaft_angle) const;
+    double counterweight_force() const;  ///< P₁, N
     const FrontView& front_view() const;
     Envelope envelope(double shaft_angle) const;
 

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <charconv>
-#include <cmath>
 
 namespace ravnoves {
 
@@ -13,15 +12,36 @@ std::string format_number(double value) {
     if (std::isinf(value)) {
         return value > 0 ? "infinity" : "-infinity";
     }
-    // People write 100000, not 1e+05; very large and very small numbers keep their exponent.
-    const double size = std::abs(value);
-    const bool plain = size == 0.0 || (size >= 1e-5 && size < 1e15);
     std::array<char, 64> buffer{};
-    char* const last = buffer.data() + buffer.size();
-    const auto end = plain
-                         ? std::to_chars(buffer.data(), last, value, std::chars_format::fixed).ptr
-                         : std::to_chars(buffer.data(), last, value).ptr;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
     return {buffer.data(), end};
+}
+
+std::string format_number(double value, int significant_digits) {
+    if (!std::isfinite(value)) {
+        return format_number(value);
+    }
+    std::array<char, 64> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                   std::chars_format::general, significant_digits)
+                         .ptr;
+    return {buffer.data(), end};
+}
+
+double from_si(const FieldSpec& field, double si) {
+    const double value = si / field.to_si;
+    if (!std::isfinite(value)) {
+        return value;
+    }
+    for (const int digits : {12, 15, 16}) {
+        const std::string text = format_number(value, digits);
+        double rounded = 0.0;
+        std::from_chars(text.data(), text.data() + text.size(), rounded);
+        if (rounded * field.to_si == si) {
+            return rounded;
+        }
+    }
+    return value;
 }
 
 std::string Range::describe() const {

@@ -45,8 +45,14 @@ struct FieldSpec {
     double to_si = 1.0;  ///< SI value = to_si × value in `unit`
 };
 
+/// The value in the field's unit that to_si takes to this SI value: of the doubles that do, the one
+/// with the shortest decimal text, so that 46 mm written and read again stays 46.
+double from_si(const FieldSpec& field, double si);
+
 /// A number as a person would write it: the shortest decimal text that reads back to the same
 /// double, with a decimal point, in any locale.
 std::string format_number(double value);
+/// Rounded to so many significant digits.
+std::string format_number(double value, int significant_digits);
 
 }  // namespace ravnoves

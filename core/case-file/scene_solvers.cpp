@@ -1,14 +1,14 @@
 #include <array>
 
+#include "balance-shaft/scene.h"
 #include "case-file/case_file.h"
-#include "v8-plugs/solver.h"
 
 namespace ravnoves {
 
 std::span<const SceneSolver> scene_solvers() {
     // One line per scene; the order is that of the navigation.
     static const std::array scenes{
-        SceneSolver{"v8-plugs", v8_plugs::solve_case_input},
+        SceneSolver{"balance-shaft", balance_shaft::solve_scene},
     };
     return scenes;
 }

@@ -1,0 +1,42 @@
+#include <cmath>
+
+#include "balance-shaft/balance_shaft.h"
+#include "numerics/slider_crank.h"
+
+namespace ravnoves::balance_shaft {
+
+MechanismPose mechanism_pose(const Solver& solver, double crank_angle, double shaft_angle) {
+    const FrontView& view = solver.front_view();
+    const Input& input = solver.input();
+    const double c = std::cos(crank_angle);
+    const double s = std::sin(crank_angle);
+    const double mass = input.reciprocating_mass();
+    const double speed2 = input.angular_speed * input.angular_speed;
+    const SliderCrank<double> crank{view.crank_radius, view.rod_length};
+    const PistonMotion<double> piston = crank.at(s, c);
+
+    MechanismPose pose;
+    pose.crankpin = {view.crank_radius * s, view.crank_radius * c};
+    pose.piston_pin = {0.0, piston.s};
+    const double rho = view.counterweight_radius;
+    // The crank turns clockwise in the view, the shaft the other way: their counterweights meet in
+    // the vertical component only.
+    const Vector2 crank_direction{-s, -c};
+    const Vector2 shaft_direction{s, -c};
+    pose.crank_counterweight = {rho * crank_direction.x, rho * crank_direction.y};
+    pose.shaft_axis = {view.centre_distance * std::sin(shaft_angle),
+                       view.centre_distance * std::cos(shaft_angle)};
+    pose.shaft_counterweight = {pose.shaft_axis.x + rho * shaft_direction.x,
+                                pose.shaft_axis.y + rho * shaft_direction.y};
+    pose.inertia_force = {0.0, -mass * piston.d2s * speed2};
+    pose.inertia_force_1 = {0.0, mass * view.crank_radius * speed2 * c};
+    const double force = solver.counterweight_force();
+    pose.crank_counterweight_force = {force * crank_direction.x, force * crank_direction.y};
+    pose.shaft_counterweight_force = {force * shaft_direction.x, force * shaft_direction.y};
+    pose.M_up = solver.M_up(crank_angle);
+    pose.M_s = solver.M_s(crank_angle, shaft_angle);
+    pose.M_ups = pose.M_up + pose.M_s;
+    return pose;
+}
+
+}  // namespace ravnoves::balance_shaft

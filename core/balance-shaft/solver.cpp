@@ -1,0 +1,362 @@
+#include <algorithm>
+#include <cmath>
+
+#include "balance-shaft/balance_shaft.h"
+#include "balance-shaft/best_range.h"
+#include "balance-shaft/cycle_extrema.h"
+#include "numerics/periodic_piecewise.h"
+
+namespace ravnoves::balance_shaft {
+
+namespace {
+
+constexpr double cycle_deg = 720.0;
+constexpr double turn_deg = 360.0;
+/// Differences below this part of the size are rounding.
+constexpr double rounding = 1e-12;
+
+/// 0, step, 2 step … and the span itself.
+std::vector<double> grid(double span, double step) {
+    const auto whole = static_cast<std::size_t>(std::floor(span / step * (1.0 + 1e-12)));
+    std::vector<double> values;
+    values.reserve(whole + 2);
+    for (std::size_t k = 0; k <= whole; ++k) {
+        values.push_back(std::min(static_cast<double>(k) * step, span));
+    }
+    if (span - values.back() > 1e-9 * span) {
+        values.push_back(span);
+    }
+    values.back() = span;
+    return values;
+}
+
+double wrap_turn(double angle) {
+    angle = std::fmod(angle, two_pi);
+    if (angle < 0.0) {
+        angle += two_pi;
+    }
+    return angle < two_pi ? angle : 0.0;
+}
+
+/// M_up = −M_id over the crank angle in degrees.
+PeriodicPiecewise tipping_moment(const Input& input) {
+    const TorqueTable& table = input.torque.table;
+    std::vector<double> angle = table.crank_angle_deg;
+    angle.back() = angle.front() + cycle_deg;
+    std::vector<double> moment(table.size());
+    std::transform(table.torque.begin(), table.torque.end(), moment.begin(),
+                   [](double torque) { return 0.0 - torque; });
+    moment.back() = moment.front();
+    return input.interpolation == Interpolation::linear ? PeriodicPiecewise::linear(angle, moment)
+                                                        : PeriodicPiecewise::cubic(angle, moment);
+}
+
+struct Forces {
+    double inertia_force_1_max;  ///< P_j1 max, N
+    double counterweight_mass;   ///< m₁, kg, (1) or as given
+    double counterweight_force;  ///< P₁, N
+    double moment_amplitude;     ///< P₁ l, N·m
+
+    explicit Forces(const Input& input) {
+        const double mass = input.reciprocating_mass();
+        const double speed2 = input.angular_speed * input.angular_speed;
+        inertia_force_1_max = mass * input.crank_radius * speed2;
+        counterweight_mass = input.counterweight_mass.value_or(mass * input.crank_radius /
+                                                               (2.0 * input.counterweight_radius));
+        counterweight_force = counterweight_mass * input.counterweight_radius * speed2;
+        moment_amplitude = counterweight_force * input.centre_distance;
+    }
+};
+
+FrontView fill_in(const Input& input) {
+    FrontView view{};
+    view.crank_radius = input.crank_radius;
+    view.rod_length = input.effective_rod_length();
+    view.counterweight_radius = input.counterweight_radius;
+    view.centre_distance = input.centre_distance;
+    view.cylinder_bore = input.envelope.cylinder_bore.value_or(2.0 * view.crank_radius);
+    view.cylinder_top = input.envelope.cylinder_top.value_or(view.crank_radius + view.rod_length +
+                                                             view.cylinder_bore / 2.0);
+    constexpr double swing = 1.3;  // circle swept against the radius of the centre of mass
+    view.crank_swing_radius = input.envelope.crank_swing_radius.value_or(
+        swing * std::max(view.crank_radius, view.counterweight_radius));
+    view.shaft_swing_radius =
+        input.envelope.shaft_swing_radius.value_or(swing * view.counterweight_radius);
+    view.gear_pitch_radius = view.centre_distance / 2.0;
+    view.gear_tip_radius = input.envelope.gear_tip_radius.value_or(view.gear_pitch_radius);
+    view.wall = input.envelope.wall;
+    return view;
+}
+
+/// The mean over the paper's 25 nodes, every 30° with both ends: 24 of them cancel, the last
+/// repeats φ = 0.
+double printed_mean_of_shaft_moment(double amplitude, double alpha) {
+    constexpr double nodes = 25.0;
+    return amplitude * std::sin(alpha) / nodes;
+}
+
+MomentMetrics metrics_of(const Extrema& extrema, double mean, double variance) {
+    MomentMetrics metrics;
+    metrics.mean = mean;
+    metrics.max = extrema.max.value;
+    metrics.min = extrema.min.value;
+    metrics.range = metrics.max - metrics.min;
+    metrics.rms = std::sqrt(std::max(variance, 0.0));
+    metrics.max_angle = extrema.max.angle_deg * degree;
+    metrics.min_angle = extrema.min.angle_deg * degree;
+    return metrics;
+}
+
+}  // namespace
+
+struct Solver::Prepared {
+    Input input;
+    FrontView view;
+    Forces forces;
+    PeriodicPiecewise moment;  ///< M_up over φ in degrees
+    CycleExtrema extrema;      ///< of M_up + M_s
+    double variance = 0.0;     ///< of M_up, (N·m)²
+    FourierPair order_1;       ///< M_up's component a cos φ + b sin φ
+    /// What result() starts from: all but what follows the shaft's angle.
+    Result base;
+    std::vector<double> cos_curve;  ///< cos φ and sin φ at the curves' angles
+    std::vector<double> sin_curve;
+
+    explicit Prepared(const Input& checked);
+
+    double variance_at(double alpha) const {
+        // The shaft's moment A sin(φ + α) = A sin α cos φ + A cos α sin φ has the variance A²/2 and
+        // shares only the first order with M_up.
+        const double amplitude = forces.moment_amplitude;
+        return variance + amplitude * (amplitude / 2.0 + std::sin(alpha) * order_1.a +
+                                       std::cos(alpha) * order_1.b);
+    }
+    double rms_at(double alpha) const { return std::sqrt(std::max(variance_at(alpha), 0.0)); }
+    Envelope envelope_at(double alpha) const;
+
+    void prepare_curves();
+    void prepare_optima();
+    void prepare_sweep();
+    void prepare_notes();
+};
+
+Solver::Prepared::Prepared(const Input& checked)
+    : input(checked),
+      view(fill_in(checked)),
+      forces(checked),
+      moment(tipping_moment(checked)),
+      extrema(moment, forces.moment_amplitude),
+      variance(moment.variance()),
+      order_1(moment.fourier(degree)) {
+    base.angular_speed = input.angular_speed;
+    base.reciprocating_mass = input.reciprocating_mass();
+    base.inertia_force_1_max = forces.inertia_force_1_max;
+    base.counterweight_mass = forces.counterweight_mass;
+    base.counterweight_force = forces.counterweight_force;
+    base.moment_amplitude = forces.moment_amplitude;
+    base.M_up = metrics_of(CycleExtrema(moment, 0.0)(0.0), moment.mean(), variance);
+    base.order_1_amplitude = std::hypot(order_1.a, order_1.b);
+    base.order_1_phase = std::atan2(order_1.a, order_1.b);
+    const double size = std::max(std::abs(base.M_up.max), std::abs(base.M_up.min));
+    if (base.M_up.range > rounding * size && variance > 0.0) {
+        base.order_1_share =
+            std::min(base.order_1_amplitude * base.order_1_amplitude / (2.0 * variance), 1.0);
+    }
+    double sum = 0.0;
+    for (const double torque : input.torque.table.torque) {
+        sum -= torque;
+    }
+    base.printed_mean_M_up = sum / static_cast<double>(input.torque.table.size());
+    prepare_curves();
+    prepare_optima();
+    prepare_sweep();
+    prepare_notes();
+}
+
+void Solver::Prepared::prepare_curves() {
+    MomentCurves& curves = base.curves;
+    curves.crank_angle_deg = grid(cycle_deg, input.step_deg);
+    const std::size_t count = curves.crank_angle_deg.size();
+    curves.M_up.reserve(count);
+    cos_curve.reserve(count);
+    sin_curve.reserve(count);
+    for (const double angle : curves.crank_angle_deg) {
+        curves.M_up.push_back(moment(angle));
+        cos_curve.push_back(std::cos(angle * degree));
+        sin_curve.push_back(std::sin(angle * degree));
+    }
+    curves.M_s.resize(count);
+    curves.M_ups.resize(count);
+}
+
+void Solver::Prepared::prepare_optima() {
+    if (forces.moment_amplitude == 0.0) {
+        const std::string note = "The shaft makes no moment, so its angle changes nothing.";
+        base.best_range = {std::nullopt, base.M_up.range, note};
+        base.best_rms = {std::nullopt, base.M_up.rms, note};
+        return;
+    }
+    const BestRange best = minimise_range(extrema);
+    base.best_range.value = best.range;
+    if (best.worst - best.range > rounding * best.worst) {
+        base.best_range.shaft_angle = best.shaft_angle;
+    } else {
+        base.best_range.note = "The range is the same at every angle of the shaft.";
+    }
+    // The variance is least where the shaft's moment opposes M_up's first order.
+    const double size = std::max(std::abs(base.M_up.max), std::abs(base.M_up.min));
+    if (base.order_1_amplitude > rounding * size) {
+        const double angle = wrap_turn(base.order_1_phase + pi);
+        base.best_rms = {angle, rms_at(angle), {}};
+    } else {
+        base.best_rms = {std::nullopt, rms_at(0.0),
+                         "The tipping moment has no first order, so the RMS is the same at every "
+                         "angle of the shaft."};
+    }
+}
+
+void Solver::Prepared::prepare_sweep() {
+    AngleSweep& sweep = base.sweep;
+    sweep.shaft_angle_deg = grid(turn_deg, input.step_deg);
+    const std::size_t count = sweep.shaft_angle_deg.size();
+    sweep.mean_M_s.assign(count, 0.0);
+    sweep.mean_M_ups.assign(count, base.M_up.mean);
+    sweep.range.reserve(count);
+    sweep.rms.reserve(count);
+    for (const double angle : sweep.shaft_angle_deg) {
+        const double alpha = angle * degree;
+        sweep.range.push_back(extrema.range(alpha));
+        sweep.rms.push_back(rms_at(alpha));
+        const double printed = printed_mean_of_shaft_moment(forces.moment_amplitude, alpha);
+        sweep.printed_mean_M_s.push_back(printed);
+        sweep.printed_mean_M_ups.push_back(printed + base.printed_mean_M_up);
+    }
+}
+
+void Solver::Prepared::prepare_notes() {
+    constexpr int digits = 4;
+    const auto note = [&](Note::Kind kind, const std::string& text) {
+        base.notes.push_back({kind, text});
+    };
+    if (forces.moment_amplitude == 0.0) {
+        note(Note::Kind::no_shaft_moment, base.best_range.note);
+    } else {
+        if (base.best_range.value >= base.M_up.range) {
+            note(Note::Kind::range_without_gain,
+                 "No angle of the shaft makes the range smaller than without a shaft: at best " +
+                     format_number(base.best_range.value, digits) + " N·m against " +
+                     format_number(base.M_up.range, digits) + " N·m.");
+        }
+        if (base.best_rms.value >= base.M_up.rms) {
+            note(Note::Kind::rms_without_gain,
+                 "No angle of the shaft makes the RMS smaller than without a shaft: at best " +
+                     format_number(base.best_rms.value, digits) + " N·m against " +
+                     format_number(base.M_up.rms, digits) + " N·m.");
+        }
+    }
+    const double balanced = 2.0 * forces.counterweight_force / forces.inertia_force_1_max;
+    constexpr double noticeable = 1e-3;
+    if (input.counterweight_mass && std::abs(balanced - 1.0) > noticeable) {
+        note(Note::Kind::counterweight_mismatch,
+             "The counterweight given balances " + format_number(100.0 * balanced, digits) +
+                 " % of the first-order inertia force; equation (1) asks for " +
+                 format_number(input.reciprocating_mass() * input.crank_radius /
+                                   (2.0 * input.counterweight_radius),
+                               digits) +
+                 " kg.");
+    }
+}
+
+Envelope Solver::Prepared::envelope_at(double alpha) const {
+    const double crank = std::max(view.crank_swing_radius, view.gear_tip_radius) + view.wall;
+    const double shaft = std::max(view.shaft_swing_radius, view.gear_tip_radius) + view.wall;
+    const double x = view.centre_distance * std::sin(alpha);
+    const double y = view.centre_distance * std::cos(alpha);
+    const double cylinder = view.cylinder_bore / 2.0 + view.wall;
+    return {std::min({-crank, x - shaft, -cylinder}), std::max({crank, x + shaft, cylinder}),
+            std::min(-crank, y - shaft),
+            std::max({crank, y + shaft, view.cylinder_top + view.wall})};
+}
+
+Solver::Solver(const Input& input) {
+    check_input(input);
+    prepared_ = std::make_shared<const Prepared>(input);
+}
+
+const Input& Solver::input() const {
+    return prepared_->input;
+}
+
+Result Solver::result() const {
+    Result result = prepared_->base;
+    move_shaft(prepared_->input.shaft_angle, result);
+    return result;
+}
+
+void Solver::move_shaft(double shaft_angle, Result& result) const {
+    const Prepared& prepared = *prepared_;
+    const double alpha = wrap_turn(shaft_angle);
+    const double amplitude = prepared.forces.moment_amplitude;
+    result.shaft_angle = alpha;
+
+    MomentMetrics& shaft = result.M_s;
+    shaft.mean = 0.0;  // of a sine over whole periods
+    shaft.max = amplitude;
+    shaft.min = -amplitude;
+    shaft.range = 2.0 * amplitude;
+    shaft.rms = amplitude / std::numbers::sqrt2;
+    shaft.max_angle = wrap_turn(pi / 2.0 - alpha);
+    shaft.min_angle = wrap_turn(3.0 * pi / 2.0 - alpha);
+    result.M_ups =
+        metrics_of(prepared.extrema(alpha), prepared.base.M_up.mean, prepared.variance_at(alpha));
+    result.printed_mean_M_s = printed_mean_of_shaft_moment(amplitude, alpha);
+    result.printed_mean_M_ups = result.printed_mean_M_s + prepared.base.printed_mean_M_up;
+    if (prepared.base.order_1_share) {
+        result.range_change = result.M_ups.range / prepared.base.M_up.range - 1.0;
+        result.rms_change = result.M_ups.rms / prepared.base.M_up.rms - 1.0;
+    }
+    result.envelope = prepared.envelope_at(alpha);
+
+    const auto count = static_cast<Eigen::Index>(prepared.cos_curve.size());
+    using Curve = Eigen::Map<const Eigen::ArrayXd>;
+    const double x = amplitude * std::sin(alpha);
+    const double y = amplitude * std::cos(alpha);
+    Eigen::Map<Eigen::ArrayXd> M_s(result.curves.M_s.data(), count);
+    Eigen::Map<Eigen::ArrayXd> M_ups(result.curves.M_ups.data(), count);
+    M_s = x * Curve(prepared.cos_curve.data(), count) + y * Curve(prepared.sin_curve.data(), count);
+    M_ups = Curve(prepared.base.curves.M_up.data(), count) + M_s;
+}
+
+double Solver::M_up(double crank_angle) const {
+    return prepared_->moment(crank_angle / degree);
+}
+
+double Solver::M_s(double crank_angle, double shaft_angle) const {
+    return prepared_->forces.moment_amplitude * std::sin(shaft_angle + crank_angle);
+}
+
+double Solver::range(double shaft_angle) const {
+    return prepared_->extrema.range(shaft_angle);
+}
+
+double Solver::rms(double shaft_angle) const {
+    return prepared_->rms_at(shaft_angle);
+}
+
+double Solver::counterweight_force() const {
+    return prepared_->forces.counterweight_force;
+}
+
+const FrontView& Solver::front_view() const {
+    return prepared_->view;
+}
+
+Envelope Solver::envelope(double shaft_angle) const {
+    return prepared_->envelope_at(shaft_angle);
+}
+
+Result solve(const Input& input) {
+    return Solver(input).result();
+}
+
+}  // namespace ravnoves::balance_shaft

@@ -1,0 +1,86 @@
+#include "balance-shaft/balance_shaft.h"
+
+namespace ravnoves::balance_shaft {
+
+namespace {
+
+constexpr double millimetre = 1e-3;
+constexpr double percent = 100.0;
+
+Json number_or_null(const std::optional<double>& value, double factor) {
+    return value ? Json(*value * factor) : Json(nullptr);
+}
+
+Json write(const MomentMetrics& metrics) {
+    return {{"mean_Nm", metrics.mean},
+            {"max_Nm", metrics.max},
+            {"min_Nm", metrics.min},
+            {"range_Nm", metrics.range},
+            {"rms_Nm", metrics.rms},
+            {"max_crank_angle_deg", metrics.max_angle / degree},
+            {"min_crank_angle_deg", metrics.min_angle / degree}};
+}
+
+Json write(const Optimum& optimum, const char* value_key) {
+    Json json = {{"shaft_angle_deg", number_or_null(optimum.shaft_angle, 1.0 / degree)},
+                 {value_key, optimum.value}};
+    if (!optimum.note.empty()) {
+        json["note"] = optimum.note;
+    }
+    return json;
+}
+
+}  // namespace
+
+Json write_result(const Result& result) {
+    Json notes = Json::array();
+    for (const Note& note : result.notes) {
+        notes.push_back(note.text);
+    }
+    return {
+        {"angular_speed_rad_s", result.angular_speed},
+        {"reciprocating_mass_kg", result.reciprocating_mass},
+        {"inertia_force_1_max_N", result.inertia_force_1_max},
+        {"counterweight_mass_kg", result.counterweight_mass},
+        {"counterweight_force_N", result.counterweight_force},
+        {"moment_amplitude_Nm", result.moment_amplitude},
+        {"shaft_angle_deg", result.shaft_angle / degree},
+        {"metrics",
+         {{"M_up", write(result.M_up)},
+          {"M_s", write(result.M_s)},
+          {"M_ups", write(result.M_ups)}}},
+        {"change_without_shaft",
+         {{"range_percent", number_or_null(result.range_change, percent)},
+          {"rms_percent", number_or_null(result.rms_change, percent)}}},
+        {"printed_mean",
+         {{"M_s_25_nodes_Nm", result.printed_mean_M_s},
+          {"M_up_nodes_Nm", result.printed_mean_M_up},
+          {"M_ups_nodes_Nm", result.printed_mean_M_ups}}},
+        {"optimum",
+         {{"range", write(result.best_range, "range_Nm")},
+          {"rms", write(result.best_rms, "rms_Nm")}}},
+        {"order_1",
+         {{"amplitude_Nm", result.order_1_amplitude},
+          {"phase_deg", result.order_1_phase / degree},
+          {"share_of_variance", number_or_null(result.order_1_share, 1.0)}}},
+        {"envelope",
+         {{"width_mm", result.envelope.width() / millimetre},
+          {"height_mm", result.envelope.height() / millimetre}}},
+        {"notes", notes},
+        {"curves",
+         {{"crank_angle_deg", result.curves.crank_angle_deg},
+          {"M_up_Nm", result.curves.M_up},
+          {"M_s_Nm", result.curves.M_s},
+          {"M_ups_Nm", result.curves.M_ups}}},
+        {"sweep",
+         {{"shaft_angle_deg", result.sweep.shaft_angle_deg},
+          {"range_Nm", result.sweep.range},
+          {"rms_Nm", result.sweep.rms},
+          {"mean_M_s_Nm", result.sweep.mean_M_s},
+          {"mean_M_ups_Nm", result.sweep.mean_M_ups},
+          {"printed_mean_M_s_25_nodes_Nm", result.sweep.printed_mean_M_s},
+          {"printed_mean_M_ups_nodes_Nm", result.sweep.printed_mean_M_ups}}},
+    };
+}
+
+}  // namespace ravnoves::balance_shaft

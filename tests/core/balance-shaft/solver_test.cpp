@@ -1,0 +1,535 @@
+#include <gtest/gtest.h>
+
+#include <boost/math/quadrature/gauss.hpp>
+
+#include "balance-shaft/balance_shaft.h"
+#include "balance-shaft/best_range.h"
+#include "balance-shaft/cycle_extrema.h"
+#include "example_check.h"
+#include "numerics/periodic_piecewise.h"
+#include "test_cases.h"
+
+namespace ravnoves::balance_shaft {
+namespace {
+
+using test::dense_extrema;
+using test::random_table;
+
+double angular_distance(double a, double b) {
+    return std::abs(std::remainder(a - b, two_pi));
+}
+
+/// Integral over the cycle of f(φ), piecewise between the table's rows.
+double cycle_mean(const TorqueTable& table, const auto& f) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i + 1 < table.size(); ++i) {
+        const double from = table.crank_angle_deg[i] * degree;
+        const double to = table.crank_angle_deg[i + 1] * degree;
+        constexpr int parts = 8;
+        for (int k = 0; k < parts; ++k) {
+            sum += boost::math::quadrature::gauss<double, 15>::integrate(
+                f, from + (to - from) * k / parts, from + (to - from) * (k + 1) / parts);
+        }
+    }
+    return sum / (4.0 * pi);
+}
+
+TEST(BalanceShaftExample, MatchesTheContract) {
+    const Json document = ravnoves::test::check_example("tmz-650d");
+    // The expected optimum was searched on a grid of 0.01°: at its own angle we agree closely.
+    const Solver solver(preset_tmz_650d());
+    EXPECT_NEAR(solver.range(50.65 * degree), 1066.7481566759568, 1e-6 * 1066.7);
+    EXPECT_NEAR(solver.rms(11.76 * degree), 263.56934456000073, 1e-6 * 263.6);
+    EXPECT_FALSE(document.at("result").contains("inertia_check"));
+}
+
+TEST(BalanceShaftPaper, Forces) {
+    const Result result = solve(preset_tmz_650d());
+    EXPECT_NEAR(result.reciprocating_mass, 1.316, 1e-12);
+    EXPECT_NEAR(result.inertia_force_1_max, 8594.8, 0.05);
+    EXPECT_NEAR(result.counterweight_mass, 0.658, 1e-12);
+    EXPECT_NEAR(result.counterweight_force, 4297.4, 0.05);
+    EXPECT_NEAR(result.moment_amplitude, 430.39, 0.01);
+}
+
+TEST(BalanceShaftPaper, WholeOfTable3) {
+    const auto rows = test::read_csv(test::data_folder() / "table-3.csv");
+    ASSERT_EQ(rows.size(), 27U);  // header, 25 angles, means
+    const Solver solver(preset_tmz_650d());
+    for (std::size_t row = 1; row <= 25; ++row) {
+        ASSERT_EQ(rows[row].size(), 13U);
+        const double crank = std::stod(rows[row][0]);
+        for (std::size_t column = 1; column <= 12; ++column) {
+            const double shaft = std::stod(rows[0][column]);
+            EXPECT_NEAR(solver.M_s(crank * degree, shaft * degree), std::stod(rows[row][column]),
+                        0.0101)
+                << "at crank angle " << crank << ", shaft angle " << shaft;
+        }
+    }
+}
+
+TEST(BalanceShaftPaper, MeansOfItsNodes) {
+    const auto rows = test::read_csv(test::data_folder() / "table-3.csv");
+    const Solver solver(preset_tmz_650d());
+    Result result = solver.result();
+    EXPECT_NEAR(result.printed_mean_M_up, -37.9, 0.005);
+    EXPECT_NEAR(result.M_up.mean, -38.690, 0.0005);
+    for (std::size_t column = 1; column <= 11; ++column) {  // column 12's mean is M_up's
+        const double shaft = std::stod(rows[0][column]) * degree;
+        double nodes = 0.0;
+        for (int k = 0; k <= 24; ++k) {
+            nodes += solver.M_s(30.0 * k * degree, shaft) / 25.0;
+        }
+        solver.move_shaft(shaft, result);
+        EXPECT_NEAR(result.printed_mean_M_s, nodes, 1e-11);
+        EXPECT_NEAR(result.printed_mean_M_s, std::stod(rows[26][column]), 0.0051);
+        EXPECT_NEAR(result.printed_mean_M_ups, nodes + result.printed_mean_M_up, 1e-11);
+    }
+}
+
+TEST(BalanceShaftPaper, RangeAndBestAngles) {
+    const Solver solver(preset_tmz_650d());
+    const Result result = solver.result();
+    EXPECT_NEAR(solver.range(240.0 * degree), 1821.0, 0.5);
+    EXPECT_NEAR(result.M_up.range, 1208.0, 1e-9);
+    EXPECT_NEAR(result.M_up.rms, 212.6, 0.05);
+    EXPECT_NEAR(*result.best_range.shaft_angle / degree, 50.6, 0.1);
+    EXPECT_NEAR(result.best_range.value, 1066.7, 0.1);
+    EXPECT_NEAR(*result.best_rms.shaft_angle / degree, 11.8, 0.05);
+    EXPECT_NEAR(result.best_rms.value, 263.6, 0.05);
+    EXPECT_NEAR(result.best_range.value / result.M_up.range - 1.0, -0.117, 5e-4);
+    // The paper's claim that the RMS could fall does not hold at any angle.
+    ASSERT_EQ(result.notes.size(), 1U);
+    EXPECT_EQ(result.notes[0].kind, Note::Kind::rms_without_gain);
+    EXPECT_TRUE(std::all_of(result.sweep.rms.begin(), result.sweep.rms.end(),
+                            [&](double rms) { return rms > result.M_up.rms; }));
+}
+
+TEST(BalanceShaft, MeanOfTheShaftsMomentIsZeroForEveryAngle) {
+    const Solver solver(preset_tmz_650d());
+    Result result = solver.result();
+    const TorqueTable& table = solver.input().torque.table;
+    for (int alpha = 0; alpha < 360; alpha += 7) {
+        const double angle = alpha * degree;
+        solver.move_shaft(angle, result);
+        const double mean = cycle_mean(table, [&](double phi) { return solver.M_s(phi, angle); });
+        EXPECT_LE(std::abs(mean), 1e-12 * result.moment_amplitude) << alpha;
+        EXPECT_NEAR(result.M_s.mean, mean, 1e-12 * result.moment_amplitude);
+        const double total = cycle_mean(
+            table, [&](double phi) { return solver.M_up(phi) + solver.M_s(phi, angle); });
+        EXPECT_NEAR(result.M_ups.mean, total, 1e-11 * result.moment_amplitude);
+    }
+}
+
+class AnyCycle : public testing::TestWithParam<std::tuple<Interpolation, int, unsigned>> {
+  protected:
+    static Input input() {
+        Input input = preset_tmz_650d();
+        const auto [interpolation, rows, seed] = GetParam();
+        input.interpolation = interpolation;
+        input.torque.table = random_table(seed, static_cast<std::size_t>(rows));
+        input.centre_distance *= 0.05 + 0.35 * seed;  // from a small shaft moment to a large one
+        return input;
+    }
+};
+
+TEST_P(AnyCycle, ExtremaAreThoseOfTheContinuousCycle) {
+    const Solver solver(input());
+    constexpr int samples = 8000;
+    const double h = 4.0 * pi / samples;
+    double curvature = solver.result().moment_amplitude;
+    const TorqueTable& table = solver.input().torque.table;
+    const std::vector<double>& angles = table.crank_angle_deg;
+    std::vector<double> moments(table.torque.size());
+    std::transform(table.torque.begin(), table.torque.end(), moments.begin(), std::negate<>());
+    if (solver.input().interpolation == Interpolation::periodic_cubic) {
+        const auto spline = PeriodicPiecewise::cubic(angles, moments);
+        for (const auto& piece : spline.pieces()) {
+            curvature = std::max(curvature, solver.result().moment_amplitude +
+                                                2.0 * std::abs(piece.c2) / (degree * degree));
+        }
+    }
+    const double missed = h * h / 8.0 * curvature + 1e-9;
+    Result result = solver.result();
+    for (int alpha = 0; alpha < 360; alpha += 40) {
+        solver.move_shaft(alpha * degree, result);
+        const auto reference = dense_extrema(solver, alpha * degree, samples);
+        EXPECT_GE(result.M_ups.max, reference.max - 1e-9);
+        EXPECT_LE(result.M_ups.max, reference.max + missed);
+        EXPECT_LE(result.M_ups.min, reference.min + 1e-9);
+        EXPECT_GE(result.M_ups.min, reference.min - missed);
+        // The function takes these values at the angles given.
+        for (const auto& [value, angle] : {std::pair(result.M_ups.max, result.M_ups.max_angle),
+                                           std::pair(result.M_ups.min, result.M_ups.min_angle)}) {
+            EXPECT_NEAR(solver.M_up(angle) + solver.M_s(angle, alpha * degree), value, 1e-8);
+        }
+        EXPECT_NEAR(result.M_ups.range, result.M_ups.max - result.M_ups.min, 0.0);
+        EXPECT_EQ(solver.range(alpha * degree), result.M_ups.range);
+        EXPECT_NEAR(result.M_ups.rms, solver.rms(alpha * degree), 0.0);
+    }
+}
+
+TEST_P(AnyCycle, RmsIsThatOfTheContinuousCycle) {
+    const Solver solver(input());
+    Result result = solver.result();
+    for (const double alpha : {0.0, 1.0, 3.3}) {
+        solver.move_shaft(alpha, result);
+        const double square = cycle_mean(solver.input().torque.table, [&](double phi) {
+            const double value = solver.M_up(phi) + solver.M_s(phi, alpha) - result.M_ups.mean;
+            return value * value;
+        });
+        EXPECT_NEAR(result.M_ups.rms, std::sqrt(square), 1e-10 * std::sqrt(square));
+    }
+}
+
+TEST_P(AnyCycle, BestAnglesBeatADenseSearch) {
+    const Solver solver(input());
+    const Result result = solver.result();
+    constexpr int angles = 2400;
+    double least_range = 1e300;
+    double least_rms = 1e300;
+    double best_rms_angle = 0.0;
+    for (int i = 0; i < angles; ++i) {
+        const double alpha = two_pi * i / angles;
+        least_range = std::min(least_range, solver.range(alpha));
+        if (solver.rms(alpha) < least_rms) {
+            least_rms = solver.rms(alpha);
+            best_rms_angle = alpha;
+        }
+    }
+    // Exact: never above the search; and not below it by more than |dR/dα| ≤ 2A allows.
+    const double step = two_pi / angles;
+    EXPECT_LE(result.best_range.value, least_range + 1e-9);
+    EXPECT_GE(result.best_range.value, least_range - 2.0 * result.moment_amplitude * step / 2.0);
+    EXPECT_NEAR(solver.range(*result.best_range.shaft_angle), result.best_range.value, 1e-9);
+    EXPECT_LE(result.best_rms.value, least_rms + 1e-9);
+    EXPECT_NEAR(result.best_rms.value, least_rms, 1e-3 * least_rms);
+    EXPECT_LE(angular_distance(*result.best_rms.shaft_angle, best_rms_angle), step);
+    EXPECT_NEAR(solver.rms(*result.best_rms.shaft_angle), result.best_rms.value, 1e-9);
+    // A local proof: no neighbour is better.
+    for (const double delta : {1e-7, 1e-5, 1e-3}) {
+        EXPECT_GE(solver.range(*result.best_range.shaft_angle + delta),
+                  result.best_range.value - 1e-9);
+        EXPECT_GE(solver.range(*result.best_range.shaft_angle - delta),
+                  result.best_range.value - 1e-9);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Tables, AnyCycle,
+    testing::Combine(testing::Values(Interpolation::linear, Interpolation::periodic_cubic),
+                     testing::Values(3, 4, 7, 49, 721), testing::Values(1U, 2U, 3U)));
+
+TEST(BestRange, ProvesItsGap) {
+    const Solver solver(preset_tmz_650d());
+    const TorqueTable& table = solver.input().torque.table;
+    const CycleExtrema extrema(PeriodicPiecewise::linear(table.crank_angle_deg, table.torque),
+                               430.0);
+    const BestRange best = minimise_range(extrema);
+    EXPECT_EQ(best.gap, 0.0);
+    EXPECT_LT(best.evaluations, 100);
+}
+
+TEST(BestRange, FindsTheOnlyMinimumOfAPureFirstOrder) {
+    // M_up = −A sin(φ + 1) sampled finely: the shaft at α = 1 cancels it.
+    Input input = preset_tmz_650d();
+    const double amplitude = Solver(input).result().moment_amplitude;
+    TorqueTable& table = input.torque.table;
+    table = {};
+    for (int i = 0; i <= 7200; ++i) {
+        table.crank_angle_deg.push_back(0.1 * i);
+        table.torque.push_back(amplitude * std::sin(0.1 * (i % 3600) * degree + 1.0));
+    }
+    const Result result = solve(input);
+    EXPECT_NEAR(*result.best_range.shaft_angle, 1.0, 1e-4);
+    EXPECT_NEAR(result.best_range.value, 0.0, 1e-3);
+    EXPECT_NEAR(*result.best_rms.shaft_angle, 1.0, 1e-6);
+    EXPECT_NEAR(*result.order_1_share, 1.0, 1e-6);
+    EXPECT_NEAR(result.order_1_amplitude, amplitude, 1e-5 * amplitude);
+}
+
+TEST(BalanceShaft, AShiftOfTheTableByACycleChangesNothing) {
+    const Result reference = solve(preset_tmz_650d());
+    for (const double shift : {720.0, -720.0, -360.0}) {
+        Input input = preset_tmz_650d();
+        TorqueTable& table = input.torque.table;
+        if (shift == -360.0) {  // the same cycle begun at the other dead centre
+            std::rotate(table.torque.begin(), table.torque.begin() + 24, table.torque.end() - 1);
+            table.torque.back() = table.torque.front();
+        }
+        for (double& angle : table.crank_angle_deg) {
+            angle += shift;
+        }
+        const Result result = solve(input);
+        EXPECT_NEAR(result.M_ups.range, reference.M_ups.range, 1e-9);
+        EXPECT_NEAR(result.M_ups.rms, reference.M_ups.rms, 1e-9);
+        EXPECT_NEAR(result.M_ups.mean, reference.M_ups.mean, 1e-9);
+        EXPECT_NEAR(result.M_ups.max_angle, reference.M_ups.max_angle, 1e-9);
+        EXPECT_NEAR(*result.best_range.shaft_angle, *reference.best_range.shaft_angle, 1e-9);
+        EXPECT_NEAR(*result.best_rms.shaft_angle, *reference.best_rms.shaft_angle, 1e-9);
+        for (std::size_t i = 0; i < reference.curves.M_ups.size(); ++i) {
+            EXPECT_NEAR(result.curves.M_ups[i], reference.curves.M_ups[i], 1e-9);
+        }
+    }
+}
+
+TEST(BalanceShaft, NodesAddedOnALineChangeNothing) {
+    const Result reference = solve(preset_tmz_650d());
+    Input input = preset_tmz_650d();
+    const TorqueTable coarse = input.torque.table;
+    TorqueTable& fine = input.torque.table;
+    fine = {};
+    for (std::size_t i = 0; i + 1 < coarse.size(); ++i) {
+        for (const double t : {0.0, 0.1, 0.37, 0.9}) {
+            fine.crank_angle_deg.push_back(coarse.crank_angle_deg[i] + 15.0 * t);
+            fine.torque.push_back(coarse.torque[i] + t * (coarse.torque[i + 1] - coarse.torque[i]));
+        }
+    }
+    fine.crank_angle_deg.push_back(720.0);
+    fine.torque.push_back(0.0);
+    const Result result = solve(input);
+    EXPECT_NEAR(result.M_ups.range, reference.M_ups.range, 1e-9);
+    EXPECT_NEAR(result.M_ups.rms, reference.M_ups.rms, 1e-9);
+    EXPECT_NEAR(result.M_up.mean, reference.M_up.mean, 1e-9);
+    EXPECT_NEAR(result.order_1_amplitude, reference.order_1_amplitude, 1e-9);
+    EXPECT_NEAR(*result.best_range.shaft_angle, *reference.best_range.shaft_angle, 1e-8);
+    EXPECT_NEAR(*result.best_rms.shaft_angle, *reference.best_rms.shaft_angle, 1e-9);
+    for (std::size_t i = 0; i < reference.sweep.range.size(); ++i) {
+        EXPECT_NEAR(result.sweep.range[i], reference.sweep.range[i], 1e-9);
+        EXPECT_NEAR(result.sweep.rms[i], reference.sweep.rms[i], 1e-9);
+    }
+}
+
+TEST(BalanceShaft, MomentsScaleTogether) {
+    // Masses and torque times k: every moment times k, every angle the same.
+    const Result reference = solve(preset_tmz_650d());
+    for (const double k : {1e-3, 7.0, 1e6}) {
+        Input input = preset_tmz_650d();
+        for (NamedMass& part : input.reciprocating_masses) {
+            part.mass *= k;
+        }
+        for (double& torque : input.torque.table.torque) {
+            torque *= k;
+        }
+        const Result result = solve(input);
+        EXPECT_NEAR(result.M_ups.range / k, reference.M_ups.range, 1e-9);
+        EXPECT_NEAR(result.M_ups.rms / k, reference.M_ups.rms, 1e-9);
+        EXPECT_NEAR(result.best_range.value / k, reference.best_range.value, 1e-9);
+        EXPECT_NEAR(*result.best_range.shaft_angle, *reference.best_range.shaft_angle, 1e-8);
+        EXPECT_NEAR(*result.best_rms.shaft_angle, *reference.best_rms.shaft_angle, 1e-9);
+    }
+}
+
+TEST(BalanceShaft, AMirroredEngineHasAMirroredBestAngle) {
+    // Torque run backwards and negated: f(φ) → −f(−φ) mirrors α → −α.
+    Input input = preset_tmz_650d();
+    const Result reference = solve(input);
+    std::reverse(input.torque.table.torque.begin(), input.torque.table.torque.end());
+    for (double& torque : input.torque.table.torque) {
+        torque = -torque;
+    }
+    const Result result = solve(input);
+    EXPECT_NEAR(result.best_range.value, reference.best_range.value, 1e-9);
+    EXPECT_LE(angular_distance(*result.best_range.shaft_angle, -*reference.best_range.shaft_angle),
+              1e-8);
+    EXPECT_LE(angular_distance(*result.best_rms.shaft_angle, -*reference.best_rms.shaft_angle),
+              1e-9);
+}
+
+TEST(BalanceShaft, AShaftWithoutMomentChangesNothingAndSaysSo) {
+    for (const bool by_distance : {true, false}) {
+        Input input = preset_tmz_650d();
+        if (by_distance) {
+            input.centre_distance = 0.0;
+        } else {
+            input.counterweight_mass = 0.0;
+        }
+        const Result result = solve(input);
+        EXPECT_FALSE(result.best_range.shaft_angle);
+        EXPECT_FALSE(result.best_rms.shaft_angle);
+        EXPECT_FALSE(result.best_range.note.empty());
+        EXPECT_NEAR(result.best_range.value, 1208.0, 1e-9);
+        EXPECT_NEAR(result.M_ups.range, 1208.0, 1e-9);
+        EXPECT_EQ(result.notes[0].kind, Note::Kind::no_shaft_moment);
+        EXPECT_TRUE(write_result(result).at("optimum").at("range").at("shaft_angle_deg").is_null());
+    }
+}
+
+TEST(BalanceShaft, AConstantTorqueLeavesEveryAngleEqual) {
+    Input input = preset_tmz_650d();
+    std::fill(input.torque.table.torque.begin(), input.torque.table.torque.end(), 42.0);
+    for (const Interpolation interpolation :
+         {Interpolation::linear, Interpolation::periodic_cubic}) {
+        input.interpolation = interpolation;
+        const Result result = solve(input);
+        EXPECT_FALSE(result.best_range.shaft_angle);
+        EXPECT_FALSE(result.best_rms.shaft_angle);
+        EXPECT_NEAR(result.best_range.value, 2.0 * result.moment_amplitude, 1e-9);
+        EXPECT_FALSE(result.order_1_share);
+        EXPECT_FALSE(result.range_change);
+        EXPECT_NEAR(result.M_up.mean, -42.0, 1e-12);
+    }
+}
+
+TEST(BalanceShaft, ASecondOrderTorqueHasNoBestRmsAngle) {
+    Input input = preset_tmz_650d();
+    TorqueTable& table = input.torque.table;
+    table = {};
+    for (int i = 0; i <= 720; ++i) {
+        table.crank_angle_deg.push_back(i);
+        table.torque.push_back(300.0 * std::sin(2.0 * (i % 180) * degree));
+    }
+    const Result result = solve(input);
+    EXPECT_FALSE(result.best_rms.shaft_angle);
+    EXPECT_FALSE(result.best_rms.note.empty());
+    EXPECT_TRUE(result.best_range.shaft_angle);
+}
+
+TEST(BalanceShaft, MovingTheShaftEqualsSolvingAnew) {
+    Input input = preset_tmz_650d();
+    const Solver solver(input);
+    Result moved = solver.result();
+    for (const double angle : {0.0, 0.1, 123.4, 359.9, 405.0, -45.0}) {
+        solver.move_shaft(angle * degree, moved);
+        input.shaft_angle = angle * degree;
+        EXPECT_EQ(write_result(moved), write_result(solve(input))) << angle;
+    }
+}
+
+TEST(BalanceShaft, CounterweightGivenIsUsedAndJudged) {
+    Input input = preset_tmz_650d();
+    input.counterweight_mass = 0.329;  // half
+    const Result result = solve(input);
+    EXPECT_NEAR(result.counterweight_force, 4297.4 / 2.0, 0.05);
+    ASSERT_FALSE(result.notes.empty());
+    EXPECT_EQ(result.notes.back().kind, Note::Kind::counterweight_mismatch);
+    EXPECT_NE(result.notes.back().text.find("50 %"), std::string::npos) << result.notes.back().text;
+}
+
+TEST(BalanceShaft, StepsThatDoNotDivideTheCycleEndAtItsEnd) {
+    Input input = preset_tmz_650d();
+    for (const double step : {0.01, 0.7, 1.0, 15.0, 90.0}) {
+        input.step_deg = step;
+        const Result result = solve(input);
+        EXPECT_EQ(result.curves.crank_angle_deg.back(), 720.0);
+        EXPECT_EQ(result.sweep.shaft_angle_deg.back(), 360.0);
+        const auto& angles = result.curves.crank_angle_deg;
+        EXPECT_TRUE(std::adjacent_find(angles.begin(), angles.end(), std::greater_equal<>()) ==
+                    angles.end());
+        EXPECT_EQ(result.curves.M_ups.size(), angles.size());
+        EXPECT_NEAR(result.curves.M_ups.front(), result.curves.M_ups.back(), 1e-9);
+    }
+}
+
+TEST(BalanceShaft, ExtremeFiniteInputsGiveNumbersOrWords) {
+    const auto all_finite = [](const Json& json, const auto& self) -> bool {
+        if (json.is_number_float()) {
+            return std::isfinite(json.get<double>());
+        }
+        return !json.is_structured() ||
+               std::all_of(json.begin(), json.end(), [&](const Json& v) { return self(v, self); });
+    };
+    const std::vector<double> sizes = {5e-324, 1e-300, 1e-150, 1e-30, 1e30, 1e150, 1e300, 1.7e308};
+    int refused = 0;
+    int solved = 0;
+    for (const double size : sizes) {
+        for (int which = 0; which < 8; ++which) {
+            Input input = preset_tmz_650d();
+            input.step_deg = 30.0;
+            switch (which) {
+                case 0:
+                    input.angular_speed = size;
+                    break;
+                case 1:
+                    input.crank_radius = size;
+                    break;
+                case 2:
+                    input.reciprocating_masses = {{"", size}};
+                    break;
+                case 3:
+                    input.counterweight_radius = size;
+                    break;
+                case 4:
+                    input.counterweight_mass = size;
+                    break;
+                case 5:
+                    input.centre_distance = size;
+                    break;
+                case 6:
+                    input.torque.table.torque[5] = size;
+                    break;
+                default:
+                    input.rod_length = size;
+                    break;
+            }
+            try {
+                EXPECT_TRUE(all_finite(write_result(solve(input)), all_finite))
+                    << "input " << which << " = " << size;
+                ++solved;
+            } catch (const InputError& error) {
+                EXPECT_EQ(std::string(error.what()).rfind("/input/", 0), 0U) << error.what();
+                ++refused;
+            }
+        }
+    }
+    EXPECT_GT(refused, 10);
+    EXPECT_GT(solved, 10);
+}
+
+TEST(BalanceShaft, AMillionRowsAreSolved) {
+    Input input = preset_tmz_650d();
+    input.step_deg = 90.0;
+    input.torque.table = random_table(5, largest_torque_table);
+    const Result result = solve(input);
+    EXPECT_GT(result.M_ups.range, 999.0);
+}
+
+TEST(BalanceShaftMechanism, MomentOfTheDrawnForcesIsTheShaftsMoment) {
+    const Solver solver(preset_tmz_650d());
+    for (const double alpha : {0.0, 0.7, 2.0, 4.4}) {
+        for (double phi = 0.0; phi < 12.6; phi += 0.37) {
+            const MechanismPose pose = mechanism_pose(solver, phi, alpha);
+            // Clockwise moment about the crank axis: −(x F_y − y F_x).
+            const auto moment = [](const Vector2& at, const Vector2& force) {
+                return at.y * force.x - at.x * force.y;
+            };
+            EXPECT_NEAR(moment(pose.shaft_counterweight, pose.shaft_counterweight_force) +
+                            moment(pose.crank_counterweight, pose.crank_counterweight_force),
+                        pose.M_s, 1e-9);
+            // All three forces of the first order add up to nothing.
+            EXPECT_NEAR(pose.inertia_force_1.y + pose.crank_counterweight_force.y +
+                            pose.shaft_counterweight_force.y,
+                        0.0, 1e-8);
+            EXPECT_NEAR(pose.crank_counterweight_force.x + pose.shaft_counterweight_force.x, 0.0,
+                        1e-8);
+            EXPECT_NEAR(std::hypot(pose.piston_pin.x - pose.crankpin.x,
+                                   pose.piston_pin.y - pose.crankpin.y),
+                        solver.front_view().rod_length, 1e-12);
+            EXPECT_EQ(pose.M_ups, pose.M_up + pose.M_s);
+        }
+    }
+}
+
+TEST(BalanceShaftEnvelope, BoxesTheCirclesAndTheCylinder) {
+    Input input = preset_tmz_650d();
+    input.envelope.crank_swing_radius = 0.070;
+    input.envelope.shaft_swing_radius = 0.050;
+    input.envelope.gear_tip_radius = 0.052;
+    input.envelope.cylinder_top = 0.250;
+    input.envelope.wall = 0.005;
+    input.centre_distance = 0.1;
+    const Solver solver(input);
+    const Envelope right = solver.envelope(90.0 * degree);
+    EXPECT_NEAR(right.width(), 0.075 + 0.1 + 0.057, 1e-12);
+    EXPECT_NEAR(right.height(), 0.075 + 0.255, 1e-12);
+    const Envelope below = solver.envelope(180.0 * degree);
+    EXPECT_NEAR(below.width(), 0.150, 1e-12);
+    EXPECT_NEAR(below.height(), 0.157 + 0.255, 1e-12);
+    const Envelope above = solver.envelope(0.0);
+    EXPECT_NEAR(above.height(), 0.075 + 0.255, 1e-12);
+    // Mirror image.
+    EXPECT_NEAR(solver.envelope(1.0).width(), solver.envelope(-1.0).width(), 1e-12);
+}
+
+}  // namespace
+}  // namespace ravnoves::balance_shaft

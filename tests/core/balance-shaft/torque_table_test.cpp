@@ -1,0 +1,193 @@
+#include "balance-shaft/torque_table.h"
+
+#include <gtest/gtest.h>
+
+#include "test_cases.h"
+
+namespace ravnoves::balance_shaft {
+namespace {
+
+using test::error_of;
+
+const TorqueTable small{{0, 180, 360, 540, 720}, {0, -90.5, 893, 30, 0}};
+
+std::string refusal(const std::string& text) {
+    return error_of([&] { parse_torque_table(text); });
+}
+
+TEST(TorqueTableText, ReadsEverySeparatorAndDecimalSign) {
+    const std::vector<std::string> texts = {
+        "0,0\n180,-90.5\n360,893\n540,30\n720,0\n",
+        "0, 0\n180, -90.5\n360, 893\n540, 30\n720, 0\n",
+        "0;0\n180;-90,5\n360;893\n540;30\n720;0",
+        "0\t0\r\n180\t-90,5\r\n360\t893\r\n540\t30\r\n720\t0\r\n",
+        "0 0\n180 -90,5\n360   893\n540 30\n720 0\n",
+        "\xEF\xBB\xBF\"0\",\"0\"\n\"180\",\"-90,5\"\n\"360\",\"893\"\n\"540\",\"30\"\n\"720\","
+        "\"0\"",
+        "crank angle;torque\n°;N·m\n0;0\n180;\xE2\x88\x92"
+        "90.5\n360;8.93e2\n540;+30\n720;0\n",
+        "# measured\n\nphi, M\n0,0,\n180,-90.5,\n360,893,\n540,30,\n720,0,\n",
+        "0;0\r180;-90,5\r360;893\r540;30\r720;0",
+    };
+    for (const std::string& text : texts) {
+        EXPECT_EQ(error_of([&] { EXPECT_EQ(parse_torque_table(text).table, small) << text; }),
+                  "no error")
+            << text;
+    }
+    EXPECT_EQ(parse_torque_table(texts[6]).describe(),
+              "5 rows, separated by semicolons, angles in degrees, with a header");
+    EXPECT_EQ(parse_torque_table(texts[3]).describe(),
+              "5 rows, separated by tabs, decimal comma, angles in degrees");
+}
+
+TEST(TorqueTableText, RoundTrip) {
+    const TorqueTable table = test::random_table(3, 99);
+    EXPECT_EQ(parse_torque_table(write_torque_table(table)).table, table);
+}
+
+TEST(TorqueTableText, RepeatsOneTurn) {
+    const auto read = parse_torque_table("0;1\n90;2\n180;3\n360;1\n");
+    EXPECT_TRUE(read.repeated);
+    EXPECT_EQ(read.table, (TorqueTable{{0, 90, 180, 360, 450, 540, 720}, {1, 2, 3, 1, 2, 3, 1}}));
+}
+
+TEST(TorqueTableText, KnowsRadians) {
+    const auto by_span = parse_torque_table("0;1\n3.14159265;2\n6.28319;3\n12.56637;1\n");
+    EXPECT_TRUE(by_span.in_radians);
+    EXPECT_FALSE(by_span.repeated);
+    EXPECT_NEAR(by_span.table.crank_angle_deg[1], 180.0, 1e-6);
+    EXPECT_EQ(by_span.table.crank_angle_deg.back(), 720.0);
+    const auto one_turn = parse_torque_table("angle, rad;torque\n0;1\n3.14159;2\n6.28319;1\n");
+    EXPECT_TRUE(one_turn.in_radians && one_turn.repeated);
+    EXPECT_EQ(one_turn.table.crank_angle_deg.back(), 720.0);
+    EXPECT_TRUE(parse_torque_table("угол, рад;M\n0;1\n3.14159;2\n6.28319;1\n").in_radians);
+    // The header and the span must agree.
+    EXPECT_EQ(refusal("phi [rad];M\n0;1\n180;2\n720;1\n"),
+              "line 4, column 1: the angles must span 720° (or 360°, or 4π or 2π in radians), the "
+              "last row repeating the first, got 720 rad");
+    EXPECT_NE(refusal("phi [deg];M\n0;1\n3.14159;2\n6.28319;1\n"), "no error");
+    // Not a unit: "radius", "grad".
+    EXPECT_FALSE(parse_torque_table("crank radius 46;M\n0;1\n180;2\n720;1\n").in_radians);
+}
+
+TEST(TorqueTableText, KeepsAnyStartOfTheCycle) {
+    const auto read = parse_torque_table("-360;5\n0;7\n360;5\n");
+    EXPECT_EQ(read.table, (TorqueTable{{-360, 0, 360}, {5, 7, 5}}));
+}
+
+TEST(TorqueTableText, ErrorsNameLineAndColumn) {
+    EXPECT_EQ(refusal("0;0\n180;x\n720;0\n"),
+              "line 2, column 2: must be a finite number, got \"x\"");
+    EXPECT_EQ(refusal("a;b\n0;0\n\n1O;5\n720;0\n"),
+              "line 4, column 1: must be a finite number, got \"1O\"");
+    EXPECT_EQ(refusal("0;0\n180;nan\n720;0\n"),
+              "line 2, column 2: must be a finite number, got \"nan\"");
+    EXPECT_EQ(refusal("0;inf\n180;1\n720;0\n"),
+              "line 1, column 2: must be a finite number, got \"inf\"");
+    EXPECT_EQ(refusal("nan;0\n180;1\n720;0\n"),
+              "line 1, column 1: must be a finite number, got \"nan\"");
+    EXPECT_EQ(refusal("0;0\n180;1e999\n720;0\n"),
+              "line 2, column 2: must be a finite number, got \"1e999\"");
+    EXPECT_EQ(refusal("0;0\n180;\n720;0\n"), "line 2, column 2: must be a finite number, got \"\"");
+    EXPECT_EQ(refusal("0;0\n180\n720;0\n"),
+              "line 2: must hold two columns, crank angle and torque, got \"180\"");
+    EXPECT_EQ(refusal("0;0;1\n180;0;2\n720;0;1\n"),
+              "line 1: must hold two columns, crank angle and torque, got 3 columns");
+    EXPECT_EQ(refusal("0;0\n200;5\n180;1\n720;0\n"),
+              "line 3, column 1: must be greater than the angle of the row before, 200, got 180");
+    EXPECT_EQ(refusal("0;0\n180;5\n180;1\n720;0\n"),
+              "line 3, column 1: must not repeat the angle of the row before, 180, got 180");
+    EXPECT_EQ(refusal("0;0\n180;5\n720;12\n"),
+              "line 3, column 2: must equal the first torque, 0 N·m, since the cycle repeats, got "
+              "12 N·m");
+    EXPECT_EQ(refusal("0;0\n180;5\n700;0\n"),
+              "line 3, column 1: the angles must span 720° (or 360°, or 4π or 2π in radians), the "
+              "last row repeating the first, got 700°");
+    EXPECT_EQ(refusal("0;0\n180;2e12\n720;0\n"),
+              "line 2, column 2: must be from -1e+12 to 1e+12, got 2e+12");
+    EXPECT_EQ(refusal("0;0\n1e6;2\n720;0\n"),
+              "line 2, column 1: must be from -1e+05 to 1e+05, got 1e+06");
+    EXPECT_EQ(refusal("0,5,1,5\n180,5,2,5\n"),
+              "line 1, column 1: must not separate columns by commas and use decimal commas at "
+              "once; separate the columns by semicolons, got \"0,5,1,5\"");
+}
+
+TEST(TorqueTableText, RefusesWhatIsNoTable) {
+    EXPECT_EQ(refusal(""), "the torque table must have at least 3 rows, got 0");
+    EXPECT_EQ(refusal("\n\n  \n"), "the torque table must have at least 3 rows, got 0");
+    EXPECT_EQ(refusal("phi;M\n"), "the torque table must have at least 3 rows, got 0");
+    EXPECT_EQ(refusal("0;0\n"), "the torque table must have at least 3 rows, got 1");
+    EXPECT_EQ(refusal("0;0\n720;0\n"), "the torque table must have at least 3 rows, got 2");
+    EXPECT_EQ(refusal(std::string("\x7F"
+                                  "ELF\2\1\1\0\0\0",
+                                  10)),
+              "line 1: must be text; this looks like a binary file");
+    EXPECT_EQ(refusal(std::string("0;0\n\0\1\2", 7)),
+              "line 2: must be text; this looks like a binary file");
+    EXPECT_NE(refusal("just\nsome\nprose\n"), "no error");
+    std::string noise;
+    std::mt19937 generator(1);
+    for (int i = 0; i < 20'000; ++i) {
+        noise += static_cast<char>(generator() & 0xFFU);
+    }
+    EXPECT_NE(refusal(noise), "no error");
+    noise.insert(0, "\xFF\xFE");  // high bytes first: not taken for a header without end
+    EXPECT_NE(refusal(noise), "no error");
+}
+
+TEST(TorqueTableText, AMillionRowsAreReadAndMoreAreRefused) {
+    const TorqueTable table = test::random_table(7, largest_torque_table);
+    std::string text = write_torque_table(table);
+    EXPECT_EQ(parse_torque_table(text).table, table);
+    text += "721,0\n";
+    EXPECT_EQ(refusal(text), "line 1000002: the table must have at most 1000000 rows");
+}
+
+TEST(TorqueTableText, NeverCrashesOnDamagedText) {
+    const std::string whole = write_torque_table(small);
+    std::mt19937 generator(11);
+    for (int i = 0; i < 20'000; ++i) {
+        std::string text = whole;
+        for (int k = 0; k < 3; ++k) {
+            const std::size_t place = generator() % text.size();
+            if (generator() % 3 == 0) {
+                text.erase(place, 1 + generator() % 5);
+            } else {
+                text[place] = static_cast<char>(generator() & 0xFFU);
+            }
+            if (text.empty()) {
+                break;
+            }
+        }
+        try {
+            const TorqueTable table = parse_torque_table(text).table;
+            check_torque_table(table, "");
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()), "");
+        }
+    }
+}
+
+TEST(TorqueTableCheck, NamesThePointer) {
+    const auto check = [](const TorqueTable& table) {
+        return error_of([&] { check_torque_table(table, "/input/torque"); });
+    };
+    EXPECT_EQ(check(small), "no error");
+    EXPECT_EQ(check({{0, 180, 720}, {0, 1}}),
+              "/input/torque/torque_Nm: must hold as many numbers as crank_angle_deg, 3, got 2");
+    EXPECT_EQ(check({}), "/input/torque/crank_angle_deg: must hold at least 3 numbers, got 0");
+    EXPECT_EQ(check({{0, 180, 720}, {0, std::nan(""), 0}}),
+              "/input/torque/torque_Nm/1: must be from -1e+12 to 1e+12, got not a number");
+    EXPECT_EQ(check({{0, 180, 100, 720}, {0, 1, 2, 0}}),
+              "/input/torque/crank_angle_deg/2: must be greater than the angle of the row before, "
+              "180, got 100");
+    EXPECT_EQ(check({{0, 180, 720}, {0, 1, 2}}),
+              "/input/torque/torque_Nm/2: must equal the first torque, 0 N·m, since the cycle "
+              "repeats, got 2 N·m");
+    EXPECT_EQ(check({{0, 180, 360}, {0, 1, 0}}),
+              "/input/torque/crank_angle_deg: must span 720°, the last row repeating the first, "
+              "got 360°");
+}
+
+}  // namespace
+}  // namespace ravnoves::balance_shaft
