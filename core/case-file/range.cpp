@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace ravnoves {
 
@@ -12,8 +13,14 @@ std::string format_number(double value) {
     if (std::isinf(value)) {
         return value > 0 ? "infinity" : "-infinity";
     }
+    // People write 100000, not 1e+05; very large and very small numbers keep their exponent.
+    const double size = std::abs(value);
+    const bool plain = size == 0.0 || (size >= 1e-5 && size < 1e15);
     std::array<char, 64> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+    char* const last = buffer.data() + buffer.size();
+    const auto end = plain
+                         ? std::to_chars(buffer.data(), last, value, std::chars_format::fixed).ptr
+                         : std::to_chars(buffer.data(), last, value).ptr;
     return {buffer.data(), end};
 }
 

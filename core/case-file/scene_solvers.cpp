@@ -2,6 +2,7 @@
 
 #include "balance-shaft/scene.h"
 #include "case-file/case_file.h"
+#include "v8-plugs/solver.h"
 
 namespace ravnoves {
 
@@ -9,6 +10,7 @@ std::span<const SceneSolver> scene_solvers() {
     // One line per scene; the order is that of the navigation.
     static const std::array scenes{
         SceneSolver{"balance-shaft", balance_shaft::solve_scene},
+        SceneSolver{"v8-plugs", v8_plugs::solve_case_input},
     };
     return scenes;
 }

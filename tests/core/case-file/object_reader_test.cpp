@@ -74,5 +74,15 @@ TEST(RangeTest, DescribesItself) {
     EXPECT_FALSE(Range{}.contains(Range::unbounded));
 }
 
+TEST(RangeTest, NumbersReadAsPeopleWriteThem) {
+    EXPECT_EQ(format_number(100000), "100000");
+    EXPECT_EQ(format_number(1e6), "1000000");
+    EXPECT_EQ(format_number(-0.001), "-0.001");
+    EXPECT_EQ(format_number(0.1), "0.1");
+    EXPECT_EQ(format_number(0), "0");
+    EXPECT_EQ(format_number(1e300), "1e+300");
+    EXPECT_EQ(format_number(1e-12), "1e-12");
+}
+
 }  // namespace
 }  // namespace ravnoves

@@ -1,0 +1,197 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "v8-plugs/engine.h"
+
+namespace ravnoves::v8_plugs {
+
+// Compensation of the excess mass of crank-gear parts by lighter plugs of the crankpins' sludge
+// traps. Source: A. D. Nazarov, "Compensating the total unbalanced mass of crank-gear parts of V-8
+// engines in manufacture and repair"; equation numbers are that paper's. Masses in kg, lengths in
+// m, unbalance in kg·m.
+
+enum class Process { manufacture, repair };
+
+/// Which plugs the counterweights of the crankshaft were made for.
+enum class Crankshaft { standard, new_plugs };
+
+/// How much heavier the parts are than nominal, kg; negative where lighter.
+struct MassChanges {
+    double piston = 0.0;                   ///< Δm_п, improved piston (one cylinder)
+    double rod_big_end = 0.0;              ///< Δm_шк, improved big end (one rod)
+    double repair_piston_and_rings = 0.0;  ///< Δm_рп, repair piston with rings (one cylinder)
+    double repair_bearing = 0.0;           ///< Δm_шр, repair shells (one crankpin)
+
+    friend bool operator==(const MassChanges&, const MassChanges&) = default;
+};
+
+/// Excess on each crankpin's axis, kg: Δm_yo = Δm_п + (2 + k_ш) Δm_шк in manufacture, and
+/// Δm_yd = Δm_yo + Δm_рп + Δm_шр in repair; from (3), (4), (5).
+double unbalanced_mass(Process process, const MassChanges& changes, double rod_coefficient);
+
+/// What a plug's mass counts for on the crankpin's axis, eq. (11).
+struct Coefficients {
+    double k_p;                     ///< r_p / r, one plug
+    double k_y;                     ///< 2 r_p / r, both plugs of a crankpin; the slope (24)
+    std::optional<double> k_y_new;  ///< 2 r_pн / r, where there is a plug of the new design
+};
+
+/// Masses and radii of the plugs of one engine: the part of Engine that the method needs. Where
+/// there is no aluminium plug, or no plug of the new design, that part is empty.
+struct PlugSet {
+    struct Aluminium {
+        double mass;           ///< m_a, kg
+        double max_reduction;  ///< Δm_am, kg
+    };
+    struct NewDesign {
+        double radius;  ///< r_pн, m
+        double mass;    ///< m_pн, kg
+    };
+    double crank_radius;         ///< r, m, > 0
+    double plug_radius;          ///< r_p, m, > 0
+    double steel_mass;           ///< m_p, kg
+    double max_steel_reduction;  ///< Δm_pm, kg
+    double rod_coefficient;      ///< k_ш
+    std::optional<Aluminium> aluminium;
+    std::optional<NewDesign> new_design;
+
+    Coefficients coefficients() const;
+};
+
+/// Nominal masses of the crank gear, for the bob weight.
+struct GearMasses {
+    double reciprocating;    ///< m_j, kg, one cylinder
+    double rotating;         ///< m_R, kg, one cylinder
+    double oil;              ///< m_m, kg, one crankpin
+    double oil_coefficient;  ///< k_m
+};
+
+/// The plugs of the engine; nothing while a value that it needs is missing.
+std::optional<PlugSet> plug_set(const Engine& engine);
+/// The nominal masses of the engine; nothing while one is missing.
+std::optional<GearMasses> gear_masses(const Engine& engine);
+
+enum class OptionId {
+    steel_machined,         ///< today's steel plugs machined, (18), (22)
+    steel_to_aluminium,     ///< aluminium plugs instead, (15), (19)
+    new_steel_to_steel,     ///< today's steel plugs in a crankshaft made for new ones, (16), (20)
+    new_steel_to_aluminium  ///< aluminium plugs in such a crankshaft, (17), (21)
+};
+inline constexpr std::array<OptionId, 4> all_options{
+    OptionId::steel_machined, OptionId::steel_to_aluminium, OptionId::new_steel_to_steel,
+    OptionId::new_steel_to_aluminium};
+
+std::string_view option_name(OptionId option);  ///< the word of the case file
+/// True where the option keeps today's steel plugs (machined), false where it fits aluminium ones.
+bool keeps_steel_plugs(OptionId option);
+/// True where the option is for a crankshaft made for the plugs of the new design.
+bool needs_new_crankshaft(OptionId option);
+
+/// One way to compensate: constant + slope · reduction, the reduction from 0 to its limit.
+struct Option {
+    OptionId id;
+    double constant;              ///< Δm_yra, Δm_yhr, Δm_yna (12)–(14) or 0, kg
+    double slope;                 ///< k_y (24)
+    double max_reduction;         ///< the wall-strength limit of one plug, kg
+    double maximum;               ///< (19)–(22), kg
+    double required_reduction;    ///< one plug, kg; may be negative or beyond the limit
+    double reduction;             ///< the same, clamped to what is possible, kg
+    bool feasible;                ///< |residual unbalance| within the tolerance
+    double residual_mass;         ///< excess left on a crankpin, kg; negative: over-compensated
+    double residual_unbalance;    ///< the same times r, kg·m
+    double plug_mass_unmachined;  ///< m_p or m_a, kg
+};
+
+/// The option; nothing where the engine has not the plugs it needs.
+std::optional<Option> evaluate_option(OptionId id, const PlugSet& plugs, double unbalanced_mass,
+                                      double tolerance);
+
+/// What to do, as data: the sentence is made from it (describe(), or the page's translation).
+struct Advice {
+    enum class Kind {
+        none_needed,        ///< the excess itself is within the tolerance
+        option,             ///< `option` is the cheapest that works
+        too_light,          ///< lighter than nominal: plugs can only be lightened
+        none_sufficient,    ///< every option falls short of the excess
+        none_light_enough,  ///< every option over-compensates or falls short: a gap between them
+        no_new_plug_data    ///< crankshaft for new plugs, but their data are missing
+    };
+    Kind kind;
+    std::optional<Option> option;  ///< the recommended one, or the one that leaves least
+    /// An option that would work if the other crankshaft were fitted.
+    std::optional<OptionId> with_other_crankshaft;
+};
+
+/// The first option that works in the order of cost (nothing, machine today's steel plugs,
+/// aluminium plugs) among those for the crankshaft that is fitted.
+Advice advise(const PlugSet& plugs, Crankshaft crankshaft, double unbalanced_mass,
+              double tolerance);
+
+/// The advice as a technician would say it, in English.
+std::string describe(const Advice& advice, double unbalanced_mass, double crank_radius,
+                     double tolerance);
+/// Why an option does not work (residual beyond the tolerance), in English; empty where it does.
+std::string describe_failure(const Option& option, double tolerance);
+
+/// One line of a bob weight's sum.
+struct BobWeightLine {
+    enum class Part {
+        reciprocating,            ///< m_j
+        piston,                   ///< Δm_п
+        repair_piston_and_rings,  ///< Δm_рп
+        rotating,                 ///< 2 m_R
+        plugs,                    ///< 2 k_p (plug's mass)
+        rod_big_end,              ///< (2 + k_ш) Δm_шк
+        repair_bearing,           ///< Δm_шр
+        oil                       ///< k_m m_m
+    };
+    Part part;
+    double factor;
+    double mass;  ///< kg
+    double product() const { return factor * mass; }
+};
+
+std::string_view part_name(BobWeightLine::Part part);  ///< the words of the result file
+
+/// The mass to hang on a crankpin when the crankshaft is balanced, line by line.
+struct BobWeight {
+    std::vector<BobWeightLine> lines;
+    double sum() const;  ///< kg
+};
+
+/// Bob weight of the nominal engine: no mass changes, the plugs that the crankshaft was made for.
+/// Nothing for new_plugs where the engine has none.
+std::optional<BobWeight> nominal_bob_weight(const PlugSet& plugs, const GearMasses& gear,
+                                            Crankshaft crankshaft);
+/// Bob weight with these parts and plugs of the given mass at the radius, eqs. (4), (5), (7), (8).
+BobWeight bob_weight(const PlugSet& plugs, const GearMasses& gear, Process process,
+                     const MassChanges& changes, double plug_mass, double plug_radius);
+/// Bob weight after the option: today's plugs, lightened by its reduction.
+BobWeight option_bob_weight(const PlugSet& plugs, const GearMasses& gear, Process process,
+                            const MassChanges& changes, const Option& option);
+
+/// The shift of a machined plug's centre of mass that (2) neglects: 0.8 to 1.2 mm in the paper.
+inline constexpr double smallest_shift = 0.8e-3;  ///< m
+inline constexpr double largest_shift = 1.2e-3;   ///< m
+/// Δk = Δr / r, eq. (1).
+double shift_coefficient(double shift, double crank_radius);
+/// What the shift is worth on a crankpin with two such plugs, 2 m Δk r = 2 m Δr, kg·m.
+double shift_unbalance(double plug_mass, double shift);
+
+/// Crank radii of the five curves of the paper's Fig. 2 and the engines they stand for.
+struct ShiftCurve {
+    double crank_radius;  ///< m
+    std::string_view engines;
+};
+inline constexpr std::array<ShiftCurve, 5> shift_curves{{{40e-3, "4.25 l"},
+                                                         {47.5e-3, "6 l, 7 l"},
+                                                         {57.5e-3, "8.74 l"},
+                                                         {60e-3, "8.32 l, 10.85 l"},
+                                                         {70e-3, "14.86 l"}}};
+
+}  // namespace ravnoves::v8_plugs

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "case-file/range.h"
+
+namespace ravnoves::v8_plugs {
+
+inline constexpr int cylinder_count = 8;
+inline constexpr int crankpin_count = 4;
+inline constexpr int plug_count = 8;  ///< two in the sludge trap of each crankpin
+
+/// The seven engines of the paper, by displacement in litres, and the data it gives for them.
+///
+/// A value that is not known stays empty: it has to be asked for, never guessed. Masses in kg,
+/// lengths in m. Where an engine has no aluminium plug, or no plug of the new design, the
+/// corresponding flag is false and the group's values stay empty.
+struct Engine {
+    std::string name;
+    std::optional<double> crank_radius;             ///< r, m
+    std::optional<double> plug_radius;              ///< r_p, centre of mass of today's plug, m
+    std::optional<double> new_plug_radius;          ///< r_pн, the same of the new design, m
+    std::optional<double> steel_plug_mass;          ///< m_p, kg
+    std::optional<double> aluminium_plug_mass;      ///< m_a, kg
+    std::optional<double> new_steel_plug_mass;      ///< m_pн, kg
+    std::optional<double> new_aluminium_plug_mass;  ///< m_aн, kg
+    std::optional<double> max_steel_reduction;      ///< Δm_pm, wall-strength limit, kg
+    std::optional<double> max_aluminium_reduction;  ///< Δm_am, wall-strength limit, kg
+    std::optional<double> rod_coefficient;          ///< k_ш
+    std::optional<double> oil_mass;                 ///< m_m, oil in one crankpin, kg
+    std::optional<double> oil_coefficient;          ///< k_m
+    std::optional<double> reciprocating_mass;       ///< m_j, nominal, of one cylinder, kg
+    std::optional<double> rotating_mass;            ///< m_R, nominal, of one cylinder, kg
+    bool has_aluminium_plug = true;
+    bool has_new_plug = true;
+
+    friend bool operator==(const Engine&, const Engine&) = default;
+};
+
+/// Which plugs a value of the engine belongs to.
+enum class EngineGroup { basic, aluminium_plug, new_plug, bob_weight };
+
+/// One value of the engine: its key, unit and range, and where it is kept.
+struct EngineField {
+    FieldSpec spec;
+    std::optional<double> Engine::*member;
+    EngineGroup group;
+};
+
+/// The values of an engine, in the order of the contract.
+std::span<const EngineField> engine_fields();
+const EngineField& engine_field(std::string_view key);
+
+/// A preset: an engine of the paper. Only what the paper prints is filled in; m_j, m_R and the oil
+/// are empty everywhere. m_p of the 4.25 l engine is lost in the print: 2.79 g follows from
+/// Δm_yra and from Δm_yhr alike (Tables 2 and 3).
+std::span<const Engine> engine_presets();
+
+/// The preset of that name ("4.25 l", or short "4.25"); nullptr where there is none.
+const Engine* find_preset(std::string_view name);
+
+/// True where the engine lacks the plug that the value belongs to, so that it is not asked for.
+bool is_inapplicable(const Engine& engine, EngineGroup group);
+/// The fields that the engine needs and does not have; bob-weight fields only when asked for.
+std::vector<const EngineField*> missing_fields(const Engine& engine, bool with_bob_weight);
+
+/// A rule that joins two fields and is broken.
+struct EngineConflict {
+    std::string_view key;
+    std::string allowed;  ///< "must be less than the plug's mass 2.79"
+    double found;         ///< in the field's unit
+};
+
+/// Rules between fields: less can be cut off a plug than it weighs.
+std::vector<EngineConflict> engine_conflicts(const Engine& engine);
+
+/// The value in the field's unit with the digits that were typed: 15 significant digits, so that
+/// the rounding of the change to SI units does not show.
+double in_unit(double si, const FieldSpec& spec);
+
+}  // namespace ravnoves::v8_plugs

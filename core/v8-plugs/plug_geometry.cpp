@@ -1,0 +1,216 @@
+#include "v8-plugs/plug_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "case-file/decimal.h"
+#include "case-file/input_error.h"
+#include "case-file/object_reader.h"
+#include "numerics/constants.h"
+
+namespace ravnoves::v8_plugs {
+
+namespace {
+
+constexpr double millimetre = 1e-3;
+const double root_three = std::sqrt(3.0);
+
+double disc(double diameter) {
+    return pi / 4.0 * diameter * diameter;
+}
+
+bool take(std::string_view& text, std::initializer_list<std::string_view> prefixes) {
+    for (const std::string_view prefix : prefixes) {
+        if (text.starts_with(prefix)) {
+            text.remove_prefix(prefix.size());
+            return true;
+        }
+    }
+    return false;
+}
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t");
+    if (first == std::string_view::npos) {
+        return {};
+    }
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+double millimetres(double length) {
+    return std::round(length / millimetre * 1e6) / 1e6;
+}
+
+}  // namespace
+
+double Thread::pitch_diameter() const {
+    return diameter - 3.0 / 8.0 * root_three * pitch;
+}
+
+double Thread::root_diameter() const {
+    return diameter - 17.0 / 24.0 * root_three * pitch;
+}
+
+Thread parse_thread(std::string_view text, const std::string& where) {
+    constexpr const char* allowed = "must be a metric thread with its pitch, like M22x1.5";
+    const std::string found = show(std::string(text));
+    std::string_view rest = trimmed(text);
+    if (!take(rest, {"M", "m", "М", "м"})) {
+        throw InputError(where, allowed, found);
+    }
+    std::size_t cross = std::string_view::npos;
+    std::size_t length = 0;
+    for (const std::string_view sign : {"x", "X", "×", "х", "Х", "*"}) {
+        const std::size_t at = rest.find(sign);
+        if (at != std::string_view::npos) {
+            cross = at;
+            length = sign.size();
+            break;
+        }
+    }
+    if (cross == std::string_view::npos) {
+        throw InputError(where, allowed, found);
+    }
+    const auto diameter = parse_decimal(rest.substr(0, cross));
+    const auto pitch = parse_decimal(rest.substr(cross + length));
+    if (!diameter || !pitch) {
+        throw InputError(where, allowed, found);
+    }
+    if (!thread_diameter_range.contains(*diameter)) {
+        throw InputError(where, "the diameter " + thread_diameter_range.describe() + " mm",
+                         format_number(*diameter));
+    }
+    if (!thread_pitch_range.contains(*pitch) || *pitch > *diameter / 3.0) {
+        throw InputError(
+            where, "the pitch " + thread_pitch_range.describe() + " mm and a third of the diameter",
+            format_number(*pitch));
+    }
+    return {*diameter * millimetre, *pitch * millimetre};
+}
+
+std::string thread_name(const Thread& thread) {
+    std::string name = "M";
+    name += format_number(millimetres(thread.diameter));
+    name += 'x';
+    return name + format_number(millimetres(thread.pitch));
+}
+
+double PlugGeometry::volume() const {
+    return disc(thread.pitch_diameter()) * height - disc(bore_diameter) * bore_depth;
+}
+
+double PlugGeometry::centre_of_mass() const {
+    const double solid = disc(thread.pitch_diameter()) * height;
+    const double bore = disc(bore_diameter) * bore_depth;
+    return (solid * height / 2.0 - bore * (height - bore_depth / 2.0)) / (solid - bore);
+}
+
+std::optional<std::string> geometry_fault(const PlugGeometry& plug) {
+    if (plug.bore_depth > 0.0 && plug.bore_depth >= plug.height) {
+        return "the bore is as deep as the plug is high: there is no bottom";
+    }
+    if (plug.bore_diameter >= plug.thread.root_diameter()) {
+        return "the bore is wider than the thread's root (" +
+               format_number(std::round(plug.thread.root_diameter() / millimetre * 100) / 100) +
+               " mm): there is no wall";
+    }
+    return std::nullopt;
+}
+
+double bored_mass(const PlugGeometry& plug, double cutter_diameter, double depth, double density) {
+    const double cut = disc(cutter_diameter) * depth;
+    const double already_gone = std::min(disc(cutter_diameter), disc(plug.bore_diameter)) *
+                                std::min(depth, plug.bore_depth);
+    return density * (cut - already_gone);
+}
+
+Boring plan_boring(const PlugGeometry& plug, const BoreLimits& limits, double reduction,
+                   double density) {
+    const double area = disc(limits.cutter_diameter);
+    const bool wider = limits.cutter_diameter > plug.bore_diameter;
+    const double ring = wider ? area - disc(plug.bore_diameter) : 0.0;
+    const double volume = reduction / density;
+
+    Boring boring;
+    boring.cuts = reduction > 0.0;
+    if (volume < ring * plug.bore_depth) {
+        boring.depth = volume / ring;  // a wider mouth of the bore that is there is enough
+    } else {
+        boring.depth = plug.bore_depth + (volume - ring * plug.bore_depth) / area;
+    }
+    boring.deeper = std::max(0.0, boring.depth - plug.bore_depth);
+    const double widest =
+        std::max(reduction > 0.0 ? limits.cutter_diameter : 0.0, plug.bore_diameter);
+    boring.wall = (plug.thread.root_diameter() - widest) / 2.0;
+    boring.bottom = plug.height - std::max(boring.depth, plug.bore_depth);
+
+    // Sizes are typed to hundredths of a millimetre: a nanometre of rounding is no violation.
+    constexpr double rounding = 1e-9;
+    const double cutter_wall = (plug.thread.root_diameter() - limits.cutter_diameter) / 2.0;
+    const bool wall_allows = cutter_wall > 0.0 && cutter_wall >= limits.minimum_wall - rounding;
+    // Walls that are too thin already are not the cutter's doing: what it cuts counts.
+    const double deepest = std::max(plug.height - limits.minimum_bottom, plug.bore_depth);
+    if (wall_allows) {
+        boring.max_reduction =
+            std::max(0.0, bored_mass(plug, limits.cutter_diameter, deepest, density));
+    }
+    if (reduction > 0.0) {
+        if (!wall_allows) {
+            boring.limit = Boring::Limit::wall;
+        } else if (boring.deeper > 0.0 &&
+                   (boring.bottom <= 0.0 || boring.bottom < limits.minimum_bottom - rounding)) {
+            boring.limit = Boring::Limit::bottom;
+        }
+    }
+    if (boring.limit == Boring::Limit::none) {
+        // Moment of what is cut off about the old centre of mass, over the mass that stays.
+        const double old_centre = plug.centre_of_mass();
+        const double old_volume = plug.volume();
+        // The cut lies between the faces of the cutter's way that were still full of metal.
+        double moment = 0.0;
+        double cut = 0.0;
+        const auto remove = [&](double section, double from, double to) {
+            cut += section * (to - from);
+            moment += section * (to - from) * (plug.height - (from + to) / 2.0 - old_centre);
+        };
+        remove(ring, 0.0, std::min(boring.depth, plug.bore_depth));
+        if (boring.depth > plug.bore_depth) {
+            remove(area, plug.bore_depth, boring.depth);
+        }
+        boring.shift = moment / (old_volume - cut);
+    }
+    return boring;
+}
+
+std::string describe(const Boring& boring, const BoreLimits& limits) {
+    const auto hundredths = [](double length) {
+        return format_number(std::round(length / millimetre * 100.0) / 100.0) + " mm";
+    };
+    const std::string cutter = " with a " + hundredths(limits.cutter_diameter) + " cutter";
+    switch (boring.limit) {
+        case Boring::Limit::none:
+            break;
+        case Boring::Limit::wall:
+            return "This cannot be bored" + cutter + ": it would leave a wall of " +
+                   hundredths(boring.wall) + " under the thread, and " +
+                   hundredths(limits.minimum_wall) + " must stay.";
+        case Boring::Limit::bottom:
+            return "This cannot be bored" + cutter + ": a bore " + hundredths(boring.depth) +
+                   " deep is needed, and a bottom of " + hundredths(limits.minimum_bottom) +
+                   " must stay.";
+    }
+    if (!boring.cuts) {
+        return {};
+    }
+    if (boring.deeper > 0.0) {
+        return "Bore " + hundredths(boring.deeper) + " deeper" + cutter + ", " +
+               hundredths(boring.depth) + " from the face.";
+    }
+    return "Bore to " + hundredths(boring.depth) + " from the face" + cutter + ".";
+}
+
+bool mass_fits(double typed_mass, double geometry_mass) {
+    return std::abs(typed_mass - geometry_mass) <= mass_mismatch * geometry_mass;
+}
+
+}  // namespace ravnoves::v8_plugs

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "case-file/range.h"
+
+namespace ravnoves::v8_plugs {
+
+/// Balance quality grades G of ISO 21940-11, mm/s (the products e·ω).
+inline constexpr std::array<double, 11> balance_grades_mm_s{0.4, 1,   2.5, 6.3,  16,  40,
+                                                            100, 250, 630, 1600, 4000};
+
+inline constexpr FieldSpec grade_field{"grade_mm_s", "mm/s", Range::between(0.1, 10'000), 1e-3};
+inline constexpr FieldSpec rotor_mass_field{"rotor_mass_kg", "kg", Range::between(0.1, 100'000),
+                                            1.0};
+inline constexpr FieldSpec service_speed_field{
+    "service_speed_rpm", "1/min", Range::between(1, 100'000), 3.14159265358979323846 / 30.0};
+inline constexpr FieldSpec front_share_field{"front_share", "", Range::between(0.3, 0.7), 1.0};
+inline constexpr FieldSpec front_reading_field{"front_reading_g_mm", "g·mm", Range::between(0, 1e9),
+                                               1e-6};
+inline constexpr FieldSpec rear_reading_field{"rear_reading_g_mm", "g·mm", Range::between(0, 1e9),
+                                              1e-6};
+
+/// What the balancing machine has to reach, and what it reads.
+struct BalancingCheck {
+    double grade;                         ///< G = e ω, m/s
+    double rotor_mass;                    ///< crankshaft with bob weights, kg
+    double service_speed;                 ///< ω, rad/s
+    double front_share = 0.5;             ///< part of the permissible unbalance in the front plane
+    std::optional<double> front_reading;  ///< kg·m
+    std::optional<double> rear_reading;   ///< kg·m
+
+    friend bool operator==(const BalancingCheck&, const BalancingCheck&) = default;
+};
+
+/// One correction plane.
+struct PlaneVerdict {
+    double permissible;             ///< kg·m
+    std::optional<double> reading;  ///< kg·m
+    std::optional<bool> passes;     ///< nothing while there is no reading
+};
+
+struct BalancingVerdict {
+    double permissible;  ///< U_per = m G / ω of the whole rotor, kg·m
+    PlaneVerdict front;
+    PlaneVerdict rear;
+};
+
+/// Permissible residual unbalance by ISO 21940-11, U_per = 1000 m G / ω in g·mm for m in kg and G
+/// in mm/s, shared between the planes; and the readings against it. The standard keeps each
+/// plane's share between 0.3 and 0.7.
+BalancingVerdict judge(const BalancingCheck& check);
+
+}  // namespace ravnoves::v8_plugs

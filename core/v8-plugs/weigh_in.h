@@ -1,0 +1,112 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "v8-plugs/compensation.h"
+
+namespace ravnoves::v8_plugs {
+
+// The weigh-in sheet: every part of every cylinder on the scale. Masses in kg.
+
+enum class Part { piston, pin, rings, rod_big_end, rod_small_end, shells };
+inline constexpr std::array<Part, 6> all_parts{
+    Part::piston, Part::pin, Part::rings, Part::rod_big_end, Part::rod_small_end, Part::shells};
+std::string_view part_key(Part part);  ///< the word of the case file
+
+/// The column of one kind of part.
+struct PartColumn {
+    std::optional<double> nominal;                           ///< kg
+    std::optional<double> permitted_spread;                  ///< heaviest less lightest, kg
+    std::array<std::optional<double>, cylinder_count> mass;  ///< kg, by cylinder
+
+    bool is_empty() const;     ///< nothing weighed
+    bool is_complete() const;  ///< all cylinders weighed and the nominal mass known
+
+    friend bool operator==(const PartColumn&, const PartColumn&) = default;
+};
+
+/// Which cylinders share a crankpin.
+enum class CylinderNumbering {
+    bank_by_bank,  ///< 1–4 in one bank, 5–8 in the other: crankpin k carries k and k + 4
+    alternating    ///< 1, 3, 5, 7 in one bank: crankpin k carries 2k − 1 and 2k
+};
+/// The two cylinders of each crankpin, counted from 0.
+using Crankpins = std::array<std::array<int, 2>, crankpin_count>;
+Crankpins crankpins(CylinderNumbering numbering);
+
+struct WeighIn {
+    std::array<PartColumn, 6> columns;  ///< in the order of all_parts
+    CylinderNumbering numbering = CylinderNumbering::bank_by_bank;
+
+    PartColumn& operator[](Part part) { return columns[static_cast<std::size_t>(part)]; }
+    const PartColumn& operator[](Part part) const {
+        return columns[static_cast<std::size_t>(part)];
+    }
+
+    friend bool operator==(const WeighIn&, const WeighIn&) = default;
+};
+
+/// Statistics of what has been weighed so far in a column.
+struct ColumnStatistics {
+    int count;
+    double mean;    ///< kg
+    double spread;  ///< heaviest less lightest, kg
+    int heaviest;   ///< cylinder, counted from 0
+    int lightest;
+    bool within_permitted;  ///< true where no permitted spread is given
+};
+/// Nothing where nothing has been weighed.
+std::optional<ColumnStatistics> statistics(const PartColumn& column);
+
+/// The mass changes of the method from the sheet: means over the cylinders against nominal.
+///
+/// In repair the piston with its rings is Δm_рп, pin and small end (which move with the piston) are
+/// Δm_п, the shells of both rods of a crankpin Δm_шр. In manufacture piston, pin, rings and small
+/// end are Δm_п and the shells are not counted, as the method has it. Columns that are not complete
+/// count as nominal.
+MassChanges mass_changes(const WeighIn& sheet, Process process);
+
+/// Excess on each crankpin's own axis, from the parts of its two cylinders; their mean is the
+/// unbalanced_mass() of mass_changes().
+std::array<double, crankpin_count> crankpin_excess(const WeighIn& sheet, Process process,
+                                                   double rod_coefficient);
+
+/// Which part goes where: element i is the cylinder (from 0) whose part goes to cylinder i.
+struct Assignment {
+    std::vector<int> pistons;  ///< piston with its pin and rings
+    std::vector<int> rods;     ///< rod with its shells
+    double spread = 0.0;       ///< heaviest less lightest crankpin total, kg
+    int moved = 0;             ///< sets that change their cylinder
+};
+
+/// The assignment of two kinds of sets to the crankpins that makes the spread of the crankpins'
+/// totals (largest less smallest) as small as can be, and among those of the same spread one that
+/// moves the fewest sets.
+///
+/// Exact. A crankpin's total is the sum of the contributions of its two pistons and its two rods,
+/// so only the pairing matters: (n − 1)!! pairings of each kind (105 for n = 8), and for a pairing
+/// of pistons and one of rods the best match puts the heaviest pair to the lightest (it is
+/// majorized by every other match, so its largest total is the smallest and its smallest the
+/// largest).
+///
+/// @param pistons, rods  contribution of each set to its crankpin's total, kg; n even, 2 to 8
+/// @param crankpins      the two positions of each crankpin, n / 2 of them
+Assignment best_assignment(const std::vector<double>& pistons, const std::vector<double>& rods,
+                           const std::vector<std::array<int, 2>>& crankpins);
+
+/// Spread of the crankpins' totals for an assignment, kg.
+double assignment_spread(const std::vector<double>& pistons, const std::vector<double>& rods,
+                         const std::vector<std::array<int, 2>>& crankpins,
+                         const Assignment& assignment);
+
+/// The best assignment for a sheet; columns that are not complete count as nominal. Nothing where
+/// no column is complete.
+std::optional<Assignment> best_assignment(const WeighIn& sheet, Process process,
+                                          double rod_coefficient);
+/// The sheet with the parts moved as the assignment says.
+WeighIn reassigned(const WeighIn& sheet, const Assignment& assignment);
+
+}  // namespace ravnoves::v8_plugs

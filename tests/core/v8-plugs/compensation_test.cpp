@@ -1,0 +1,184 @@
+#include "v8-plugs/compensation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support.h"
+
+namespace ravnoves::v8_plugs {
+namespace {
+
+using test::gram;
+using test::gram_millimetre;
+using test::millimetre;
+using test::Workshop;
+
+constexpr int rounds = 2000;
+
+TEST(Compensation, BobWeightAfterFullCompensationIsNominal) {
+    Workshop workshop(1);
+    int compensated = 0;
+    for (int round = 0; round < rounds; ++round) {
+        const PlugSet plugs = workshop.plugs();
+        const GearMasses gear = workshop.gear();
+        const MassChanges changes = workshop.changes(30);
+        const Process process = workshop.process();
+        const double excess = unbalanced_mass(process, changes, plugs.rod_coefficient);
+        for (const OptionId id : all_options) {
+            const Option option = evaluate_option(id, plugs, excess, 0.0).value();
+            const double nominal =
+                nominal_bob_weight(
+                    plugs, gear,
+                    needs_new_crankshaft(id) ? Crankshaft::new_plugs : Crankshaft::standard)
+                    ->sum();
+            const double after = option_bob_weight(plugs, gear, process, changes, option).sum();
+            // Whatever the limits leave, and only that, is what the bob weight is off by.
+            EXPECT_NEAR(after - nominal, option.residual_mass, 1e-12 * nominal);
+            if (option.residual_mass == 0.0) {
+                ++compensated;
+                EXPECT_NEAR(after, nominal, 1e-12 * nominal);
+            }
+        }
+        // Today's plugs unchanged: the whole excess is there.
+        const double before =
+            bob_weight(plugs, gear, process, changes, plugs.steel_mass, plugs.plug_radius).sum();
+        const double nominal = nominal_bob_weight(plugs, gear, Crankshaft::standard)->sum();
+        EXPECT_NEAR(before - nominal, excess, 1e-12 * nominal);
+    }
+    EXPECT_GT(compensated, rounds / 2);  // the property has been seen, not skipped
+}
+
+TEST(Compensation, ResidualIsExactlyWhatTheLimitsLeave) {
+    Workshop workshop(2);
+    int short_of = 0;
+    int over = 0;
+    for (int round = 0; round < rounds; ++round) {
+        const PlugSet plugs = workshop.plugs();
+        const double tolerance = workshop.between(0, 50) * gram_millimetre;
+        const double excess = workshop.between(-50, 300) * gram;
+        for (const OptionId id : all_options) {
+            const Option option = evaluate_option(id, plugs, excess, tolerance).value();
+            const double scale = std::abs(excess) + std::abs(option.maximum);
+            EXPECT_DOUBLE_EQ(option.maximum, option.constant + option.slope * option.max_reduction);
+            EXPECT_NEAR(option.constant + option.slope * option.required_reduction, excess,
+                        1e-14 * scale);
+            EXPECT_GE(option.reduction, 0.0);
+            EXPECT_LE(option.reduction, option.max_reduction);
+            if (excess > option.maximum) {
+                ++short_of;
+                EXPECT_EQ(option.reduction, option.max_reduction);
+                EXPECT_DOUBLE_EQ(option.residual_unbalance,
+                                 (excess - option.maximum) * plugs.crank_radius);
+                EXPECT_GT(option.residual_unbalance, 0.0);
+            } else if (excess < option.constant) {
+                ++over;
+                EXPECT_EQ(option.reduction, 0.0);
+                EXPECT_DOUBLE_EQ(option.residual_unbalance,
+                                 (excess - option.constant) * plugs.crank_radius);
+                EXPECT_LT(option.residual_unbalance, 0.0);
+            } else {
+                EXPECT_EQ(option.residual_unbalance, 0.0);
+                EXPECT_EQ(option.residual_mass, 0.0);
+            }
+            EXPECT_EQ(option.feasible, std::abs(option.residual_unbalance) <= tolerance);
+            EXPECT_EQ(describe_failure(option, tolerance).empty(), option.feasible);
+        }
+    }
+    EXPECT_GT(short_of, 100);
+    EXPECT_GT(over, 100);
+}
+
+TEST(Compensation, AdviceIsTheCheapestThatWorksOnTheCrankshaftFitted) {
+    Workshop workshop(3);
+    std::array<int, 6> seen{};
+    for (int round = 0; round < rounds; ++round) {
+        const PlugSet plugs = workshop.plugs();
+        const double tolerance = 5 * gram_millimetre;
+        const double excess = workshop.between(-20, 200) * (round % 5 == 0 ? 0.01 : 1.0) * gram;
+        const Crankshaft crankshaft = round % 2 == 0 ? Crankshaft::standard : Crankshaft::new_plugs;
+        const Advice advice = advise(plugs, crankshaft, excess, tolerance);
+        ++seen[static_cast<std::size_t>(advice.kind)];
+        const bool needed = std::abs(excess * plugs.crank_radius) > tolerance;
+        EXPECT_EQ(advice.kind == Advice::Kind::none_needed, !needed);
+        std::optional<OptionId> first;
+        for (const OptionId id : all_options) {
+            if (needs_new_crankshaft(id) == (crankshaft == Crankshaft::new_plugs) && !first &&
+                evaluate_option(id, plugs, excess, tolerance)->feasible) {
+                first = id;
+            }
+        }
+        if (needed && first) {
+            ASSERT_EQ(advice.kind, Advice::Kind::option);
+            EXPECT_EQ(advice.option->id, *first);
+        } else if (needed) {
+            EXPECT_NE(advice.kind, Advice::Kind::option);
+            if (advice.with_other_crankshaft) {
+                EXPECT_NE(needs_new_crankshaft(*advice.with_other_crankshaft),
+                          crankshaft == Crankshaft::new_plugs);
+                EXPECT_TRUE(evaluate_option(*advice.with_other_crankshaft, plugs, excess, tolerance)
+                                ->feasible);
+            }
+        }
+        const std::string words = describe(advice, excess, plugs.crank_radius, tolerance);
+        EXPECT_TRUE(words.ends_with(".")) << words;
+        EXPECT_EQ(words.find("nan"), std::string::npos) << words;
+    }
+    for (const auto kind :
+         {Advice::Kind::none_needed, Advice::Kind::option, Advice::Kind::too_light,
+          Advice::Kind::none_sufficient, Advice::Kind::none_light_enough}) {
+        EXPECT_GT(seen[static_cast<std::size_t>(kind)], 0) << static_cast<int>(kind);
+    }
+}
+
+TEST(Compensation, WordsOfATechnician) {
+    const PlugSet plugs = plug_set(*find_preset("4.25 l")).value();
+    const double r = plugs.crank_radius;
+    const double limit = 5 * gram_millimetre;
+    const auto words = [&](double excess_g, Crankshaft crankshaft = Crankshaft::standard) {
+        const Advice advice = advise(plugs, crankshaft, excess_g * gram, limit);
+        return describe(advice, excess_g * gram, r, limit);
+    };
+    EXPECT_EQ(words(4.3225), "Machine all 8 steel plugs by 1.83 g each.");
+    EXPECT_EQ(words(5.0), "Replace all 8 plugs by aluminium ones lightened by 0.28 g each.");
+    EXPECT_EQ(words(0.1),
+              "Leave the plugs as they are: the excess of 0.10 g per crankpin is 4.0 g·mm, within "
+              "the 5.0 g·mm allowed.");
+    EXPECT_EQ(words(4.7),
+              "Machine all 8 steel plugs by 1.95 g each. This leaves 0.10 g too much on each "
+              "crankpin, 3.8 g·mm, within the 5.0 g·mm allowed.");
+    EXPECT_EQ(words(7.0),
+              "No plug of this crankshaft can be made light enough. The nearest is "
+              "steel-to-aluminium, which leaves 1.05 g too much on each crankpin: 42.1 g·mm "
+              "against the 5.0 g·mm allowed. A crankshaft made for the new plugs would do "
+              "(new-steel-to-aluminium).");
+    EXPECT_EQ(words(-1.0),
+              "The parts are 1.00 g per crankpin lighter than nominal (40.0 g·mm), and plugs can "
+              "only be lightened: heavier parts or heavier plugs are needed.");
+    EXPECT_EQ(words(1.0, Crankshaft::new_plugs),
+              "No plug of this crankshaft has the mass that is needed. The nearest is "
+              "new-steel-to-steel, which over-compensates by 0.92 g on each crankpin: 36.8 g·mm "
+              "against the 5.0 g·mm allowed. A standard crankshaft would do (steel-machined).");
+    EXPECT_EQ(words(1.92, Crankshaft::new_plugs), "Fit today's 8 steel plugs as they are.");
+}
+
+TEST(Compensation, ManufactureDropsTheRepairParts) {
+    const MassChanges changes{1 * gram, 2 * gram, 3 * gram, 4 * gram};
+    EXPECT_DOUBLE_EQ(unbalanced_mass(Process::manufacture, changes, 0.5), 6.0 * gram);
+    EXPECT_DOUBLE_EQ(unbalanced_mass(Process::repair, changes, 0.5), 13.0 * gram);
+}
+
+TEST(Compensation, EngineWithoutAluminiumOrNewPlugsHasFewerOptions) {
+    PlugSet plugs = plug_set(*find_preset("6 l")).value();
+    plugs.new_design.reset();
+    EXPECT_FALSE(evaluate_option(OptionId::new_steel_to_steel, plugs, gram, 0.0));
+    EXPECT_FALSE(evaluate_option(OptionId::new_steel_to_aluminium, plugs, gram, 0.0));
+    EXPECT_TRUE(evaluate_option(OptionId::steel_to_aluminium, plugs, gram, 0.0));
+    EXPECT_EQ(advise(plugs, Crankshaft::new_plugs, gram, 0.0).kind, Advice::Kind::no_new_plug_data);
+    plugs.aluminium.reset();
+    EXPECT_FALSE(evaluate_option(OptionId::steel_to_aluminium, plugs, gram, 0.0));
+    EXPECT_TRUE(evaluate_option(OptionId::steel_machined, plugs, gram, 0.0));
+}
+
+}  // namespace
+}  // namespace ravnoves::v8_plugs
