@@ -1,4 +1,6 @@
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -34,7 +36,8 @@ int solve_file(const std::string& case_path, const std::string& result_path) {
     if (result_path.empty()) {
         std::cout << text << std::flush;
         if (!std::cout) {
-            complain("", "standard output cannot be written");
+            complain("ravnoves-cli",
+                     std::string("standard output cannot be written: ") + std::strerror(errno));
             return exit_bad_input;
         }
         return exit_solved;
@@ -62,7 +65,8 @@ int solve_batch(std::istream& in, std::ostream& out) {
         }
         out << answer.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n' << std::flush;
         if (!out) {
-            complain("", "standard output cannot be written");
+            complain("ravnoves-cli",
+                     std::string("standard output cannot be written: ") + std::strerror(errno));
             return exit_bad_input;
         }
     }
@@ -73,16 +77,33 @@ int solve_batch(std::istream& in, std::ostream& out) {
 
 int main(int argc, char** argv) {
     CLI::App app{"Ravnoves, the engine-balancing workbench: solves case files without a display."};
+    app.name("ravnoves-cli");  // not the path it was started by
     app.set_version_flag("--version", "ravnoves-cli " RAVNOVES_VERSION);
     app.require_subcommand(1);
 
-    CLI::App* solve = app.add_subcommand("solve", "Solve a case file and print its result");
+    // One line, like every other complaint.
+    app.failure_message([&](const CLI::App*, const CLI::Error& error) {
+        std::string text = error.what();
+        if (error.get_name() == "RequiredError" && argc > 1 && app.get_subcommands().empty()) {
+            const std::string word = argv[1];
+            text = (word.starts_with('-') ? "unknown option '" : "unknown command '") + word + "'";
+        }
+        return "ravnoves-cli: " + text + "; run with --help for what there is\n";
+    });
+
+    CLI::App* solve = app.add_subcommand(
+        "solve", "Solve a case file and print its result, as JSON, on standard output");
+    solve->footer(
+        "Exit status: 0 solved (a design that cannot exist is a result that says so),\n"
+        "2 bad input, named on standard error; nothing is written then.\n");
     std::string case_path;
     std::string result_path;
     bool batch = false;
     CLI::Option* case_option = solve->add_option("CASE", case_path, "Case file (JSON)");
+    case_option->type_name("");
     CLI::Option* output_option =
-        solve->add_option("-o,--output", result_path, "Write the result to this file");
+        solve->add_option("-o,--output", result_path, "Write the result to this file instead");
+    output_option->type_name("FILE");
     solve
         ->add_flag("--batch", batch,
                    "Read one case per line from standard input, print one result per line")

@@ -37,9 +37,36 @@ std::string line_and_column(std::string_view text, std::size_t byte) {
            std::to_string(std::max<std::size_t>(column, 1));
 }
 
+// The JSON library parses any depth, but writing a value out again takes stack for each level.
+void check_depth(std::string_view text) {
+    constexpr int deepest = 100;
+    int depth = 0;
+    bool in_string = false;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const char c = text[at];
+        if (in_string) {
+            at += c == '\\' ? 1 : 0;
+            in_string = c != '"';
+        } else if (c == '"') {
+            in_string = true;
+        } else if (c == '[' || c == '{') {
+            if (++depth > deepest) {
+                throw InputError(line_and_column(text, at + 1),
+                                 "is nested more than " + std::to_string(deepest) + " levels deep");
+            }
+        } else if (c == ']' || c == '}') {
+            --depth;
+        }
+    }
+}
+
 }  // namespace
 
 Json parse_json(std::string_view text) {
+    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+        throw InputError("", "is empty");
+    }
+    check_depth(text);
     try {
         return Json::parse(text);
     } catch (const Json::parse_error& error) {
@@ -139,8 +166,16 @@ std::string read_text_file(const std::filesystem::path& path) {
 
 void write_text_file(const std::filesystem::path& path, std::string_view text) {
     std::error_code error;
-    if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error)) {
-        // A device or a pipe (/dev/stdout) has no beside: write straight through.
+    // What a link points to is replaced, never the link: as root, /dev/stdout would be a file then.
+    std::filesystem::path target = path;
+    bool in_place =
+        std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
+    if (!in_place && std::filesystem::is_symlink(std::filesystem::symlink_status(path, error))) {
+        target = std::filesystem::canonical(path, error);
+        in_place = static_cast<bool>(error);  // a link to nothing yet
+    }
+    if (in_place) {
+        // A device or a pipe has no place beside it: write straight through.
         std::ofstream stream(path, std::ios::binary);
         stream << text << std::flush;
         if (!stream) {
@@ -148,7 +183,7 @@ void write_text_file(const std::filesystem::path& path, std::string_view text) {
         }
         return;
     }
-    std::filesystem::path partial = path;
+    std::filesystem::path partial = target;
     partial += ".part" + std::to_string(::getpid());
     {
         std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
@@ -160,7 +195,7 @@ void write_text_file(const std::filesystem::path& path, std::string_view text) {
             throw InputError("", "cannot be written: " + reason);
         }
     }
-    std::filesystem::rename(partial, path, error);
+    std::filesystem::rename(partial, target, error);
     if (error) {
         const std::string reason = error.message();
         std::filesystem::remove(partial, error);

@@ -49,7 +49,8 @@ Json write_case(const CaseFile& file);
 /// @throws InputError for bad input, std::logic_error for a fault of ours
 Json solve_case(const CaseFile& file, const CaseContext& context);
 
-/// Parses JSON text; syntax errors, NaN and numbers beyond double name line and column.
+/// Parses JSON text; syntax errors, NaN and numbers beyond double name line and column. Nesting is
+/// limited to 100 levels.
 /// @throws InputError
 Json parse_json(std::string_view text);
 
@@ -57,6 +58,7 @@ Json parse_json(std::string_view text);
 /// @throws InputError where it cannot be read or is larger than 64 MiB
 std::string read_text_file(const std::filesystem::path& path);
 /// Writes beside the target, then renames: a file already there stays whole when anything fails.
+/// A link is followed, a device or a pipe written straight through.
 /// @throws InputError where the place cannot be written
 void write_text_file(const std::filesystem::path& path, std::string_view text);
 
