@@ -14,8 +14,9 @@ done
 for script in packaging/run.sh packaging/test.sh packaging/report.sh .ci/run; do
     [ -x "$script" ] || fault "$script is not executable"
 done
-packaging/run.sh --help | grep -q '^usage: packaging/run.sh' || fault "run.sh --help says nothing"
-packaging/test.sh --help | grep -q '^usage: packaging/test.sh' || fault "test.sh --help says nothing"
+# grep reads to the end (no -q): a writer that it left behind would count as a failure.
+packaging/run.sh --help | grep '^usage: packaging/run.sh' >/dev/null || fault "run.sh --help says nothing"
+packaging/test.sh --help | grep '^usage: packaging/test.sh' >/dev/null || fault "test.sh --help says nothing"
 if packaging/run.sh --no-such-option 2>/dev/null; then
     fault "run.sh takes an option that it does not know"
 fi
@@ -25,9 +26,9 @@ fi
 
 . packaging/common.sh
 all=$(packages_in core ui run test lint benchmark)
-packages_in core | grep -qx cmake || fault "section [core] is not read"
-packages_in ui | grep -qx qt6-charts-dev || fault "section [ui] is not read"
-! packages_in core | grep -qi qt || fault "section [core] asks for Qt"
+packages_in core | grep -x cmake >/dev/null || fault "section [core] is not read"
+packages_in ui | grep -x qt6-charts-dev >/dev/null || fault "section [ui] is not read"
+! packages_in core | grep -i qt >/dev/null || fault "section [core] asks for Qt"
 repeated=$(sort <<<"$all" | uniq -d)
 [ -z "$repeated" ] || fault "listed twice: $repeated"
 # Every line that is no comment and no heading is a package that some section gives out.

@@ -53,6 +53,25 @@ TEST(ParseJson, SyntaxErrorsNameLineAndColumn) {
     EXPECT_NE(error_of([] { parse_json(std::string_view("\0\1\2\377", 4)); }), "no error");
 }
 
+TEST(ParseJson, RefusesNestingThatWouldExhaustTheStack) {
+    const std::size_t levels = 1'000'000;
+    const std::string deep = std::string(levels, '[') + std::string(levels, ']');
+    EXPECT_EQ(error_of([&] { parse_json(deep); }),
+              "line 1, column 101: is nested more than 100 levels deep");
+    EXPECT_EQ(error_of([&] { parse_json("{\"a\": " + deep + "}"); }),
+              "line 1, column 106: is nested more than 100 levels deep");
+    // Brackets in a text nest nothing, whatever is escaped before its closing quote.
+    const std::string text = R"("\"\\\")" + std::string(200, '[') + R"(")";
+    EXPECT_EQ(parse_json(text).get<std::string>().size(), 203U);
+    const std::string allowed = std::string(100, '[') + std::string(100, ']');
+    EXPECT_TRUE(parse_json(allowed).is_array());
+}
+
+TEST(ParseJson, SaysThatAnEmptyFileIsEmpty) {
+    EXPECT_EQ(error_of([] { parse_json(""); }), "is empty");
+    EXPECT_EQ(error_of([] { parse_json(" \r\n\t"); }), "is empty");
+}
+
 TEST(Decimal, ReadsCommaAndPoint) {
     EXPECT_EQ(parse_decimal("1,5"), 1.5);
     EXPECT_EQ(parse_decimal(" 1.5\t"), 1.5);

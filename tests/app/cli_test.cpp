@@ -1,0 +1,319 @@
+// The command line as a user or a script runs it: what goes to which stream, the exit status, and
+// what is left on disk. Whole results are compared as truth values: they run to thousands of lines.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "case-file/case_file.h"
+#include "case-file/json.h"
+
+namespace ravnoves {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read_all(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) {
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+struct Outcome {
+    int status = -1;
+    std::string out;
+    std::string err;
+};
+
+class CommandLine : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        std::string pattern = (fs::temp_directory_path() / "ravnoves-cli-test-XXXXXX").string();
+        ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+        folder = pattern;
+    }
+    void TearDown() override { fs::remove_all(folder); }
+
+    /// Runs `ravnoves-cli ARGUMENTS` by a shell in the test's folder.
+    Outcome run(const std::string& arguments, const std::string& input = "") const {
+        const fs::path in = folder / "stdin";
+        const fs::path out = folder / "stdout";
+        const fs::path err = folder / "stderr";
+        std::ofstream(in, std::ios::binary) << input;
+        // In braces, so that arguments may hold a pipe or a redirection of their own.
+        const std::string command = "cd '" + folder.string() + "' && { '" RAVNOVES_CLI "' " +
+                                    arguments + "; } <stdin 2>stderr >stdout";
+        fs::remove(out);
+        const int raw = std::system(command.c_str());  // NOLINT(cert-env33-c)
+        Outcome outcome;
+        outcome.status = WIFEXITED(raw) ? WEXITSTATUS(raw) : -1;
+        outcome.out = read_all(out);
+        outcome.err = read_all(err);
+        return outcome;
+    }
+
+    fs::path write(const std::string& name, const std::string& text) const {
+        std::ofstream(folder / name, std::ios::binary) << text;
+        return folder / name;
+    }
+
+    /// The document of an example case.
+    static Json example() {
+        return Json::parse(read_all(fs::path(RAVNOVES_EXAMPLES) / "tmz-650d.case.json"));
+    }
+
+    /// One line on standard error that starts with the file, nothing on standard output, status 2.
+    static void expect_refused(const Outcome& outcome, const std::string& start) {
+        EXPECT_EQ(outcome.status, 2);
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+        EXPECT_EQ(outcome.err.substr(0, start.size()), start) << outcome.err;
+    }
+
+    fs::path folder;
+};
+
+TEST_F(CommandLine, SolvesToStandardOutput) {
+    write("case.json", example().dump());
+    const Outcome outcome = run("solve case.json");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.err, "");
+    const Json result = Json::parse(outcome.out);
+    EXPECT_EQ(result.at("format"), "ravnoves-result");
+    EXPECT_EQ(result.at("version"), 1);
+    EXPECT_EQ(result.at("scene"), "balance-shaft");
+    EXPECT_EQ(result.at("title"), example().at("title"));
+    EXPECT_TRUE(result.at("result").is_object());
+    EXPECT_EQ(outcome.out.back(), '\n');
+}
+
+TEST_F(CommandLine, WritesTheSameToAFile) {
+    write("case.json", example().dump());
+    const Outcome printed = run("solve case.json");
+    const Outcome written = run("solve case.json -o result.json");
+    EXPECT_EQ(written.status, 0);
+    EXPECT_EQ(written.out + written.err, "");
+    EXPECT_TRUE(read_all(folder / "result.json") == printed.out);
+    EXPECT_EQ(run("solve case.json --output=again.json").status, 0);
+    EXPECT_TRUE(read_all(folder / "again.json") == printed.out);
+    // /dev/stdout is a link, here to a pipe; links to files have a test of their own.
+    EXPECT_EQ(run("solve case.json -o /dev/stdout | cat > again").status, 0);
+    EXPECT_TRUE(read_all(folder / "again") == printed.out);
+}
+
+TEST_F(CommandLine, WritesThroughALinkAndLeavesItALink) {
+    write("case.json", example().dump());
+    fs::create_directory(folder / "elsewhere");
+    write("elsewhere/old.json", "old");
+    for (const char* name : {"old.json", "new.json"}) {
+        const fs::path link = folder / (std::string("link-") + name);
+        fs::create_symlink(fs::path("elsewhere") / name, link);
+        EXPECT_EQ(run("solve case.json -o " + link.filename().string()).status, 0);
+        EXPECT_TRUE(fs::is_symlink(link)) << name;
+        EXPECT_EQ(Json::parse(read_all(folder / "elsewhere" / name)).at("scene"), "balance-shaft");
+    }
+}
+
+TEST_F(CommandLine, SolvesEveryExample) {
+    int examples = 0;
+    for (const auto& entry : fs::directory_iterator(RAVNOVES_EXAMPLES)) {
+        const std::string path = entry.path().string();
+        if (!path.ends_with(".case.json")) {
+            continue;
+        }
+        const Json document = Json::parse(read_all(path));
+        const auto scenes = scene_solvers();
+        if (std::none_of(scenes.begin(), scenes.end(), [&](const SceneSolver& scene) {
+                return scene.name == document.at("scene").get<std::string>();
+            })) {
+            continue;
+        }
+        ++examples;
+        const Outcome outcome = run("solve '" + path + "'");
+        EXPECT_EQ(outcome.status, 0) << path << ": " << outcome.err;
+        EXPECT_EQ(Json::parse(outcome.out).at("scene"), document.at("scene")) << path;
+    }
+    EXPECT_GT(examples, 0);
+}
+
+TEST_F(CommandLine, BadInputIsOneLineWithFilePointerRuleAndFinding) {
+    Json bad = example();
+    bad["input"]["crank_radius_mm"] = -46;
+    write("case.json", bad.dump());
+    const Outcome outcome = run("solve case.json");
+    expect_refused(outcome, "case.json: /input/crank_radius_mm: must be ");
+    EXPECT_NE(outcome.err.find(", got -46\n"), std::string::npos) << outcome.err;
+}
+
+TEST_F(CommandLine, BadInputLeavesTheResultFileAsItWas) {
+    Json bad = example();
+    bad["input"]["crank_radius_mm"] = -46;
+    write("case.json", bad.dump());
+    write("result.json", "kept");
+    expect_refused(run("solve case.json -o result.json"), "case.json: /input/crank_radius_mm: ");
+    EXPECT_EQ(read_all(folder / "result.json"), "kept");
+    expect_refused(run("solve case.json -o new.json"), "case.json: /input/crank_radius_mm: ");
+    EXPECT_FALSE(fs::exists(folder / "new.json"));
+}
+
+TEST_F(CommandLine, UnknownKeyNamesTheNearest) {
+    Json bad = example();
+    bad["input"]["crank_radus_mm"] = 46;
+    write("case.json", bad.dump());
+    const Outcome outcome = run("solve case.json");
+    expect_refused(outcome, "case.json: /input/crank_radus_mm: ");
+    EXPECT_NE(outcome.err.find("\"crank_radius_mm\""), std::string::npos) << outcome.err;
+}
+
+TEST_F(CommandLine, RefusesAnEnvelopeThatIsNotOurs) {
+    Json newer = example();
+    newer["version"] = 2;
+    write("newer.json", newer.dump());
+    expect_refused(run("solve newer.json"), "newer.json: /version: must be at most 1");
+
+    Json stranger = example();
+    stranger["scene"] = "balance-shafts";
+    write("stranger.json", stranger.dump());
+    const Outcome outcome = run("solve stranger.json");
+    expect_refused(outcome, "stranger.json: /scene: must be one of ");
+    EXPECT_NE(outcome.err.find("\"balance-shaft\""), std::string::npos) << outcome.err;
+
+    Json other = example();
+    other["format"] = "something-else";
+    write("other.json", other.dump());
+    expect_refused(run("solve other.json"), "other.json: /format: must be ");
+
+    // A result is not a case.
+    write("case.json", example().dump());
+    ASSERT_EQ(run("solve case.json -o result.json").status, 0);
+    expect_refused(run("solve result.json"), "result.json: /format: must be ");
+}
+
+TEST_F(CommandLine, RefusesFilesThatHoldNoCase) {
+    expect_refused(run("solve missing.json"), "missing.json: cannot be read: ");
+    expect_refused(run("solve ."), ".: must be a file, not a folder");
+    write("empty.json", "");
+    expect_refused(run("solve empty.json"), "empty.json: is empty");
+    write("cut.json", example().dump(2).substr(0, 200));
+    expect_refused(run("solve cut.json"), "cut.json: line ");
+    write("binary.json", std::string("\x7f\x45\x4c\x46\x00\x01\xff\xfe\n\n\0", 11));
+    expect_refused(run("solve binary.json"), "binary.json: line 1, column 1: ");
+    write("list.json", "[1, 2]");
+    expect_refused(run("solve list.json"), "list.json: must be an object, got ");
+    write("huge.json", R"({"format": "ravnoves-case", "version": 1e999})");
+    expect_refused(run("solve huge.json"), "huge.json: ");
+    write("deep.json", std::string(100000, '[') + std::string(100000, ']'));
+    expect_refused(run("solve deep.json"), "deep.json: line ");
+}
+
+TEST_F(CommandLine, RefusesAPlaceThatCannotBeWritten) {
+    write("case.json", example().dump());
+    expect_refused(run("solve case.json -o no/such/folder/result.json"),
+                   "no/such/folder/result.json: cannot be written: ");
+    fs::create_directory(folder / "folder");
+    expect_refused(run("solve case.json -o folder"), "folder: cannot be written");
+    expect_refused(run("solve case.json -o /dev/full"), "/dev/full: cannot be written");
+    const Outcome full = run("solve case.json > /dev/full");
+    EXPECT_EQ(full.status, 2);
+    EXPECT_EQ(lines_of(full.err).size(), 1U) << full.err;
+    // Nothing half-written stays behind.
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        EXPECT_EQ(entry.path().string().find(".part"), std::string::npos) << entry.path();
+    }
+}
+
+TEST_F(CommandLine, BatchAnswersEveryLineInItsPlace) {
+    const std::string good = example().dump();
+    Json bad = example();
+    bad["input"]["crank_radius_mm"] = 0;
+    Json moved = example();
+    moved["title"] = "second";
+    moved["input"]["shaft_angle_deg"] = 10;
+    // Blank lines count as lines and get no answer; the last line needs no newline.
+    const Outcome outcome =
+        run("solve --batch", good + "\n" + bad.dump() + "\r\n\nnot json\n" + moved.dump());
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.err, "");
+    const auto lines = lines_of(outcome.out);
+    ASSERT_EQ(lines.size(), 4U);
+
+    write("case.json", good);
+    EXPECT_TRUE(Json::parse(lines[0]) == Json::parse(run("solve case.json").out));
+
+    const Json error = Json::parse(lines[1]);
+    EXPECT_EQ(error.at("line"), 2);
+    EXPECT_EQ(error.at("error").get<std::string>().find("/input/crank_radius_mm: must be "), 0U);
+    EXPECT_EQ(Json::parse(lines[2]).at("line"), 4);
+    EXPECT_EQ(Json::parse(lines[3]).at("title"), "second");
+}
+
+TEST_F(CommandLine, BatchTakesNoFiles) {
+    expect_refused(run("solve --batch case.json"), "ravnoves-cli: ");
+    expect_refused(run("solve --batch -o result.json"), "ravnoves-cli: ");
+    const Outcome empty = run("solve --batch");
+    EXPECT_EQ(empty.status, 0);
+    EXPECT_EQ(empty.out + empty.err, "");
+}
+
+TEST_F(CommandLine, MistakesInTheCommandAreOneLineThatSaysWhatToDo) {
+    for (const char* arguments : {"", "slove case.json", "solve", "solve one.json two.json",
+                                  "solve case.json --no-such-option", "solve case.json -o"}) {
+        const Outcome outcome = run(arguments);
+        expect_refused(outcome, "ravnoves-cli: ");
+        EXPECT_NE(outcome.err.find("--help"), std::string::npos) << outcome.err;
+    }
+    EXPECT_NE(run("slove case.json").err.find("slove"), std::string::npos);
+}
+
+TEST_F(CommandLine, HelpNamesEveryCommandAndOption) {
+    const Outcome help = run("--help");
+    EXPECT_EQ(help.status, 0);
+    EXPECT_EQ(help.err, "");
+    EXPECT_NE(help.out.find("ravnoves-cli [OPTIONS]"), std::string::npos) << help.out;
+    EXPECT_NE(help.out.find("solve"), std::string::npos);
+    const Outcome solve = run("solve --help");
+    EXPECT_EQ(solve.status, 0);
+    for (const char* word : {"--output", "--batch", "CASE", "standard output"}) {
+        EXPECT_NE(solve.out.find(word), std::string::npos) << word << " in\n" << solve.out;
+    }
+    const Outcome version = run("--version");
+    EXPECT_EQ(version.status, 0);
+    EXPECT_EQ(version.out, "ravnoves-cli " RAVNOVES_VERSION "\n");
+}
+
+// A file's name is bytes to us: Cyrillic, spaces and quotes are the user's business.
+TEST_F(CommandLine, TakesAnyFileName) {
+    write("ТМЗ 650 (копия).json", example().dump());
+    EXPECT_EQ(run("solve 'ТМЗ 650 (копия).json' -o 'итог.json'").status, 0);
+    EXPECT_TRUE(fs::exists(folder / "итог.json"));
+}
+
+// The decimal point and no locale, whatever the user's locale is.
+TEST_F(CommandLine, DoesNotHeedTheLocale) {
+    write("case.json", example().dump());
+    const std::string plain = run("solve case.json").out;
+    ::setenv("LC_ALL", "ru_RU.UTF-8", 1);
+    EXPECT_TRUE(run("solve case.json").out == plain);
+    ::unsetenv("LC_ALL");
+}
+
+}  // namespace
+}  // namespace ravnoves
