@@ -2,6 +2,7 @@
 
 #include "balance-shaft/scene.h"
 #include "case-file/case_file.h"
+#include "inertia-moments/case_io.h"
 #include "v8-plugs/solver.h"
 
 namespace ravnoves {
@@ -11,6 +12,7 @@ std::span<const SceneSolver> scene_solvers() {
     static const std::array scenes{
         SceneSolver{"balance-shaft", balance_shaft::solve_scene},
         SceneSolver{"v8-plugs", v8_plugs::solve_case_input},
+        SceneSolver{"inertia-moments", inertia_moments::solve_case_input},
     };
     return scenes;
 }

@@ -1,0 +1,89 @@
+#include "inertia-moments/balance_shafts.h"
+
+#include <cmath>
+
+namespace ravnoves::inertia_moments {
+
+namespace {
+
+bool same_task(const Shaft& a, const Shaft& b) {
+    return a.order == b.order && a.direction == b.direction && a.balances == b.balances;
+}
+
+Complex part(const RotatingPair& pair, Direction direction) {
+    return direction == Direction::forward ? pair.forward : pair.backward;
+}
+
+RotatingPair one_way(Complex vector, Direction direction) {
+    return direction == Direction::forward ? RotatingPair{vector, {}} : RotatingPair{{}, vector};
+}
+
+/// With the shaft's own weight of task and error: what it adds to force or moment.
+Complex counter_vector(const ShaftDesign& design) {
+    // A forward shaft that runs ahead by the error leads in +; a backward one in −.
+    const double sign = design.shaft.direction == Direction::forward ? 1.0 : -1.0;
+    return -design.target * std::polar(1.0, sign * design.shaft.phase_error);
+}
+
+}  // namespace
+
+std::vector<ShaftDesign> design_shafts(const Engine& engine, const EngineOrders& orders,
+                                       const std::vector<Shaft>& shafts) {
+    std::vector<ShaftDesign> designs(shafts.size());
+    const auto design_one = [&](std::size_t i) {
+        ShaftDesign& design = designs[i];
+        const Shaft& shaft = shafts[i];
+        design.shaft = shaft;
+        RotatingPair task;
+        double scale = 0.0;
+        if (shaft.order <= static_cast<int>(orders.orders.size())) {
+            const EngineOrder& order = orders.order(shaft.order);
+            task = shaft.balances == Balances::force ? order.force : order.moment;
+            scale = shaft.balances == Balances::force ? order.force_scale : order.moment_scale;
+        }
+        if (shaft.balances == Balances::moment) {
+            for (const ShaftDesign& other : designs) {
+                if (other.shaft.balances == Balances::force && other.shaft.enabled &&
+                    other.shaft.order == shaft.order) {
+                    task += other.moment;
+                }
+            }
+        }
+        double sharing = 0.0;
+        for (const Shaft& other : shafts) {
+            sharing += same_task(other, shaft) && (other.enabled || &other == &shaft) ? 1.0 : 0.0;
+        }
+        const Complex whole = part(task, shaft.direction);
+        design.target = whole / (shaft.enabled ? sharing : 1.0);
+        const double speed = shaft.order * engine.angular_speed;
+        const double arm = shaft.balances == Balances::force ? 1.0 : shaft.weight_distance;
+        design.unbalance = std::abs(design.target) / (arm * speed * speed);
+        if (shaft.weight_radius) {
+            design.mass = design.unbalance / *shaft.weight_radius;
+        }
+        const Complex added = counter_vector(design);
+        if (std::abs(design.target) > 1e-9 * scale) {
+            design.phase = std::arg(added);
+        }
+        if (shaft.balances == Balances::force) {
+            const double z = shaft.axial_position.value_or(engine.reference_position);
+            design.force = one_way(added, shaft.direction);
+            design.moment = one_way(added * (z - engine.reference_position), shaft.direction);
+        } else {
+            design.moment = one_way(added, shaft.direction);
+        }
+        design.before = task.max();
+        task += one_way(added, shaft.direction);
+        design.remaining = task.max();
+    };
+    for (const Balances balances : {Balances::force, Balances::moment}) {
+        for (std::size_t i = 0; i < shafts.size(); ++i) {
+            if (shafts[i].balances == balances) {
+                design_one(i);
+            }
+        }
+    }
+    return designs;
+}
+
+}  // namespace ravnoves::inertia_moments

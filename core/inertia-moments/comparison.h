@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "inertia-moments/orders.h"
+
+namespace ravnoves::inertia_moments {
+
+enum class Quantity { force, moment, roll };
+enum class Plane { horizontal, vertical, none };  ///< none: the roll moment has no plane
+
+/// How far the two-term form is from the exact one, in one component of one order.
+struct Difference {
+    int order = 0;
+    Quantity quantity = Quantity::force;
+    Plane plane = Plane::none;
+    double exact = 0.0;     ///< amplitude, N or N·m
+    double two_term = 0.0;  ///< amplitude
+    double error = 0.0;     ///< amplitude of the difference (a wrong phase counts), N or N·m
+    /// error / exact; empty where the exact amplitude is nothing beside the quantity's largest.
+    std::optional<double> relative;
+    /// error / the quantity's largest amplitude of any order.
+    double of_largest = 0.0;
+    /// Both are so large that the two-term form is not enough for this component.
+    bool warning = false;
+};
+
+/// An error of this share in a component warns (5 %)…
+inline constexpr double warning_share = 0.05;
+/// …unless it is less than this share of the quantity's largest component (1 %).
+inline constexpr double negligible_share = 0.01;
+/// Components under this share of the largest count as nothing.
+inline constexpr double zero_share = 1e-9;
+
+/// Compares all orders of `exact` component by component; orders that the two-term form does not
+/// have count as left out whole.
+std::vector<Difference> compare(const EngineOrders& exact, const EngineOrders& two_term);
+
+/// A warning as a sentence: "order 1 force, vertical plane: two-term is 12.8 % off".
+std::string describe(const Difference& difference);
+
+}  // namespace ravnoves::inertia_moments

@@ -1,0 +1,264 @@
+#include "inertia-moments/layouts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace ravnoves::inertia_moments {
+
+namespace {
+
+constexpr std::array order_1{1};
+constexpr std::array order_2{1, 2};
+constexpr std::array order_3{1, 3, 2};
+constexpr std::array order_4{1, 3, 4, 2};
+constexpr std::array order_5{1, 2, 4, 5, 3};
+constexpr std::array order_6{1, 5, 3, 6, 2, 4};
+constexpr std::array order_v6{1, 2, 3, 4, 5, 6};
+constexpr std::array order_v8_cross{1, 8, 4, 3, 6, 5, 7, 2};
+constexpr std::array order_v8_flat{1, 2, 5, 6, 7, 8, 3, 4};
+constexpr std::array order_flat_4{1, 3, 2, 4};
+constexpr std::array order_flat_6{1, 4, 5, 2, 3, 6};
+constexpr std::array order_w12{1, 12, 5, 8, 3, 10, 6, 7, 2, 11, 4, 9};
+
+constexpr std::array pins_1{0};
+constexpr std::array pins_i2_180{0, 180};
+constexpr std::array pins_i2_360{0, 0};
+constexpr std::array pins_common_2{0, 0};
+constexpr std::array pins_v8_cross{0, 0, 90, 90, 270, 270, 180, 180};
+constexpr std::array pins_v8_flat{0, 0, 180, 180, 180, 180, 0, 0};
+constexpr std::array pins_flat_2{0, 180};
+constexpr std::array pins_flat_4{0, 180, 180, 0};
+
+constexpr std::span<const int> even;  // crankpins follow the firing order
+
+using enum Arrangement;
+
+// name, arrangement, N, γ°, side of bank 1, K, a/R, stagger/R, even firing, pins, firing order
+constexpr std::array<LayoutSpec, 20> library{{
+    {"i1", in_line, 1, 0, 0, 0, 2, 0, false, pins_1, order_1},
+    {"i2-180", in_line, 2, 0, 0, 0, 2, 0, false, pins_i2_180, order_2},
+    {"i2-360", in_line, 2, 0, 0, 0, 2, 0, false, pins_i2_360, order_2},
+    {"i3", in_line, 3, 0, 0, 0, 2, 0, true, even, order_3},
+    {"i4", in_line, 4, 0, 0, 0, 2, 0, true, even, order_4},
+    {"i5", in_line, 5, 0, 0, 0, 2, 0, true, even, order_5},
+    {"i6", in_line, 6, 0, 0, 0, 2, 0, true, even, order_6},
+    {"v2-45", v, 2, 45, 1, 0, 2, 0, false, pins_common_2, order_2},
+    {"v2-60", v, 2, 60, 1, 0, 2, 0, false, pins_common_2, order_2},
+    {"v2-90", v, 2, 90, 1, 0, 2, 0, false, pins_common_2, order_2},
+    {"v6-60", v, 6, 60, -1, 0, 2.4, 0, true, even, order_v6},
+    {"v6-90", v, 6, 90, -1, 0, 2.4, 0, true, even, order_v6},
+    {"v8-cross-plane", v, 8, 90, 1, 0, 2.4, 0, false, pins_v8_cross, order_v8_cross},
+    {"v8-flat-plane", v, 8, 90, -1, 0, 2.4, 0, false, pins_v8_flat, order_v8_flat},
+    {"flat-2", v, 2, 180, 1, 0, 2.4, 1, false, pins_flat_2, order_2},
+    {"flat-4", v, 4, 180, 1, 0, 2.4, 1, false, pins_flat_4, order_flat_4},
+    {"flat-6", v, 6, 180, 1, 0, 2.4, 1, true, even, order_flat_6},
+    {"vr5", vr, 5, 15, 1, 0.278, 1.4, 0, true, even, order_5},
+    {"vr6", vr, 6, 15, 1, 0.278, 1.4, 0, true, even, order_6},
+    {"w12", double_vr, 12, 72, 1, 0.278, 1.5, 0.3, true, even, order_w12},
+}};
+
+/// The number of stations along the crank.
+int station_count(Arrangement arrangement, int cylinders) {
+    const bool paired = arrangement == v || arrangement == double_vr;
+    return paired ? (cylinders + 1) / 2 : cylinders;
+}
+
+/// Where cylinder i (from 0) stands: its station, its bank (0 or 1), and within a VR block its row.
+struct Place {
+    int station;
+    int bank;
+    int row;
+};
+
+Place place_of(Arrangement arrangement, int i, int cylinders) {
+    switch (arrangement) {
+        case in_line:
+            return {i, 0, 0};
+        case v:
+            return {i / 2, i % 2, 0};
+        case vr:
+            return {i, i % 2, i % 2};
+        case double_vr: {
+            const int half = cylinders / 2;
+            const int block = i < half ? 0 : 1;
+            const int place = i - block * half;
+            return {place, block, place % 2};
+        }
+    }
+    return {i, 0, 0};
+}
+
+const LayoutSpec& require_layout(std::string_view name) {
+    const LayoutSpec* spec = find_layout(name);
+    if (spec == nullptr) {
+        throw std::invalid_argument("no layout named " + std::string(name));
+    }
+    return *spec;
+}
+
+}  // namespace
+
+std::span<const LayoutSpec> layout_library() {
+    return library;
+}
+
+const LayoutSpec* find_layout(std::string_view name) {
+    const auto* found = std::find_if(library.begin(), library.end(),
+                                     [&](const LayoutSpec& spec) { return spec.name == name; });
+    return found == library.end() ? nullptr : found;
+}
+
+Layout usual_layout(const LayoutSpec& spec, double crank_radius) {
+    Layout layout;
+    layout.name = spec.arrangement == vr ? "vr" : std::string(spec.name);
+    layout.cylinders = spec.cylinders;
+    layout.bank_angle = spec.bank_angle_deg * degree;
+    layout.offset = spec.relative_offset * crank_radius;
+    layout.spacing = spec.relative_spacing * crank_radius;
+    layout.stagger = spec.relative_stagger * crank_radius;
+    const double length =
+        layout.spacing * (station_count(spec.arrangement, spec.cylinders) - 1) + layout.stagger;
+    layout.first_position = length / 2.0;
+    layout.firing_order.assign(spec.firing_order.begin(), spec.firing_order.end());
+    return layout;
+}
+
+Arrangement arrangement_of(const Layout& layout) {
+    return layout.name == "vr" ? vr : require_layout(layout.name).arrangement;
+}
+
+int cylinder_count(const Layout& layout) {
+    return layout.name == "vr" ? layout.cylinders : require_layout(layout.name).cylinders;
+}
+
+std::vector<Cylinder> make_cylinders(const Layout& layout, double crank_radius, double lambda) {
+    const Arrangement arrangement = arrangement_of(layout);
+    const int count = cylinder_count(layout);
+    const LayoutSpec* spec = layout.name == "vr" ? nullptr : &require_layout(layout.name);
+    const double side = spec == nullptr ? 1.0 : spec->first_bank_side;
+
+    std::vector<Cylinder> cylinders;
+    cylinders.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
+        const Place place = place_of(arrangement, i, count);
+        const double bank = place.bank == 0 ? side : -side;
+        const double row = place.row == 0 ? 1.0 : -1.0;
+        Cylinder cylinder;
+        cylinder.axial_position = layout.first_position - place.station * layout.spacing;
+        cylinder.bank_angle = bank * layout.bank_angle / 2.0;
+        switch (arrangement) {
+            case in_line:
+                cylinder.offset = layout.offset;
+                break;
+            case v:
+                cylinder.offset = bank * layout.offset;
+                cylinder.axial_position -= place.bank * layout.stagger;
+                break;
+            case vr:
+                cylinder.offset = bank * layout.offset;
+                break;
+            case double_vr:
+                cylinder.bank_angle += row * w_inner_angle / 2.0;
+                cylinder.offset = row * layout.offset;
+                cylinder.axial_position -= place.bank * layout.stagger;
+                break;
+        }
+        if (spec != nullptr && !spec->even_firing_pins) {
+            cylinder.crankpin_angle = spec->pins_deg[static_cast<std::size_t>(i)] * degree;
+        }
+        cylinders.push_back(cylinder);
+    }
+    if (spec == nullptr || spec->even_firing_pins) {
+        set_even_firing(cylinders, layout.firing_order, crank_radius, lambda);
+    }
+    return cylinders;
+}
+
+double wrap_turn(double angle) {
+    double wrapped = std::fmod(angle, two_pi);
+    if (wrapped < 0.0) {
+        wrapped += two_pi;
+    }
+    return wrapped > two_pi - 1e-11 ? 0.0 : wrapped;
+}
+
+bool is_firing_order(std::span<const int> order, int count) {
+    std::vector<int> sorted(order.begin(), order.end());
+    std::sort(sorted.begin(), sorted.end());
+    if (sorted.size() != static_cast<std::size_t>(count)) {
+        return false;
+    }
+    for (int i = 0; i < count; ++i) {
+        if (sorted[static_cast<std::size_t>(i)] != i + 1) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void set_even_firing(std::vector<Cylinder>& cylinders, std::span<const int> firing_order,
+                     double crank_radius, double lambda) {
+    const auto count = cylinders.size();
+    std::vector<int> place(count, 0);  // in the firing order, of each cylinder
+    for (std::size_t n = 0; n < count; ++n) {
+        place[static_cast<std::size_t>(firing_order[n]) - 1] = static_cast<int>(n);
+    }
+    const auto top = [&](const Cylinder& cylinder) {
+        return SliderCrank<double>{1.0, 1.0 / lambda, cylinder.offset / crank_radius}
+            .top_dead_centre();
+    };
+    const Cylinder first = cylinders.front();
+    const double top_1 = top(first);
+    const double interval = 2.0 * two_pi / static_cast<double>(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        Cylinder& cylinder = cylinders[i];
+        const double firing = interval * (place[i] - place[0]);
+        cylinder.crankpin_angle =
+            wrap_turn((top(cylinder) - top_1) + (cylinder.bank_angle - first.bank_angle) - firing);
+    }
+}
+
+std::vector<FiringEvent> firing_events(const Engine& engine, std::span<const int> firing_order) {
+    const auto count = engine.cylinders.size();
+    if (!is_firing_order(firing_order, static_cast<int>(count))) {
+        return {};
+    }
+    std::vector<FiringEvent> events(count);
+    for (std::size_t n = 0; n < count; ++n) {
+        const Cylinder& cylinder = engine.cylinders[static_cast<std::size_t>(firing_order[n]) - 1];
+        events[n].cylinder = firing_order[n];
+        // Top dead centre by φ, in one turn; intervals below lift it into the cycle.
+        events[n].crank_angle =
+            engine.mechanism(cylinder).top_dead_centre() - engine.crank_phase(cylinder);
+    }
+    double sum = 0.0;
+    for (std::size_t n = 0; n < count; ++n) {
+        FiringEvent& event = events[n];
+        const FiringEvent& next = events[(n + 1) % count];
+        event.interval = wrap_turn(next.crank_angle - event.crank_angle);
+        if (event.interval < 1e-9) {
+            event.interval = two_pi;  // one cylinder at a time
+        }
+        sum += event.interval;
+    }
+    const double cycle = 2.0 * two_pi;
+    if (std::abs(sum - two_pi) < 1e-6) {
+        // The order fits in one turn (twins, single cylinders): the other turn is a pause.
+        events.back().interval += two_pi;
+        sum += two_pi;
+    }
+    if (std::abs(sum - cycle) > 1e-6) {
+        return {};
+    }
+    double angle = 0.0;
+    for (FiringEvent& event : events) {
+        event.crank_angle = angle;
+        angle += event.interval;
+    }
+    return events;
+}
+
+}  // namespace ravnoves::inertia_moments

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "inertia-moments/engine.h"
+
+namespace ravnoves::inertia_moments {
+
+/// How the cylinders of a library layout stand.
+enum class Arrangement {
+    in_line,   ///< one bank, one station per cylinder
+    v,         ///< odd cylinders in bank 1, even in bank 2, one station per pair
+    vr,        ///< odd in bank 1, even in bank 2, one station per cylinder, offset axes
+    double_vr  ///< W: first half a VR block, second half another, one station per pair of them
+};
+
+/// A layout of the library: what stays the same when its sizes change.
+struct LayoutSpec {
+    std::string_view name;  ///< as in case files, for example "v6-60"
+    Arrangement arrangement;
+    int cylinders;
+    double bank_angle_deg;          ///< γ, usual value
+    int first_bank_side;            ///< +1: bank 1 on the counter-clockwise side; 0: in line
+    double relative_offset;         ///< K, usual value
+    double relative_spacing;        ///< spacing/R, usual value
+    double relative_stagger;        ///< stagger/R, usual value
+    bool even_firing_pins;          ///< crankpins follow bank angle and offset for even firing
+    std::span<const int> pins_deg;  ///< crankpins of a fixed crank, °
+    std::span<const int> firing_order;
+};
+
+inline constexpr double w_inner_angle = 15.0 * degree;  ///< between the rows of each VR block
+
+/// I1…I6, V-twins, V6, V8, flat twins to sixes, VR5, VR6, W12, in the order of the page's list.
+std::span<const LayoutSpec> layout_library();
+/// The layout of that name, or nothing.
+const LayoutSpec* find_layout(std::string_view name);
+
+/// A library layout with its usual sizes for a crank radius (m), centred on z = 0. The VR layouts
+/// come back as "vr", the name under which case files hold them.
+Layout usual_layout(const LayoutSpec& spec, double crank_radius);
+
+/// The arrangement of a layout ("vr" included) and its number of cylinders.
+Arrangement arrangement_of(const Layout& layout);
+int cylinder_count(const Layout& layout);
+
+/// The cylinders of a layout. "vr": odd cylinders in bank 1 (positive angle and offset), crankpins
+/// for even firing over 720°.
+/// @param layout  checked: known name, firing order a permutation
+/// @throws std::invalid_argument for an unknown name (our fault: check_input() comes first)
+std::vector<Cylinder> make_cylinders(const Layout& layout, double crank_radius, double lambda);
+
+/// Sets every crankpin so that the cylinders fire at even intervals over 720° in the given order:
+/// κ_i = θ_tdc,i − θ_tdc,1 + β_i − β_1 − n_i·720°/N, n_i the place in the order after cylinder 1.
+/// For two banks it shifts the second one's crankpins against the in-line engine by γ + 2 θ_tdc
+/// (the paper prints γ + θ_tdc; its own angle, 21°40′, is the one with 2). Result 0…2π.
+/// @param firing_order  a permutation of 1…N
+void set_even_firing(std::vector<Cylinder>& cylinders, std::span<const int> firing_order,
+                     double crank_radius, double lambda);
+
+/// A crank angle in the turn 0 ≤ angle < 2π; what rounding leaves just below 2π becomes 0. rad
+double wrap_turn(double angle);
+
+/// True for a permutation of 1…count.
+bool is_firing_order(std::span<const int> order, int count);
+
+/// One firing of the four-stroke cycle.
+struct FiringEvent {
+    int cylinder = 0;          ///< number from 1
+    double crank_angle = 0.0;  ///< φ at which it fires (top dead centre), rad, from 0 at the first
+    double interval = 0.0;     ///< to the next firing, rad
+};
+
+/// The firings over 720° for an order: each cylinder fires at one of its two top dead centres of
+/// the cycle. Empty where the order cannot be run through in two turns on this crank.
+std::vector<FiringEvent> firing_events(const Engine& engine, std::span<const int> firing_order);
+
+}  // namespace ravnoves::inertia_moments

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "inertia-moments/engine.h"
+#include "numerics/harmonics.h"
+
+namespace ravnoves::inertia_moments {
+
+using Complex = std::complex<double>;  ///< a vector in the front view: x + iy
+
+/// One order of a vector in the front view as two rotating vectors:
+/// x + iy = A e^{ikφ} + B e^{−ikφ}. Its tip runs round an ellipse.
+struct RotatingPair {
+    Complex forward;   ///< A
+    Complex backward;  ///< B
+
+    /// Order k of u·f where f = Re(c e^{ikφ}).
+    static RotatingPair of(Complex direction, Complex c) {
+        return {0.5 * direction * c, 0.5 * direction * std::conj(c)};
+    }
+    RotatingPair& operator+=(const RotatingPair& other) {
+        forward += other.forward;
+        backward += other.backward;
+        return *this;
+    }
+    friend RotatingPair operator-(const RotatingPair& a, const RotatingPair& b) {
+        return {a.forward - b.forward, a.backward - b.backward};
+    }
+    /// x as cos·cos kφ + sin·sin kφ.
+    Harmonic<double> horizontal() const {
+        return {(forward + backward).real(), (backward - forward).imag()};
+    }
+    /// y likewise.
+    Harmonic<double> vertical() const {
+        return {(forward + backward).imag(), (forward - backward).real()};
+    }
+    /// The vector where e^{ikφ} is `turn`, written out: std::complex's product also checks for
+    /// infinities.
+    Complex along(Complex turn) const {
+        return {(forward.real() + backward.real()) * turn.real() -
+                    (forward.imag() - backward.imag()) * turn.imag(),
+                (forward.imag() + backward.imag()) * turn.real() +
+                    (forward.real() - backward.real()) * turn.imag()};
+    }
+    /// The vector at kφ (rad).
+    Complex at(double angle) const { return along(std::polar(1.0, angle)); }
+    double max() const { return std::abs(forward) + std::abs(backward); }  ///< long half axis
+    double min() const { return std::abs(std::abs(forward) - std::abs(backward)); }  ///< short one
+    /// Root of the mean square over a turn.
+    double rms() const { return std::sqrt(std::norm(forward) + std::norm(backward)); }
+};
+
+inline double amplitude(const Harmonic<double>& h) {
+    return std::hypot(h.cos, h.sin);
+}
+/// φ·k at which cos·cos kφ + sin·sin kφ is largest, rad in (−π, π].
+inline double phase(const Harmonic<double>& h) {
+    return std::atan2(h.sin, h.cos);
+}
+
+/// Everything of one order. The axial force is 0 in every planar mechanism; the five other
+/// components follow.
+struct EngineOrder {
+    int order = 0;        ///< k
+    RotatingPair force;   ///< N
+    RotatingPair moment;  ///< (M_x, M_y) about the reference position, N·m
+    /// Roll moment of the inertia forces about the crank axis: −Σ e F of the offset axes and the
+    /// rods' couples. Counter-clockwise, N·m
+    Harmonic<double> inertia_roll;
+    /// What the inertia torque on the crank leaves on the engine, −Σ F ds/dφ, N·m: the torque goes
+    /// out through the shaft, its reaction stays.
+    Harmonic<double> reaction_torque;
+    /// Amplitudes that the cylinders would reach all in phase: what counts as zero is measured
+    /// against these.
+    double force_scale = 0.0;   ///< N
+    double moment_scale = 0.0;  ///< N·m
+    double roll_scale = 0.0;    ///< N·m
+
+    /// M_z of this order on the engine, N·m.
+    Harmonic<double> roll() const {
+        return {inertia_roll.cos + reaction_torque.cos, inertia_roll.sin + reaction_torque.sin};
+    }
+};
+
+/// The orders of an engine's reciprocating parts (rotating masses are apart).
+struct EngineOrders {
+    std::vector<EngineOrder> orders;    ///< [k − 1] holds order k
+    std::size_t transform_samples = 0;  ///< longest transform used; 0 for the two-term form
+    bool accurate = true;  ///< false where a mechanism is too near locking for the accuracy asked
+
+    const EngineOrder& order(int k) const { return orders[static_cast<std::size_t>(k) - 1]; }
+};
+
+/// Exact orders 1…max_order of forces and moments.
+/// @param accuracy  of the orders relative to m R ω² (sets the transform's length)
+EngineOrders exact_orders(const Engine& engine, int max_order = highest_order,
+                          double accuracy = order_accuracy);
+
+/// The paper's two-term form, orders 1…4: forces and moments have 1 and 2, the torque 1…4.
+EngineOrders two_term_orders(const Engine& engine);
+
+/// Forces and moments at one instant.
+struct Wrench {
+    Complex force;                 ///< N
+    Complex moment;                ///< (M_x, M_y), N·m
+    double inertia_roll = 0.0;     ///< N·m
+    double reaction_torque = 0.0;  ///< N·m
+    double roll() const { return inertia_roll + reaction_torque; }
+};
+
+/// The exact reciprocating forces and moments at the crank angle φ (rad), without orders.
+Wrench exact_wrench(const Engine& engine, double crank_angle);
+
+/// The orders added up at φ (rad).
+Wrench sum_of_orders(const EngineOrders& orders, double crank_angle);
+
+/// Forces and moments over one turn, the first angle repeated at its end.
+struct WrenchCurves {
+    std::vector<double> crank_angle;                           ///< rad, 0…2π
+    std::vector<double> force_x, force_y, moment_x, moment_y;  ///< N, N, N·m, N·m
+    std::vector<double> inertia_roll, reaction_torque, roll;   ///< N·m
+};
+
+/// Exact curves of the reciprocating parts at `intervals` equal steps.
+WrenchCurves exact_curves(const Engine& engine, std::size_t intervals);
+
+/// The curves of a sum of orders at `intervals` equal steps.
+WrenchCurves curves_of_orders(const EngineOrders& orders, std::size_t intervals);
+
+}  // namespace ravnoves::inertia_moments

@@ -1,0 +1,127 @@
+#include "inertia-moments/solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "case-file/input_error.h"
+
+namespace ravnoves::inertia_moments {
+
+namespace {
+
+constexpr double usual_step = 1.0 * degree;
+
+/// Adds the constant-speed parts (forward order 1) and the shafts to curves of the reciprocating
+/// parts: less work than a sum over all orders, and exact.
+WrenchCurves balanced_curves(const WrenchCurves& curves, const EngineOrders& orders,
+                             const EngineOrders& remaining) {
+    // The differences of the orders are what was added, a handful of rotating vectors.
+    EngineOrders added;
+    for (std::size_t i = 0; i < orders.orders.size(); ++i) {
+        EngineOrder order;
+        order.order = orders.orders[i].order;
+        order.force = remaining.orders[i].force - orders.orders[i].force;
+        order.moment = remaining.orders[i].moment - orders.orders[i].moment;
+        added.orders.push_back(order);
+    }
+    const auto last = std::find_if(added.orders.rbegin(), added.orders.rend(), [](const auto& o) {
+        return o.force.max() > 0.0 || o.moment.max() > 0.0;
+    });
+    added.orders.erase(last.base(), added.orders.end());
+    WrenchCurves sum = curves;
+    for (std::size_t i = 0; i < sum.crank_angle.size(); ++i) {
+        const Wrench extra = sum_of_orders(added, sum.crank_angle[i]);
+        sum.force_x[i] += extra.force.real();
+        sum.force_y[i] += extra.force.imag();
+        sum.moment_x[i] += extra.moment.real();
+        sum.moment_y[i] += extra.moment.imag();
+    }
+    return sum;
+}
+
+/// Masses follow from forces by division by ω²: the last place where numbers could overflow.
+void check_designs(const Result& result) {
+    bool finite = true;
+    for (const ShaftDesign& design : result.shafts) {
+        finite = finite && std::isfinite(design.unbalance) &&
+                 std::isfinite(design.mass.value_or(0.0)) && std::isfinite(design.remaining);
+    }
+    if (result.counterweights) {
+        const CounterweightDesign& design = *result.counterweights;
+        finite = finite && std::isfinite(design.front.mass() + design.rear.mass()) &&
+                 std::isfinite(std::abs(design.force) + std::abs(design.moment)) &&
+                 std::isfinite(std::abs(design.against_force) + std::abs(design.against_moment));
+    }
+    if (!finite) {
+        throw InputError("/input",
+                         "sizes, masses and speed together must keep the balancing masses in the "
+                         "range of numbers");
+    }
+}
+
+}  // namespace
+
+EngineOrders with_balancing(const Engine& engine, EngineOrders orders,
+                            const RotatingMasses& rotating,
+                            const std::optional<CounterweightDesign>& counterweights,
+                            bool counterweights_enabled, const std::vector<ShaftDesign>& shafts) {
+    const Complex pin = crankpin_direction(engine);
+    EngineOrder& first = orders.orders.front();
+    first.force.forward += rotating.force() * pin;
+    first.moment.forward += rotating.moment_about(engine.reference_position) * pin;
+    if (counterweights && counterweights_enabled) {
+        first.force.forward += counterweights->force;
+        first.moment.forward += counterweights->moment;
+    }
+    for (const ShaftDesign& design : shafts) {
+        if (design.shaft.enabled && design.shaft.order <= static_cast<int>(orders.orders.size())) {
+            EngineOrder& order = orders.orders[static_cast<std::size_t>(design.shaft.order) - 1];
+            order.force += design.force;
+            order.moment += design.moment;
+        }
+    }
+    return orders;
+}
+
+Result solve(const Input& input) {
+    Result result;
+    result.engine = make_engine(input);
+    const Engine& engine = result.engine;
+    if (input.layout) {
+        result.tdc_angle = SliderCrank<double>{1.0, 1.0 / input.lambda,
+                                               std::abs(input.layout->offset) / input.crank_radius}
+                               .top_dead_centre();
+    }
+    result.exact = exact_orders(engine);
+    result.two_term = two_term_orders(engine);
+    result.differences = compare(result.exact, result.two_term);
+    result.rotating = rotating_masses(engine);
+    const EngineOrders& basis =
+        input.shaft_basis == DesignBasis::exact ? result.exact : result.two_term;
+    if (input.end_webs) {
+        result.counterweights =
+            design_counterweights(engine, result.rotating, basis.order(1), *input.end_webs);
+    }
+    // Counterweights may take the forward part of order 1 over: shafts are made for the rest.
+    EngineOrders for_shafts = basis;
+    if (result.counterweights && input.end_webs->enabled) {
+        EngineOrder& first = for_shafts.orders.front();
+        const Complex pin = crankpin_direction(engine);
+        first.force.forward += result.counterweights->force + result.rotating.force() * pin;
+        first.moment.forward += result.counterweights->moment +
+                                result.rotating.moment_about(engine.reference_position) * pin;
+    }
+    result.shafts = design_shafts(engine, for_shafts, input.shafts);
+    check_designs(result);
+    result.remaining = with_balancing(engine, result.exact, result.rotating, result.counterweights,
+                                      input.end_webs && input.end_webs->enabled, result.shafts);
+    result.firing =
+        firing_events(engine, input.layout ? input.layout->firing_order : input.firing_order);
+    const double step = input.step.value_or(usual_step);
+    const auto intervals = static_cast<std::size_t>(std::ceil(two_pi / step - 1e-9));
+    result.curves = exact_curves(engine, intervals);
+    result.remaining_curves = balanced_curves(result.curves, result.exact, result.remaining);
+    return result;
+}
+
+}  // namespace ravnoves::inertia_moments

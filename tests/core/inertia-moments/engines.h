@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "inertia-moments/layouts.h"
+#include "inertia-moments/solver.h"
+
+namespace ravnoves::inertia_moments::test {
+
+/// The paper's engine, with K = 0.278 as printed.
+inline Input vr5() {
+    Input input;
+    input.crank_radius = 0.045;
+    input.lambda = 0.265;
+    input.angular_speed = 6200.0 * rpm;
+    input.reciprocating_mass = 0.622;
+    input.rotating_mass = 0.8;
+    Layout layout;
+    layout.name = "vr";
+    layout.cylinders = 5;
+    layout.bank_angle = 15.0 * degree;
+    layout.offset = 0.278 * 0.045;
+    layout.spacing = 0.063;
+    layout.first_position = 3 * 0.063 + 0.0158;
+    layout.firing_order = {1, 2, 4, 5, 3};
+    input.layout = layout;
+    return input;
+}
+
+/// A library layout with m_j R ω² = 1 N, R = 1 m and the spacing 1 m: results come out in the
+/// units in which textbooks print them.
+inline Input unit_engine(std::string_view name, double lambda = 0.25) {
+    Input input;
+    input.crank_radius = 1.0;
+    input.lambda = lambda;
+    input.angular_speed = 1.0;
+    input.reciprocating_mass = 1.0;
+    Layout layout = usual_layout(*find_layout(name), 1.0);
+    layout.first_position *= 1.0 / layout.spacing;
+    layout.spacing = 1.0;
+    layout.stagger = 0.0;
+    input.layout = layout;
+    return input;
+}
+
+/// An irregular engine: no symmetry hides a mistake.
+inline Input irregular() {
+    Input input;
+    input.crank_radius = 0.05;
+    input.lambda = 0.31;
+    input.angular_speed = 300.0;
+    input.reciprocating_mass = 0.7;
+    input.rotating_mass = 0.9;
+    input.reference_position = 0.031;
+    input.cylinders = {{0.20, 0.3, 0.012, 0.0},
+                       {0.11, -0.7, -0.02, 2.1},
+                       {0.02, 1.9, 0.0, 4.4},
+                       {-0.13, 0.1, 0.03, 5.0}};
+    return input;
+}
+
+/// |value| largest of a harmonic.
+inline double size(const Harmonic<double>& h) {
+    return amplitude(h);
+}
+
+}  // namespace ravnoves::inertia_moments::test

@@ -1,0 +1,206 @@
+#include "inertia-moments/layouts.h"
+
+#include <gtest/gtest.h>
+
+#include "engines.h"
+
+namespace ravnoves::inertia_moments {
+namespace {
+
+using test::unit_engine;
+
+constexpr double lambda = 0.25;
+
+// Units m R ω² and spacing a; two-term orders, as textbooks print them.
+TEST(KnownLayouts, Inline3HasAFirstOrderMomentOfRoot3) {
+    const Result result = solve(unit_engine("i3", lambda));
+    EXPECT_NEAR(amplitude(result.two_term.order(1).moment.vertical()), std::sqrt(3.0), 1e-13);
+    EXPECT_NEAR(result.two_term.order(1).force.max(), 0.0, 1e-14);
+    EXPECT_NEAR(result.two_term.order(2).force.max(), 0.0, 1e-14);
+}
+
+TEST(KnownLayouts, Inline4HasASecondOrderForceOf4Lambda) {
+    const Result result = solve(unit_engine("i4", lambda));
+    EXPECT_NEAR(amplitude(result.two_term.order(2).force.vertical()), 4.0 * lambda, 1e-13);
+    EXPECT_NEAR(result.two_term.order(1).force.max(), 0.0, 1e-14);
+    EXPECT_NEAR(result.two_term.order(1).moment.max(), 0.0, 1e-14);
+    EXPECT_NEAR(result.two_term.order(2).moment.max(), 0.0, 1e-13);
+}
+
+TEST(KnownLayouts, Inline5HasMomentsOfBothOrders) {
+    const Result result = solve(unit_engine("i5", lambda));
+    EXPECT_NEAR(amplitude(result.two_term.order(1).moment.vertical()), 0.449, 5e-4);
+    EXPECT_NEAR(amplitude(result.two_term.order(2).moment.vertical()), 4.980 * lambda, 5e-4);
+    EXPECT_NEAR(result.two_term.order(1).force.max(), 0.0, 1e-14);
+}
+
+TEST(KnownLayouts, Inline6HasNothingUpToOrder2) {
+    const Result result = solve(unit_engine("i6", lambda));
+    for (const int k : {1, 2}) {
+        EXPECT_NEAR(result.exact.order(k).force.max(), 0.0, 1e-13);
+        EXPECT_NEAR(result.exact.order(k).moment.max(), 0.0, 1e-13);
+    }
+    // Its first free order is the sixth.
+    for (const int k : {3, 4, 5}) {
+        EXPECT_NEAR(result.exact.order(k).force.max(), 0.0, 1e-13);
+    }
+    EXPECT_GT(result.exact.order(6).force.max(), 1e-4);
+}
+
+TEST(KnownLayouts, CrossPlaneV8HasAConstantRotatingMomentOfRoot10) {
+    Input input = unit_engine("v8-cross-plane", lambda);
+    Result result = solve(input);
+    const EngineOrder& first = result.two_term.order(1);
+    EXPECT_NEAR(std::abs(first.moment.forward), std::sqrt(10.0), 1e-13);
+    EXPECT_NEAR(std::abs(first.moment.backward), 0.0, 1e-13);
+    EXPECT_NEAR(first.force.max(), 0.0, 1e-13);
+    EXPECT_NEAR(result.two_term.order(2).force.max(), 0.0, 1e-13);
+    EXPECT_NEAR(result.two_term.order(2).moment.max(), 0.0, 1e-13);
+
+    // The counterweights alone cancel it.
+    input.rotating_mass = 0.8;
+    input.end_webs = EndWebs{2.0, -2.0, 0.5, 0.5, 1.0, true};
+    result = solve(input);
+    EXPECT_NEAR(result.remaining.order(1).force.max(), 0.0, 1e-12);
+    EXPECT_NEAR(result.remaining.order(1).moment.max(), 0.0, 1e-12);
+    // Exact and two-term agree in order 1 of a centred engine, so the exact design does too.
+    EXPECT_NEAR(std::abs(result.counterweights->against_moment) * 4.0,
+                std::abs(result.rotating.moment() * 1.0) + std::sqrt(10.0), 1e-9);
+}
+
+TEST(KnownLayouts, FlatPlaneV8ShakesSidewaysInOrder2) {
+    const Result result = solve(unit_engine("v8-flat-plane", lambda));
+    const EngineOrder& second = result.two_term.order(2);
+    EXPECT_NEAR(amplitude(second.force.horizontal()), 4.0 * std::sqrt(2.0) * lambda, 1e-13);
+    EXPECT_NEAR(amplitude(second.force.vertical()), 0.0, 1e-13);
+    EXPECT_NEAR(result.two_term.order(1).moment.max(), 0.0, 1e-13);
+}
+
+TEST(KnownLayouts, NinetyDegreeTwinsTurnOrder1IntoARotatingForce) {
+    const Result result = solve(unit_engine("v2-90", lambda));
+    EXPECT_NEAR(std::abs(result.two_term.order(1).force.forward), 1.0, 1e-14);
+    EXPECT_NEAR(std::abs(result.two_term.order(1).force.backward), 0.0, 1e-14);
+    EXPECT_NEAR(result.two_term.order(2).force.max(), std::sqrt(2.0) * lambda, 1e-14);
+}
+
+TEST(KnownLayouts, OpposedPistonsCancelAllForces) {
+    for (const char* name : {"flat-2", "flat-4", "flat-6"}) {
+        Input input = unit_engine(name, lambda);
+        input.layout->stagger = 0.5;
+        const Result result = solve(input);
+        for (const EngineOrder& order : result.exact.orders) {
+            EXPECT_NEAR(order.force.max(), 0.0, 1e-13) << name << " order " << order.order;
+        }
+        // The stagger leaves a couple, but for the boxer six in orders 1 and 2.
+        const double moment_1 = result.exact.order(1).moment.max();
+        if (std::string(name) == "flat-2") {
+            EXPECT_NEAR(moment_1, 0.5, 1e-13);
+        } else {
+            EXPECT_NEAR(moment_1, 0.0, 1e-13);
+        }
+    }
+}
+
+TEST(KnownLayouts, SplitPinV6HasARotatingFirstOrderMoment) {
+    const Result result = solve(unit_engine("v6-60", lambda));
+    const EngineOrder& first = result.two_term.order(1);
+    EXPECT_NEAR(first.force.max(), 0.0, 1e-13);
+    EXPECT_NEAR(std::abs(first.moment.forward) * std::abs(first.moment.backward), 0.0, 1e-12);
+    EXPECT_NEAR(first.moment.max(), 1.5, 1e-12);
+    // 60° between the two pins of a throw, 30° in the 90° engine.
+    EXPECT_NEAR(result.engine.cylinders[1].crankpin_angle, two_pi - 60.0 * degree, 1e-12);
+    EXPECT_NEAR(solve(unit_engine("v6-90")).engine.cylinders[1].crankpin_angle,
+                two_pi - 30.0 * degree, 1e-12);
+}
+
+TEST(LayoutLibrary, EveryLayoutSolvesAndFiresOnceACycle) {
+    for (const LayoutSpec& spec : layout_library()) {
+        Input input;
+        input.crank_radius = 0.045;
+        input.lambda = 0.28;
+        input.angular_speed = 300.0;
+        input.reciprocating_mass = 0.5;
+        input.layout = usual_layout(spec, input.crank_radius);
+        const Result result = solve(input);
+        ASSERT_EQ(result.engine.cylinders.size(), static_cast<std::size_t>(spec.cylinders));
+        ASSERT_EQ(result.firing.size(), static_cast<std::size_t>(spec.cylinders)) << spec.name;
+        double sum = 0.0;
+        for (const FiringEvent& event : result.firing) {
+            EXPECT_GT(event.interval, 0.0);
+            sum += event.interval;
+            if (spec.even_firing_pins) {
+                EXPECT_NEAR(event.interval, 2.0 * two_pi / spec.cylinders, 1e-12) << spec.name;
+            }
+        }
+        EXPECT_NEAR(sum, 2.0 * two_pi, 1e-11) << spec.name;
+        // Centred along the crank.
+        double low = 0.0;
+        double high = 0.0;
+        for (const Cylinder& cylinder : result.engine.cylinders) {
+            low = std::min(low, cylinder.axial_position);
+            high = std::max(high, cylinder.axial_position);
+        }
+        EXPECT_NEAR(low + high, 0.0, 1e-15) << spec.name;
+        EXPECT_EQ(find_layout(spec.name), &spec);
+    }
+    EXPECT_EQ(find_layout("i7"), nullptr);
+}
+
+// At its firing angle each piston stands at top dead centre: the definition, not the formula.
+TEST(EvenFiring, PistonsAreAtTopDeadCentreAtEvenIntervals) {
+    for (const double gamma : {0.0, 10.6, 15.0, 72.0}) {
+        for (const double k : {0.0, 0.278, 0.6}) {
+            Input input = test::vr5();
+            input.layout->bank_angle = gamma * degree;
+            input.layout->offset = k * input.crank_radius;
+            input.layout->cylinders = 6;
+            input.layout->firing_order = {1, 5, 3, 6, 2, 4};
+            const Engine engine = make_engine(input);
+            for (std::size_t n = 0; n < 6; ++n) {
+                const Cylinder& cylinder =
+                    engine.cylinders[static_cast<std::size_t>(input.layout->firing_order[n]) - 1];
+                const double first_top = engine.mechanism(engine.cylinders[0]).top_dead_centre();
+                const double phi = first_top + static_cast<double>(n) * 120.0 * degree;
+                const auto motion =
+                    engine.mechanism(cylinder).at(phi + engine.crank_phase(cylinder));
+                EXPECT_NEAR(motion.ds, 0.0, 1e-13);
+                EXPECT_LT(motion.d2s, 0.0);  // top, not bottom
+            }
+        }
+    }
+}
+
+TEST(EvenFiring, TheOrderMayBeginWithAnyCylinder) {
+    Input input = test::vr5();
+    const auto pins = make_engine(input).cylinders;
+    input.layout->firing_order = {4, 5, 3, 1, 2};
+    const auto same = make_engine(input).cylinders;
+    for (std::size_t i = 0; i < pins.size(); ++i) {
+        EXPECT_NEAR(pins[i].crankpin_angle, same[i].crankpin_angle, 1e-12);
+    }
+}
+
+TEST(FiringEvents, TwinsOnACommonPinFireUnevenly) {
+    const Result result = solve(unit_engine("v2-45"));
+    ASSERT_EQ(result.firing.size(), 2U);
+    EXPECT_NEAR(result.firing[0].interval / degree, 315.0, 1e-9);
+    EXPECT_NEAR(result.firing[1].interval / degree, 405.0, 1e-9);
+}
+
+TEST(FiringEvents, AnOrderThatNeedsMoreThanTwoTurnsHasNone) {
+    Input input = unit_engine("v8-cross-plane");
+    EXPECT_FALSE(solve(input).firing.empty());
+    input.layout->firing_order = {1, 2, 3, 4, 5, 6, 7, 8};
+    EXPECT_TRUE(solve(input).firing.empty());
+}
+
+TEST(WrapTurn, StaysInTheTurn) {
+    for (const double angle : {-1e-16, 0.0, two_pi, -two_pi, 7.0, -7.0, 1e6, two_pi - 1e-14}) {
+        EXPECT_GE(wrap_turn(angle), 0.0);
+        EXPECT_LT(wrap_turn(angle), two_pi - 1e-12);
+        EXPECT_NEAR(std::remainder(wrap_turn(angle) - angle, two_pi), 0.0, 1e-9);
+    }
+}
+
+}  // namespace
+}  // namespace ravnoves::inertia_moments

@@ -1,0 +1,267 @@
+#include "inertia-moments/orders.h"
+
+#include <gtest/gtest.h>
+
+#include "engines.h"
+
+namespace ravnoves::inertia_moments {
+namespace {
+
+using test::irregular;
+using test::vr5;
+
+Input single(double crank_radius, double rod_length, double offset) {
+    Input input;
+    input.crank_radius = crank_radius;
+    input.lambda = crank_radius / rod_length;
+    input.angular_speed = 10.0;
+    input.reciprocating_mass = 2.0;
+    input.cylinders = {{0.0, 0.0, offset, 0.0}};
+    return input;
+}
+
+TEST(ExactOrders, PublishedHarmonicsOfOneCylinder) {
+    const Result centred = solve(single(0.300, 1.000, 0.0));
+    const double unit = centred.engine.force_unit();
+    EXPECT_NEAR(centred.exact.order(2).force.vertical().cos / unit, 0.307050659, 5e-10);
+    EXPECT_NEAR(centred.exact.order(4).force.vertical().cos / unit, -0.007237695, 5e-10);
+    EXPECT_NEAR(centred.exact.order(6).force.vertical().cos / unit, 0.000191937, 5e-10);
+    const Result offset = solve(single(0.050, 0.150, 0.0125));
+    const double scale = offset.engine.force_unit();
+    EXPECT_NEAR(offset.exact.order(1).force.vertical().sin / scale, 0.0874317, 5e-8);
+    EXPECT_NEAR(offset.exact.order(2).force.vertical().cos / scale, 0.3471724, 5e-8);
+    EXPECT_NEAR(offset.exact.order(3).force.vertical().sin / scale, -0.0118560, 5e-8);
+    EXPECT_NEAR(offset.exact.order(4).force.vertical().cos / scale, -0.0107052, 5e-8);
+    EXPECT_NEAR(offset.two_term.order(1).force.vertical().sin / scale, 0.25 / 3.0, 1e-15);
+    EXPECT_NEAR(offset.two_term.order(2).force.vertical().cos / scale, 1.0 / 3.0, 1e-15);
+}
+
+// The roll moment of an offset cylinder is its force times the arm; the torque on the crank is
+// the rate of change of the piston's energy.
+TEST(ExactOrders, RollAndReactionTorqueOfOneCylinder) {
+    const Input input = single(0.050, 0.150, 0.0125);
+    const Result result = solve(input);
+    const Engine& engine = result.engine;
+    const auto energy = [&](double phi) {
+        const double speed = engine.mechanism(engine.cylinders[0]).at(phi).ds * input.crank_radius *
+                             input.angular_speed;
+        return 0.5 * input.reciprocating_mass * speed * speed;
+    };
+    const double h = 1e-5;
+    for (int i = 0; i < 40; ++i) {
+        const double phi = 0.157 * i;
+        const Wrench wrench = exact_wrench(engine, phi);
+        EXPECT_NEAR(wrench.inertia_roll, -0.0125 * wrench.force.imag(), 1e-12);
+        const double torque = -(energy(phi + h) - energy(phi - h)) / (2.0 * h);
+        EXPECT_NEAR(wrench.reaction_torque, -torque, 1e-7);
+    }
+}
+
+// Classical torque of the two-term form: order 2 −½, order 3 −¾λ, order 1 ¼λ, order 4 −¼λ².
+TEST(TwoTermOrders, ClassicalTorqueHarmonics) {
+    const Input input = single(0.05, 0.2, 0.0);
+    const EngineOrders orders = two_term_orders(make_engine(input));
+    const double unit = orders.order(1).force_scale * 0.05;
+    EXPECT_NEAR(orders.order(1).reaction_torque.sin / unit, -0.25 * 0.25, 1e-15);
+    EXPECT_NEAR(orders.order(2).reaction_torque.sin / unit, 0.5, 1e-15);
+    EXPECT_NEAR(orders.order(3).reaction_torque.sin / unit, 0.75 * 0.25, 1e-15);
+    EXPECT_NEAR(orders.order(4).reaction_torque.sin / unit, 0.25 * 0.0625, 1e-15);
+}
+
+// Also with an offset: the orders must add up to the product of force and speed of the two-term
+// motion.
+TEST(TwoTermOrders, TorqueIsTheProductOfForceAndSpeed) {
+    Input input = single(0.05, 0.15, 0.02);
+    input.rod = RigidRod{0.6, 0.05, 0.004};
+    const Engine engine = make_engine(input);
+    const EngineOrders orders = two_term_orders(engine);
+    const double omega_2 = input.angular_speed * input.angular_speed;
+    const TwoTermSliderCrank<double> motion{0.05, 0.15, 0.02};
+    for (int i = 0; i < 40; ++i) {
+        const double phi = 0.157 * i;
+        const auto m = motion.at(phi);
+        // The rod's angle to the same order is λ(K − sin θ).
+        const double dpsi = -engine.lambda * std::cos(phi);
+        const double d2psi = engine.lambda * std::sin(phi);
+        const double torque = -omega_2 * (engine.reciprocating_mass * m.d2s * m.ds +
+                                          engine.rod_couple_inertia * d2psi * dpsi);
+        const double roll = omega_2 * (0.02 * engine.reciprocating_mass * m.d2s -
+                                       engine.rod_couple_inertia * d2psi);
+        const Wrench sum = sum_of_orders(orders, phi);
+        EXPECT_NEAR(sum.reaction_torque, -torque, 1e-12);
+        EXPECT_NEAR(sum.inertia_roll, roll, 1e-12);
+    }
+}
+
+TEST(ExactOrders, SumOverOrdersIsTheTimeCurve) {
+    Input with_rod = irregular();
+    with_rod.rod = RigidRod{0.5, 0.04, 0.003};
+    for (const Input& input : {irregular(), vr5(), with_rod}) {
+        const Engine engine = make_engine(input);
+        const EngineOrders orders = exact_orders(engine, 40, 1e-15);
+        ASSERT_TRUE(orders.accurate);
+        const double unit = engine.force_unit();
+        for (int i = 0; i < 60; ++i) {
+            const double phi = 0.11 * i;
+            const Wrench exact = exact_wrench(engine, phi);
+            const Wrench sum = sum_of_orders(orders, phi);
+            EXPECT_NEAR(std::abs(exact.force - sum.force), 0.0, 1e-12 * unit);
+            EXPECT_NEAR(std::abs(exact.moment - sum.moment), 0.0, 1e-12 * unit);
+            EXPECT_NEAR(exact.inertia_roll, sum.inertia_roll, 1e-12 * unit);
+            EXPECT_NEAR(exact.reaction_torque, sum.reaction_torque, 1e-12 * unit);
+        }
+        const WrenchCurves curves = exact_curves(engine, 72);
+        ASSERT_EQ(curves.crank_angle.size(), 73U);
+        const Wrench at_50 = exact_wrench(engine, 50.0 * degree);
+        EXPECT_NEAR(curves.force_x[10], at_50.force.real(), 1e-13 * unit);
+        EXPECT_NEAR(curves.moment_y[10], at_50.moment.imag(), 1e-13 * unit);
+        EXPECT_NEAR(curves.roll[10], at_50.roll(), 1e-13 * unit);
+        EXPECT_EQ(curves.force_x.front(), curves.force_x.back());
+        const WrenchCurves summed = curves_of_orders(orders, 72);
+        EXPECT_NEAR(curves.moment_x[33], summed.moment_x[33], 1e-12 * unit);
+    }
+}
+
+TEST(EngineOrdersTest, ForwardAndBackwardPartsAddUpToThePlanes) {
+    const EngineOrders orders = exact_orders(make_engine(irregular()));
+    for (const EngineOrder& order : orders.orders) {
+        for (const RotatingPair& pair : {order.force, order.moment}) {
+            double largest = 0.0;
+            double smallest = 1e300;
+            for (int i = 0; i < 3600; ++i) {
+                const double angle = i * 0.1 * degree;
+                const Complex vector = pair.at(angle);
+                const auto x = pair.horizontal();
+                const auto y = pair.vertical();
+                EXPECT_NEAR(vector.real(), x.cos * std::cos(angle) + x.sin * std::sin(angle), 1e-9);
+                EXPECT_NEAR(vector.imag(), y.cos * std::cos(angle) + y.sin * std::sin(angle), 1e-9);
+                largest = std::max(largest, std::abs(vector));
+                smallest = std::min(smallest, std::abs(vector));
+            }
+            EXPECT_NEAR(pair.max(), largest, 1e-5 * largest + 1e-12);
+            EXPECT_NEAR(pair.min(), smallest, 1e-2 * largest + 1e-12);
+        }
+    }
+}
+
+// Turning the whole engine turns the vectors and nothing else.
+TEST(EngineOrdersTest, RotationOfTheEngineRotatesTheVectors) {
+    const Input input = irregular();
+    Input turned = input;
+    const double angle = 0.77;
+    for (Cylinder& cylinder : turned.cylinders) {
+        cylinder.bank_angle += angle;
+    }
+    const Result a = solve(input);
+    const Result b = solve(turned);
+    const Complex rotation = std::polar(1.0, angle);
+    const double unit = a.engine.force_unit();
+    for (std::size_t k = 0; k < a.exact.orders.size(); ++k) {
+        for (const auto& [before, after] :
+             {std::pair{a.exact.orders[k], b.exact.orders[k]},
+              std::pair{a.remaining.orders[k], b.remaining.orders[k]}}) {
+            EXPECT_NEAR(std::abs(before.force.forward * rotation - after.force.forward), 0.0,
+                        1e-13 * unit);
+            EXPECT_NEAR(std::abs(before.force.backward * rotation - after.force.backward), 0.0,
+                        1e-13 * unit);
+            EXPECT_NEAR(std::abs(before.moment.forward * rotation - after.moment.forward), 0.0,
+                        1e-13 * unit);
+            EXPECT_NEAR(std::abs(before.moment.backward * rotation - after.moment.backward), 0.0,
+                        1e-13 * unit);
+            EXPECT_NEAR(before.roll().cos, after.roll().cos, 1e-13 * unit);
+            EXPECT_NEAR(before.roll().sin, after.roll().sin, 1e-13 * unit);
+        }
+    }
+    for (std::size_t k = 0; k < a.two_term.orders.size(); ++k) {
+        EXPECT_NEAR(std::abs(a.two_term.orders[k].moment.forward * rotation -
+                             b.two_term.orders[k].moment.forward),
+                    0.0, 1e-13 * unit);
+    }
+    EXPECT_EQ(a.rotating.force_factor, b.rotating.force_factor);
+}
+
+TEST(EngineOrdersTest, MovingTheReferencePointChangesMomentsByForceTimesDistance) {
+    const Input input = irregular();
+    Input moved = input;
+    const double d = 0.083;
+    moved.reference_position += d;
+    const Result a = solve(input);
+    const Result b = solve(moved);
+    const double unit = a.engine.force_unit();
+    for (std::size_t k = 0; k < a.exact.orders.size(); ++k) {
+        for (const auto& [before, after] :
+             {std::pair{a.exact.orders[k], b.exact.orders[k]},
+              std::pair{a.remaining.orders[k], b.remaining.orders[k]}}) {
+            EXPECT_EQ(before.force.forward, after.force.forward);
+            EXPECT_NEAR(
+                std::abs(before.moment.forward - d * before.force.forward - after.moment.forward),
+                0.0, 1e-13 * unit);
+            EXPECT_NEAR(std::abs(before.moment.backward - d * before.force.backward -
+                                 after.moment.backward),
+                        0.0, 1e-13 * unit);
+            EXPECT_EQ(before.roll().cos, after.roll().cos);
+        }
+    }
+}
+
+// Mirror the engine left to right and turn the crank the other way: the same machine seen from
+// behind. Forces mirror, the roll moment changes sign.
+TEST(EngineOrdersTest, MirrorImageMirrorsTheForces) {
+    const Input input = irregular();
+    Input mirror = input;
+    for (Cylinder& cylinder : mirror.cylinders) {
+        cylinder.bank_angle = -cylinder.bank_angle;
+        cylinder.offset = -cylinder.offset;
+        cylinder.crankpin_angle = two_pi - cylinder.crankpin_angle;
+    }
+    const Engine a = make_engine(input);
+    const Engine b = make_engine(mirror);
+    for (int i = 0; i < 20; ++i) {
+        const double phi = 0.31 * i;
+        const Wrench left = exact_wrench(a, phi);
+        const Wrench right = exact_wrench(b, -phi);
+        const double unit = a.force_unit();
+        EXPECT_NEAR(left.force.real(), -right.force.real(), 1e-12 * unit);
+        EXPECT_NEAR(left.force.imag(), right.force.imag(), 1e-12 * unit);
+        EXPECT_NEAR(left.moment.imag(), right.moment.imag(), 1e-12 * unit);
+        EXPECT_NEAR(left.roll(), -right.roll(), 1e-12 * unit);
+    }
+}
+
+// Inertia cannot feed energy in: the mean of every order 0 is nothing, so the mean torque is 0.
+TEST(ExactOrders, MeanTorqueAndMeanForceVanish) {
+    Input input = irregular();
+    input.rod = RigidRod{0.5, 0.04, 0.003};
+    const WrenchCurves curves = exact_curves(make_engine(input), 720);
+    const double unit = make_engine(input).force_unit();
+    for (const auto* values : {&curves.force_x, &curves.force_y, &curves.moment_x, &curves.moment_y,
+                               &curves.inertia_roll, &curves.reaction_torque}) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i + 1 < values->size(); ++i) {
+            sum += (*values)[i];
+        }
+        EXPECT_NEAR(sum / 720.0, 0.0, 1e-12 * unit);
+    }
+}
+
+TEST(ExactOrders, LongRodsAreHarmonic) {
+    Input input = single(0.05, 0.05 * 1e9, 0.0);
+    const Result result = solve(input);
+    const double unit = result.engine.force_unit();
+    EXPECT_NEAR(result.exact.order(1).force.vertical().cos, unit, 1e-12 * unit);
+    EXPECT_NEAR(result.exact.order(2).force.vertical().cos, 1e-9 * unit, 1e-13 * unit);
+}
+
+TEST(ExactOrders, SaysWhenAMechanismIsTooNearLocking) {
+    Input input = single(1.0, 1.0 + 1e-9, 0.0);
+    const Result near = solve(input);
+    EXPECT_FALSE(near.exact.accurate);
+    input.lambda = 0.99;
+    const Result fair = solve(input);
+    EXPECT_TRUE(fair.exact.accurate);
+    EXPECT_GT(fair.exact.transform_samples, 100U);
+    EXPECT_LE(solve(vr5()).exact.transform_samples, 64U);
+}
+
+}  // namespace
+}  // namespace ravnoves::inertia_moments
