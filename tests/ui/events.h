@@ -1,0 +1,26 @@
+#pragma once
+
+#include <QApplication>
+#include <QTest>
+#include <QWheelEvent>
+#include <QWidget>
+
+namespace ravnoves::test {
+
+/// A turn of the wheel by `notches` over a point of a widget.
+inline void turnWheel(QWidget* widget, const QPoint& at, int notches,
+                      Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QWheelEvent event(at, widget->mapToGlobal(at), QPoint(), QPoint(0, 120 * notches), Qt::NoButton,
+                      modifiers, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(widget, &event);
+}
+
+/// Shows a widget at a size and waits until it is drawn.
+inline void showAt(QWidget& widget, const QSize& size) {
+    widget.resize(size);
+    widget.show();
+    QApplication::processEvents();
+    QApplication::processEvents();
+}
+
+}  // namespace ravnoves::test

@@ -1,0 +1,76 @@
+#include "plot/legend_item.h"
+
+#include <QPainter>
+#include <cmath>
+
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+namespace {
+
+constexpr double strokeLength = 16.0;
+constexpr double inset = 5.0;
+
+QFont itemFont() {
+    return Theme::font(Theme::smallSize + 1);
+}
+
+}  // namespace
+
+LegendItem::LegendItem(QWidget* parent) : QAbstractButton(parent) {
+    setCheckable(true);
+    setFocusPolicy(Qt::TabFocus);
+    setCursor(Qt::ArrowCursor);
+}
+
+void LegendItem::setSwatch(const QColor& colour, Qt::PenStyle pen) {
+    colour_ = colour;
+    pen_ = pen;
+    update();
+}
+
+QSize LegendItem::sizeHint() const {
+    const QFontMetricsF metrics(itemFont());
+    return {
+        static_cast<int>(std::ceil(strokeLength + 3 * inset + metrics.horizontalAdvance(text()))),
+        static_cast<int>(std::ceil(metrics.height())) + Theme::gap};
+}
+
+void LegendItem::draw(QPainter& painter, const QRectF& rect) const {
+    QColor stroke = colour_;
+    if (!isChecked()) {
+        stroke.setAlphaF(0.35F);
+    }
+    const double middle = rect.center().y();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(stroke, 2.6, pen_, Qt::FlatCap));
+    painter.drawLine(QPointF(rect.left() + inset, middle),
+                     QPointF(rect.left() + inset + strokeLength, middle));
+    QFont font = itemFont();
+    font.setStrikeOut(!isChecked());
+    painter.setFont(font);
+    painter.setPen(isChecked() ? Theme::instance().text() : Theme::instance().mutedText());
+    painter.drawText(rect.adjusted(2 * inset + strokeLength, 0, 0, 0),
+                     Qt::AlignLeft | Qt::AlignVCenter, text());
+}
+
+void LegendItem::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    if (underMouse() || hasFocus()) {
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(hasFocus() ? QPen(Theme::instance().accent(), 1.0) : QPen(Qt::NoPen));
+        painter.setBrush(Theme::instance().grid());
+        painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
+    }
+    draw(painter, QRectF(rect()));
+}
+
+void LegendItem::enterEvent(QEnterEvent* /*event*/) {
+    update();
+}
+void LegendItem::leaveEvent(QEvent* /*event*/) {
+    update();
+}
+
+}  // namespace ravnoves

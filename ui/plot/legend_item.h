@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QAbstractButton>
+#include <QColor>
+
+namespace ravnoves {
+
+/// One entry of a legend: a stroke in the curve's colour and its name; a click switches the curve.
+class LegendItem : public QAbstractButton {
+    Q_OBJECT
+
+  public:
+    explicit LegendItem(QWidget* parent);
+
+    void setSwatch(const QColor& colour, Qt::PenStyle pen);
+    /// Draws the entry into a rectangle, for pictures that hold no widgets.
+    void draw(QPainter& painter, const QRectF& rect) const;
+
+    QSize sizeHint() const override;
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void enterEvent(QEnterEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+  private:
+    QColor colour_;
+    Qt::PenStyle pen_ = Qt::SolidLine;
+};
+
+}  // namespace ravnoves

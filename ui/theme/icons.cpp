@@ -1,0 +1,60 @@
+#include "theme/icons.h"
+
+#include <QFile>
+#include <QIconEngine>
+#include <QPainter>
+#include <QSvgRenderer>
+
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+namespace {
+
+/// Draws the SVG with "currentColor" replaced by the theme's colour at paint time, so that a switch
+/// between light and dark needs no new icons.
+class ThemedIconEngine : public QIconEngine {
+  public:
+    explicit ThemedIconEngine(QByteArray svg) : svg_(std::move(svg)) {}
+
+    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode,
+               QIcon::State state) override {
+        const Theme& theme = Theme::instance();
+        QColor colour = theme.text();
+        if (mode == QIcon::Disabled) {
+            colour = theme.border();
+        } else if (state == QIcon::On) {
+            colour = theme.accent();
+        }
+        QByteArray svg = svg_;
+        svg.replace("currentColor", colour.name().toLatin1());
+        QSvgRenderer renderer(svg);
+        painter->setRenderHint(QPainter::Antialiasing);
+        renderer.render(painter, rect);
+    }
+
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+        QPixmap pixmap(size);
+        pixmap.fill(Qt::transparent);
+        QPainter painter(&pixmap);
+        paint(&painter, QRect(QPoint(), size), mode, state);
+        return pixmap;
+    }
+
+    QIconEngine* clone() const override { return new ThemedIconEngine(*this); }
+
+  private:
+    QByteArray svg_;
+};
+
+}  // namespace
+
+QIcon themedIcon(const QString& name) {
+    QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
+    if (!file.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    return QIcon(new ThemedIconEngine(file.readAll()));
+}
+
+}  // namespace ravnoves

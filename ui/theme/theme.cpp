@@ -1,0 +1,141 @@
+#include "theme/theme.h"
+
+#include <QApplication>
+#include <QFontDatabase>
+#include <QStyleFactory>
+#include <array>
+
+#include "theme/desktop_colour_scheme.h"
+
+namespace ravnoves {
+
+namespace {
+
+QString bundledFamily() {
+    static const QString family = [] {
+        const int id =
+            QFontDatabase::addApplicationFont(QStringLiteral(":/fonts/DejaVuSansCondensed.ttf"));
+        QFontDatabase::addApplicationFont(QStringLiteral(":/fonts/DejaVuSansCondensed-Bold.ttf"));
+        const QStringList families = QFontDatabase::applicationFontFamilies(id);
+        return families.value(0, QApplication::font().family());
+    }();
+    return family;
+}
+
+}  // namespace
+
+Theme& Theme::instance() {
+    static Theme theme;
+    return theme;
+}
+
+void Theme::install(Mode mode) {
+    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setFont(font());
+    mode_ = mode;
+    watchDesktop();
+    apply();
+}
+
+void Theme::setMode(Mode mode) {
+    mode_ = mode;
+    apply();
+}
+
+void Theme::watchDesktop() {
+    auto* scheme = new DesktopColourScheme(this);
+    connect(scheme, &DesktopColourScheme::darkChanged, this, [this](bool dark) {
+        desktopDark_ = dark;
+        if (mode_ == Mode::System) {
+            apply();
+        }
+    });
+    // What the platform's own palette says holds until the desktop answers.
+    desktopDark_ = QApplication::palette().color(QPalette::Window).lightness() < 128;
+    scheme->ask();
+}
+
+QFont Theme::font(int pixelSize, bool bold) {
+    QFont font(bundledFamily());
+    font.setPixelSize(pixelSize);
+    font.setBold(bold);
+    font.setHintingPreference(QFont::PreferNoHinting);
+    return font;
+}
+
+QColor Theme::window() const {
+    return dark_ ? QColor(0x1b1e23) : QColor(0xeef0f3);
+}
+QColor Theme::panel() const {
+    return dark_ ? QColor(0x24282e) : QColor(0xffffff);
+}
+QColor Theme::border() const {
+    return dark_ ? QColor(0x3a4048) : QColor(0xd3d7dd);
+}
+QColor Theme::text() const {
+    return dark_ ? QColor(0xe6e8eb) : QColor(0x1d2126);
+}
+QColor Theme::mutedText() const {
+    return dark_ ? QColor(0x9aa3ad) : QColor(0x5c6670);
+}
+QColor Theme::grid() const {
+    return dark_ ? QColor(0x363c44) : QColor(0xe4e7eb);
+}
+QColor Theme::accent() const {
+    return dark_ ? QColor(0x4c9be8) : QColor(0x1f6fbf);
+}
+QColor Theme::error() const {
+    return dark_ ? QColor(0xff7b72) : QColor(0xc0281c);
+}
+QColor Theme::warning() const {
+    return dark_ ? QColor(0xe3b341) : QColor(0x9a6700);
+}
+QColor Theme::good() const {
+    return dark_ ? QColor(0x56d364) : QColor(0x1a7f37);
+}
+
+QColor Theme::curve(int i) const {
+    // After Okabe and Ito's palette, with lightness fitted to each background.
+    static constexpr std::array<QRgb, curveColours> light{0x5c6670, 0xb35900, 0x0060a8, 0x007a5a,
+                                                          0xa8478a, 0x8a6d00, 0x2e8fc7, 0xc0281c};
+    static constexpr std::array<QRgb, curveColours> dark{0x9aa3ad, 0xf0a04b, 0x5fb2f2, 0x3ecf9d,
+                                                         0xe08fc4, 0xe6cf5a, 0x8fd3ff, 0xff7b72};
+    const auto index = static_cast<std::size_t>(i % curveColours);
+    return QColor(dark_ ? dark[index] : light[index]);
+}
+
+void Theme::apply() {
+    dark_ = mode_ == Mode::Dark || (mode_ == Mode::System && desktopDark_);
+    QPalette palette;
+    const auto set = [&](QPalette::ColorRole role, const QColor& colour) {
+        palette.setColor(role, colour);
+    };
+    set(QPalette::Window, window());
+    set(QPalette::WindowText, text());
+    set(QPalette::Base, panel());
+    set(QPalette::AlternateBase, dark_ ? QColor(0x292e35) : QColor(0xf6f7f9));
+    set(QPalette::Text, text());
+    set(QPalette::Button, dark_ ? QColor(0x2d3239) : QColor(0xf4f5f7));
+    set(QPalette::ButtonText, text());
+    set(QPalette::BrightText, error());
+    set(QPalette::ToolTipBase, dark_ ? QColor(0x2d3239) : QColor(0xfffbe6));
+    set(QPalette::ToolTipText, text());
+    set(QPalette::PlaceholderText, mutedText());
+    set(QPalette::Highlight, accent());
+    set(QPalette::HighlightedText, QColor(Qt::white));
+    set(QPalette::Link, accent());
+    set(QPalette::LinkVisited, accent());
+    set(QPalette::Light, dark_ ? QColor(0x3a4048) : QColor(0xffffff));
+    set(QPalette::Midlight, dark_ ? QColor(0x333941) : QColor(0xe9ebee));
+    set(QPalette::Mid, dark_ ? QColor(0x2a2e34) : QColor(0xc3c8ce));
+    set(QPalette::Dark, dark_ ? QColor(0x14171a) : QColor(0xa3a9b0));
+    set(QPalette::Shadow, dark_ ? QColor(Qt::black) : QColor(0x6d747c));
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+        palette.setColor(QPalette::Disabled, role, dark_ ? QColor(0x6b737d) : QColor(0x9aa1a9));
+    }
+    palette.setColor(QPalette::Disabled, QPalette::Highlight, border());
+    QApplication::setPalette(palette);
+    Q_EMIT changed();
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <QColor>
+#include <QFont>
+#include <QObject>
+#include <QPalette>
+
+namespace ravnoves {
+
+/// The look of the program: palette, colours of curves, type and spacing scale.
+///
+/// One instance for the application. It follows the desktop's light or dark setting until the user
+/// chooses one; changed() tells custom-painted widgets to repaint.
+class Theme : public QObject {
+    Q_OBJECT
+
+  public:
+    enum class Mode { System, Light, Dark };
+    Q_ENUM(Mode)
+
+    static Theme& instance();
+
+    /// Loads the bundled font, sets Fusion and the palette. Call once after QApplication exists.
+    void install(Mode mode);
+    void setMode(Mode mode);
+    Mode mode() const { return mode_; }
+    bool isDark() const { return dark_; }
+
+    // Surfaces and text.
+    QColor window() const;  ///< behind panels
+    QColor panel() const;   ///< forms, plots, pictures
+    QColor border() const;  ///< hairlines between panels
+    QColor text() const;
+    QColor mutedText() const;  ///< units, captions
+    QColor grid() const;       ///< grid lines of plots
+    QColor accent() const;     ///< selection, the present value
+    QColor error() const;
+    QColor warning() const;
+    QColor good() const;
+
+    /// Colour number i of the curves: distinguishable with colour-blind eyes, light and dark.
+    QColor curve(int i) const;
+    static constexpr int curveColours = 8;
+
+    // Type scale, pixels.
+    static constexpr int smallSize = 11;
+    static constexpr int baseSize = 13;
+    static constexpr int titleSize = 15;
+    static constexpr int displaySize = 20;
+    static QFont font(int pixelSize = baseSize, bool bold = false);
+
+    // Spacing scale, pixels.
+    static constexpr int gap = 4;
+    static constexpr int space = 8;
+    static constexpr int margin = 12;
+
+  Q_SIGNALS:
+    void changed();
+
+  private:
+    Theme() = default;
+    void apply();
+    void watchDesktop();
+
+    Mode mode_ = Mode::System;
+    bool dark_ = false;
+    bool desktopDark_ = false;
+};
+
+}  // namespace ravnoves

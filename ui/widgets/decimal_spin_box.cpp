@@ -1,0 +1,33 @@
+#include "widgets/decimal_spin_box.h"
+
+#include "widgets/number_text.h"
+
+namespace ravnoves {
+
+QString DecimalSpinBox::bare(const QString& text) const {
+    QString number = text;
+    if (!suffix().isEmpty() && number.endsWith(suffix())) {
+        number.chop(suffix().size());
+    }
+    return number.trimmed();
+}
+
+QValidator::State DecimalSpinBox::validate(QString& text, int& /*position*/) const {
+    const QString number = bare(text);
+    if (const auto value = readFormNumber(number)) {
+        return *value >= minimum() && *value <= maximum() ? QValidator::Acceptable
+                                                          : QValidator::Intermediate;
+    }
+    for (const QChar c : number) {
+        if (!c.isDigit() && !QStringLiteral("+-,.−").contains(c)) {
+            return QValidator::Invalid;
+        }
+    }
+    return QValidator::Intermediate;
+}
+
+double DecimalSpinBox::valueFromText(const QString& text) const {
+    return readFormNumber(bare(text)).value_or(value());
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <QDoubleSpinBox>
+
+namespace ravnoves {
+
+/// A QDoubleSpinBox that takes decimal comma and point in every locale, and passes a typed value on
+/// when it is finished (not at each key, which would jump while "120" is typed).
+class DecimalSpinBox : public QDoubleSpinBox {
+    Q_OBJECT
+
+  public:
+    explicit DecimalSpinBox(QWidget* parent = nullptr) : QDoubleSpinBox(parent) {
+        setKeyboardTracking(false);
+        setAlignment(Qt::AlignRight);
+    }
+
+    QValidator::State validate(QString& text, int& position) const override;
+    double valueFromText(const QString& text) const override;
+
+  private:
+    QString bare(const QString& text) const;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,130 @@
+#include "widgets/form_section.h"
+
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+namespace {
+
+void paintMuted(QLabel* label) {
+    const auto apply = [label] {
+        QPalette palette = label->palette();
+        palette.setColor(QPalette::WindowText, Theme::instance().mutedText());
+        label->setPalette(palette);
+    };
+    apply();
+    QObject::connect(&Theme::instance(), &Theme::changed, label, apply);
+}
+
+QString withoutMnemonic(QString label) {
+    return label.remove(QLatin1Char('&'));
+}
+
+}  // namespace
+
+QLabel* captionLabel(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    label->setWordWrap(true);
+    label->setFont(Theme::font(Theme::smallSize));
+    paintMuted(label);
+    return label;
+}
+
+QLabel* headingLabel(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    label->setFont(Theme::font(Theme::baseSize, true));
+    return label;
+}
+
+FormSection::FormSection(const QString& title, QWidget* parent) : QWidget(parent) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, Theme::space);
+    column->setSpacing(Theme::gap);
+    if (!title.isEmpty()) {
+        column->addWidget(headingLabel(title, this));
+    }
+    grid_ = new QGridLayout;
+    grid_->setHorizontalSpacing(Theme::space);
+    grid_->setVerticalSpacing(Theme::gap);
+    grid_->setColumnStretch(0, 1);
+    grid_->setColumnMinimumWidth(1, 84);
+    grid_->setColumnMinimumWidth(2, 34);
+    column->addLayout(grid_);
+}
+
+QString FormSection::unitText(std::string_view unit) {
+    return QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
+}
+
+NumberField* FormSection::addNumber(const QString& label, const FieldSpec& spec,
+                                    const QString& hint, const QString& unit) {
+    auto* field = new NumberField(this);
+    const QString shownUnit = unit.isEmpty() ? unitText(spec.unit) : unit;
+    field->setRange(spec.range, shownUnit);
+    field->setHint(hint);
+    field->setObjectName(
+        QString::fromUtf8(spec.key.data(), static_cast<qsizetype>(spec.key.size())));
+    field->setMaximumWidth(96);
+    addWidget(label, field, shownUnit, {});
+
+    auto* trouble = new QLabel(this);
+    trouble->setWordWrap(true);
+    trouble->setFont(Theme::font(Theme::smallSize));
+    trouble->hide();
+    grid_->addWidget(trouble, row_++, 0, 1, 3);
+    connect(field, &NumberField::troubleChanged, trouble, [trouble](const QString& text) {
+        QPalette palette = trouble->palette();
+        palette.setColor(QPalette::WindowText, Theme::instance().error());
+        trouble->setPalette(palette);
+        trouble->setText(text);
+        trouble->setVisible(!text.isEmpty());
+    });
+    return field;
+}
+
+void FormSection::addWidget(const QString& label, QWidget* field, const QString& unit,
+                            const QString& hint) {
+    auto* name = new QLabel(label, this);
+    name->setBuddy(field);
+    name->setWordWrap(true);
+    if (!hint.isEmpty()) {
+        field->setToolTip(hint);
+    }
+    name->setToolTip(field->toolTip());
+    QString spoken = withoutMnemonic(label);
+    if (!unit.isEmpty()) {
+        spoken += QStringLiteral(", ") + unit;
+    }
+    field->setAccessibleName(spoken);
+    grid_->addWidget(name, row_, 0);
+    if (unit.isEmpty()) {
+        grid_->addWidget(field, row_, 1, 1, 2);
+    } else {
+        grid_->addWidget(field, row_, 1);
+        auto* unitLabel = new QLabel(unit, this);
+        paintMuted(unitLabel);
+        grid_->addWidget(unitLabel, row_, 2);
+    }
+    ++row_;
+}
+
+void FormSection::addWide(QWidget* widget) {
+    grid_->addWidget(widget, row_++, 0, 1, 3);
+}
+
+QLabel* FormSection::addResult(const QString& label, const QString& hint) {
+    auto* name = new QLabel(label, this);
+    auto* value = new QLabel(this);
+    value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    value->setToolTip(hint);
+    name->setToolTip(hint);
+    value->setAccessibleName(withoutMnemonic(label));
+    paintMuted(name);
+    grid_->addWidget(name, row_, 0);
+    grid_->addWidget(value, row_, 1, 1, 2);
+    ++row_;
+    return value;
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QWidget>
+
+#include "widgets/number_field.h"
+
+namespace ravnoves {
+
+/// A titled group of inputs: label, field, unit, one row each, aligned over the whole form; what is
+/// wrong with a field stands under it in words.
+class FormSection : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit FormSection(const QString& title, QWidget* parent = nullptr);
+
+    /// A row with a number. The label's & gives the mnemonic; it is the field's buddy.
+    /// @param hint  what the value means and its source, for the tooltip
+    NumberField* addNumber(const QString& label, const FieldSpec& spec, const QString& hint,
+                           const QString& unit = {});
+    /// A row with any widget; unit and hint may be empty.
+    void addWidget(const QString& label, QWidget* field, const QString& unit = {},
+                   const QString& hint = {});
+    /// A widget over the whole width.
+    void addWide(QWidget* widget);
+    /// A row that shows a computed value; returns the value's label.
+    QLabel* addResult(const QString& label, const QString& hint = {});
+
+    /// Units and labels the form knows by another word than the case file ("deg" → "°").
+    static QString unitText(std::string_view unit);
+
+  private:
+    QGridLayout* grid_;
+    int row_ = 0;
+};
+
+/// A muted, wrapping caption.
+QLabel* captionLabel(const QString& text, QWidget* parent = nullptr);
+/// A section heading in the type scale.
+QLabel* headingLabel(const QString& text, QWidget* parent = nullptr);
+
+}  // namespace ravnoves

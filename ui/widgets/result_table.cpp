@@ -1,0 +1,168 @@
+#include "widgets/result_table.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QMenu>
+#include <algorithm>
+
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+ResultTable::ResultTable(QWidget* parent) : QTableWidget(parent) {
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setSelectionMode(QAbstractItemView::ContiguousSelection);
+    setAlternatingRowColors(true);
+    setShowGrid(false);
+    setFrameShape(QFrame::NoFrame);
+    setFont(Theme::font(Theme::baseSize - 1));
+    setTabKeyNavigation(false);
+    verticalHeader()->hide();
+    verticalHeader()->setDefaultSectionSize(20);
+    verticalHeader()->setMinimumSectionSize(18);
+    horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    horizontalHeader()->setFont(Theme::font(Theme::smallSize + 1, true));
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+}
+
+void ResultTable::setColumns(const QStringList& headings) {
+    setColumnCount(static_cast<int>(headings.size()));
+    setHorizontalHeaderLabels(headings);
+    for (int column = 0; column < headings.size(); ++column) {
+        horizontalHeaderItem(column)->setTextAlignment(
+            (column == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    }
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    fitColumns();
+}
+
+void ResultTable::fitColumns() {
+    // Columns only ever grow, so that they rest while a slider moves.
+    constexpr int padding = 12;
+    const QFontMetrics cells(font());
+    const QFontMetrics headings(horizontalHeader()->font());
+    for (int column = 1; column < columnCount(); ++column) {
+        int width = columnWidth(column) * (fitted_ ? 1 : 0);
+        width = std::max(
+            width, headings.horizontalAdvance(horizontalHeaderItem(column)->text()) + padding);
+        for (int row = 0; row < rowCount(); ++row) {
+            if (const QTableWidgetItem* cell = item(row, column)) {
+                width = std::max(width, cells.horizontalAdvance(cell->text()) + padding);
+            }
+        }
+        if (width != columnWidth(column)) {
+            setColumnWidth(column, width);
+        }
+    }
+    fitted_ = true;
+}
+
+void ResultTable::setRows(const QVector<QStringList>& rows) {
+    if (rowCount() != rows.size()) {
+        setRowCount(static_cast<int>(rows.size()));
+        updateGeometry();
+    }
+    for (int row = 0; row < rows.size(); ++row) {
+        for (int column = 0; column < columnCount(); ++column) {
+            const QString text = rows[row].value(column);
+            QTableWidgetItem* cell = item(row, column);
+            if (cell == nullptr) {
+                cell = new QTableWidgetItem(text);
+                cell->setTextAlignment((column == 0 ? Qt::AlignLeft : Qt::AlignRight) |
+                                       Qt::AlignVCenter);
+                setItem(row, column, cell);
+            } else if (cell->text() != text) {
+                cell->setText(text);
+            }
+        }
+    }
+    fitColumns();
+}
+
+void ResultTable::setCellToolTip(int row, int column, const QString& text) {
+    if (QTableWidgetItem* cell = item(row, column)) {
+        cell->setToolTip(text);
+    }
+}
+
+QString ResultTable::joined(QChar separator, bool selectionOnly) const {
+    const auto written = [&](const QString& text) {
+        if (separator == QLatin1Char('\t') ||
+            (!text.contains(separator) && !text.contains(QLatin1Char('"')))) {
+            return text;
+        }
+        QString inner = text;
+        return QLatin1Char('"') + inner.replace(QLatin1Char('"'), QLatin1String("\"\"")) +
+               QLatin1Char('"');
+    };
+    QString text;
+    QStringList line;
+    for (int column = 0; column < columnCount() && !selectionOnly; ++column) {
+        line << written(horizontalHeaderItem(column)->text());
+    }
+    if (!line.isEmpty()) {
+        text += line.join(separator) + QLatin1Char('\n');
+    }
+    for (int row = 0; row < rowCount(); ++row) {
+        line.clear();
+        for (int column = 0; column < columnCount(); ++column) {
+            const QTableWidgetItem* cell = item(row, column);
+            if (cell != nullptr && (!selectionOnly || cell->isSelected())) {
+                line << written(cell->text());
+            }
+        }
+        if (!line.isEmpty()) {
+            text += line.join(separator) + QLatin1Char('\n');
+        }
+    }
+    return text;
+}
+
+QString ResultTable::asText() const {
+    return joined(QLatin1Char('\t'), false);
+}
+QString ResultTable::asCsv() const {
+    return joined(QLatin1Char(','), false);
+}
+
+void ResultTable::copySelection() {
+    const bool some = !selectedItems().isEmpty();
+    QApplication::clipboard()->setText(joined(QLatin1Char('\t'), some));
+}
+
+void ResultTable::keyPressEvent(QKeyEvent* event) {
+    if (event->matches(QKeySequence::Copy)) {
+        copySelection();
+        return;
+    }
+    QTableWidget::keyPressEvent(event);
+}
+
+void ResultTable::contextMenuEvent(QContextMenuEvent* event) {
+    QMenu menu(this);
+    menu.addAction(tr("Copy selection"), this, &ResultTable::copySelection);
+    menu.addAction(tr("Copy table as text"), this,
+                   [this] { QApplication::clipboard()->setText(asText()); });
+    menu.addAction(tr("Copy table as CSV"), this,
+                   [this] { QApplication::clipboard()->setText(asCsv()); });
+    menu.exec(event->globalPos());
+}
+
+QSize ResultTable::sizeHint() const {
+    const int heading =
+        horizontalHeader()->isHidden() ? 0 : horizontalHeader()->sizeHint().height();
+    const int height = heading + rowCount() * verticalHeader()->defaultSectionSize() + 2;
+    return {240, height};
+}
+
+QSize ResultTable::minimumSizeHint() const {
+    return {120, sizeHint().height()};
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QStringList>
+#include <QTableWidget>
+#include <QVector>
+
+namespace ravnoves {
+
+/// A read-only table of results whose selection, or whole, is copied as text (tabs, for a
+/// spreadsheet) or CSV.
+class ResultTable : public QTableWidget {
+    Q_OBJECT
+
+  public:
+    explicit ResultTable(QWidget* parent = nullptr);
+
+    /// Sets headings once; rows follow with setRows().
+    void setColumns(const QStringList& headings);
+    /// Replaces the cells; only what differs is touched, so it may be called at every step of a
+    /// slider.
+    void setRows(const QVector<QStringList>& rows);
+    void setCellToolTip(int row, int column, const QString& text);
+
+    QString asText() const;  ///< the whole table, tab-separated
+    QString asCsv() const;   ///< the whole table, comma-separated, quoted where needed
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+  protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+
+  private:
+    QString joined(QChar separator, bool selectionOnly) const;
+    void copySelection();
+    void fitColumns();
+
+    bool fitted_ = false;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,99 @@
+#include "widgets/value_slider.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <algorithm>
+#include <cmath>
+
+#include "theme/theme.h"
+#include "widgets/decimal_spin_box.h"
+
+namespace ravnoves {
+
+ValueSlider::ValueSlider(const QString& label, double min, double max, double step, double pageStep,
+                         int decimals, const QString& unit, QWidget* parent)
+    : QWidget(parent), min_(min), max_(max), step_(step) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(Theme::space);
+    label_ = new QLabel(label, this);
+    slider_ = new QSlider(Qt::Horizontal, this);
+    box_ = new DecimalSpinBox(this);
+    box_->setDecimals(decimals);
+    box_->setSingleStep(step);
+    if (!unit.isEmpty()) {
+        box_->setSuffix(unit == QStringLiteral("°") ? unit : QChar(0x00A0) + unit);
+    }
+    label_->setBuddy(box_);
+    QString spoken = label;
+    spoken.remove(QLatin1Char('&'));
+    slider_->setAccessibleName(spoken);
+    box_->setAccessibleName(spoken + QStringLiteral(", ") + unit);
+    slider_->setSingleStep(1);
+    slider_->setPageStep(std::max(1, static_cast<int>(std::lround(pageStep / step))));
+    slider_->setFocusPolicy(Qt::StrongFocus);
+    slider_->installEventFilter(this);
+    row->addWidget(label_);
+    row->addWidget(slider_, 1);
+    row->addWidget(box_);
+    setRange(min, max);
+    connect(slider_, &QSlider::valueChanged, this,
+            [this](int ticks) { edit(std::min(max_, min_ + ticks * step_)); });
+    connect(slider_, &QSlider::sliderPressed, this, &ValueSlider::pressed);
+    connect(slider_, &QSlider::sliderReleased, this, &ValueSlider::released);
+    connect(box_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ValueSlider::edit);
+}
+
+void ValueSlider::setRange(double min, double max) {
+    min_ = min;
+    max_ = max;
+    const QSignalBlocker quietSlider(slider_);
+    const QSignalBlocker quietBox(box_);
+    slider_->setRange(0, static_cast<int>(std::lround((max - min) / step_)));
+    box_->setRange(min, max);
+    setValue(std::clamp(value_, min, max));
+}
+
+void ValueSlider::setHint(const QString& hint) {
+    label_->setToolTip(hint);
+    slider_->setToolTip(hint);
+    box_->setToolTip(hint);
+}
+
+void ValueSlider::setTickInterval(double interval) {
+    slider_->setTickPosition(QSlider::TicksBelow);
+    slider_->setTickInterval(std::max(1, static_cast<int>(std::lround(interval / step_))));
+}
+
+void ValueSlider::setValue(double value) {
+    value_ = value;
+    const QSignalBlocker quietSlider(slider_);
+    const QSignalBlocker quietBox(box_);
+    slider_->setValue(static_cast<int>(std::lround((value - min_) / step_)));
+    box_->setValue(value);
+}
+
+void ValueSlider::edit(double value) {
+    // Whole steps come out as the decimals they stand for (50.1, not 50.10000000000001).
+    const double decimals = std::pow(10.0, box_->decimals());
+    value = std::round(value * decimals) / decimals;
+    if (value == value_) {
+        return;
+    }
+    setValue(value);
+    Q_EMIT valueEdited(value);
+}
+
+bool ValueSlider::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == slider_ && event->type() == QEvent::MouseButtonDblClick) {
+        box_->setFocus(Qt::MouseFocusReason);
+        box_->selectAll();
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace ravnoves
