@@ -1,0 +1,130 @@
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QFileInfo>
+#include <QSettings>
+#include <QTimer>
+#include <cstdio>
+
+#include "shell/language.h"
+#include "shell/main_window.h"
+#include "shell/screenshot.h"
+#include "theme/theme.h"
+
+namespace {
+
+using namespace Qt::StringLiterals;
+
+bool wantsScreenshot(int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        const QByteArrayView argument(argv[i]);
+        if (argument == "--screenshot" || argument.startsWith("--screenshot=")) {
+            return true;
+        }
+    }
+    return false;
+}
+
+int fail(const QString& text) {
+    std::fprintf(stderr, "%s\n", qPrintable(text));
+    return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const bool screenshot = wantsScreenshot(argc, argv);
+    if (screenshot) {
+        // The same pixels everywhere: no scaling, and no display needed.
+        qunsetenv("QT_SCALE_FACTOR");
+        qunsetenv("QT_FONT_DPI");
+        if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") &&
+            qEnvironmentVariableIsEmpty("DISPLAY") &&
+            qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) {
+            qputenv("QT_QPA_PLATFORM", "offscreen");
+        }
+    }
+    QApplication app(argc, argv);
+    QApplication::setApplicationName(u"Ravnoves"_s);
+    QApplication::setOrganizationName(u"Ravnoves"_s);
+    QApplication::setApplicationVersion(QStringLiteral(RAVNOVES_VERSION));
+
+    QCommandLineParser parser;
+    parser.setApplicationDescription(u"The engine-balancing workbench."_s);
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument(u"case"_s, u"Case file to open."_s, u"[case]"_s);
+    const QCommandLineOption sceneOption(
+        u"scene"_s, u"Start with this scene (balance-shaft, elastic-hinge, …)."_s, u"name"_s);
+    const QCommandLineOption caseOption(u"case"_s, u"Open this case file."_s, u"file"_s);
+    const QCommandLineOption setOption(
+        u"set"_s, u"Set a value of the case or of the page; may be repeated."_s, u"key=value"_s);
+    const QCommandLineOption screenshotOption(
+        u"screenshot"_s, u"Write the window as a PNG picture and exit."_s, u"file.png"_s);
+    const QCommandLineOption sizeOption(u"size"_s, u"Size of the window, for example 1280x800."_s,
+                                        u"WxH"_s, u"1280x800"_s);
+    const QCommandLineOption themeOption(u"theme"_s, u"light, dark or system."_s, u"name"_s);
+    const QCommandLineOption languageOption(u"language"_s, u"Language of the program: en, ru."_s,
+                                            u"code"_s);
+    parser.addOptions({sceneOption, caseOption, setOption, screenshotOption, sizeOption,
+                       themeOption, languageOption});
+    parser.process(app);
+
+    if (screenshot) {
+        // Nothing of the user's settings may change the picture.
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, u"/nonexistent"_s);
+    }
+    ravnoves::installLanguage(parser.isSet(languageOption) ? parser.value(languageOption)
+                              : screenshot                 ? u"en"_s
+                                                           : QString());
+    auto mode = static_cast<ravnoves::Theme::Mode>(QSettings().value(u"view/theme"_s, 0).toInt());
+    if (parser.isSet(themeOption) || screenshot) {
+        const QString name = parser.value(themeOption);
+        if (name == "dark"_L1) {
+            mode = ravnoves::Theme::Mode::Dark;
+        } else if (name == "system"_L1) {
+            mode = ravnoves::Theme::Mode::System;
+        } else if (name.isEmpty() || name == "light"_L1) {
+            mode = ravnoves::Theme::Mode::Light;
+        } else {
+            return fail(u"--theme: must be light, dark or system, got %1"_s.arg(name));
+        }
+    }
+    ravnoves::Theme::instance().install(mode);
+
+    ravnoves::MainWindow window;
+    const QString scene = parser.value(sceneOption);
+    if (!scene.isEmpty() && !window.showScene(scene)) {
+        QStringList names;
+        for (const ravnoves::SceneInfo& info : ravnoves::sceneList()) {
+            names << info.name;
+        }
+        return fail(u"--scene: must be one of %1, got %2"_s.arg(names.join(u", "_s), scene));
+    }
+    QString path = parser.value(caseOption);
+    if (path.isEmpty() && !parser.positionalArguments().isEmpty()) {
+        path = parser.positionalArguments().constFirst();
+    }
+    if (!path.isEmpty()) {
+        const QString trouble = window.openCase(path);
+        if (!trouble.isEmpty()) {
+            return fail(trouble);
+        }
+        if (!scene.isEmpty() && window.currentScene() != scene) {
+            return fail(u"--scene %1 does not fit the case, whose scene is %2"_s.arg(
+                scene, window.currentScene()));
+        }
+    }
+    for (const QString& pair : parser.values(setOption)) {
+        const QString trouble = ravnoves::applySetting(window, pair);
+        if (!trouble.isEmpty()) {
+            return fail(trouble);
+        }
+    }
+    if (screenshot) {
+        const QString trouble = ravnoves::writeScreenshot(window, parser.value(screenshotOption),
+                                                          parser.value(sizeOption));
+        return trouble.isEmpty() ? 0 : fail(trouble);
+    }
+    window.show();
+    return QApplication::exec();
+}

@@ -1,0 +1,96 @@
+/// Times the pages' frames: from a change of value to the painted page, in one process without a
+/// display. Each page drags its main slider over 500 steps; median and p95 are printed.
+///
+/// bench-ui-frames [PAGE] [--steps N] [--size WxH]
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "balance-shaft/balance_shaft_page.h"
+#include "balance-shaft/balance_shaft_view_model.h"
+#include "shell/language.h"
+#include "theme/theme.h"
+
+namespace {
+
+using namespace ravnoves;
+
+struct Drag {
+    QWidget* page;
+    std::function<void(int step, int steps)> move;
+};
+
+/// One entry per page: the page and what a step of its slider does.
+std::map<std::string, std::function<Drag()>> drags() {
+    return {
+        {"balance-shaft",
+         [] {
+             auto* page = new BalanceShaftPage;
+             return Drag{page, [page](int step, int steps) {
+                             page->viewModel()->setShaftAngleDeg(360.0 * step / steps);
+                         }};
+         }},
+    };
+}
+
+void run(const std::string& name, const std::function<Drag()>& make, int steps, QSize size) {
+    const Drag drag = make();
+    drag.page->resize(size);
+    drag.page->show();
+    for (int turn = 0; turn < 5; ++turn) {
+        QApplication::processEvents();
+    }
+    std::vector<double> milliseconds;
+    for (int step = 0; step < steps; ++step) {
+        QElapsedTimer timer;
+        timer.start();
+        drag.move(step, steps);
+        // One turn of the loop paints what the change has queued, once.
+        QApplication::processEvents();
+        milliseconds.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-6);
+    }
+    std::sort(milliseconds.begin(), milliseconds.end());
+    const auto at = [&](double share) {
+        return milliseconds[static_cast<std::size_t>(share * static_cast<double>(steps - 1))];
+    };
+    std::printf("%-16s %4d steps %4dx%-4d  median %6.2f ms  p95 %6.2f ms  max %6.2f ms\n",
+                name.c_str(), steps, size.width(), size.height(), at(0.5), at(0.95), at(1.0));
+    delete drag.page;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    }
+    QApplication app(argc, argv);
+    installLanguage(QStringLiteral("en"));
+    Theme::instance().install(Theme::Mode::Light);
+    std::string only;
+    int steps = 500;
+    QSize size(1280, 800);
+    const QStringList arguments = QApplication::arguments();
+    for (int i = 1; i < arguments.size(); ++i) {
+        if (arguments[i] == QLatin1String("--steps") && i + 1 < arguments.size()) {
+            steps = std::max(2, arguments[++i].toInt());
+        } else if (arguments[i] == QLatin1String("--size") && i + 1 < arguments.size()) {
+            const QStringList parts = arguments[++i].split(QLatin1Char('x'));
+            size = QSize(parts.value(0).toInt(), parts.value(1).toInt());
+        } else {
+            only = arguments[i].toStdString();
+        }
+    }
+    for (const auto& [name, make] : drags()) {
+        if (only.empty() || only == name) {
+            run(name, make, steps, size);
+        }
+    }
+    return 0;
+}

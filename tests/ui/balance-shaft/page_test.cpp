@@ -1,0 +1,262 @@
+#include "balance-shaft/balance_shaft_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSlider>
+#include <QTableView>
+#include <QTemporaryDir>
+
+#include "balance-shaft/balance_shaft_view_model.h"
+#include "balance-shaft/mechanism_view.h"
+#include "balance-shaft/torque_table_editor.h"
+#include "balance-shaft/torque_table_model.h"
+#include "case-file/case_file.h"
+#include "events.h"
+#include "widgets/decimal_spin_box.h"
+#include "widgets/number_field.h"
+#include "widgets/value_slider.h"
+
+namespace ravnoves {
+namespace {
+
+class BalanceShaftPageTest : public ::testing::Test {
+  protected:
+    BalanceShaftPageTest() {
+        test::showAt(page, {1187, 712});
+        page.activateWindow();
+        model = page.viewModel();
+    }
+
+    NumberField* field(const char* name) {
+        auto* found = page.findChild<NumberField*>(QString::fromLatin1(name));
+        EXPECT_NE(found, nullptr) << name;
+        return found;
+    }
+    void type(NumberField* target, const QString& text) {
+        target->setFocus();
+        target->selectAll();
+        QTest::keyClicks(target, text);
+        QTest::keyClick(target, Qt::Key_Return);
+    }
+
+    BalanceShaftPage page;
+    BalanceShaftViewModel* model = nullptr;
+};
+
+TEST_F(BalanceShaftPageTest, SliderDragMovesEverythingLive) {
+    QSlider* slider = page.angleSlider()->slider();
+    const auto columnsOf = [&] { return page.resultsAsText(); };
+    const QString before = columnsOf();
+    const int y = slider->height() / 2;
+    // Take the handle where it stands and pull it to the right.
+    QStyleOptionSlider option;
+    option.initFrom(slider);
+    const int x = static_cast<int>(slider->width() * slider->value() / 3600.0);
+    QTest::mousePress(slider, Qt::LeftButton, {}, QPoint(x, y));
+    for (int step = 1; step <= 60; ++step) {
+        const QPoint p(x + step * 2, y);
+        QMouseEvent move(QEvent::MouseMove, p, slider->mapToGlobal(p), Qt::NoButton, Qt::LeftButton,
+                         Qt::NoModifier);
+        QApplication::sendEvent(slider, &move);
+    }
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, QPoint(x + 120, y));
+    EXPECT_GT(model->shaftAngleDeg(), 60.0);
+    EXPECT_NE(columnsOf(), before);
+    EXPECT_NEAR(page.angleSlider()->box()->value(), model->shaftAngleDeg(), 0.051);
+    // The plot shows the new M_s.
+    EXPECT_NEAR(*page.momentPlot()->valueAt(1, 0.0),
+                model->result().moment_amplitude * std::sin(model->input().shaft_angle), 1e-6);
+}
+
+TEST_F(BalanceShaftPageTest, KeysWheelAndBoxMoveTheShaft) {
+    model->setShaftAngleDeg(45.0);
+    QTest::keyClick(page.angleSlider()->slider(), Qt::Key_Right);
+    EXPECT_NEAR(model->shaftAngleDeg(), 45.1, 1e-9);
+    QTest::keyClick(page.angleSlider()->slider(), Qt::Key_PageUp);
+    EXPECT_NEAR(model->shaftAngleDeg(), 55.1, 1e-9);
+    test::turnWheel(page.angleSlider()->slider(), QPoint(20, 8), -1);
+    EXPECT_LT(model->shaftAngleDeg(), 55.1);
+    auto* box = page.angleSlider()->box();
+    box->setFocus();
+    box->selectAll();
+    QTest::keyClicks(box, QStringLiteral("240,5"));
+    QTest::keyClick(box, Qt::Key_Return);
+    EXPECT_NEAR(model->shaftAngleDeg(), 240.5, 1e-9);
+}
+
+TEST_F(BalanceShaftPageTest, FieldsEditTheCaseAndUndoBringsItBack) {
+    type(field("centre_distance_mm"), QStringLiteral("120,5"));
+    EXPECT_NEAR(model->input().centre_distance, 0.1205, 1e-12);
+    EXPECT_NEAR(model->result().moment_amplitude, 4297.39736832 * 0.1205, 1e-4);
+    type(field("mass_pin"), QStringLiteral("0.3"));
+    EXPECT_NEAR(model->input().reciprocating_mass(), 1.375, 1e-9);
+    type(field("counterweight_mass_kg"), QStringLiteral("0.5"));
+    EXPECT_NEAR(model->result().counterweight_mass, 0.5, 1e-12);
+    while (model->history()->canUndo()) {
+        model->history()->undo();
+    }
+    EXPECT_NEAR(model->input().centre_distance, 0.10015, 1e-12);
+    EXPECT_EQ(field("centre_distance_mm")->value(), model->input().centre_distance / 1e-3);
+}
+
+TEST_F(BalanceShaftPageTest, BadFieldsAreRefusedInWords) {
+    for (const char* name : {"speed_rpm", "crank_radius_mm", "centre_distance_mm", "mass_piston",
+                             "counterweight_radius_mm"}) {
+        const Json before = model->inputJson();
+        type(field(name), QStringLiteral("-5"));
+        EXPECT_FALSE(field(name)->trouble().isEmpty()) << name;
+        type(field(name), QStringLiteral("nan"));
+        EXPECT_FALSE(field(name)->trouble().isEmpty()) << name;
+        EXPECT_EQ(model->inputJson(), before) << name;
+    }
+    type(field("speed_rpm"), QStringLiteral("0"));
+    EXPECT_FALSE(field("speed_rpm")->trouble().isEmpty());
+}
+
+TEST_F(BalanceShaftPageTest, ClickInThePlotsSetsTheShaft) {
+    for (PlotView* plot : {page.rangePlot(), page.meanPlot()}) {
+        QTest::mouseClick(plot, Qt::LeftButton, {},
+                          plot->toPixel(200.0, 0.0).toPoint().x() > 0
+                              ? QPoint(plot->toPixel(200.0, 0).toPoint().x(),
+                                       plot->plotArea().center().toPoint().y())
+                              : QPoint());
+        EXPECT_NEAR(model->shaftAngleDeg(), 200.0, 2.0);
+        model->setShaftAngleDeg(45.0);
+    }
+}
+
+TEST_F(BalanceShaftPageTest, MouseOverThePlotTurnsTheCrank) {
+    PlotView* plot = page.momentPlot();
+    const QPoint p(plot->toPixel(400.0, 0.0).toPoint().x(),
+                   plot->plotArea().center().toPoint().y());
+    QMouseEvent move(QEvent::MouseMove, p, plot->mapToGlobal(p), Qt::NoButton, Qt::NoButton,
+                     Qt::NoModifier);
+    QApplication::sendEvent(plot, &move);
+    EXPECT_NEAR(model->crankAngleDeg(), 400.0, 2.0);
+}
+
+TEST_F(BalanceShaftPageTest, BestButtonsGoThere) {
+    QTest::mouseClick(page.findChild<QPushButton*>(QStringLiteral("go_best_range")),
+                      Qt::LeftButton);
+    EXPECT_NEAR(model->shaftAngleDeg(), 50.65, 0.05);
+    QTest::mouseClick(page.findChild<QPushButton*>(QStringLiteral("go_best_rms")), Qt::LeftButton);
+    EXPECT_NEAR(model->shaftAngleDeg(), 11.76, 0.05);
+}
+
+TEST_F(BalanceShaftPageTest, PicturePlaysPausesAndTurns) {
+    page.picture()->setFocus();
+    const double before = model->crankAngleDeg();
+    QTest::keyClick(page.picture(), Qt::Key_Space);
+    EXPECT_TRUE(page.picture()->isPlaying());
+    QTest::qWait(120);
+    EXPECT_NE(model->crankAngleDeg(), before);
+    QTest::keyClick(page.picture(), Qt::Key_Space);
+    EXPECT_FALSE(page.picture()->isPlaying());
+    page.picture()->setPlaying(true);
+    page.setActive(false);
+    EXPECT_FALSE(page.picture()->isPlaying());
+}
+
+TEST_F(BalanceShaftPageTest, TorqueTableIsEdited) {
+    TorqueTableModel* table = page.torqueEditor()->tableModel();
+    ASSERT_EQ(table->rowCount(), 49);
+    const double peak = model->result().M_up.min;
+    EXPECT_TRUE(table->setData(table->index(25, 1), QStringLiteral("1000,5"), Qt::EditRole));
+    EXPECT_NEAR(model->result().M_up.min, -1000.5, 1e-9);
+    EXPECT_NE(model->result().M_up.min, peak);
+    // Something that is no number is kept, marked, and changes nothing.
+    table->setData(table->index(25, 1), QStringLiteral("oops"), Qt::EditRole);
+    EXPECT_EQ(table->trouble(), QStringLiteral("Row 26: “oops” is not a number."));
+    EXPECT_NEAR(model->result().M_up.min, -1000.5, 1e-9);
+    table->setData(table->index(25, 1), QStringLiteral("900"), Qt::EditRole);
+    EXPECT_NEAR(model->result().M_up.min, -900.0, 1e-9);
+    EXPECT_TRUE(table->trouble().isEmpty());
+    // The ends are one instant of the cycle.
+    table->setData(table->index(0, 1), QStringLiteral("7"), Qt::EditRole);
+    EXPECT_EQ(table->index(48, 1).data().toString(), QStringLiteral("7"));
+    EXPECT_TRUE(table->trouble().isEmpty());
+    // A row between two others leaves the curve as it is.
+    const double rms = model->result().M_up.rms;
+    table->insertRowBelow(10);
+    EXPECT_EQ(table->rowCount(), 50);
+    EXPECT_NEAR(model->result().M_up.rms, rms, 1e-9);
+    table->removeRowRange(11, 1);
+    EXPECT_EQ(table->rowCount(), 49);
+    EXPECT_NEAR(model->result().M_up.rms, rms, 1e-9);
+}
+
+TEST_F(BalanceShaftPageTest, TableTakesASpreadsheet) {
+    QApplication::clipboard()->setText(
+        QStringLiteral("angle\ttorque\n0\t0\n180\t100,5\n360\t0\n540\t-20\n720\t0\n"));
+    QTableView* view = page.torqueEditor()->view();
+    QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
+    EXPECT_EQ(page.torqueEditor()->tableModel()->rowCount(), 5);
+    EXPECT_NEAR(model->result().M_up.min, -100.5, 1e-9);
+    model->history()->undo();
+    EXPECT_EQ(page.torqueEditor()->tableModel()->rowCount(), 49);
+    // A few cells go where the cursor stands.
+    view->setCurrentIndex(view->model()->index(3, 1));
+    QApplication::clipboard()->setText(QStringLiteral("-1\n-2\n"));
+    QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
+    EXPECT_EQ(view->model()->index(4, 1).data().toString(), QStringLiteral("-2"));
+    // Copy gives the same block back.
+    view->selectionModel()->select(
+        QItemSelection(view->model()->index(3, 0), view->model()->index(4, 1)),
+        QItemSelectionModel::ClearAndSelect);
+    QTest::keyClick(view, Qt::Key_C, Qt::ControlModifier);
+    EXPECT_EQ(QApplication::clipboard()->text(), QStringLiteral("45\t-1\n60\t-2\n"));
+}
+
+TEST_F(BalanceShaftPageTest, ImportNamesFileLineAndColumn) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("torque.csv"));
+    write_text_file(path.toStdString(), "phi;M\n0;0\n180;x\n720;0\n");
+    const Json before = model->inputJson();
+    const QString trouble = page.torqueEditor()->importFile(path);
+    EXPECT_TRUE(trouble.contains(path)) << trouble.toStdString();
+    EXPECT_TRUE(trouble.contains(QStringLiteral("line 3"))) << trouble.toStdString();
+    EXPECT_EQ(model->inputJson(), before);
+    write_text_file(path.toStdString(), "0;1\n180;5\n720;2\n");
+    EXPECT_FALSE(page.torqueEditor()->importFile(path).isEmpty());
+    write_text_file(path.toStdString(), std::string("\0\1\2\377\376PNG", 9));
+    EXPECT_FALSE(page.torqueEditor()->importFile(path).isEmpty());
+    EXPECT_FALSE(page.torqueEditor()->importFile(QStringLiteral("/nonexistent.csv")).isEmpty());
+    EXPECT_EQ(model->inputJson(), before);
+    write_text_file(path.toStdString(), "phi;M\n0;0\n180;5,5\n360;0\n");
+    EXPECT_EQ(page.torqueEditor()->importFile(path), QString());
+    EXPECT_NEAR(model->result().M_up.min, -5.5, 1e-9);
+}
+
+TEST_F(BalanceShaftPageTest, MeansCanBeChosen) {
+    model->setMeans(BalanceShaftViewModel::Means::CycleIntegral);
+    EXPECT_TRUE(page.meanPlot()->isCurveShown(0));
+    EXPECT_FALSE(page.meanPlot()->isCurveShown(2));
+    model->setMeans(BalanceShaftViewModel::Means::PrintedNodes);
+    EXPECT_FALSE(page.meanPlot()->isCurveShown(0));
+    EXPECT_TRUE(page.meanPlot()->isCurveShown(2));
+    // The paper's artefact: 17.2 N·m from a pure sine at α = 90°.
+    EXPECT_NEAR(*page.meanPlot()->valueAt(2, 90.0), 17.22, 0.01);
+    EXPECT_NEAR(*page.meanPlot()->valueAt(0, 90.0), 0.0, 1e-9);
+}
+
+TEST_F(BalanceShaftPageTest, EveryInputIsNamedAndExplained) {
+    for (NumberField* input : page.findChildren<NumberField*>()) {
+        EXPECT_FALSE(input->accessibleName().isEmpty()) << input->objectName().toStdString();
+        EXPECT_TRUE(input->toolTip().contains(QStringLiteral("must be")))
+            << input->objectName().toStdString();
+        bool buddy = false;
+        for (const QLabel* label : page.findChildren<QLabel*>()) {
+            buddy = buddy || (label->buddy() == input && label->text().contains(QLatin1Char('&')));
+        }
+        EXPECT_TRUE(buddy) << input->objectName().toStdString();
+    }
+}
+
+}  // namespace
+}  // namespace ravnoves

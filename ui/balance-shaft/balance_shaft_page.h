@@ -1,0 +1,96 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "plot/plot_view.h"
+#include "shell/scene_page.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace ravnoves {
+
+class BalanceShaftViewModel;
+class MechanismView;
+class NumberField;
+class ResultTable;
+class TorqueTableEditor;
+class ValueSlider;
+
+/// The balance-shaft page: inputs, α slider, plots over φ and over α, picture, results.
+class BalanceShaftPage : public ScenePage {
+    Q_OBJECT
+
+  public:
+    explicit BalanceShaftPage(QWidget* parent = nullptr);
+
+    SceneViewModel* model() override;
+    BalanceShaftViewModel* viewModel() { return model_; }
+    QList<QAction*> sceneActions() override;
+    QString resultsAsText() const override;
+    QString resultsAsCsv() const override;
+    void setActive(bool active) override;
+    void resetZoom() override;
+
+    // For tests and for the frame benchmark.
+    ValueSlider* angleSlider() const { return angle_; }
+    PlotView* momentPlot() const { return moments_; }
+    PlotView* rangePlot() const { return range_; }
+    PlotView* meanPlot() const { return means_; }
+    MechanismView* picture() const { return picture_; }
+    TorqueTableEditor* torqueEditor() const { return torque_; }
+
+  private:
+    /// A field bound to one number of the input.
+    struct Binding {
+        NumberField* field;
+        std::function<std::optional<double>()> read;
+    };
+
+    QWidget* buildInputs();
+    QWidget* buildPlots();
+    QWidget* buildAnswer();
+    void bind(NumberField* field, const QString& name, std::function<std::optional<double>()> read,
+              std::function<void(std::optional<double>)> write);
+    void showInput();
+    void showSweep();
+    void showShaft();
+    void showMeans();
+    void showCursor(double crankAngle);
+
+    BalanceShaftViewModel* model_;
+    std::vector<Binding> bindings_;
+    QComboBox* preset_ = nullptr;
+    QComboBox* interpolation_ = nullptr;
+    QLabel* massSum_ = nullptr;
+    TorqueTableEditor* torque_ = nullptr;
+    ValueSlider* angle_ = nullptr;
+    QComboBox* meansChoice_ = nullptr;
+    PlotView* moments_ = nullptr;
+    PlotView* range_ = nullptr;
+    PlotView* means_ = nullptr;
+    MechanismView* picture_ = nullptr;
+    ValueSlider* crank_ = nullptr;
+    QToolButton* playButton_ = nullptr;
+    ResultTable* criteria_ = nullptr;
+    ResultTable* quantities_ = nullptr;
+    QLabel* bestRange_ = nullptr;
+    QLabel* bestRms_ = nullptr;
+    QPushButton* goRange_ = nullptr;
+    QPushButton* goRms_ = nullptr;
+    QLabel* notes_ = nullptr;
+    QAction* playAction_ = nullptr;
+    QAction* bestRangeAction_ = nullptr;
+    QAction* bestRmsAction_ = nullptr;
+
+    // Curves, by plot.
+    int up_ = 0, s_ = 0, ups_ = 0;
+    int rangeCurve_ = 0, rmsCurve_ = 0, meanSTrue_ = 0, meanSPrinted_ = 0;
+    int mSTrue_ = 0, mSPrinted_ = 0, mUpsTrue_ = 0, mUpsPrinted_ = 0;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,307 @@
+#include "balance-shaft/mechanism_view.h"
+
+#include <QKeyEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+#include "balance-shaft/balance_shaft_view_model.h"
+#include "numerics/constants.h"
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+using balance_shaft::Envelope;
+using balance_shaft::FrontView;
+using balance_shaft::MechanismPose;
+using balance_shaft::Vector2;
+
+namespace {
+
+constexpr int frameMs = 16;
+constexpr double degreesPerFrame = 2.4;  // slow enough to follow with the eye
+
+/// A counterweight: the sector of a disc about an axis, centred on the direction of its mass.
+QPainterPath sector(const QPointF& axis, const QPointF& towards, double radius, double inner) {
+    const double angle = std::atan2(-(towards.y() - axis.y()), towards.x() - axis.x()) / degree;
+    constexpr double half = 58.0;
+    QPainterPath path;
+    const QRectF outer(axis - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius));
+    const QRectF hub(axis - QPointF(inner, inner), QSizeF(2 * inner, 2 * inner));
+    path.arcMoveTo(outer, angle - half);
+    path.arcTo(outer, angle - half, 2 * half);
+    path.arcTo(hub, angle + half, -2 * half);
+    path.closeSubpath();
+    return path;
+}
+
+void arrow(QPainter& painter, const QPointF& from, const QPointF& to, const QColor& colour) {
+    const QPointF d = to - from;
+    const double length = std::hypot(d.x(), d.y());
+    if (length < 4.0) {
+        return;
+    }
+    const QPointF along = d / length;
+    const QPointF across(-along.y(), along.x());
+    const double head = std::min(8.0, 0.5 * length);
+    painter.setPen(QPen(colour, 2.0, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(from, to - along * head * 0.8);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    painter.drawPolygon(QPolygonF{to, to - along * head + across * head * 0.45,
+                                  to - along * head - across * head * 0.45});
+}
+
+}  // namespace
+
+/// The mapping of metres to this widget's pixels: fixed while the shaft moves around, so that the
+/// picture does not jump.
+struct MechanismView::Scale {
+    double pixelsPerMetre = 1.0;
+    QPointF origin;
+
+    QPointF at(const Vector2& v) const { return at(v.x, v.y); }
+    QPointF at(double x, double y) const {
+        return origin + QPointF(x * pixelsPerMetre, -y * pixelsPerMetre);
+    }
+};
+
+MechanismView::MechanismView(BalanceShaftViewModel* model, QWidget* parent)
+    : QWidget(parent), model_(model) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Front view of the mechanism"));
+    setToolTip(
+        tr("Front view to scale; the crank turns clockwise. Drag the shaft to change α, "
+           "drag elsewhere to turn the crank, Space plays and pauses."));
+    timer_.setInterval(frameMs);
+    timer_.setTimerType(Qt::PreciseTimer);
+    connect(&timer_, &QTimer::timeout, this,
+            [this] { model_->setCrankAngleDeg(model_->crankAngleDeg() + degreesPerFrame); });
+    connect(model_, &BalanceShaftViewModel::shaftMoved, this, qOverload<>(&QWidget::update));
+    connect(model_, &BalanceShaftViewModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
+    connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+}
+
+void MechanismView::setPlaying(bool playing) {
+    if (playing == isPlaying()) {
+        return;
+    }
+    playing ? timer_.start() : timer_.stop();
+    Q_EMIT playingChanged(playing);
+}
+
+MechanismView::Scale MechanismView::scale() const {
+    const FrontView& sizes = model_->solver().front_view();
+    // Room for the shaft at any α, and for the cylinder above.
+    const double shaftReach = sizes.centre_distance +
+                              std::max(sizes.shaft_swing_radius, sizes.gear_tip_radius) +
+                              sizes.wall;
+    const double crankReach =
+        std::max(sizes.crank_swing_radius, sizes.gear_tip_radius) + sizes.wall;
+    const double reach = std::max(shaftReach, crankReach);
+    const double top = std::max(sizes.cylinder_top, reach);
+    const double margin = 14.0;
+    Scale scale;
+    scale.pixelsPerMetre =
+        std::min((width() - 2 * margin) / (2 * reach), (height() - 2 * margin) / (top + reach));
+    scale.pixelsPerMetre = std::max(scale.pixelsPerMetre, 1e-9);
+    const double used = (top + reach) * scale.pixelsPerMetre;
+    scale.origin = QPointF(width() / 2.0, (height() + used) / 2.0 - reach * scale.pixelsPerMetre);
+    return scale;
+}
+
+void MechanismView::paintEvent(QPaintEvent* /*event*/) {
+    const Theme& theme = Theme::instance();
+    const FrontView& sizes = model_->solver().front_view();
+    const double phi = model_->crankAngleDeg() * degree;
+    const MechanismPose pose =
+        balance_shaft::mechanism_pose(model_->solver(), phi, model_->input().shaft_angle);
+    const Envelope& envelope = model_->result().envelope;
+    const Scale map = scale();
+    const double k = map.pixelsPerMetre;
+
+    QPainter painter(this);
+    painter.fillRect(rect(), theme.panel());
+    painter.setRenderHint(QPainter::Antialiasing);
+
+    const QPointF crank = map.at(0, 0);
+    const QPointF shaft = map.at(pose.shaft_axis);
+    const QPointF pin = map.at(pose.crankpin);
+    const QPointF piston = map.at(pose.piston_pin);
+    const QColor line = theme.text();
+    const QColor metal = theme.isDark() ? QColor(0x4a525c) : QColor(0xd9dee4);
+    const QColor weight = theme.isDark() ? QColor(0x6b5a3a) : QColor(0xf2d9ae);
+    const QColor shaftWeight = theme.isDark() ? QColor(0x2f4d66) : QColor(0xbfdcf3);
+
+    // Envelope and axes.
+    painter.setPen(QPen(theme.mutedText(), 1.0, Qt::DashLine));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(
+        QRectF(map.at(envelope.left, envelope.top), map.at(envelope.right, envelope.bottom)));
+    painter.setPen(QPen(theme.border(), 1.0, Qt::DashDotLine));
+    painter.drawLine(map.at(0, envelope.top), map.at(0, -sizes.crank_swing_radius));
+    painter.drawLine(crank, shaft);
+
+    // Gears: pitch circles, in mesh where they touch.
+    painter.setPen(QPen(theme.border(), 1.2));
+    painter.drawEllipse(crank, sizes.gear_pitch_radius * k, sizes.gear_pitch_radius * k);
+    painter.drawEllipse(shaft, sizes.gear_pitch_radius * k, sizes.gear_pitch_radius * k);
+    painter.setPen(QPen(theme.border(), 1.0, Qt::DotLine));
+    painter.drawEllipse(crank, sizes.crank_swing_radius * k, sizes.crank_swing_radius * k);
+    painter.drawEllipse(shaft, sizes.shaft_swing_radius * k, sizes.shaft_swing_radius * k);
+
+    // Cylinder and piston.
+    const double bore = sizes.cylinder_bore;
+    const double wall = std::max(0.06 * bore, 2.0 / k);
+    const double pistonHeight = 0.75 * bore;
+    const double cylinderFoot = sizes.rod_length - sizes.crank_radius - 0.3 * bore;
+    painter.setPen(QPen(line, 1.4));
+    painter.setBrush(metal);
+    for (const double side : {-1.0, 1.0}) {
+        const double inner = side * bore / 2;
+        const double outer = side * (bore / 2 + wall);
+        painter.drawRect(
+            QRectF(map.at(inner, sizes.cylinder_top), map.at(outer, cylinderFoot)).normalized());
+    }
+    painter.drawRect(QRectF(map.at(-bore / 2 - wall, sizes.cylinder_top + wall),
+                            map.at(bore / 2 + wall, sizes.cylinder_top)));
+    const double pistonTop = std::min(pose.piston_pin.y + 0.45 * pistonHeight, sizes.cylinder_top);
+    painter.setBrush(theme.isDark() ? QColor(0x5a636e) : QColor(0xeef1f4));
+    painter.drawRoundedRect(
+        QRectF(map.at(-bore / 2, pistonTop), map.at(bore / 2, pistonTop - pistonHeight)), 3, 3);
+    for (int ring = 0; ring < 3; ++ring) {
+        const double y = pistonTop - (0.10 + 0.09 * ring) * pistonHeight;
+        painter.drawLine(map.at(-bore / 2, y), map.at(bore / 2, y));
+    }
+
+    // Counterweights.
+    painter.setPen(QPen(line, 1.2));
+    painter.setBrush(weight);
+    painter.drawPath(sector(crank, map.at(pose.crank_counterweight), sizes.crank_swing_radius * k,
+                            0.22 * sizes.crank_radius * k));
+    painter.setBrush(shaftWeight);
+    painter.drawPath(sector(shaft, map.at(pose.shaft_counterweight), sizes.shaft_swing_radius * k,
+                            0.22 * sizes.counterweight_radius * k));
+
+    // Crank and rod.
+    const double thick = std::clamp(0.36 * sizes.crank_radius * k, 5.0, 18.0);
+    painter.setPen(QPen(line, thick + 2.4, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(crank, pin);
+    painter.setPen(QPen(metal, thick, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(crank, pin);
+    painter.setPen(QPen(line, 0.55 * thick + 2.4, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(pin, piston);
+    painter.setPen(QPen(metal, 0.55 * thick, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(pin, piston);
+    painter.setPen(QPen(line, 1.2));
+    painter.setBrush(theme.panel());
+    for (const QPointF& joint : {crank, pin, piston, shaft}) {
+        painter.drawEllipse(joint, 0.24 * thick + 1.5, 0.24 * thick + 1.5);
+    }
+
+    // Forces, one scale for all: P_j1 max is 0.42 of the picture's smaller side.
+    const double force = std::max(model_->result().inertia_force_1_max, 1e-300);
+    const double perNewton = 0.36 * std::min(width(), height()) / force;
+    const auto drawForce = [&](const QPointF& from, const Vector2& f, const QColor& colour) {
+        arrow(painter, from, from + QPointF(f.x * perNewton, -f.y * perNewton), colour);
+    };
+    drawForce(piston, pose.inertia_force_1, theme.error());
+    drawForce(map.at(pose.crank_counterweight), pose.crank_counterweight_force, theme.curve(1));
+    drawForce(map.at(pose.shaft_counterweight), pose.shaft_counterweight_force, theme.curve(2));
+
+    // α between the cylinder axis and the line of centres, positive clockwise.
+    const double alpha = model_->shaftAngleDeg();
+    const double arcRadius = std::min(0.55 * sizes.centre_distance * k, 44.0);
+    painter.setPen(QPen(theme.accent(), 1.6));
+    painter.setBrush(Qt::NoBrush);
+    const QRectF arc(crank - QPointF(arcRadius, arcRadius), QSizeF(2 * arcRadius, 2 * arcRadius));
+    painter.drawArc(arc, 90 * 16, static_cast<int>(std::lround(-alpha * 16)));
+    painter.setFont(Theme::font(Theme::smallSize, true));
+    const double middle = 0.5 * alpha * degree;
+    painter.setPen(theme.accent());
+    painter.drawText(
+        QRectF(crank + QPointF(std::sin(middle), -std::cos(middle)) * (arcRadius + 12) -
+                   QPointF(14, 9),
+               QSizeF(28, 18)),
+        Qt::AlignCenter, QStringLiteral("α"));
+
+    painter.setFont(Theme::font(Theme::smallSize));
+    painter.setPen(theme.mutedText());
+    painter.drawText(QRectF(rect()).adjusted(8, 6, -8, -6), Qt::AlignTop | Qt::AlignLeft,
+                     tr("φ = %1°").arg(QLocale().toString(model_->crankAngleDeg(), 'f', 0)));
+    painter.drawText(QRectF(rect()).adjusted(8, 6, -8, -6), Qt::AlignTop | Qt::AlignRight,
+                     tr("%1 × %2 mm")
+                         .arg(QLocale().toString(1e3 * envelope.width(), 'f', 0),
+                              QLocale().toString(1e3 * envelope.height(), 'f', 0)));
+    // Legend of the arrows.
+    const std::vector<std::pair<QString, QColor>> names{{tr("Pⱼ₁"), theme.error()},
+                                                        {tr("P₁ crank"), theme.curve(1)},
+                                                        {tr("P₁ shaft"), theme.curve(2)}};
+    double x = 8.0;
+    for (const auto& [text, colour] : names) {
+        painter.setPen(colour);
+        painter.drawText(QPointF(x, height() - 8.0), text);
+        x += painter.fontMetrics().horizontalAdvance(text) + 12.0;
+    }
+    if (hasFocus()) {
+        painter.setPen(QPen(theme.accent(), 1.0));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+    }
+}
+
+void MechanismView::mousePressEvent(QMouseEvent* event) {
+    const Scale map = scale();
+    const FrontView& sizes = model_->solver().front_view();
+    const double alpha = model_->input().shaft_angle;
+    const QPointF shaft =
+        map.at(sizes.centre_distance * std::sin(alpha), sizes.centre_distance * std::cos(alpha));
+    const QPointF away = event->position() - shaft;
+    draggingShaft_ = std::hypot(away.x(), away.y()) < sizes.shaft_swing_radius * map.pixelsPerMetre;
+    mouseMoveEvent(event);
+}
+
+void MechanismView::mouseMoveEvent(QMouseEvent* event) {
+    if (!(event->buttons() & Qt::LeftButton)) {
+        return;
+    }
+    const QPointF p = event->position() - scale().origin;
+    double angle = std::atan2(p.x(), -p.y()) / degree;  // clockwise from up
+    if (angle < 0) {
+        angle += 360.0;
+    }
+    if (draggingShaft_) {
+        model_->setShaftAngleDeg(std::round(angle * 10.0) / 10.0);
+    } else {
+        setPlaying(false);
+        model_->setCrankAngleDeg(angle + (model_->crankAngleDeg() >= 360.0 ? 360.0 : 0.0));
+    }
+}
+
+void MechanismView::mouseReleaseEvent(QMouseEvent* /*event*/) {
+    if (draggingShaft_) {
+        model_->finishDrag();
+    }
+    draggingShaft_ = false;
+}
+
+void MechanismView::keyPressEvent(QKeyEvent* event) {
+    switch (event->key()) {
+        case Qt::Key_Space:
+            setPlaying(!isPlaying());
+            return;
+        case Qt::Key_Left:
+            model_->setCrankAngleDeg(model_->crankAngleDeg() - 1.0);
+            return;
+        case Qt::Key_Right:
+            model_->setCrankAngleDeg(model_->crankAngleDeg() + 1.0);
+            return;
+        default:
+            QWidget::keyPressEvent(event);
+    }
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <QString>
+#include <vector>
+
+namespace ravnoves {
+
+struct Language {
+    QString code;     ///< "en", "ru"
+    QString ownName;  ///< as its speakers call it
+};
+
+/// English and every language with a translation in the program (:/i18n/ravnoves_CODE.qm).
+std::vector<Language> availableLanguages();
+
+/// Installs the translation and the number format of a language. An empty code is the language the
+/// user chose, else that of the desktop where there is a translation, else English.
+void installLanguage(const QString& code = {});
+/// The code that installLanguage() settled on.
+QString currentLanguage();
+/// Remembered for the next start.
+void setChosenLanguage(const QString& code);
+
+}  // namespace ravnoves

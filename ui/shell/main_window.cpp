@@ -1,0 +1,557 @@
+#include "shell/main_window.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QClipboard>
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <QUndoGroup>
+#include <QVBoxLayout>
+
+#include "case-file/input_error.h"
+#include "shell/help_window.h"
+#include "shell/language.h"
+#include "shell/scene_page.h"
+#include "theme/icons.h"
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+namespace {
+
+constexpr int navigationWidth = 104;
+constexpr int recentFiles = 8;
+
+/// A page that does not exist yet says so in one line.
+QWidget* comingPage(const SceneInfo& info, QWidget* parent) {
+    auto* label = new QLabel(
+        QCoreApplication::translate("ravnoves::MainWindow", "%1: this page is still to come.")
+            .arg(info.title),
+        parent);
+    label->setAlignment(Qt::AlignCenter);
+    return label;
+}
+
+std::filesystem::path fsPath(const QString& path) {
+    return std::filesystem::path(QFile::encodeName(path).toStdString());
+}
+
+}  // namespace
+
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+    setWindowIcon(QIcon(QStringLiteral(":/icons/ravnoves.svg")));
+    setMinimumSize(960, 620);
+    resize(1280, 800);
+    setAcceptDrops(true);
+    histories_ = new QUndoGroup(this);
+    for (SceneInfo& info : sceneList()) {
+        Entry entry;
+        entry.info = std::move(info);
+        entries_.push_back(std::move(entry));
+    }
+    buildNavigation();
+    buildMenus();
+    hint_ = new QLabel(this);
+    statusBar()->addWidget(hint_, 1);
+    statusBar()->setSizeGripEnabled(false);
+    showEntry(0);
+
+    const QSettings settings;
+    if (settings.contains(QStringLiteral("window/geometry"))) {
+        restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+    }
+}
+
+void MainWindow::buildNavigation() {
+    auto* centre = new QWidget(this);
+    auto* row = new QHBoxLayout(centre);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+
+    auto* navigation = new QWidget(centre);
+    navigation->setFixedWidth(navigationWidth);
+    navigation->setAutoFillBackground(true);
+    auto* column = new QVBoxLayout(navigation);
+    column->setContentsMargins(Theme::gap, Theme::space, Theme::gap, Theme::space);
+    column->setSpacing(Theme::gap);
+    stack_ = new QStackedWidget(centre);
+    sceneGroup_ = new QActionGroup(this);
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        Entry& entry = entries_[i];
+        entry.action = new QAction(themedIcon(QStringLiteral("scene-") + entry.info.name),
+                                   entry.info.title, this);
+        entry.action->setCheckable(true);
+        entry.action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + i)));
+        entry.action->setToolTip(entry.info.summary + QStringLiteral(" (Ctrl+%1)").arg(i + 1));
+        entry.action->setStatusTip(entry.info.summary);
+        sceneGroup_->addAction(entry.action);
+        connect(entry.action, &QAction::triggered, this, [this, i] { showEntry(i); });
+        entry.button = new QToolButton(navigation);
+        entry.button->setDefaultAction(entry.action);
+        entry.button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+        entry.button->setIconSize(QSize(28, 28));
+        entry.button->setAutoRaise(true);
+        entry.button->setFont(Theme::font(Theme::smallSize));
+        entry.button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        entry.button->setMinimumHeight(58);
+        entry.button->setFocusPolicy(Qt::TabFocus);
+        column->addWidget(entry.button);
+        entry.holder = new QWidget(stack_);
+        auto* inside = new QVBoxLayout(entry.holder);
+        inside->setContentsMargins(0, 0, 0, 0);
+        stack_->addWidget(entry.holder);
+    }
+    column->addStretch();
+    row->addWidget(navigation);
+    auto* line = new QFrame(centre);
+    line->setFrameShape(QFrame::VLine);
+    line->setFrameShadow(QFrame::Plain);
+    line->setForegroundRole(QPalette::Mid);
+    line->setFixedWidth(1);
+    row->addWidget(line);
+    row->addWidget(stack_, 1);
+    setCentralWidget(centre);
+}
+
+void MainWindow::buildMenus() {
+    const auto add = [this](QMenu* menu, const QString& icon, const QString& text,
+                            const QKeySequence& keys, auto&& slot) {
+        auto* action = new QAction(icon.isEmpty() ? QIcon() : themedIcon(icon), text, this);
+        action->setShortcut(keys);
+        QString tip = text;
+        tip.remove(QLatin1Char('&')).remove(QChar(0x2026));
+        if (!keys.isEmpty()) {
+            tip += QStringLiteral(" (%1)").arg(keys.toString(QKeySequence::NativeText));
+        }
+        action->setToolTip(tip);
+        connect(action, &QAction::triggered, this, slot);
+        menu->addAction(action);
+        return action;
+    };
+
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    QAction* fresh =
+        add(file, QStringLiteral("new"), tr("&New case"), QKeySequence::New, [this] { newCase(); });
+    QAction* open = add(file, QStringLiteral("open"), tr("&Open case…"), QKeySequence::Open,
+                        [this] { openWithDialog(); });
+    recentMenu_ = file->addMenu(tr("Open &recent"));
+    connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentFiles);
+    QAction* saveAction =
+        add(file, QStringLiteral("save"), tr("&Save case"), QKeySequence::Save, [this] { save(); });
+    QAction* saveAsAction =
+        add(file, {}, tr("Save case &as…"), QKeySequence::SaveAs, [this] { saveAs(); });
+    file->addSeparator();
+    QAction* picture = add(file, QStringLiteral("picture"), tr("Save page as &picture…"),
+                           QKeySequence(Qt::CTRL | Qt::Key_E), [this] { exportPicture(); });
+    file->addSeparator();
+    add(file, {}, tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); });
+
+    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+    QAction* undo = histories_->createUndoAction(this, tr("&Undo"));
+    undo->setIcon(themedIcon(QStringLiteral("undo")));
+    undo->setShortcut(QKeySequence::Undo);
+    QAction* redo = histories_->createRedoAction(this, tr("&Redo"));
+    redo->setIcon(themedIcon(QStringLiteral("redo")));
+    redo->setShortcuts(
+        {QKeySequence(Qt::CTRL | Qt::Key_Y), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z)});
+    edit->addAction(undo);
+    edit->addAction(redo);
+    edit->addSeparator();
+    QAction* copyText = add(edit, QStringLiteral("copy"), tr("Copy results as &text"),
+                            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C), [this] {
+                                QApplication::clipboard()->setText(currentPage()->resultsAsText());
+                                statusBar()->showMessage(tr("Results copied as text"), 3000);
+                            });
+    QAction* copyCsv = add(edit, {}, tr("Copy results as &CSV"), {}, [this] {
+        QApplication::clipboard()->setText(currentPage()->resultsAsCsv());
+        statusBar()->showMessage(tr("Results copied as CSV"), 3000);
+    });
+
+    sceneMenu_ = menuBar()->addMenu(tr("&Scene"));
+
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    for (Entry& entry : entries_) {
+        view->addAction(entry.action);
+    }
+    view->addSeparator();
+    QAction* reset =
+        add(view, QStringLiteral("reset-zoom"), tr("Reset &zoom of all plots"),
+            QKeySequence(Qt::CTRL | Qt::Key_0), [this] { currentPage()->resetZoom(); });
+    add(view, {}, tr("&Full screen"), QKeySequence(Qt::Key_F11),
+        [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+    view->addSeparator();
+    QMenu* themes = view->addMenu(themedIcon(QStringLiteral("theme")), tr("&Theme"));
+    auto* themeGroup = new QActionGroup(this);
+    const std::vector<std::pair<Theme::Mode, QString>> modes{
+        {Theme::Mode::System, tr("As the &desktop")},
+        {Theme::Mode::Light, tr("&Light")},
+        {Theme::Mode::Dark, tr("&Dark")}};
+    for (const auto& [mode, text] : modes) {
+        QAction* action = themes->addAction(text, this, [mode = mode] {
+            Theme::instance().setMode(mode);
+            QSettings().setValue(QStringLiteral("view/theme"), static_cast<int>(mode));
+        });
+        action->setCheckable(true);
+        action->setChecked(Theme::instance().mode() == mode);
+        themeGroup->addAction(action);
+    }
+    QMenu* languages = view->addMenu(tr("L&anguage"));
+    auto* languageGroup = new QActionGroup(this);
+    for (const Language& language : availableLanguages()) {
+        QAction* action = languages->addAction(language.ownName, this, [this, language] {
+            setChosenLanguage(language.code);
+            QMessageBox::information(this, tr("Language"),
+                                     tr("The language changes when the program starts again."));
+        });
+        action->setCheckable(true);
+        action->setChecked(language.code == currentLanguage());
+        languageGroup->addAction(action);
+    }
+
+    QMenu* help = menuBar()->addMenu(tr("&Help"));
+    add(help, QStringLiteral("help"), tr("&About this page: formulas and sources"),
+        QKeySequence::HelpContents, [this] { showHelp(current().info.name); });
+    add(help, {}, tr("&Case files and command line"), {},
+        [this] { showHelp(QStringLiteral("case-files")); });
+    add(help, {}, tr("&Keys and mouse"), {}, [this] { showHelp(QStringLiteral("keys")); });
+    help->addSeparator();
+    add(help, {}, tr("About &Ravnoves"), {}, [this] { showAbout(); });
+
+    toolBar_ = addToolBar(tr("Main toolbar"));
+    toolBar_->setObjectName(QStringLiteral("main-toolbar"));
+    toolBar_->setMovable(false);
+    toolBar_->setIconSize(QSize(20, 20));
+    toolBar_->addActions({fresh, open, saveAction});
+    toolBar_->addSeparator();
+    toolBar_->addActions({undo, redo});
+    toolBar_->addSeparator();
+    toolBar_->addActions({copyText, picture, reset});
+    toolBar_->addSeparator();
+    pageActions_ = {fresh, saveAction, saveAsAction, picture, copyText, copyCsv, reset};
+}
+
+bool MainWindow::showScene(const QString& name) {
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        if (entries_[i].info.name == name) {
+            showEntry(i);
+            return true;
+        }
+    }
+    return false;
+}
+
+QString MainWindow::currentScene() const {
+    return entries_[current_].info.name;
+}
+
+ScenePage* MainWindow::currentPage() {
+    return current().page;
+}
+
+ScenePage* MainWindow::page(const QString& name) {
+    for (Entry& entry : entries_) {
+        if (entry.info.name != name) {
+            continue;
+        }
+        if (entry.holder->layout()->isEmpty()) {
+            QWidget* content = nullptr;
+            if (entry.info.make) {
+                entry.page = entry.info.make(entry.holder);
+                content = entry.page;
+                SceneViewModel* model = entry.page->model();
+                histories_->addStack(model->history());
+                connect(model->history(), &QUndoStack::cleanChanged, this,
+                        &MainWindow::updateTitle);
+                connect(model, &SceneViewModel::titleChanged, this, &MainWindow::updateTitle);
+                connect(entry.page, &ScenePage::status, hint_, &QLabel::setText);
+            } else {
+                content = comingPage(entry.info, entry.holder);
+            }
+            entry.holder->layout()->addWidget(content);
+        }
+        return entry.page;
+    }
+    return nullptr;
+}
+
+void MainWindow::showEntry(std::size_t index) {
+    if (ScenePage* old = currentPage(); old != nullptr && index != current_) {
+        old->setActive(false);
+    }
+    current_ = index;
+    Entry& entry = current();
+    ScenePage* shown = page(entry.info.name);
+    entry.action->setChecked(true);
+    stack_->setCurrentWidget(entry.holder);
+    for (QAction* action : pageActions_) {
+        action->setEnabled(shown != nullptr);
+    }
+    if (shown != nullptr) {
+        histories_->setActiveStack(shown->model()->history());
+        shown->setActive(true);
+    } else {
+        histories_->setActiveStack(nullptr);
+    }
+    if (hint_ != nullptr) {
+        hint_->setText(entry.info.summary);
+    }
+    updateSceneActions();
+    updateTitle();
+}
+
+void MainWindow::updateSceneActions() {
+    for (QAction* action : sceneActions_) {
+        toolBar_->removeAction(action);
+    }
+    sceneActions_.clear();
+    sceneMenu_->clear();
+    const QList<QAction*> actions =
+        currentPage() != nullptr ? currentPage()->sceneActions() : QList<QAction*>();
+    for (QAction* action : actions) {
+        if (action == nullptr) {
+            sceneMenu_->addSeparator();
+            continue;
+        }
+        sceneMenu_->addAction(action);
+        if (!action->icon().isNull()) {
+            toolBar_->addAction(action);
+            sceneActions_ << action;
+        }
+    }
+    sceneMenu_->menuAction()->setVisible(!actions.isEmpty());
+}
+
+MainWindow::Entry* MainWindow::entryOf(const ScenePage* page) {
+    for (Entry& entry : entries_) {
+        if (entry.page == page) {
+            return &entry;
+        }
+    }
+    return nullptr;
+}
+
+void MainWindow::updateTitle() {
+    const Entry& entry = current();
+    QString document = entry.info.title;
+    bool modified = false;
+    if (entry.page != nullptr) {
+        if (!entry.path.isEmpty()) {
+            document = QFileInfo(entry.path).fileName() + QStringLiteral("[*] – ") + document;
+        } else if (!entry.page->model()->title().isEmpty()) {
+            document = entry.page->model()->title() + QStringLiteral("[*] – ") + document;
+        } else {
+            document += QStringLiteral("[*]");
+        }
+        modified = !entry.page->model()->history()->isClean();
+    }
+    setWindowTitle(document + QStringLiteral(" – Ravnoves"));
+    setWindowModified(modified && entry.page != nullptr);
+}
+
+QString MainWindow::openCase(const QString& path) {
+    try {
+        const CaseFile file = parse_case(read_text_file(fsPath(path)));
+        const QString scene = QString::fromStdString(file.scene);
+        ScenePage* target = page(scene);
+        if (target == nullptr) {
+            return tr("%1: the page for “%2” is still to come.").arg(path, scene);
+        }
+        CaseContext context;
+        context.directory = fsPath(QFileInfo(path).absolutePath());
+        target->model()->loadInput(file.input, context);
+        target->model()->setContext(context);
+        target->model()->setTitle(QString::fromStdString(file.title));
+        target->model()->history()->setClean();
+        entryOf(target)->path = path;
+        showScene(scene);
+        rememberFile(path);
+        return {};
+    } catch (const InputError& error) {
+        return path + QStringLiteral(": ") + QString::fromUtf8(error.what());
+    }
+}
+
+QString MainWindow::saveCase(const QString& path) {
+    SceneViewModel* model = currentPage()->model();
+    try {
+        const CaseFile file{model->sceneName().toStdString(), model->title().toStdString(),
+                            model->inputJson()};
+        write_text_file(fsPath(path), write_case(file).dump(2) + "\n");
+    } catch (const InputError& error) {
+        return path + QStringLiteral(": ") + QString::fromUtf8(error.what());
+    }
+    current().path = path;
+    model->history()->setClean();
+    rememberFile(path);
+    updateTitle();
+    return {};
+}
+
+bool MainWindow::maybeSave(ScenePage* page) {
+    if (page == nullptr || page->model()->history()->isClean()) {
+        return true;
+    }
+    showScene(entryOf(page)->info.name);
+    const auto answer = QMessageBox::question(
+        this, tr("Unsaved changes"), tr("Save the changes of “%1”?").arg(current().info.title),
+        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+    if (answer == QMessageBox::Save) {
+        return save();
+    }
+    return answer == QMessageBox::Discard;
+}
+
+void MainWindow::newCase() {
+    ScenePage* page = currentPage();
+    if (!maybeSave(page)) {
+        return;
+    }
+    page->model()->loadDefault();
+    page->model()->history()->setClean();
+    current().path.clear();
+    updateTitle();
+}
+
+void MainWindow::openWithDialog() {
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Open case"), QFileInfo(current().path).absolutePath(),
+        tr("Ravnoves cases (*.case.json *.json);;All files (*)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    const QString trouble = openCase(path);
+    if (!trouble.isEmpty()) {
+        QMessageBox::warning(this, tr("Open case"), trouble);
+    }
+}
+
+bool MainWindow::save() {
+    if (current().path.isEmpty()) {
+        return saveAs();
+    }
+    const QString trouble = saveCase(current().path);
+    if (!trouble.isEmpty()) {
+        QMessageBox::warning(this, tr("Save case"), trouble);
+        return false;
+    }
+    statusBar()->showMessage(tr("Saved %1").arg(current().path), 3000);
+    return true;
+}
+
+bool MainWindow::saveAs() {
+    QString suggestion = current().path;
+    if (suggestion.isEmpty()) {
+        suggestion = current().info.name + QStringLiteral(".case.json");
+    }
+    QString path = QFileDialog::getSaveFileName(this, tr("Save case"), suggestion,
+                                                tr("Ravnoves cases (*.case.json)"));
+    if (path.isEmpty()) {
+        return false;
+    }
+    if (QFileInfo(path).suffix().isEmpty()) {
+        path += QStringLiteral(".case.json");
+    }
+    const QString trouble = saveCase(path);
+    if (!trouble.isEmpty()) {
+        QMessageBox::warning(this, tr("Save case"), trouble);
+        return false;
+    }
+    return true;
+}
+
+void MainWindow::exportPicture() {
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save page as picture"),
+                                                      current().info.name + QStringLiteral(".png"),
+                                                      tr("PNG picture (*.png)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    if (!currentPage()->grab().save(path, "PNG")) {
+        QMessageBox::warning(this, tr("Save page as picture"),
+                             tr("%1 cannot be written.").arg(path));
+    }
+}
+
+void MainWindow::rememberFile(const QString& path) {
+    QSettings settings;
+    QStringList files = settings.value(QStringLiteral("files/recent")).toStringList();
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    files.removeAll(absolute);
+    files.prepend(absolute);
+    while (files.size() > recentFiles) {
+        files.removeLast();
+    }
+    settings.setValue(QStringLiteral("files/recent"), files);
+}
+
+void MainWindow::fillRecentFiles() {
+    recentMenu_->clear();
+    const QStringList files = QSettings().value(QStringLiteral("files/recent")).toStringList();
+    for (const QString& file : files) {
+        recentMenu_->addAction(file, this, [this, file] {
+            const QString trouble = openCase(file);
+            if (!trouble.isEmpty()) {
+                QMessageBox::warning(this, tr("Open case"), trouble);
+            }
+        });
+    }
+    if (files.isEmpty()) {
+        recentMenu_->addAction(tr("No files yet"))->setEnabled(false);
+    }
+}
+
+void MainWindow::showHelp(const QString& topic) {
+    auto* window = new HelpWindow(topic, this);
+    window->setAttribute(Qt::WA_DeleteOnClose);
+    window->show();
+}
+
+void MainWindow::showAbout() {
+    QMessageBox::about(
+        this, tr("About Ravnoves"),
+        tr("<h3>Ravnoves %1</h3>"
+           "<p>The engine-balancing workbench.</p>"
+           "<p>Free software under the GNU General Public License, version 3 or later; "
+           "it comes without any warranty.</p>")
+            .arg(QStringLiteral(RAVNOVES_VERSION)));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    for (const Entry& entry : entries_) {
+        if (!maybeSave(entry.page)) {
+            event->ignore();
+            return;
+        }
+    }
+    QSettings().setValue(QStringLiteral("window/geometry"), saveGeometry());
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls()) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    for (const QUrl& url : event->mimeData()->urls()) {
+        const QString trouble = openCase(url.toLocalFile());
+        if (!trouble.isEmpty()) {
+            QMessageBox::warning(this, tr("Open case"), trouble);
+        }
+    }
+}
+
+}  // namespace ravnoves

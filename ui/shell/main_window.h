@@ -1,0 +1,87 @@
+#pragma once
+
+#include <QMainWindow>
+#include <vector>
+
+#include "shell/scene_list.h"
+
+class QActionGroup;
+class QLabel;
+class QStackedWidget;
+class QToolButton;
+class QUndoGroup;
+
+namespace ravnoves {
+
+class ScenePage;
+
+/// The window: navigation between the scenes, menus, toolbar, status bar, documents.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+  public:
+    explicit MainWindow(QWidget* parent = nullptr);
+
+    /// Brings a scene to the front by its word in case files.
+    /// @return false where there is none
+    bool showScene(const QString& name);
+    QString currentScene() const;
+    /// The page of a scene, made now if it was not yet; null where it is still to come.
+    ScenePage* page(const QString& name);
+    ScenePage* currentPage();
+
+    /// Opens a case file and shows its scene.
+    /// @return an empty string, or what is wrong, with the file's name; all stays as it was then
+    QString openCase(const QString& path);
+    /// Writes the current page's case. The same return.
+    QString saveCase(const QString& path);
+    /// Asks what to do with changes that are not saved yet.
+    /// @return false where the user wants to stay
+    bool maybeSave(ScenePage* page);
+
+  protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+  private:
+    struct Entry {
+        SceneInfo info;
+        ScenePage* page = nullptr;
+        QWidget* holder = nullptr;
+        QToolButton* button = nullptr;
+        QAction* action = nullptr;
+        QString path;
+    };
+
+    void buildNavigation();
+    void buildMenus();
+    void showEntry(std::size_t index);
+    Entry* entryOf(const ScenePage* page);
+    Entry& current() { return entries_[current_]; }
+    void newCase();
+    void openWithDialog();
+    bool save();
+    bool saveAs();
+    void exportPicture();
+    void rememberFile(const QString& path);
+    void fillRecentFiles();
+    void updateTitle();
+    void updateSceneActions();
+    void showHelp(const QString& topic);
+    void showAbout();
+
+    std::vector<Entry> entries_;
+    std::size_t current_ = 0;
+    QStackedWidget* stack_ = nullptr;
+    QUndoGroup* histories_ = nullptr;
+    QActionGroup* sceneGroup_ = nullptr;
+    QMenu* recentMenu_ = nullptr;
+    QMenu* sceneMenu_ = nullptr;
+    QToolBar* toolBar_ = nullptr;
+    QLabel* hint_ = nullptr;
+    QList<QAction*> pageActions_;   ///< need a page
+    QList<QAction*> sceneActions_;  ///< in the toolbar for the present page
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,52 @@
+#include "shell/scene_list.h"
+
+#include <QCoreApplication>
+
+#include "balance-shaft/balance_shaft_page.h"
+
+namespace ravnoves {
+
+namespace {
+
+template <typename Page>
+ScenePage* makePage(QWidget* parent) {
+    return new Page(parent);
+}
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("ravnoves::SceneList", text);
+}
+
+}  // namespace
+
+std::vector<SceneInfo> sceneList() {
+    return {
+        {QStringLiteral("balance-shaft"),
+         tr(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Balance shaft")),
+         tr(QT_TRANSLATE_NOOP("ravnoves::SceneList",
+                              "Where the balance shaft of a single-cylinder engine goes")),
+         makePage<BalanceShaftPage>},
+        {QStringLiteral("elastic-hinge"),
+         tr(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Elastic hinges")),
+         tr(QT_TRANSLATE_NOOP("ravnoves::SceneList",
+                              "Spring guides that hold the crank speed constant")),
+         {}},
+        {QStringLiteral("v8-plugs"),
+         tr(QT_TRANSLATE_NOOP("ravnoves::SceneList", "V-8 workshop")),
+         tr(QT_TRANSLATE_NOOP("ravnoves::SceneList",
+                              "Crankpin plugs and bob weights of a V-8 under repair")),
+         {}},
+        {QStringLiteral("inertia-moments"),
+         tr(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Inertia moments")),
+         tr(QT_TRANSLATE_NOOP("ravnoves::SceneList",
+                              "Forces and moments of VR5 and any other cylinder layout")),
+         {}},
+        {QStringLiteral("methods"),
+         tr(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Methods")),
+         tr(QT_TRANSLATE_NOOP("ravnoves::SceneList",
+                              "Speed against accuracy, and where methods fail")),
+         {}},
+    };
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QAction>
+#include <QList>
+#include <QWidget>
+
+#include "shell/scene_view_model.h"
+
+namespace ravnoves {
+
+/// One page of the program: thin widgets over a view-model.
+class ScenePage : public QWidget {
+    Q_OBJECT
+
+  public:
+    using QWidget::QWidget;
+
+    virtual SceneViewModel* model() = 0;
+    /// Actions for the toolbar and the Scene menu, in order; null entries are separators.
+    virtual QList<QAction*> sceneActions() { return {}; }
+    /// The results as tab-separated text and as CSV.
+    virtual QString resultsAsText() const = 0;
+    virtual QString resultsAsCsv() const = 0;
+    /// Called when the page comes to the front or leaves it (animations stop).
+    virtual void setActive(bool /*active*/) {}
+    virtual void resetZoom() {}
+
+  Q_SIGNALS:
+    /// A line for the status bar.
+    void status(const QString& text);
+};
+
+}  // namespace ravnoves

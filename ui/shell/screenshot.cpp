@@ -1,0 +1,51 @@
+#include "shell/screenshot.h"
+
+#include <QApplication>
+#include <QRegularExpression>
+
+#include "case-file/input_error.h"
+#include "shell/main_window.h"
+#include "shell/scene_page.h"
+
+namespace ravnoves {
+
+QString applySetting(MainWindow& window, const QString& pair) {
+    const qsizetype equals = pair.indexOf(QLatin1Char('='));
+    if (equals <= 0) {
+        return QStringLiteral("--set: must be key=value, got %1").arg(pair);
+    }
+    ScenePage* page = window.currentPage();
+    if (page == nullptr) {
+        return QStringLiteral("--set: this page is still to come");
+    }
+    try {
+        page->model()->setByKey(pair.left(equals), pair.mid(equals + 1));
+    } catch (const InputError& error) {
+        return QStringLiteral("--set: ") + QString::fromUtf8(error.what());
+    }
+    return {};
+}
+
+QString writeScreenshot(MainWindow& window, const QString& path, const QString& size) {
+    static const QRegularExpression form(QStringLiteral("^(\\d{3,4})[xX×](\\d{3,4})$"));
+    const QRegularExpressionMatch match = form.match(size);
+    if (!match.hasMatch()) {
+        return QStringLiteral("--size: must be like 1280x800, got %1").arg(size);
+    }
+    window.resize(match.captured(1).toInt(), match.captured(2).toInt());
+    window.show();
+    // Layout, then the plots' first drawing, are done when the queue is empty.
+    for (int turn = 0; turn < 3; ++turn) {
+        QApplication::processEvents();
+    }
+    if (QWidget* focus = QApplication::focusWidget()) {
+        focus->clearFocus();  // no blinking text cursor in the picture
+    }
+    QApplication::processEvents();
+    if (!window.grab().save(path, "PNG")) {
+        return path + QStringLiteral(": cannot be written");
+    }
+    return {};
+}
+
+}  // namespace ravnoves
