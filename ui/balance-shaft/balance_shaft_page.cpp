@@ -311,6 +311,7 @@ QWidget* BalanceShaftPage::buildInputs() {
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     tabs->addTab(scroll, tr("Inputs"));
     torque_ = new TorqueTableEditor(model_, tabs);
+    torque_->setObjectName(QStringLiteral("torque-table"));
     tabs->addTab(torque_, tr("Torque table"));
     return tabs;
 }
@@ -536,7 +537,7 @@ void BalanceShaftPage::showSweep() {
     const auto add = [&](const balance_shaft::Optimum& best, int colour) {
         if (best.shaft_angle) {
             const double at = *best.shaft_angle / degree;
-            marks.push_back({at, best.value, fixedNumber(at, 1, locale) + QStringLiteral("°"),
+            marks.push_back({at, best.value, fixedNumber(at, 2, locale) + QStringLiteral("°"),
                              colour, PlotView::Side::Left, true});
         }
     };

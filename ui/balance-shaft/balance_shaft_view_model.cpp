@@ -248,7 +248,7 @@ QString bestText(const Optimum& best, const QString& sentence) {
         return QCoreApplication::translate("ravnoves::BalanceShaftViewModel",
                                            "Every α is as good as any other.");
     }
-    return sentence.arg(number(*best.shaft_angle / degree, 1), number(best.value, 1));
+    return sentence.arg(number(*best.shaft_angle / degree, 2), number(best.value, 1));
 }
 
 }  // namespace
