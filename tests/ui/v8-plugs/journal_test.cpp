@@ -1,0 +1,419 @@
+#include "v8-plugs/journal.h"
+
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QRandomGenerator>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QThread>
+#include <algorithm>
+#include <csignal>
+#include <map>
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+
+class JournalTest : public ::testing::Test {
+  protected:
+    QString path(const QString& name = u"journal.sqlite"_s) const {
+        return QDir(folder_.path()).filePath(name);
+    }
+    QStringList files(const QString& pattern) const {
+        return QDir(folder_.path()).entryList({pattern}, QDir::Files);
+    }
+
+    static JournalJob exampleJob(const QString& number) {
+        JournalJob job;
+        job.engineNumber = number;
+        job.customer = u"Автобаза № 3"_s;
+        job.technician = u"O'Brien; \"Bob\""_s;
+        job.engine = u"4.25 l"_s;
+        job.date = QDate(2024, 5, 31);
+        job.process = u"repair"_s;
+        job.unbalancedMass = 4.3225;
+        job.recommended = u"steel-machined"_s;
+        job.reduction = 1.8315677966101696;
+        job.bobWeight = 2326.5844;
+        job.form = R"({"format":"ravnoves-case","title":"Ё"})";
+        return job;
+    }
+
+    static QByteArray read(const QString& file) {
+        QFile source(file);
+        EXPECT_TRUE(source.open(QIODevice::ReadOnly));
+        return source.readAll();
+    }
+    static void write(const QString& file, const QByteArray& bytes) {
+        QFile target(file);
+        ASSERT_TRUE(target.open(QIODevice::WriteOnly));
+        target.write(bytes);
+    }
+
+    QTemporaryDir folder_;
+};
+
+TEST_F(JournalTest, KeepsEveryValueOfAJob) {
+    JournalJob job = exampleJob(u"53-11-0042"_s);
+    {
+        Journal journal(path(u"new/folder/journal.sqlite"_s));
+        ASSERT_TRUE(journal.open()) << qPrintable(journal.lastError());
+        EXPECT_EQ(journal.save(job), Journal::Saved::Yes);
+    }
+    Journal journal(path(u"new/folder/journal.sqlite"_s));
+    ASSERT_TRUE(journal.open());
+    const auto found = journal.job(job.id);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->engineNumber, job.engineNumber);
+    EXPECT_EQ(found->customer, job.customer);
+    EXPECT_EQ(found->technician, job.technician);
+    EXPECT_EQ(found->engine, job.engine);
+    EXPECT_EQ(found->date, job.date);
+    EXPECT_EQ(found->process, job.process);
+    EXPECT_EQ(found->unbalancedMass, job.unbalancedMass);
+    EXPECT_EQ(found->recommended, job.recommended);
+    EXPECT_EQ(found->reduction, job.reduction);
+    EXPECT_EQ(found->bobWeight, job.bobWeight);
+    EXPECT_EQ(found->form, job.form);
+    EXPECT_EQ(found->revision, 1);
+    EXPECT_LT(found->saved.secsTo(QDateTime::currentDateTimeUtc()), 60);
+    JournalJob empty;
+    EXPECT_EQ(journal.save(empty), Journal::Saved::Yes);
+    EXPECT_FALSE(journal.job(empty.id)->unbalancedMass);
+    EXPECT_FALSE(journal.job(empty.id)->date.isValid());
+}
+
+TEST_F(JournalTest, SearchesByNumberCustomerAndDate) {
+    Journal journal(path());
+    ASSERT_TRUE(journal.open());
+    const auto add = [&](const QString& number, const QString& customer, const QDate& date) {
+        JournalJob job = exampleJob(number);
+        job.customer = customer;
+        job.date = date;
+        EXPECT_EQ(journal.save(job), Journal::Saved::Yes);
+    };
+    add(u"ЗМЗ-001"_s, u"Иванов"_s, QDate(2024, 1, 10));
+    add(u"ЗМЗ-002"_s, u"Петров"_s, QDate(2024, 2, 10));
+    add(u"zil 100%"_s, u"Smith_Co"_s, QDate(2024, 3, 10));
+    add(u"no date"_s, u"Иванова"_s, QDate());
+    const auto numbers = [&](const QString& text, const QDate& from = {}, const QDate& to = {}) {
+        QStringList found;
+        for (const JournalJob& job : journal.search({text, from, to, 100})) {
+            found << job.engineNumber;
+        }
+        return found;
+    };
+    EXPECT_EQ(numbers(u"змз"_s), (QStringList{u"ЗМЗ-002"_s, u"ЗМЗ-001"_s}));
+    EXPECT_EQ(numbers(u"  ИВАНОВ "_s), (QStringList{u"ЗМЗ-001"_s, u"no date"_s}));
+    EXPECT_EQ(numbers(u"100%"_s), (QStringList{u"zil 100%"_s}));
+    EXPECT_EQ(numbers(u"%"_s), (QStringList{u"zil 100%"_s}));
+    EXPECT_EQ(numbers(u"smith_"_s), (QStringList{u"zil 100%"_s}));
+    EXPECT_EQ(numbers(u"'; DROP TABLE job; --"_s), QStringList());
+    EXPECT_EQ(numbers({}, QDate(2024, 2, 1), QDate(2024, 3, 10)),
+              (QStringList{u"zil 100%"_s, u"ЗМЗ-002"_s}));
+    EXPECT_EQ(numbers({}, {}, QDate(2024, 1, 31)), (QStringList{u"ЗМЗ-001"_s}));
+    EXPECT_EQ(numbers({}).size(), 4);
+}
+
+TEST_F(JournalTest, ChangesAJobAndNeverOverwritesAnother) {
+    Journal first(path());
+    Journal second(path());
+    ASSERT_TRUE(first.open());
+    ASSERT_TRUE(second.open());
+    JournalJob mine = exampleJob(u"A"_s);
+    ASSERT_EQ(first.save(mine), Journal::Saved::Yes);
+    JournalJob theirs = second.job(mine.id).value();
+    theirs.customer = u"theirs"_s;
+    ASSERT_EQ(second.save(theirs), Journal::Saved::Yes);
+    mine.customer = u"mine"_s;
+    const qint64 old = mine.id;
+    EXPECT_EQ(first.save(mine), Journal::Saved::AsCopy);
+    EXPECT_NE(mine.id, old);
+    EXPECT_EQ(first.job(old)->customer, u"theirs"_s);
+    EXPECT_EQ(second.job(mine.id)->customer, u"mine"_s);
+    // Removed elsewhere: saved again rather than lost.
+    ASSERT_TRUE(second.remove(mine.id));
+    EXPECT_EQ(first.save(mine), Journal::Saved::AsCopy);
+    EXPECT_EQ(first.search({}).size(), 2);
+}
+
+TEST_F(JournalTest, DraftsOfARunningProgramAreNotOffered) {
+    Journal running(path());
+    ASSERT_TRUE(running.open());
+    JournalDraft draft;
+    draft.engineNumber = u"7"_s;
+    draft.form = "{}";
+    ASSERT_TRUE(running.saveDraft(draft));
+    draft.form = "{\"later\":1}";
+    ASSERT_TRUE(running.saveDraft(draft));
+    const QString session = running.session();
+    {
+        Journal other(path());
+        ASSERT_TRUE(other.open());
+        EXPECT_TRUE(other.orphanedDrafts().isEmpty());
+    }
+    // A program that left its draft behind.
+    draft.session = u"crashed"_s;
+    ASSERT_TRUE(running.saveDraft(draft));
+    Journal later(path());
+    ASSERT_TRUE(later.open());
+    ASSERT_EQ(later.orphanedDrafts().size(), 1);
+    EXPECT_EQ(later.orphanedDrafts().constFirst().session, u"crashed"_s);
+    EXPECT_EQ(later.orphanedDrafts().constFirst().form, QByteArray("{\"later\":1}"));
+    ASSERT_TRUE(later.discardDraft(u"crashed"_s));
+    EXPECT_TRUE(later.orphanedDrafts().isEmpty());
+}
+
+TEST_F(JournalTest, KeepsTheUsersEngines) {
+    Journal journal(path());
+    ASSERT_TRUE(journal.open());
+    ASSERT_TRUE(journal.saveEngine({u"ГАЗ-53"_s, R"({"crank_radius_mm":40})"}));
+    ASSERT_TRUE(journal.saveEngine({u"ГАЗ-53"_s, R"({"crank_radius_mm":40.5})"}));
+    ASSERT_TRUE(journal.saveEngine({u"A"_s, "{}"}));
+    ASSERT_EQ(journal.engines().size(), 2);
+    EXPECT_EQ(journal.engines().at(1).values, QByteArray(R"({"crank_radius_mm":40.5})"));
+    ASSERT_TRUE(journal.removeEngine(u"A"_s));
+    EXPECT_EQ(journal.engines().size(), 1);
+}
+
+TEST_F(JournalTest, ExportsCsvThatASpreadsheetReads) {
+    Journal journal(path());
+    ASSERT_TRUE(journal.open());
+    JournalJob job = exampleJob(u"1,5\n2"_s);
+    ASSERT_EQ(journal.save(job), Journal::Saved::Yes);
+    const QString file = path(u"out.csv"_s);
+    write(file, "old");
+    ASSERT_TRUE(journal.exportCsv(file, journal.search({})));
+    const QByteArray bytes = read(file);
+    EXPECT_TRUE(bytes.startsWith("\xEF\xBB\xBFid,engine_number,"));
+    const QString text = QString::fromUtf8(bytes.mid(3));
+    EXPECT_TRUE(text.contains(
+        u"\r\n1,\"1,5\n2\",2024-05-31,Автобаза № 3,\"O'Brien; \"\"Bob\"\"\",4.25 l,repair,4.3225,"
+        u"steel-machined,1.8315677966101696,2326.5844,"_s))
+        << qPrintable(text);
+    // A place that cannot be written is said, and nothing else changes.
+    EXPECT_FALSE(journal.exportCsv(path(u"nowhere/out.csv"_s), {}));
+    EXPECT_TRUE(journal.lastError().contains(u"nowhere"_s));
+}
+
+class DamagedJournal : public JournalTest, public ::testing::WithParamInterface<int> {};
+
+TEST_P(DamagedJournal, IsSetAsideWithAMessageAndNeverOverwritten) {
+    {
+        Journal journal(path());
+        ASSERT_TRUE(journal.open());
+        for (int i = 0; i < 200; ++i) {
+            JournalJob job = exampleJob(u"number %1"_s.arg(i));
+            job.form = QByteArray(4000, 'f');
+            ASSERT_EQ(journal.save(job), Journal::Saved::Yes);
+        }
+        ASSERT_TRUE(journal.saveEngine({u"own"_s, "{}"}));
+    }
+    QByteArray bytes = read(path());
+    ASSERT_GT(bytes.size(), 500000);
+    switch (GetParam()) {
+        case 0:  // not a database at all
+            bytes = "This is a letter, not a database. " + QByteArray(5000, 'z');
+            break;
+        case 1:  // the head is lost
+            bytes.replace(0, 4096, QByteArray(4096, '\0'));
+            break;
+        case 2:  // pages in the middle are lost
+            bytes.replace(300000, 40000, QByteArray(40000, '\x5A'));
+            break;
+        case 3:  // the end is lost
+            bytes.truncate(bytes.size() / 2);
+            break;
+        default:
+            FAIL();
+    }
+    write(path(), bytes);
+    Journal journal(path());
+    ASSERT_TRUE(journal.open()) << qPrintable(journal.lastError());
+    ASSERT_FALSE(journal.setAsidePath().isEmpty());
+    EXPECT_TRUE(journal.openMessage().contains(journal.setAsidePath()));
+    EXPECT_EQ(read(journal.setAsidePath()), bytes);
+    EXPECT_EQ(files(u"*damaged*.sqlite"_s).size(), 1);
+    const auto saved = journal.search({});
+    if (GetParam() == 2) {
+        EXPECT_GT(saved.size(), 20);  // what can be read is taken over
+        for (const JournalJob& job : saved) {
+            EXPECT_EQ(job.form, QByteArray(4000, 'f'));
+        }
+    }
+    JournalJob job = exampleJob(u"after"_s);
+    EXPECT_EQ(journal.save(job), Journal::Saved::Yes);
+    // Damaged again in the same second: another name.
+    Journal again(path(u"second.sqlite"_s));
+    write(path(u"second.sqlite"_s), "not a database at all, but long enough to have a head");
+    ASSERT_TRUE(again.open());
+    EXPECT_EQ(files(u"second-damaged*"_s).size(), 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, DamagedJournal, ::testing::Values(0, 1, 2, 3));
+
+TEST_F(JournalTest, DamageWhileOpenIsNoticedAndTheJobIsSaved) {
+    Journal journal(path());
+    Journal other(path());
+    ASSERT_TRUE(journal.open());
+    ASSERT_TRUE(other.open());
+    JournalJob job = exampleJob(u"before"_s);
+    ASSERT_EQ(journal.save(job), Journal::Saved::Yes);
+    // The other program finds it damaged and sets it aside; here it is played by a rename.
+    QFile::rename(path(), path(u"moved.sqlite"_s));
+    QFile::remove(path() + u"-wal"_s);
+    QFile::remove(path() + u"-shm"_s);
+    job = exampleJob(u"after"_s);
+    EXPECT_EQ(journal.save(job), Journal::Saved::Yes);
+    Journal fresh(path());
+    ASSERT_TRUE(fresh.open());
+    ASSERT_EQ(fresh.search({}).size(), 1);
+    EXPECT_EQ(fresh.search({}).constFirst().engineNumber, u"after"_s);
+}
+
+TEST_F(JournalTest, ForeignAndNewerFilesAreLeftAsTheyAre) {
+    {
+        Journal journal(path());
+        ASSERT_TRUE(journal.open());
+    }
+    // user_version lies at offset 60 of the head, big endian.
+    QByteArray bytes = read(path());
+    bytes[63] = 9;
+    write(path(), bytes);
+    Journal newer(path());
+    EXPECT_FALSE(newer.open());
+    EXPECT_TRUE(newer.lastError().contains(u"newer program"_s)) << qPrintable(newer.lastError());
+    EXPECT_TRUE(files(u"*damaged*"_s).isEmpty());
+    JournalJob job;
+    EXPECT_EQ(newer.save(job), Journal::Saved::No);
+    // The head counts changes of the file even where nothing changed; the version stands.
+    EXPECT_EQ(read(path())[63], 9);
+}
+
+TEST_F(JournalTest, AFolderThatCannotBeWrittenIsSaid) {
+    write(path(u"file"_s), "x");
+    Journal journal(path(u"file/journal.sqlite"_s));
+    EXPECT_FALSE(journal.open());
+    EXPECT_FALSE(journal.lastError().isEmpty());
+    JournalJob job;
+    EXPECT_EQ(journal.save(job), Journal::Saved::No);
+    EXPECT_FALSE(journal.lastError().isEmpty());
+    EXPECT_TRUE(journal.search({}).isEmpty());
+}
+
+/// What a writer said it had saved.
+struct Said {
+    std::map<qint64, QString> jobs;
+    QString lastDraft;
+};
+
+void readLines(const QByteArray& output, Said& said) {
+    // The last line may be cut by the kill: only whole lines were said.
+    const qsizetype end = output.lastIndexOf('\n');
+    for (const QByteArray& line : output.left(std::max<qsizetype>(end, 0)).split('\n')) {
+        const QList<QByteArray> words = line.split(' ');
+        if (words.size() == 3 && words.at(0) == "job") {
+            said.jobs[words.at(1).toLongLong()] = QString::fromUtf8(words.at(2));
+        } else if (words.size() == 2 && words.at(0) == "draft") {
+            said.lastDraft = QString::fromUtf8(words.at(1));
+        }
+    }
+}
+
+QString tagOf(const QByteArray& form) {
+    const QJsonObject object = QJsonDocument::fromJson(form).object();
+    EXPECT_EQ(object.value(u"padding"_s).toString().size(), 20000);  // whole, not a torn write
+    return object.value(u"tag"_s).toString();
+}
+
+TEST_F(JournalTest, NothingIsLostWhenKilledTwoHundredTimes) {
+    Said all;
+    QRandomGenerator random(20240531);
+    int killedWhileSaving = 0;
+    for (int round = 0; round < 200; ++round) {
+        QProcess writer;
+        writer.start(QStringLiteral(JOURNAL_WRITER), {path(), QString::number(round), u"100000"_s});
+        ASSERT_TRUE(writer.waitForStarted());
+        QByteArray output;
+        if (round % 4 != 0) {  // every fourth is killed at any time, even while it opens
+            while (!output.contains('\n')) {
+                ASSERT_TRUE(writer.waitForReadyRead(30000)) << writer.readAllStandardError().data();
+                output += writer.readAllStandardOutput();
+            }
+        }
+        QThread::usleep(random.bounded(30000U));
+        ASSERT_EQ(::kill(static_cast<pid_t>(writer.processId()), SIGKILL), 0);
+        ASSERT_TRUE(writer.waitForFinished());
+        ASSERT_EQ(writer.exitStatus(), QProcess::CrashExit);
+        output += writer.readAllStandardOutput();
+        Said said;
+        readLines(output, said);
+        all.jobs.insert(said.jobs.begin(), said.jobs.end());
+        if (round % 10 == 9 || round == 199) {
+            Journal journal(path());
+            ASSERT_TRUE(journal.open()) << qPrintable(journal.lastError());
+            ASSERT_TRUE(journal.setAsidePath().isEmpty()) << "round " << round;
+            if (!said.lastDraft.isEmpty()) {
+                // The draft that was said last is there, or the one that was being written.
+                bool found = false;
+                for (const JournalDraft& draft : journal.orphanedDrafts()) {
+                    const QString tag = tagOf(draft.form);
+                    if (tag.startsWith(QString::number(round) + u'-')) {
+                        found = true;
+                        const int at = tag.section(u'-', 1).toInt();
+                        const int last = said.lastDraft.section(u'-', 1).toInt();
+                        EXPECT_GE(at, last);
+                        EXPECT_LE(at, last + 1);
+                        killedWhileSaving += at > last ? 1 : 0;
+                    }
+                }
+                EXPECT_TRUE(found);
+            }
+        }
+    }
+    Journal journal(path());
+    ASSERT_TRUE(journal.open());
+    std::map<qint64, QString> kept;
+    for (const JournalJob& job : journal.search({{}, {}, {}, 1000000})) {
+        kept[job.id] = tagOf(job.form);
+        EXPECT_EQ(kept[job.id], job.engineNumber);
+    }
+    EXPECT_GT(all.jobs.size(), 150U);
+    for (const auto& [id, tag] : all.jobs) {
+        ASSERT_TRUE(kept.contains(id)) << "job " << id << " was lost";
+        EXPECT_EQ(kept[id], tag);
+    }
+    EXPECT_GE(kept.size(), all.jobs.size());
+    EXPECT_TRUE(files(u"*damaged*"_s).isEmpty());
+    RecordProperty("saved_jobs", static_cast<int>(kept.size()));
+    RecordProperty("killed_between_write_and_word", killedWhileSaving);
+}
+
+TEST_F(JournalTest, FourProgramsAtOnceLoseNothing) {
+    constexpr int programs = 4;
+    constexpr int each = 25;
+    std::vector<std::unique_ptr<QProcess>> writers;
+    for (int i = 0; i < programs; ++i) {
+        writers.push_back(std::make_unique<QProcess>());
+        writers.back()->start(QStringLiteral(JOURNAL_WRITER),
+                              {path(), u"p%1"_s.arg(i), QString::number(each)});
+    }
+    for (const auto& writer : writers) {
+        ASSERT_TRUE(writer->waitForFinished(120000));
+        EXPECT_EQ(writer->exitCode(), 0) << writer->readAllStandardError().data();
+    }
+    Journal journal(path());
+    ASSERT_TRUE(journal.open());
+    EXPECT_TRUE(journal.setAsidePath().isEmpty());
+    EXPECT_EQ(journal.search({{}, {}, {}, 100000}).size(), programs * each);
+}
+
+}  // namespace
+}  // namespace ravnoves
