@@ -21,7 +21,6 @@ class MainWindow : public QMainWindow {
 
   public:
     explicit MainWindow(QWidget* parent = nullptr);
-    ~MainWindow() override;
 
     /// Brings a scene to the front by its word in case files.
     /// @return false where there is none

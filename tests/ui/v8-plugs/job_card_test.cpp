@@ -1,0 +1,317 @@
+// The job card as a reader of the PDF finds it: its text is extracted and every number compared
+// with what the command line computes from the same case.
+
+#include "v8-plugs/job_card.h"
+
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <cmath>
+#include <random>
+
+#include "case-file/case_file.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+using v8_plugs::CaseInput;
+using v8_plugs::Completeness;
+
+class JobCardTest : public ::testing::Test {
+  protected:
+    static QByteArray run(const QString& program, const QStringList& arguments) {
+        QProcess process;
+        process.start(program, arguments);
+        EXPECT_TRUE(process.waitForFinished(60000));
+        EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().data();
+        return process.readAllStandardOutput();
+    }
+
+    QString path(const QString& name) const { return QDir(folder_.path()).filePath(name); }
+
+    /// What the command line says of the case.
+    Json commandLine(const Json& input) {
+        const CaseFile file{"v8-plugs", "card", input};
+        write_text_file(path(u"card.case.json"_s).toStdString(), write_case(file).dump());
+        return parse_json(run(QStringLiteral(RAVNOVES_CLI), {u"solve"_s, path(u"card.case.json"_s)})
+                              .toStdString())
+            .at("result");
+    }
+
+    /// The text of the card's PDF, in rows as they are printed.
+    QStringList cardText(const Json& input, const QString& language) {
+        const QString pdf = path(u"card.pdf"_s);
+        const JobCard card(v8_plugs::read_input(input, Completeness::as_is), Words(language));
+        EXPECT_EQ(card.writePdf(pdf), QString());
+        const QByteArray text =
+            run(QStringLiteral(PDFTOTEXT), {u"-layout"_s, u"-enc"_s, u"UTF-8"_s, pdf, u"-"_s});
+        // A form feed ends each page.
+        EXPECT_EQ(text.count('\f'), 1);
+        return QString::fromUtf8(text).split(u'\n');
+    }
+
+    /// The numbers of the row that begins with the text, after it.
+    static std::vector<double> numbers(const QStringList& rows, const QString& start) {
+        for (const QString& row : rows) {
+            const qsizetype at = row.indexOf(start);
+            // A title begins its row; a name in a sentence does not.
+            if (at < 0 || !row.left(at).trimmed().isEmpty()) {
+                continue;
+            }
+            std::vector<double> found;
+            static const QRegularExpression number(u"(?<![\\w.,])[−-]?\\d+([.,]\\d+)?"_s);
+            auto match = number.globalMatch(row.mid(at + start.size()));
+            while (match.hasNext()) {
+                QString text = match.next().captured();
+                text.replace(u'−', u'-').replace(u',', u'.');
+                found.push_back(text.toDouble());
+            }
+            return found;
+        }
+        ADD_FAILURE() << "no row begins with " << qPrintable(start) << " in\n"
+                      << qPrintable(rows.join(u'\n'));
+        return {};
+    }
+
+    struct Titles {
+        QString options[4];
+        QString sum, hang, excess, front, rear, reciprocating, shells;
+    };
+    static Titles titles(const QString& language) {
+        if (language == u"ru"_s) {
+            return {{u"Облегчить стальные пробки"_s, u"Алюминиевые пробки"_s,
+                     u"Новый вал, прежние стальные пробки"_s, u"Новый вал, алюминиевые пробки"_s},
+                    u"Сумма: груз"_s,
+                    u"Груз на каждую шейку:"_s,
+                    u"Неуравновешенная масса на каждой шатунной шейке Δm_у ="_s,
+                    u"Передняя (шкив)"_s,
+                    u"Задняя (маховик)"_s,
+                    u"Поступательная масса m_j"_s,
+                    u"Рем. вкладыши Δm_шр"_s};
+        }
+        return {{u"Machine today's steel plugs"_s, u"Aluminium plugs"_s,
+                 u"New crankshaft, today's steel plugs"_s, u"New crankshaft, aluminium plugs"_s},
+                u"Sum: bob weight"_s,
+                u"Hang on each crankpin:"_s,
+                u"Excess on each crankpin Δm_y ="_s,
+                u"Front (pulley)"_s,
+                u"Rear (flywheel)"_s,
+                u"Reciprocating mass m_j"_s,
+                u"Repair shells Δm_sh"_s};
+    }
+
+    /// Every number that both say.
+    void compare(const Json& input, const QString& language) {
+        const Json result = commandLine(input);
+        const QStringList rows = cardText(input, language);
+        const Titles title = titles(language);
+        const double third = 0.5001e-3;  // printed with three decimals
+        const auto at = [&](const char* pointer) {
+            return result.at(Json::json_pointer(pointer)).get<double>();
+        };
+        const auto excess = numbers(rows, title.excess);
+        ASSERT_GE(excess.size(), 2U);
+        EXPECT_NEAR(excess[0], at("/unbalanced_mass_g"), third);
+        EXPECT_NEAR(excess[1], at("/unbalance_g_mm"), 0.0501);
+
+        constexpr const char* names[] = {"steel-machined", "steel-to-aluminium",
+                                         "new-steel-to-steel", "new-steel-to-aluminium"};
+        for (std::size_t i = 0; i < 4; ++i) {
+            const Json& option = result.at("options").at(names[i]);
+            const auto row = numbers(rows, title.options[i]);
+            ASSERT_EQ(row.size(), 5U) << names[i];
+            EXPECT_NEAR(row[0], option.at("constant_g").get<double>(), third);
+            EXPECT_NEAR(row[1], option.at("maximum_g").get<double>(), third);
+            EXPECT_NEAR(row[2], option.at("required_reduction_g").get<double>(), third);
+            EXPECT_NEAR(row[4], option.at("residual_unbalance_g_mm").get<double>(), 0.0501);
+        }
+
+        const Json& recommended = result.at("recommended");
+        const bool hasOption = recommended.is_string() && recommended != "none-needed";
+        const auto sums = numbers(rows, title.sum);
+        ASSERT_GE(sums.size(), hasOption ? 3U : 2U);
+        EXPECT_NEAR(sums[0], at("/bobweight/nominal/sum_g"), third);
+        EXPECT_NEAR(sums[1], at("/bobweight/before/sum_g"), third);
+        if (hasOption) {
+            const double after =
+                result.at("options").at(recommended.get<std::string>()).at("bobweight_g");
+            EXPECT_NEAR(sums[2], after, third);
+            EXPECT_NEAR(numbers(rows, title.hang).at(0), after, 0.0501);
+        }
+        checkSum(rows, title, sums);
+
+        if (result.contains("balancing")) {
+            EXPECT_NEAR(numbers(rows, title.front).at(0), at("/balancing/front/permissible_g_mm"),
+                        0.0501);
+            EXPECT_NEAR(numbers(rows, title.rear).at(0), at("/balancing/rear/permissible_g_mm"),
+                        0.0501);
+        }
+    }
+
+    /// The lines printed between the first part and the sum add up to the printed sum.
+    static void checkSum(const QStringList& rows, const Titles& title,
+                         const std::vector<double>& sums) {
+        std::vector<double> totals(sums.size(), 0.0);
+        int lines = 0;
+        bool inside = false;
+        static const QRegularExpression product(u"(?<![\\w.,])[−-]?\\d+[.,]\\d{3}(?!\\d)"_s);
+        for (const QString& row : rows) {
+            const bool first =
+                row.trimmed().startsWith(title.reciprocating) && product.match(row).hasMatch();
+            inside = inside || first;
+            if (!inside) {
+                continue;
+            }
+            if (row.contains(title.sum)) {
+                break;
+            }
+            std::vector<double> values;
+            auto match = product.globalMatch(row);
+            while (match.hasNext()) {
+                QString text = match.next().captured();
+                values.push_back(text.replace(u'−', u'-').replace(u',', u'.').toDouble());
+            }
+            // The last numbers with three decimals are the products; a factor may stand before.
+            if (values.size() < totals.size()) {
+                continue;
+            }
+            ++lines;
+            const std::size_t skip = values.size() - totals.size();
+            for (std::size_t i = 0; i < totals.size(); ++i) {
+                totals[i] += values[i + skip];
+            }
+        }
+        EXPECT_GE(lines, 6);
+        for (std::size_t i = 0; i < totals.size(); ++i) {
+            EXPECT_NEAR(totals[i], sums[i], 0.5e-3 * (lines + 1.01));
+        }
+    }
+
+    static Json exampleInput(const char* name) {
+        const QString file = QStringLiteral(RAVNOVES_EXAMPLES) + u'/' + QString::fromLatin1(name);
+        return parse_case(read_text_file(file.toStdString())).input;
+    }
+
+    static Json workshopInput() {
+        Json input = exampleInput("v8-4.25-repair.case.json");
+        input["balancing"] = {{"grade_mm_s", 16},
+                              {"rotor_mass_kg", 33.5},
+                              {"service_speed_rpm", 3200},
+                              {"front_reading_g_mm", 410},
+                              {"rear_reading_g_mm", 900.5}};
+        input["job"] = {{"engine_number", "53-11 № 0042817"},
+                        {"crankshaft_number", "66-1005015"},
+                        {"customer", "Автобаза № 3"},
+                        {"technician", "Иванов А. П."},
+                        {"date", "2024-05-31"},
+                        {"notes", "Oversize pistons, second repair shells"}};
+        return input;
+    }
+
+    QTemporaryDir folder_;
+};
+
+TEST_F(JobCardTest, EveryNumberIsTheCommandLines) {
+    for (const char* name : {"v8-4.25-repair.case.json", "v8-6-manufacture.case.json"}) {
+        for (const QString& language : {u"en"_s, u"ru"_s}) {
+            compare(exampleInput(name), language);
+        }
+    }
+    compare(workshopInput(), u"en"_s);
+    compare(workshopInput(), u"ru"_s);
+}
+
+TEST_F(JobCardTest, EveryNumberIsTheCommandLinesForRandomJobs) {
+    std::mt19937 generator(11);
+    const auto between = [&](double low, double high) {
+        return std::round(std::uniform_real_distribution<double>(low, high)(generator) * 1e3) / 1e3;
+    };
+    for (int round = 0; round < 12; ++round) {
+        Json input = workshopInput();
+        Json& engine = input["engine"];
+        engine["crank_radius_mm"] = between(35, 75);
+        engine["plug_radius_mm"] = between(40, 80);
+        engine["new_plug_radius_mm"] = between(45, 90);
+        engine["steel_plug_mass_g"] = between(2, 40);
+        engine["max_steel_reduction_g"] = engine["steel_plug_mass_g"].get<double>() / 2;
+        engine["new_steel_plug_mass_g"] = between(3, 50);
+        engine["rod_coefficient"] = between(0, 1);
+        for (const char* key :
+             {"piston", "rod_big_end", "repair_piston_and_rings", "repair_bearing"}) {
+            input["mass_changes_g"][key] = between(-3, 12);
+        }
+        input["process"] = round % 3 == 0 ? "manufacture" : "repair";
+        if (round % 4 == 1) {
+            input["crankshaft"] = "new-plugs";
+        }
+        compare(input, round % 2 == 0 ? u"en"_s : u"ru"_s);
+    }
+}
+
+TEST_F(JobCardTest, HasTheHeadTheAnswerAndRoomForSignatures) {
+    const QString english = cardText(workshopInput(), u"en"_s).join(u'\n');
+    for (const QString& text :
+         {u"53-11 № 0042817"_s, u"66-1005015"_s, u"Автобаза № 3"_s, u"Иванов А. П."_s,
+          u"2024-05-31"_s, u"Machine all 8 steel plugs by 1.83 g each."_s,
+          u"Oversize pistons, second repair shells"_s, u"Technician, signature"_s, u"passes"_s,
+          u"fails"_s, u"After equals nominal: balanced."_s}) {
+        EXPECT_TRUE(english.contains(text)) << qPrintable(text);
+    }
+    const QString russian = cardText(workshopInput(), u"ru"_s).join(u'\n');
+    for (const QString& text :
+         {u"Снять с каждой из 8 стальных пробок 1,83 г."_s, u"31.05.2024"_s,
+          u"Исполнитель, подпись"_s, u"Балансировочный станок"_s, u"1000,000"_s}) {
+        EXPECT_TRUE(russian.contains(text)) << qPrintable(text);
+    }
+    // No text of the card stays in English.
+    static const QRegularExpression english4(u"[a-z]{4,}"_s);
+    auto match = english4.globalMatch(russian);
+    while (match.hasNext()) {
+        const QString word = match.next().captured();
+        EXPECT_TRUE(u"Oversize pistons, second repair shells Ravnoves"_s.contains(word))
+            << qPrintable(word);
+    }
+}
+
+TEST_F(JobCardTest, NothingIsLeftOutWhenThereIsMuchToSay) {
+    Json input = workshopInput();
+    input["mass_changes_g"]["rod_big_end"] = 2.2;  // needs the other crankshaft
+    input["weigh_in"] = parse_json(R"({"piston": {"nominal_g": 600, "mass_g":
+        [601.5, 602.1, 602.3, 603.0, 600.9, 602.2, 601.9, 602.4]}})");
+    input["mass_changes_from"] = "typed";
+    input["plug"] = parse_json(R"({"thread": "M22x1.5", "height_mm": 14, "bore_diameter_mm": 14,
+        "bore_depth_mm": 6, "cutter_diameter_mm": 14, "minimum_wall_mm": 1.5,
+        "minimum_bottom_mm": 2})");
+    const QStringList rows = cardText(input, u"ru"_s);
+    const QString text = rows.join(u' ').simplified();
+    EXPECT_TRUE(text.contains(u"Ближе всего «Алюминиевые пробки»"_s));
+    EXPECT_FALSE(text.contains(u'…') && text.contains(u"вместо допус…"_s));
+    EXPECT_TRUE(text.contains(u"Какой комплект в какой цилиндр"_s));
+    EXPECT_TRUE(text.contains(u"M22×1,5"_s));
+    EXPECT_TRUE(text.contains(u"Исполнитель, подпись"_s));
+    // Nothing is cut off: an ellipsis stands only where there is room to write by hand.
+    static const QRegularExpression cut(u"\\w…"_s);
+    EXPECT_FALSE(cut.match(text).hasMatch()) << qPrintable(text);
+}
+
+TEST_F(JobCardTest, HalfFilledJobSaysWhatIsMissing) {
+    Json input = {{"engine", "8.32 l"}, {"process", "repair"}};
+    const QString text = cardText(input, u"en"_s).join(u' ').simplified();
+    EXPECT_TRUE(text.contains(u"The data are not complete"_s));
+    EXPECT_TRUE(text.contains(u"Not known without:"_s));
+    EXPECT_FALSE(text.contains(u"nan"_s));
+}
+
+TEST_F(JobCardTest, AFileThatCannotBeWrittenIsSaid) {
+    const JobCard card(v8_plugs::read_input(workshopInput(), Completeness::as_is), Words(u"en"_s));
+    const QString trouble = card.writePdf(path(u"nowhere/card.pdf"_s));
+    EXPECT_TRUE(trouble.contains(u"nowhere/card.pdf"_s));
+}
+
+}  // namespace
+}  // namespace ravnoves

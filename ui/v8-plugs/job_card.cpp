@@ -1,0 +1,701 @@
+#include "v8-plugs/job_card.h"
+
+#include <QCoreApplication>
+#include <QDate>
+#include <QFontMetricsF>
+#include <QPageLayout>
+#include <QPagedPaintDevice>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSaveFile>
+#include <QTextLayout>
+#include <QTextOption>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "v8-plugs/plug_drawing.h"
+#include "v8-plugs/v8_text.h"
+
+namespace ravnoves {
+
+using namespace v8_plugs;
+
+namespace {
+
+constexpr double pageWidth = 210.0;  // mm
+constexpr double pageHeight = 297.0;
+constexpr double left = 16.0;
+constexpr double right = pageWidth - 12.0;
+constexpr double top = 11.0;
+constexpr double full = right - left;
+
+constexpr double gram = 1e-3;
+constexpr double millimetre = 1e-3;
+constexpr double gramMillimetre = 1e-6;
+constexpr double degree = 3.14159265358979323846 / 180.0;
+
+const QColor ink(0x11, 0x11, 0x11);
+const QColor grey(0x55, 0x55, 0x55);
+const QColor hair(0x99, 0x99, 0x99);
+const QColor shade(0xEE, 0xEE, 0xEE);
+const QColor cutColour(0xB0, 0x30, 0x10);
+
+/// A page with millimetres from the upper left corner and type in points.
+class Sheet {
+  public:
+    Sheet(QPainter& painter, const QRectF& page) : painter_(painter), page_(page) {
+        unit_ = page.width() / pageWidth;
+        painter_.setRenderHint(QPainter::Antialiasing);
+    }
+
+    double unit() const { return unit_; }
+    QPainter& painter() { return painter_; }
+
+    QFont font(double points, bool bold = false) const {
+        QFont font(QStringLiteral("DejaVu Sans Condensed"));
+        font.setPixelSize(std::max(1, static_cast<int>(std::lround(points * 25.4 / 72.0 * unit_))));
+        font.setBold(bold);
+        font.setHintingPreference(QFont::PreferNoHinting);
+        // Without ligatures, so that "fl" in the text of the PDF is found by a search for it.
+        font.setStyleStrategy(QFont::PreferNoShaping);
+        return font;
+    }
+    QRectF rect(double x, double y, double w, double h) const {
+        return {page_.x() + x * unit_, page_.y() + y * unit_, w * unit_, h * unit_};
+    }
+    double lineHeight(double points) const { return points * 25.4 / 72.0 * 1.28; }  // mm
+
+    void line(double x1, double y1, double x2, double y2, double width = 0.15,
+              const QColor& colour = hair) {
+        painter_.setPen(QPen(colour, width * unit_));
+        painter_.drawLine(rect(x1, y1, 0, 0).topLeft(), rect(x2, y2, 0, 0).topLeft());
+    }
+    void box(double x, double y, double w, double h, const QColor& fill,
+             const QColor& border = hair, double width = 0.15) {
+        painter_.setPen(border.isValid() ? QPen(border, width * unit_) : QPen(Qt::NoPen));
+        painter_.setBrush(fill.isValid() ? QBrush(fill) : QBrush(Qt::NoBrush));
+        painter_.drawRect(rect(x, y, w, h));
+        painter_.setBrush(Qt::NoBrush);
+    }
+    double textWidth(const QString& text, double points, bool bold = false) const {
+        return QFontMetricsF(font(points, bold)).horizontalAdvance(text) / unit_;
+    }
+    /// One line, elided where it does not fit.
+    void text(double x, double y, double w, const QString& text, double points = 8.5,
+              Qt::Alignment align = Qt::AlignLeft, bool bold = false, const QColor& colour = ink) {
+        const QFont face = font(points, bold);
+        painter_.setFont(face);
+        painter_.setPen(colour);
+        const QString shown = QFontMetricsF(face).elidedText(text, Qt::ElideRight, w * unit_ + 0.5);
+        painter_.drawText(rect(x, y, w, lineHeight(points)),
+                          static_cast<int>(align) | Qt::AlignVCenter | Qt::TextSingleLine, shown);
+    }
+    /// Wrapped text of at most `lines` lines; the last is elided where there is more.
+    /// @return its height, mm
+    double paragraph(double x, double y, double w, const QString& text, double points, int lines,
+                     bool bold = false, const QColor& colour = ink) {
+        if (text.isEmpty()) {
+            return 0.0;
+        }
+        const QFont face = font(points, bold);
+        QTextLayout layout(text, face);
+        QTextOption option;
+        option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+        layout.setTextOption(option);
+        layout.beginLayout();
+        std::vector<QString> rows;
+        for (;;) {
+            QTextLine row = layout.createLine();
+            if (!row.isValid()) {
+                break;
+            }
+            row.setLineWidth(w * unit_);
+            if (static_cast<int>(rows.size()) + 1 == lines) {
+                rows.push_back(QFontMetricsF(face).elidedText(
+                    text.mid(row.textStart()).simplified(), Qt::ElideRight, w * unit_ + 0.5));
+                break;
+            }
+            rows.push_back(text.mid(row.textStart(), row.textLength()).trimmed());
+        }
+        layout.endLayout();
+        painter_.setFont(face);
+        painter_.setPen(colour);
+        double at = y;
+        for (const QString& row : rows) {
+            if (measuring_) {
+                at += lineHeight(points);
+                continue;
+            }
+            painter_.drawText(rect(x, at, w, lineHeight(points)),
+                              Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine, row);
+            at += lineHeight(points);
+        }
+        return at - y;
+    }
+    /// While measuring, paragraphs say their height and paint nothing.
+    void setMeasuring(bool measuring) { measuring_ = measuring; }
+    void heading(double x, double y, double w, const QString& title) {
+        text(x, y, w, title, 9.5, Qt::AlignLeft, true);
+        line(x, y + 4.6, x + w, y + 4.6, 0.3, ink);
+    }
+    /// A value with its small caption above and a line below to write on.
+    void blank(double x, double y, double w, const QString& caption, const QString& value) {
+        text(x, y, w - 2, caption, 7, Qt::AlignLeft, false, grey);
+        text(x, y + 3.2, w - 2, value, 10, Qt::AlignLeft, true);
+        line(x, y + 8.2, x + w - 3, y + 8.2, 0.15, hair);
+    }
+
+  private:
+    QPainter& painter_;
+    QRectF page_;
+    double unit_;
+    bool measuring_ = false;
+};
+
+/// A table of text: columns with widths and alignment, rows of equal height.
+class Table {
+  public:
+    struct Column {
+        double width;
+        Qt::Alignment align = Qt::AlignRight;
+    };
+    struct Row {
+        QStringList cells;
+        bool bold = false;
+        bool shaded = false;
+    };
+
+    Table(std::vector<Column> columns, double points, double rowHeight)
+        : columns_(std::move(columns)), points_(points), rowHeight_(rowHeight) {}
+
+    void head(const QStringList& cells) { head_ = cells; }
+    void add(Row row) { rows_.push_back(std::move(row)); }
+
+    /// @return the height, mm
+    double draw(Sheet& sheet, double x, double y) const {
+        double at = y;
+        const double width = tableWidth();
+        if (!head_.isEmpty()) {
+            cells(sheet, x, at, head_, false, true);
+            at += rowHeight_;
+            sheet.line(x, at, x + width, at, 0.2, ink);
+        }
+        for (const Row& row : rows_) {
+            if (row.shaded) {
+                sheet.box(x, at, width, rowHeight_, shade, QColor());
+            }
+            cells(sheet, x, at, row.cells, row.bold, false);
+            at += rowHeight_;
+            sheet.line(x, at, x + width, at, 0.1, hair);
+        }
+        return at - y;
+    }
+
+    double tableWidth() const {
+        double width = 0.0;
+        for (const Column& column : columns_) {
+            width += column.width;
+        }
+        return width;
+    }
+
+  private:
+    void cells(Sheet& sheet, double x, double y, const QStringList& texts, bool bold,
+               bool caption) const {
+        const double inset = (rowHeight_ - sheet.lineHeight(points_)) / 2.0;
+        for (std::size_t i = 0; i < columns_.size() && i < static_cast<std::size_t>(texts.size());
+             ++i) {
+            sheet.text(x + 0.6, y + inset, columns_[i].width - 1.2,
+                       texts.at(static_cast<qsizetype>(i)), caption ? points_ - 0.7 : points_,
+                       columns_[i].align, bold, caption ? grey : ink);
+            x += columns_[i].width;
+        }
+    }
+
+    std::vector<Column> columns_;
+    double points_;
+    double rowHeight_;
+    QStringList head_;
+    std::vector<Row> rows_;
+};
+
+const QString missing = QStringLiteral("—");
+
+/// Paints one card.
+class CardPainter {
+  public:
+    CardPainter(Sheet& sheet, const CaseInput& input, const Solution& solution, const Words& words)
+        : sheet_(sheet), input_(input), solution_(solution), words_(words) {}
+
+    void paint() {
+        double y = head(top);
+        y = answer(y + 2.5);
+        y = inputs(y + 3.0);
+        y = options(y + 3.0);
+        y = bobWeights(y + 3.0);
+        if (solution_.assignment) {
+            y = assignment(y + 3.0);
+        }
+        notes(y + 3.0, 231.0);
+        machine(233.0);
+        signatures(268.0);
+    }
+
+  private:
+    QString grams(const std::optional<double>& mass, int decimals = 3) const {
+        return mass ? words_.plain(*mass / gram, decimals) : missing;
+    }
+    QString unitGram() const { return words_.translate("V8", "g", "unit"); }
+    QString unitMillimetre() const { return words_.translate("V8", "mm", "unit"); }
+    QString unitUnbalance() const { return words_.translate("V8", "g·mm", "unit"); }
+
+    QString engineName() const {
+        const QString name = v8_text::engineName(words_, input_.engine.name);
+        return name.isEmpty() ? words_.translate("JobCard", "custom") : name;
+    }
+
+    QString dateText() const {
+        const QDate date = QDate::fromString(QString::fromStdString(input_.job.date), Qt::ISODate);
+        if (!date.isValid()) {
+            return QString::fromStdString(input_.job.date);
+        }
+        return words_.locale().language() == QLocale::Russian
+                   ? date.toString(QStringLiteral("dd.MM.yyyy"))
+                   : date.toString(Qt::ISODate);
+    }
+
+    double head(double y) {
+        sheet_.text(left, y, full * 0.7,
+                    words_.translate("JobCard", "Job card: crankpin plugs and bob weights"), 14,
+                    Qt::AlignLeft, true);
+        sheet_.text(left + full * 0.7, y + 1.2, full * 0.3,
+                    words_.translate("JobCard", "V-8 engine %1").arg(engineName()), 10,
+                    Qt::AlignRight, true);
+        y += 7.5;
+        sheet_.line(left, y, right, y, 0.5, ink);
+        y += 1.5;
+        const double third = full / 3.0;
+        const auto text = [](const std::string& value) { return QString::fromStdString(value); };
+        sheet_.blank(left, y, third, words_.translate("JobCard", "Engine number"),
+                     text(input_.job.engine_number));
+        sheet_.blank(left + third, y, third, words_.translate("JobCard", "Crankshaft number"),
+                     text(input_.job.crankshaft_number));
+        sheet_.blank(left + 2 * third, y, third + 3, words_.translate("JobCard", "Date"),
+                     dateText());
+        y += 9.5;
+        sheet_.blank(left, y, third, words_.translate("JobCard", "Customer"),
+                     text(input_.job.customer));
+        sheet_.blank(left + third, y, third, words_.translate("JobCard", "Technician"),
+                     text(input_.job.technician));
+        sheet_.blank(left + 2 * third, y, third + 3,
+                     words_.translate("JobCard", "Work · crankshaft"),
+                     v8_text::processName(words_, input_.process) + QStringLiteral(" · ") +
+                         v8_text::crankshaftName(words_, input_.crankshaft));
+        return y + 8.5;
+    }
+
+    double answer(double y) {
+        QString fact;
+        QString action;
+        QStringList more;
+        if (solution_.advice) {
+            const double excess = *solution_.unbalanced_mass;
+            fact = words_.translate("JobCard", "Excess on each crankpin Δm_y = %1 (%2)")
+                       .arg(v8_text::grams(words_, excess, 3),
+                            v8_text::gramMillimetres(
+                                words_, excess * input_.engine.crank_radius.value_or(0.0)));
+            action = v8_text::advice(words_, input_, solution_);
+            if (solution_.advice->kind == Advice::Kind::option) {
+                more << v8_text::boring(words_, input_, solution_, solution_.advice->option->id);
+            }
+            more << v8_text::bobWeightCheck(words_, input_, solution_);
+            more.removeAll(QString());
+        } else {
+            action =
+                words_.translate("JobCard", "The data are not complete; nothing can be advised.");
+        }
+        const double inner = left + 3.0;
+        const double room = full - 6.0;
+        const auto content = [&](double from) {
+            double at = from;
+            at += sheet_.paragraph(inner, at, room, fact, 9, 1);
+            at += sheet_.paragraph(inner, at + 0.4, room, action, 11.5, 4, true) + 0.4;
+            return at + sheet_.paragraph(inner, at + 0.4, room, more.join(QLatin1Char(' ')), 9, 3);
+        };
+        sheet_.setMeasuring(true);
+        const double height = content(0.0) + 3.6;
+        sheet_.setMeasuring(false);
+        sheet_.box(left, y, full, height, shade, ink, 0.3);
+        content(y + 1.6);
+        return y + height;
+    }
+
+    double inputs(double y) {
+        const double gap = 4.0;
+        const double engineWidth = 117.0;
+        sheet_.heading(left, y, engineWidth, words_.translate("JobCard", "Engine"));
+        Table engine({{34, Qt::AlignLeft},
+                      {13},
+                      {7.5, Qt::AlignLeft},
+                      {42, Qt::AlignLeft},
+                      {13},
+                      {7.5, Qt::AlignLeft}},
+                     7.5, 3.9);
+        const auto fields = engine_fields();
+        const std::size_t half = (fields.size() + 1) / 2;
+        const auto cells = [&](std::size_t i) -> QStringList {
+            if (i >= fields.size()) {
+                return {QString(), QString(), QString()};
+            }
+            const EngineField& field = fields[i];
+            const auto& value = input_.engine.*field.member;
+            const QString unit = field.spec.unit == "mm"  ? unitMillimetre()
+                                 : field.spec.unit == "g" ? unitGram()
+                                                          : QString();
+            return {v8_text::fieldName(words_, field.spec.key),
+                    value ? words_.plain(in_unit(*value, field.spec), 4) : missing, unit};
+        };
+        for (std::size_t i = 0; i < half; ++i) {
+            engine.add({cells(i) + cells(i + half)});
+        }
+        const double height = engine.draw(sheet_, left, y + 5.2);
+
+        const double x = left + engineWidth + gap;
+        const double width = full - engineWidth - gap;
+        sheet_.heading(x, y, width, words_.translate("JobCard", "Heavier than nominal by"));
+        Table changes({{width - 23, Qt::AlignLeft}, {13}, {10, Qt::AlignLeft}}, 7.5, 3.9);
+        for (const MassChangeField& field : mass_change_fields()) {
+            if (field.repair_only && input_.process == Process::manufacture) {
+                continue;
+            }
+            changes.add({{v8_text::fieldName(words_, field.spec.key),
+                          words_.plain(solution_.changes.*field.member / gram, 3), unitGram()}});
+        }
+        changes.add(
+            {{words_.translate("JobCard", "Excess Δm_y"),
+              solution_.unbalanced_mass ? words_.number(*solution_.unbalanced_mass / gram, 3)
+                                        : missing,
+              unitGram()},
+             true,
+             true});
+        changes.add(
+            {{v8_text::fieldName(words_, "tolerance_g_mm"),
+              words_.plain(in_unit(input_.tolerance, tolerance_field), 2), unitUnbalance()}});
+        changes.draw(sheet_, x, y + 5.2);
+        return y + 5.2 + height;
+    }
+
+    double options(double y) {
+        sheet_.heading(left, y, full, words_.translate("JobCard", "Options, in the order of cost"));
+        Table table({{60, Qt::AlignLeft}, {17}, {17}, {20}, {20}, {22}, {26, Qt::AlignRight}}, 7.5,
+                    4.1);
+        const QString g = unitGram();
+        table.head({QString(), words_.translate("JobCard", "constant, %1").arg(g),
+                    words_.translate("JobCard", "reach, %1").arg(g),
+                    words_.translate("JobCard", "needed, %1").arg(g),
+                    words_.translate("JobCard", "limit, %1").arg(g),
+                    words_.translate("JobCard", "left, %1").arg(unitUnbalance()),
+                    words_.translate("JobCard", "verdict")});
+        const auto chosen = v8_text::chosenOption(solution_);
+        const bool recommended = solution_.advice && solution_.advice->kind == Advice::Kind::option;
+        for (const OptionId id : all_options) {
+            const auto& option = solution_.option(id);
+            if (!option) {
+                table.add({{v8_text::optionName(words_, id), missing, missing, missing, missing,
+                            missing, words_.translate("JobCard", "no such plug")}});
+                continue;
+            }
+            const bool fitted =
+                needs_new_crankshaft(id) == (input_.crankshaft == Crankshaft::new_plugs);
+            const bool best = recommended && chosen && chosen->id == id;
+            table.add({{v8_text::optionName(words_, id), words_.number(option->constant / gram, 3),
+                        words_.number(option->maximum / gram, 3),
+                        words_.number(option->required_reduction / gram, 3),
+                        words_.number(option->max_reduction / gram, 3),
+                        words_.number(option->residual_unbalance / gramMillimetre, 1),
+                        !fitted            ? words_.translate("JobCard", "other crankshaft")
+                        : option->feasible ? words_.translate("JobCard", "works")
+                                           : words_.translate("JobCard", "does not work")},
+                       best,
+                       best});
+        }
+        double height = 5.0 + table.draw(sheet_, left, y + 5.0);
+        sheet_.text(
+            left, y + height + 0.4, full,
+            words_
+                .translate("JobCard",
+                           "Each compensates constant + k_y × lightening of one plug, k_y = %1 "
+                           "(slope %2°); needed: lightening of one plug.")
+                .arg(solution_.plugs ? words_.number(solution_.plugs->coefficients().k_y, 3)
+                                     : missing,
+                     solution_.plugs
+                         ? words_.number(std::atan(solution_.plugs->coefficients().k_y) / degree, 1)
+                         : missing),
+            6.8, Qt::AlignLeft, false, grey);
+        return y + height + 3.6;
+    }
+
+    double bobWeights(double y) {
+        const double tableWidth = 112.0;
+        sheet_.heading(
+            left, y, tableWidth,
+            words_.translate("JobCard", "Bob weight on each crankpin, %1").arg(unitGram()));
+        double height = 0.0;
+        if (solution_.nominal && solution_.before) {
+            height = bobWeightTable(y + 5.0);
+        } else {
+            QStringList names;
+            for (const EngineField* field : missing_fields(input_.engine, true)) {
+                names << v8_text::fieldName(words_, field->spec.key);
+            }
+            height = sheet_.paragraph(left, y + 5.4, tableWidth,
+                                      words_.translate("JobCard", "Not known without: %1.")
+                                          .arg(names.join(QStringLiteral(", "))),
+                                      8, 4);
+        }
+        const double x = left + tableWidth + 4.0;
+        const double width = full - tableWidth - 4.0;
+        sheet_.heading(x, y, width, words_.translate("JobCard", "Plug"));
+        const double drawingHeight = std::max(height + 1.0, 44.0);
+        plug(x, y + 5.4, width, drawingHeight - 1.0);
+        return y + 5.0 + std::max(height, drawingHeight);
+    }
+
+    double bobWeightTable(double y) {
+        const auto chosen = v8_text::chosenOption(solution_);
+        const BobWeight& nominal = *solution_.nominal;
+        const BobWeight& before = *solution_.before;
+        const BobWeight* after =
+            chosen ? &solution_.bob_weights[static_cast<std::size_t>(chosen->id)]->after : nullptr;
+        Table table({{44, Qt::AlignLeft}, {14}, {18}, {18}, {18}}, 7.5, 4.0);
+        table.head({words_.translate("JobCard", "factor × mass"),
+                    words_.translate("JobCard", "factor"), words_.translate("JobCard", "nominal"),
+                    words_.translate("JobCard", "before"), words_.translate("JobCard", "after")});
+        const auto product = [&](const BobWeight* weight, BobWeightLine::Part part) {
+            if (weight != nullptr) {
+                for (const BobWeightLine& line : weight->lines) {
+                    if (line.part == part) {
+                        return words_.number(line.product() / gram, 3);
+                    }
+                }
+            }
+            return missing;
+        };
+        for (const BobWeightLine& line : before.lines) {
+            QString name = v8_text::lineName(words_, line.part);
+            if (line.part == BobWeightLine::Part::plugs) {
+                const double mass =
+                    chosen ? chosen->plug_mass_unmachined - chosen->reduction : line.mass;
+                name = words_.translate("JobCard", "Plug (after: %1)")
+                           .arg(v8_text::grams(words_, mass, 3));
+            }
+            table.add({{name, words_.plain(line.factor, 4), product(&nominal, line.part),
+                        product(&before, line.part), product(after, line.part)}});
+        }
+        table.add({{words_.translate("JobCard", "Sum: bob weight"), QString(),
+                    words_.number(nominal.sum() / gram, 3), words_.number(before.sum() / gram, 3),
+                    after != nullptr ? words_.number(after->sum() / gram, 3) : missing},
+                   true,
+                   true});
+        double height = table.draw(sheet_, left, y);
+        const double hang = after != nullptr ? after->sum() : before.sum();
+        sheet_.text(left, y + height + 0.8, 112,
+                    words_.translate("JobCard", "Hang on each crankpin: %1")
+                        .arg(v8_text::grams(words_, hang, 1)),
+                    10, Qt::AlignLeft, true);
+        return height + 5.5;
+    }
+
+    void plug(double x, double y, double w, double h) {
+        const DrawingStyle style{ink, hair, ink, cutColour, sheet_.font(7.5), 0.35 * sheet_.unit()};
+        const QRectF target = sheet_.rect(x, y, w, h);
+        const auto geometry = input_.plug ? input_.plug->geometry() : std::nullopt;
+        if (!geometry || geometry_fault(*geometry)) {
+            drawPlugSketch(sheet_.painter(), target, style, words_);
+            return;
+        }
+        PlugDrawing drawing;
+        drawing.plug = *geometry;
+        const auto chosen = v8_text::chosenOption(solution_);
+        if (chosen && chosen->reduction > 0.0) {
+            const auto& boring = solution_.boring[static_cast<std::size_t>(chosen->id)];
+            if (boring && boring->cuts) {
+                drawing.cutterDiameter = input_.plug->cutter_diameter;
+                drawing.cutDepth = boring->depth;
+                drawing.impossible = boring->limit != Boring::Limit::none;
+            }
+        }
+        drawPlug(sheet_.painter(), target, drawing, style, words_);
+    }
+
+    double assignment(double y) {
+        sheet_.heading(left, y, full,
+                       words_.translate("JobCard", "Which set goes to which cylinder"));
+        std::vector<Table::Column> columns{{36, Qt::AlignLeft}};
+        for (int i = 0; i < cylinder_count; ++i) {
+            columns.push_back({(full - 36.0) / cylinder_count, Qt::AlignHCenter});
+        }
+        Table table(columns, 7.5, 3.9);
+        QStringList head{words_.translate("JobCard", "Cylinder")};
+        QStringList pistons{words_.translate("JobCard", "Piston set from")};
+        QStringList rods{words_.translate("JobCard", "Rod set from")};
+        for (int i = 0; i < cylinder_count; ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            head << QString::number(i + 1);
+            pistons << QString::number(solution_.assignment->pistons[at] + 1);
+            rods << QString::number(solution_.assignment->rods[at] + 1);
+        }
+        table.head(head);
+        table.add({pistons});
+        table.add({rods});
+        const double height = table.draw(sheet_, left, y + 5.0);
+        sheet_.text(left, y + 5.2 + height, full, v8_text::assignmentText(words_, solution_), 7.5);
+        return y + 9.0 + height;
+    }
+
+    void machine(double y) {
+        sheet_.heading(left, y, full, words_.translate("JobCard", "Balancing machine"));
+        QString limits;
+        if (solution_.balancing && input_.balancing) {
+            const BalancingCheck check = input_.balancing->check().value();
+            limits = words_
+                         .translate("JobCard",
+                                    "ISO 21940-11, G %1, %2 kg at %3 min⁻¹: U_per = %4 in all.")
+                         .arg(words_.plain(in_unit(check.grade, grade_field), 2),
+                              words_.plain(check.rotor_mass, 2),
+                              words_.plain(in_unit(check.service_speed, service_speed_field), 0),
+                              v8_text::gramMillimetres(words_, solution_.balancing->permissible));
+        } else {
+            limits = words_.translate("JobCard", "ISO 21940-11: no grade, mass and speed given.");
+        }
+        sheet_.text(left, y + 5.2, full, limits, 8);
+        Table table({{44, Qt::AlignLeft},
+                     {38},
+                     {38, Qt::AlignHCenter},
+                     {31, Qt::AlignHCenter},
+                     {31, Qt::AlignHCenter}},
+                    8, 6.2);
+        table.head({words_.translate("JobCard", "Correction plane"),
+                    words_.translate("JobCard", "permissible, %1").arg(unitUnbalance()),
+                    words_.translate("JobCard", "reading, %1").arg(unitUnbalance()),
+                    words_.translate("JobCard", "angle, °"),
+                    words_.translate("JobCard", "verdict")});
+        const auto row = [&](const QString& name, const PlaneVerdict* plane) {
+            const bool read = plane != nullptr && plane->reading.has_value();
+            table.add({{name,
+                        plane != nullptr ? words_.number(plane->permissible / gramMillimetre, 1)
+                                         : missing,
+                        read ? words_.number(*plane->reading / gramMillimetre, 1)
+                             : QStringLiteral("…………………"),
+                        QStringLiteral("…………………"),
+                        read ? (*plane->passes ? words_.translate("JobCard", "passes")
+                                               : words_.translate("JobCard", "fails"))
+                             : QStringLiteral("…………………")}});
+        };
+        row(words_.translate("JobCard", "Front (pulley)"),
+            solution_.balancing ? &solution_.balancing->front : nullptr);
+        row(words_.translate("JobCard", "Rear (flywheel)"),
+            solution_.balancing ? &solution_.balancing->rear : nullptr);
+        table.draw(sheet_, left, y + 9.2);
+    }
+
+    /// What the technician typed, and lines to write on.
+    void notes(double y, double end) {
+        constexpr double lineStep = 6.5;
+        if (end - y < 9.0) {
+            return;
+        }
+        sheet_.heading(left, y, full, words_.translate("JobCard", "Notes"));
+        y += 5.2;
+        const QString text = QString::fromStdString(input_.job.notes).simplified();
+        const int lines = std::max(1, static_cast<int>((end - y) / sheet_.lineHeight(8.5)));
+        y += sheet_.paragraph(left, y, full, text, 8.5, lines);
+        for (y += lineStep; y < end; y += lineStep) {
+            sheet_.line(left, y, right, y);
+        }
+    }
+
+    void signatures(double y) {
+        const double third = full / 3.0;
+        const QStringList captions{words_.translate("JobCard", "Technician, signature"),
+                                   words_.translate("JobCard", "Inspector, signature"),
+                                   words_.translate("JobCard", "Date")};
+        for (int i = 0; i < 3; ++i) {
+            const double x = left + i * third;
+            sheet_.line(x, y + 7.0, x + third - 6.0, y + 7.0, 0.2, ink);
+            sheet_.text(x, y + 7.3, third - 6.0, captions.at(i), 7, Qt::AlignLeft, false, grey);
+        }
+        sheet_.text(
+            left, y + 13.0, full,
+            words_
+                .translate("JobCard",
+                           "Ravnoves %1 · method: A. D. Nazarov, equations (3)–(24) · masses "
+                           "in grams, radii in millimetres")
+                .arg(QStringLiteral(RAVNOVES_VERSION)),
+            6.5, Qt::AlignLeft, false, grey);
+    }
+
+    Sheet& sheet_;
+    const CaseInput& input_;
+    const Solution& solution_;
+    const Words& words_;
+};
+
+}  // namespace
+
+JobCard::JobCard(CaseInput input, Words words)
+    : input_(std::move(input)), solution_(solve(input_)), words_(std::move(words)) {}
+
+void JobCard::paint(QPainter& painter, const QRectF& page) const {
+    painter.save();
+    painter.fillRect(page, Qt::white);
+    Sheet sheet(painter, page);
+    CardPainter(sheet, input_, solution_, words_).paint();
+    painter.restore();
+}
+
+void JobCard::setPage(QPagedPaintDevice& device) {
+    device.setPageLayout(QPageLayout(QPageSize(QPageSize::A4), QPageLayout::Portrait,
+                                     QMarginsF(0, 0, 0, 0), QPageLayout::Millimeter));
+}
+
+bool JobCard::print(QPagedPaintDevice& device) const {
+    QPainter painter;
+    if (!painter.begin(&device)) {
+        return false;
+    }
+    // The sheet in device pixels; a printer that keeps margins of its own begins inside it.
+    const double perMillimetre = device.logicalDpiX() / 25.4;
+    const QPageLayout layout = device.pageLayout();
+    const QMarginsF margins = layout.margins(QPageLayout::Millimeter);
+    const QRectF page(-margins.left() * perMillimetre, -margins.top() * perMillimetre,
+                      pageWidth * perMillimetre, pageHeight * perMillimetre);
+    paint(painter, page);
+    return painter.end();
+}
+
+QString JobCard::writePdf(const QString& path) const {
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly)) {
+        return QCoreApplication::translate("JobCard", "%1 cannot be written: %2")
+            .arg(path, file.errorString());
+    }
+    bool painted = false;
+    {
+        QPdfWriter writer(&file);
+        writer.setResolution(1200);
+        writer.setCreator(QStringLiteral("Ravnoves " RAVNOVES_VERSION));
+        writer.setTitle(words_.translate("JobCard", "Job card: crankpin plugs and bob weights") +
+                        QLatin1Char(' ') + QString::fromStdString(input_.job.engine_number));
+        setPage(writer);
+        painted = print(writer);
+    }
+    if (!painted || !file.commit()) {
+        return QCoreApplication::translate("JobCard", "%1 cannot be written: %2")
+            .arg(path, file.errorString());
+    }
+    return {};
+}
+
+}  // namespace ravnoves

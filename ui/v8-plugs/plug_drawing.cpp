@@ -1,0 +1,277 @@
+#include "v8-plugs/plug_drawing.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+namespace ravnoves {
+
+namespace {
+
+constexpr double millimetre = 1e-3;
+
+/// What stands at a dimension: numbers, or letters where the sizes are not known.
+struct Labels {
+    QString thread;
+    QString height;
+    QString boreDiameter;
+    QString boreDepth;
+    QString cutDiameter;
+    QString cutDepth;
+    QString bottom;
+};
+
+class Sketch {
+  public:
+    Sketch(QPainter& painter, const DrawingStyle& style)
+        : painter_(painter), style_(style), metrics_(style.font), em_(metrics_.height()) {}
+
+    void draw(const QRectF& target, const PlugDrawing& drawing, const Labels& labels) {
+        painter_.save();
+        painter_.setRenderHint(QPainter::Antialiasing);
+        painter_.setFont(style_.font);
+        layout(target, drawing, labels);
+        body(drawing);
+        dimensions(drawing, labels);
+        painter_.restore();
+    }
+
+  private:
+    QPen pen(const QColor& colour, double width, Qt::PenStyle kind = Qt::SolidLine) const {
+        QPen pen(colour, width, kind, Qt::FlatCap, Qt::MiterJoin);
+        return pen;
+    }
+
+    double width(const QString& text) const { return metrics_.horizontalAdvance(text); }
+
+    static bool cuts(const PlugDrawing& drawing) {
+        return drawing.cutterDiameter && drawing.cutDepth > 0.0;
+    }
+
+    void layout(const QRectF& target, const PlugDrawing& drawing, const Labels& labels) {
+        const v8_plugs::PlugGeometry& plug = drawing.plug;
+        // Room for the dimensions around the section.
+        const double left = width(labels.height) + 2.4 * em_;
+        const double right =
+            std::max({width(labels.boreDepth), width(labels.cutDepth), width(labels.bottom)}) +
+            (cuts(drawing) ? 4.6 : 2.6) * em_;
+        const bool hasBore = plug.bore_diameter > 0.0 && plug.bore_depth > 0.0;
+        const double top = ((hasBore ? 1.9 : 0.3) + (cuts(drawing) ? 1.9 : 0.0)) * em_;
+        const double bottom = 2.2 * em_;
+        const QRectF room = target.adjusted(left, top, -right, -bottom);
+        scale_ = std::max(
+            1e-9, std::min(room.width() / plug.thread.diameter, room.height() / plug.height));
+        const double w = plug.thread.diameter * scale_;
+        const double h = plug.height * scale_;
+        section_ = QRectF(room.center().x() - w / 2.0, room.center().y() - h / 2.0, w, h);
+    }
+
+    double x(double radius) const { return section_.center().x() + radius * scale_; }
+    double y(double depth) const { return section_.top() + depth * scale_; }
+
+    QRectF pocket(double diameter, double depth) const {
+        return {QPointF(x(-diameter / 2.0), y(0)), QPointF(x(diameter / 2.0), y(depth))};
+    }
+
+    void body(const PlugDrawing& drawing) {
+        const v8_plugs::PlugGeometry& plug = drawing.plug;
+        QPainterPath metal;
+        metal.addRect(section_);
+        QPainterPath bore;
+        if (plug.bore_diameter > 0.0 && plug.bore_depth > 0.0) {
+            bore.addRect(pocket(plug.bore_diameter, plug.bore_depth));
+            metal = metal.subtracted(bore);
+        }
+        QPainterPath removed;
+        if (cuts(drawing)) {
+            const double depth = std::min(drawing.cutDepth, 1.05 * plug.height);
+            removed.addRect(pocket(*drawing.cutterDiameter, depth));
+            removed = removed.subtracted(bore).intersected(metal);
+        }
+        // Hatching of the section, drawn line by line so that it is the same on every device.
+        painter_.save();
+        painter_.setClipPath(metal.subtracted(removed));
+        painter_.setPen(pen(style_.thin, style_.lineWidth * 0.4));
+        const double step = 0.45 * em_;
+        const double reach = section_.height() + section_.width();
+        for (double d = step; d < reach; d += step) {
+            painter_.drawLine(QPointF(section_.left() + d, section_.top()),
+                              QPointF(section_.left() + d - section_.height(), section_.bottom()));
+        }
+        painter_.restore();
+        if (!removed.isEmpty()) {
+            QColor fill = style_.cut;
+            fill.setAlphaF(0.25F);
+            painter_.fillPath(removed, fill);
+            painter_.setPen(pen(style_.cut, style_.lineWidth,
+                                drawing.impossible ? Qt::DashLine : Qt::SolidLine));
+            painter_.setBrush(Qt::NoBrush);
+            painter_.drawPath(removed);
+        }
+        painter_.setPen(pen(style_.line, style_.lineWidth));
+        painter_.setBrush(Qt::NoBrush);
+        painter_.drawPath(metal);
+        // The thread: its root as a thin line on both sides, as drawings have it.
+        painter_.setPen(pen(style_.line, style_.lineWidth * 0.5));
+        const double root = plug.thread.root_diameter() / 2.0;
+        for (const double side : {-root, root}) {
+            painter_.drawLine(QPointF(x(side), section_.top()),
+                              QPointF(x(side), section_.bottom()));
+        }
+        // Axis.
+        QPen axis = pen(style_.thin, style_.lineWidth * 0.5);
+        axis.setDashPattern({14, 4, 3, 4});
+        painter_.setPen(axis);
+        painter_.drawLine(QPointF(section_.center().x(), section_.top() - 0.25 * em_),
+                          QPointF(section_.center().x(), section_.bottom() + 0.25 * em_));
+    }
+
+    void arrow(const QPointF& tip, const QPointF& direction) {
+        const double length = 0.5 * em_;
+        const QPointF back = tip - direction * length;
+        const QPointF across(-direction.y() * length * 0.22, direction.x() * length * 0.22);
+        QPainterPath head;
+        head.moveTo(tip);
+        head.lineTo(back + across);
+        head.lineTo(back - across);
+        head.closeSubpath();
+        painter_.fillPath(head, painter_.pen().color());
+    }
+
+    /// A dimension of a width at height `at`, extension lines from `from`.
+    void across(double x1, double x2, double from, double at, const QString& text,
+                const QColor& colour) {
+        painter_.setPen(pen(colour, style_.lineWidth * 0.5));
+        const double beyond = at < from ? -0.25 * em_ : 0.25 * em_;
+        painter_.drawLine(QPointF(x1, from), QPointF(x1, at + beyond));
+        painter_.drawLine(QPointF(x2, from), QPointF(x2, at + beyond));
+        painter_.drawLine(QPointF(x1, at), QPointF(x2, at));
+        if (x2 - x1 > 1.2 * em_) {
+            arrow(QPointF(x1, at), QPointF(-1, 0));
+            arrow(QPointF(x2, at), QPointF(1, 0));
+        }
+        label(QPointF((x1 + x2) / 2.0, at < from ? at - 0.62 * em_ : at + 0.72 * em_), text,
+              Qt::AlignHCenter, colour == style_.thin ? style_.text : colour);
+    }
+
+    /// A dimension of a height at `at` (left or right of the section), text beside it.
+    void along(double y1, double y2, double from, double at, const QString& text,
+               const QColor& colour) {
+        painter_.setPen(pen(colour, style_.lineWidth * 0.5));
+        const double beyond = at < from ? -0.25 * em_ : 0.25 * em_;
+        painter_.drawLine(QPointF(from, y1), QPointF(at + beyond, y1));
+        painter_.drawLine(QPointF(from, y2), QPointF(at + beyond, y2));
+        painter_.drawLine(QPointF(at, y1), QPointF(at, y2));
+        if (y2 - y1 > 1.2 * em_) {
+            arrow(QPointF(at, y1), QPointF(0, -1));
+            arrow(QPointF(at, y2), QPointF(0, 1));
+        }
+        label(QPointF(at + 1.6 * beyond, (y1 + y2) / 2.0), text,
+              at < from ? Qt::AlignRight : Qt::AlignLeft,
+              colour == style_.thin ? style_.text : colour);
+    }
+
+    void label(const QPointF& at, const QString& text, Qt::AlignmentFlag side,
+               const QColor& colour) {
+        const double w = width(text) + 0.2 * em_;
+        double left = at.x();
+        if (side == Qt::AlignHCenter) {
+            left -= w / 2.0;
+        } else if (side == Qt::AlignRight) {
+            left -= w;
+        }
+        painter_.setPen(colour);
+        painter_.drawText(QRectF(left, at.y() - em_ / 2.0, w, em_), Qt::AlignCenter, text);
+    }
+
+    void dimensions(const PlugDrawing& drawing, const Labels& labels) {
+        const v8_plugs::PlugGeometry& plug = drawing.plug;
+        across(section_.left(), section_.right(), section_.bottom(), section_.bottom() + 0.9 * em_,
+               labels.thread, style_.thin);
+        along(section_.top(), section_.bottom(), section_.left(), section_.left() - 0.9 * em_,
+              labels.height, style_.thin);
+        double above = section_.top() - 0.7 * em_;
+        double beside = section_.right() + 0.9 * em_;
+        double deepest = 0.0;
+        if (plug.bore_diameter > 0.0 && plug.bore_depth > 0.0) {
+            across(x(-plug.bore_diameter / 2.0), x(plug.bore_diameter / 2.0), y(0), above,
+                   labels.boreDiameter, style_.thin);
+            above -= 1.9 * em_;
+            deepest = plug.bore_depth;
+            along(y(0), y(plug.bore_depth), x(plug.bore_diameter / 2.0), beside, labels.boreDepth,
+                  style_.thin);
+        }
+        if (cuts(drawing)) {
+            const double half = *drawing.cutterDiameter / 2.0;
+            across(x(-half), x(half), y(0), above, labels.cutDiameter, style_.cut);
+            const double depth = std::min(drawing.cutDepth, plug.height);
+            if (deepest > 0.0) {
+                beside += std::max(width(labels.boreDepth), 1.0 * em_) + 1.1 * em_;
+            }
+            along(y(0), y(depth), x(half), beside, labels.cutDepth, style_.cut);
+            deepest = std::max(deepest, depth);
+        }
+        // The bottom that stays, under the deepest bore.
+        if (deepest > 0.0 && deepest < plug.height) {
+            const double at = x(0) + std::min(0.22 * section_.width(), 2.0 * em_);
+            painter_.setPen(pen(style_.thin, style_.lineWidth * 0.5));
+            const double y1 = y(deepest);
+            const double y2 = section_.bottom();
+            painter_.drawLine(QPointF(at, y1 - 0.9 * em_), QPointF(at, y1));
+            arrow(QPointF(at, y1), QPointF(0, 1));
+            painter_.setPen(pen(style_.thin, style_.lineWidth * 0.5));
+            painter_.drawLine(QPointF(at, y2 + 0.0), QPointF(at, y2 + 0.7 * em_));
+            arrow(QPointF(at, y2), QPointF(0, -1));
+            label(QPointF(at, y1 - 1.4 * em_), labels.bottom, Qt::AlignHCenter, style_.text);
+        }
+    }
+
+    QPainter& painter_;
+    const DrawingStyle& style_;
+    QFontMetricsF metrics_;
+    double em_;
+    double scale_ = 1.0;
+    QRectF section_;
+};
+
+}  // namespace
+
+void drawPlug(QPainter& painter, const QRectF& target, const PlugDrawing& drawing,
+              const DrawingStyle& style, const Words& words) {
+    const v8_plugs::PlugGeometry& plug = drawing.plug;
+    const auto mm = [&](double length) { return words.plain(length / millimetre, 2); };
+    Labels labels;
+    // The multiplication sign, and the language's decimal sign.
+    labels.thread = QStringLiteral("M%1×%2").arg(mm(plug.thread.diameter), mm(plug.thread.pitch));
+    labels.height = mm(plug.height);
+    labels.boreDiameter = QStringLiteral("⌀") + mm(plug.bore_diameter);
+    labels.boreDepth = mm(plug.bore_depth);
+    if (drawing.cutterDiameter) {
+        labels.cutDiameter = QStringLiteral("⌀") + mm(*drawing.cutterDiameter);
+        labels.cutDepth = mm(drawing.cutDepth);
+    }
+    labels.bottom = mm(plug.height - std::max(plug.bore_depth, drawing.cutDepth));
+    Sketch(painter, style).draw(target, drawing, labels);
+}
+
+void drawPlugSketch(QPainter& painter, const QRectF& target, const DrawingStyle& style,
+                    const Words& words) {
+    // Proportions of the cup M30×1.5 of the 6 and 7 l engines; the numbers are not shown.
+    PlugDrawing drawing;
+    drawing.plug = {
+        {30 * millimetre, 1.5 * millimetre}, 14 * millimetre, 20 * millimetre, 7 * millimetre};
+    drawing.cutterDiameter = 16 * millimetre;
+    drawing.cutDepth = 9.5 * millimetre;
+    const Labels labels{words.translate("V8", "thread", "drawing"),
+                        QStringLiteral("h"),
+                        QStringLiteral("⌀ b"),
+                        QStringLiteral("t"),
+                        QStringLiteral("⌀ c"),
+                        QStringLiteral("t′"),
+                        {}};
+    Sketch(painter, style).draw(target, drawing, labels);
+}
+
+}  // namespace ravnoves
