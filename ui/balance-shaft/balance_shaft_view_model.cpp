@@ -101,7 +101,7 @@ QString BalanceShaftViewModel::edit(const QString& name,
     try {
         const Solver probe(next);
     } catch (const InputError& error) {
-        const QString why = QString::fromUtf8(error.what());
+        QString why = QString::fromUtf8(error.what());
         Q_EMIT refused(why);
         return why;
     }

@@ -164,7 +164,7 @@ void TorqueTableEditor::copy() {
         return;
     }
     QString text;
-    const QItemSelectionRange range = selection.first();
+    const QItemSelectionRange& range = selection.first();
     for (int row = range.top(); row <= range.bottom(); ++row) {
         QStringList cells;
         for (int cell = range.left(); cell <= range.right(); ++cell) {

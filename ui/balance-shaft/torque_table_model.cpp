@@ -71,7 +71,7 @@ void TorqueTableModel::insertRowBelow(int row) {
     }
     const int at = std::clamp(row + 1, 1, static_cast<int>(rows_.size()) - 1);
     // Half way between its neighbours, so that the table stays a cycle and means the same.
-    const Row& above = rows_[static_cast<std::size_t>(at - 1)];
+    const Row& above = rows_[static_cast<std::size_t>(at) - 1];
     const Row& below = rows_[static_cast<std::size_t>(at)];
     const auto middle = [](const QString& a, const QString& b) {
         const auto x = readFormNumber(a);
