@@ -41,6 +41,8 @@ inline constexpr FieldSpec reciprocating_mass{"reciprocating_mass_kg", "kg",
                                               Range::greater_than(0)};
 /// Each entry of reciprocating_masses_kg; together they must be more than 0.
 inline constexpr FieldSpec reciprocating_mass_part{"", "kg", Range::at_least(0)};
+/// Of the whole rod with its shells: bounds its small-end share.
+inline constexpr FieldSpec rod_mass{"rod_mass_kg", "kg", Range::greater_than(0)};
 inline constexpr FieldSpec counterweight_radius{"counterweight_radius_mm", "mm",
                                                 Range::greater_than(0), millimetre};
 inline constexpr FieldSpec counterweight_mass{"counterweight_mass_kg", "kg", Range::at_least(0)};
@@ -109,6 +111,7 @@ struct Input {
     double crank_radius = 0.0;   ///< r, m
     /// Their sum is m_j, kg. One entry with an empty name stands for reciprocating_mass_kg.
     std::vector<NamedMass> reciprocating_masses;
+    std::optional<double> rod_mass;  ///< kg, the whole rod with shells (the paper's Table 1)
     double counterweight_radius = 0.0;         ///< ρ₁, m
     std::optional<double> counterweight_mass;  ///< m₁, kg; empty: by equation (1)
     double centre_distance = 0.0;              ///< l, m

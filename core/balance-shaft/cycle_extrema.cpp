@@ -32,6 +32,14 @@ struct CycleExtrema::Search {
     Extrema found{{-std::numeric_limits<double>::infinity(), 0.0},
                   {std::numeric_limits<double>::infinity(), 0.0}};
 
+    double highest = 0.0;  ///< the best at the knots
+    double lowest = 0.0;
+
+    /// True where neither bound can improve on what is known.
+    bool beaten(double top, double bottom) const {
+        return top < std::max(highest, found.max.value) &&
+               bottom > std::min(lowest, found.min.value);
+    }
     void offer_max(double value, double angle_deg) {
         if (value > found.max.value) {
             found.max = {value, angle_deg};
@@ -84,11 +92,16 @@ CycleExtrema::CycleExtrema(const PeriodicPiecewise& moment, double amplitude)
             } else {
                 branch.has_interior = false;
             }
-            const double curvature =
-                2.0 * std::max(std::abs(branch.cubic.c2),
-                               std::abs(branch.cubic.c2 + 3.0 * branch.cubic.c3 * h));
-            largest_excess_ =
-                std::max(largest_excess_, h * h / 8.0 * (amplitude_ * degree * degree + curvature));
+            // The cubic less its chord is −t (h − t) (c₂ + c₃ (t + h)).
+            const Cubic& c = branch.cubic;
+            const double bend_left = c.c2 + c.c3 * h;
+            const double bend_right = bend_left + c.c3 * h;
+            const double chord_of_sine = amplitude_ * degree * degree * h * h / 8.0;
+            branch.last = c.value(h);
+            branch.above =
+                chord_of_sine + std::max(0.0, -std::min(bend_left, bend_right) * h * h / 4.0);
+            branch.below =
+                chord_of_sine + std::max(0.0, std::max(bend_left, bend_right) * h * h / 4.0);
             branches_.push_back(branch);
         }
         const auto row = static_cast<Eigen::Index>(j);
@@ -105,15 +118,43 @@ CycleExtrema::CycleExtrema(const PeriodicPiecewise& moment, double amplitude)
     }
     // Rounding must not hide an interval whose excess is just the bound.
     const double size = std::max({amplitude_, upper_.maxCoeff(), -lower_.minCoeff()});
-    largest_excess_ = largest_excess_ * (1.0 + 1e-9) + 1e-14 * size;
+    for (Branch& branch : branches_) {
+        branch.above = branch.above * (1.0 + 1e-9) + 1e-14 * size;
+        branch.below = branch.below * (1.0 + 1e-9) + 1e-14 * size;
+    }
+    above_.setZero(padded);
+    below_.setZero(padded);
+    for (std::size_t j = 0; j < count_; ++j) {
+        const std::size_t before = j == 0 ? count_ - 1 : j - 1;
+        const auto row = static_cast<Eigen::Index>(j);
+        for (const std::size_t branch : {2 * before, 2 * before + 1, 2 * j, 2 * j + 1}) {
+            above_[row] = std::max(above_[row], branches_[branch].above);
+            below_[row] = std::max(below_[row], branches_[branch].below);
+        }
+    }
+    block_above_.resize(padded / block);
+    block_below_.resize(padded / block);
+    for (Eigen::Index k = 0; k < padded / block; ++k) {
+        block_above_[k] = above_.segment<block>(k * block).maxCoeff();
+        block_below_[k] = below_.segment<block>(k * block).maxCoeff();
+    }
 }
 
-void CycleExtrema::search_interval(std::size_t j, Search& search) const {
-    const double left = knot_deg_[j];
-    const double h = knot_deg_[j + 1] - left;
-    for (std::size_t turn = 0; turn < 2; ++turn) {
-        const Branch& branch = branches_[2 * j + turn];
-        const double origin = left + 360.0 * static_cast<double>(turn);
+void CycleExtrema::search_interval(Eigen::Index j, Search& search) const {
+    const double left = knot_deg_[static_cast<std::size_t>(j)];
+    const double h = knot_deg_[static_cast<std::size_t>(j) + 1] - left;
+    const Eigen::Index next = j + 1 < static_cast<Eigen::Index>(count_) ? j + 1 : 0;
+    const double sine_left = search.x * cos_[j] + search.y * sin_[j];
+    const double sine_right = search.x * cos_[next] + search.y * sin_[next];
+    for (int turn = 0; turn < 2; ++turn) {
+        const Branch& branch = branches_[static_cast<std::size_t>(2 * j + turn)];
+        const double value_left = branch.cubic.y + sine_left;
+        const double value_right = branch.last + sine_right;
+        if (search.beaten(std::max(value_left, value_right) + branch.above,
+                          std::min(value_left, value_right) - branch.below)) {
+            continue;
+        }
+        const double origin = left + 360.0 * turn;
         if (linear_) {
             if (!branch.has_interior) {
                 continue;
@@ -172,15 +213,14 @@ Extrema CycleExtrema::operator()(double alpha) const {
         lowest = std::min(lowest, block_min[k]);
     }
 
+    search.highest = highest;
+    search.lowest = lowest;
+
     // Second pass: every knot that near to the best is offered with the interior extrema of the
     // intervals on its two sides.
-    const auto beaten = [&](double top, double bottom) {
-        return top + largest_excess_ < std::max(highest, search.found.max.value) &&
-               bottom - largest_excess_ > std::min(lowest, search.found.min.value);
-    };
-    std::size_t searched = count_;  // the last interval searched
+    Eigen::Index searched = -1;  // the last interval searched
     for (Eigen::Index k = 0; k < blocks; ++k) {
-        if (beaten(block_max[k], block_min[k])) {
+        if (search.beaten(block_max[k] + block_above_[k], block_min[k] - block_below_[k])) {
             continue;
         }
         const Eigen::Index end = std::min((k + 1) * block, static_cast<Eigen::Index>(count_));
@@ -188,21 +228,21 @@ Extrema CycleExtrema::operator()(double alpha) const {
             const double sine = search.x * cos_[row] + search.y * sin_[row];
             const double top = upper_[row] + sine;
             const double bottom = lower_[row] + sine;
-            if (beaten(top, bottom)) {
+            if (search.beaten(top + above_[row], bottom - below_[row])) {
                 continue;
             }
             const auto j = static_cast<std::size_t>(row);
             const bool second_is_upper = branches_[2 * j].cubic.y < branches_[2 * j + 1].cubic.y;
             search.offer_max(top, knot_deg_[j] + (second_is_upper ? 360.0 : 0.0));
             search.offer_min(bottom, knot_deg_[j] + (second_is_upper ? 0.0 : 360.0));
-            const std::size_t before = j == 0 ? count_ - 1 : j - 1;
+            const Eigen::Index before = (row == 0 ? static_cast<Eigen::Index>(count_) : row) - 1;
             if (before != searched) {
                 search_interval(before, search);
             }
-            if (j != before) {
-                search_interval(j, search);
+            if (row != before) {
+                search_interval(row, search);
             }
-            searched = j;
+            searched = row;
         }
     }
     search.found.max.angle_deg = wrap(search.found.max.angle_deg, 720.0);

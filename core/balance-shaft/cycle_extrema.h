@@ -23,10 +23,11 @@ struct Extrema {
 /// number of α, where M is piecewise linear or cubic in φ in degrees with period 720°.
 ///
 /// The sine has the period 360°, so the two revolutions are folded once into an upper and a lower
-/// envelope at the union of their knots; per α only that is searched. Between knots the
-/// function exceeds its larger end by at most h²/8 (A + max|M″|) (error of the chord), so only
-/// intervals with an end that near to the best are solved for their interior extremum: in closed
-/// form for lines (cos(φ + α) = −slope/A), by monotone brackets for cubics.
+/// envelope at the union of their knots; per α only that is searched. Between knots the function
+/// exceeds its larger end by at most A h²/8 (error of the sine's chord) plus what the cubic rises
+/// above its own chord, so only intervals with an end that near to the best are solved for their
+/// interior extremum: in closed form for lines (cos(φ + α) = −slope/A), by monotone brackets for
+/// cubics.
 class CycleExtrema {
   public:
     CycleExtrema(const PeriodicPiecewise& moment, double amplitude);
@@ -50,21 +51,26 @@ class CycleExtrema {
                                    ///< lies at −steepest
         double rise = 0.0;         ///< lines: A sin(steepest)
         bool has_interior = true;  ///< false where the slope is too steep for an interior extremum
+        double last = 0.0;         ///< value at the right knot
+        double above = 0.0;        ///< most that the moments may lie above their larger end
+        double below = 0.0;        ///< and below their smaller one
     };
 
     /// The least and the largest value so far and where, and the search of one interval for more.
     struct Search;
 
-    void search_interval(std::size_t j, Search& search) const;
+    void search_interval(Eigen::Index j, Search& search) const;
 
     double amplitude_ = 0.0;
     bool linear_ = true;
     std::size_t count_ = 0;         ///< folded knots
     std::vector<double> knot_deg_;  ///< count_ + 1, 0 ≤ knot < 360, then the first + 360
     std::vector<Branch> branches_;  ///< two per interval: first revolution, second
-    double largest_excess_ = 0.0;   ///< max over the intervals of the chord's error bound
     // Padded to whole blocks with copies of the first knot.
     Eigen::ArrayXd cos_, sin_, upper_, lower_;
+    // How far the function may lie above and below the ends within the intervals beside a knot, and
+    // the largest of that in each block.
+    Eigen::ArrayXd above_, below_, block_above_, block_below_;
 };
 
 }  // namespace ravnoves::balance_shaft

@@ -136,6 +136,7 @@ Input read_input(const Json& json, const CaseContext& context) {
         interpolation == "linear" ? Interpolation::linear : Interpolation::periodic_cubic;
     input.step_deg = reader.number(field::step.key, field::step.range, input.step_deg);
     input.rod_length = reader.optional_si(field::rod_length);
+    input.rod_mass = reader.optional_si(field::rod_mass);
     if (reader.has("envelope")) {
         input.envelope = read_envelope(reader.object("envelope"));
     }
@@ -172,6 +173,7 @@ Json write_input(const Input& input) {
         input.interpolation == Interpolation::linear ? "linear" : "periodic-cubic";
     json[std::string(field::step.key)] = input.step_deg;
     put(json, field::rod_length, input.rod_length);
+    put(json, field::rod_mass, input.rod_mass);
     if (input.envelope != EnvelopeSizes{}) {
         Json envelope = Json::object();
         put(envelope, field::cylinder_bore, input.envelope.cylinder_bore);
@@ -215,6 +217,14 @@ void check_input(const Input& input) {
                          format_number(input.step_deg));
     }
     check(field::rod_length, input.rod_length);
+    check(field::rod_mass, input.rod_mass);
+    for (const NamedMass& part : input.reciprocating_masses) {
+        if (part.name == "rod_small_end" && input.rod_mass && part.mass > *input.rod_mass) {
+            throw InputError("/input/reciprocating_masses_kg/rod_small_end",
+                             "must be at most rod_mass_kg, " + format_number(*input.rod_mass),
+                             format_number(part.mass));
+        }
+    }
     if (input.rod_length && !(*input.rod_length > input.crank_radius)) {
         throw InputError(pointer(field::rod_length),
                          "must be greater than the crank radius, " +

@@ -9,6 +9,7 @@ Input preset_tmz_650d() {
     input.crank_radius = 0.046;
     input.reciprocating_masses = {
         {"piston", 0.645}, {"pin", 0.241}, {"rings", 0.1}, {"rod_small_end", 0.33}};
+    input.rod_mass = 0.950;
     input.counterweight_radius = 0.046;
     input.centre_distance = 0.10015;
     input.shaft_angle = 45.0 * degree;

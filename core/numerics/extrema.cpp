@@ -99,9 +99,9 @@ Places stationary_points(const PeriodicPiecewise::Cubic& p, double amplitude,
     if (std::abs(6.0 * p.c3) < third) {
         const double angle = std::acos(6.0 * p.c3 / third);
         const double first_turn = std::floor((phase - angle) / two_pi);
-        for (double turn = first_turn; turn <= first_turn + 3.0; ++turn) {
+        for (int turn = 0; turn <= 3; ++turn) {
             for (const double sign : {-1.0, 1.0}) {
-                const double t = (sign * angle + turn * two_pi - phase) / w;
+                const double t = (sign * angle + (first_turn + turn) * two_pi - phase) / w;
                 if (t > 0.0 && t < h) {
                     bends.push_back(t);
                 }

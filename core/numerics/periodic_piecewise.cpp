@@ -141,14 +141,14 @@ FourierPair PeriodicPiecewise::fourier(double angular_frequency) const {
     double half_of_moments = 0.0;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         const double h = knots_[i + 1] - knots_[i];
-        const double parts = std::max(1.0, std::ceil(h * w / 2.0));
+        const int parts = std::max(1, static_cast<int>(std::ceil(h * w / 2.0)));
         const double half = h / parts / 2.0;
         if (half != half_of_moments) {
             moments = TrigonometricMoments(half * w);
             half_of_moments = half;
         }
-        for (double part = 0.0; part < parts; ++part) {
-            const double middle = half * (2.0 * part + 1.0);
+        for (int part = 0; part < parts; ++part) {
+            const double middle = half * (2 * part + 1);
             const Cubic p = pieces_[i].shifted(middle);
             // With τ = ωt about the middle m: cos(ωm + τ) and sin(ωm + τ) by addition; odd
             // products vanish over (−d, d).

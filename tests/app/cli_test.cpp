@@ -299,6 +299,33 @@ TEST_F(CommandLine, HelpNamesEveryCommandAndOption) {
     EXPECT_EQ(version.out, "ravnoves-cli " RAVNOVES_VERSION "\n");
 }
 
+TEST_F(CommandLine, FindsTheTorqueTableBesideTheCase) {
+    fs::create_directory(folder / "study");
+    write("study/torque.csv", "0;0\n180;100\n360;50,5\n540;-20\n720;0\n");
+    Json beside = example();
+    beside["input"]["torque"] = {{"csv", "torque.csv"}};
+    write("study/case.json", beside.dump());
+    const Outcome outcome = run("solve study/case.json");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(Json::parse(outcome.out).at("result").at("metrics").at("M_up").at("min_Nm"), -100.0);
+}
+
+TEST_F(CommandLine, BadTorqueFilesNameLineAndColumn) {
+    Json beside = example();
+    beside["input"]["torque"] = {{"csv", "torque.csv"}};
+    write("case.json", beside.dump());
+    const std::string start = "case.json: /input/torque/csv: torque.csv: ";
+    expect_refused(run("solve case.json"), start + "cannot be read: ");
+    write("torque.csv", "0;0\n180;1,5\n100;2\n720;0\n");
+    expect_refused(run("solve case.json"), start +
+                                               "line 3, column 1: must be greater than the angle "
+                                               "of the row before, 180, got 100");
+    write("torque.csv", "0;0\n180;nan\n720;0\n");
+    expect_refused(run("solve case.json"), start + "line 2, column 2: must be a finite number");
+    write("torque.csv", std::string("\x89PNG\0\1\2\3", 8));
+    expect_refused(run("solve case.json"), start + "line 1: must be text");
+}
+
 // A file's name is bytes to us: Cyrillic, spaces and quotes are the user's business.
 TEST_F(CommandLine, TakesAnyFileName) {
     write("ТМЗ 650 (копия).json", example().dump());

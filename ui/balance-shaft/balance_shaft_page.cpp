@@ -98,8 +98,8 @@ BalanceShaftPage::BalanceShaftPage(QWidget* parent)
     row->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     row->setSpacing(Theme::space);
     row->addWidget(buildInputs());
-    row->addWidget(buildPlots(), 1);
-    row->addWidget(buildAnswer());
+    row->addWidget(buildPlots(), 5);
+    row->addWidget(buildAnswer(), 2);
 
     playAction_ = new QAction(themedIcon(QStringLiteral("play")), tr("&Play"), this);
     playAction_->setToolTip(tr("Turn the crank"));
@@ -208,6 +208,7 @@ QWidget* BalanceShaftPage::buildInputs() {
                 input.speed_in_rpm = true;
             });
         });
+    angularSpeed_ = engine->addResult(tr("ω"), tr("Angular speed, n π / 30"));
     number(engine->addNumber(tr("&Crank radius r"), field::crank_radius,
                              tr("Half the stroke. TMZ-650D: 46 mm (stroke 92 mm).")),
            tr("Crank radius"), field::millimetre, &Input::crank_radius);
@@ -233,6 +234,14 @@ QWidget* BalanceShaftPage::buildInputs() {
                 model_->edit(step, [&](Input& input) { setMass(input, name, *value); });
             });
     }
+    auto* rodMass = masses->addNumber(
+        tr("Whole rod with she&lls"), field::rod_mass,
+        tr("Its small-end share above is a part of it; the rest turns with the crankpin and is "
+           "balanced by the crank's own counterweights. TMZ-650D: 0.950 ± 0.015 kg. Source: "
+           "Table 1."));
+    rodMass->setPlaceholderText(tr("any"));
+    optional(rodMass, tr("Rod mass"), 1.0,
+             [](Input& input) -> std::optional<double>& { return input.rod_mass; });
     massSum_ = masses->addResult(
         tr("Sum mⱼ"), tr("Reciprocating mass: the sum of the parts. TMZ-650D: 1.316 kg."));
     column->addWidget(masses);
@@ -302,6 +311,7 @@ QWidget* BalanceShaftPage::buildInputs() {
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     tabs->addTab(scroll, tr("Inputs"));
     torque_ = new TorqueTableEditor(model_, tabs);
+    torque_->setObjectName(QStringLiteral("torque-table"));
     tabs->addTab(torque_, tr("Torque table"));
     return tabs;
 }
@@ -412,7 +422,8 @@ QWidget* BalanceShaftPage::buildPlots() {
 
 QWidget* BalanceShaftPage::buildAnswer() {
     auto* holder = new QWidget(this);
-    holder->setFixedWidth(312);
+    holder->setMinimumWidth(312);
+    holder->setMaximumWidth(440);
     auto* column = new QVBoxLayout(holder);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(Theme::space);
@@ -497,6 +508,7 @@ void BalanceShaftPage::showInput() {
         sum += tr(" (with %1 kg not listed)").arg(formNumber(other, locale, 6));
     }
     massSum_->setText(sum);
+    angularSpeed_->setText(fixedNumber(model_->input().angular_speed, 2, locale) + tr(" rad/s"));
     Input preset = balance_shaft::preset_tmz_650d();
     preset.shaft_angle = model_->input().shaft_angle;
     preset_->setCurrentIndex(preset == model_->input() ? 1 : 0);
@@ -525,7 +537,7 @@ void BalanceShaftPage::showSweep() {
     const auto add = [&](const balance_shaft::Optimum& best, int colour) {
         if (best.shaft_angle) {
             const double at = *best.shaft_angle / degree;
-            marks.push_back({at, best.value, fixedNumber(at, 1, locale) + QStringLiteral("°"),
+            marks.push_back({at, best.value, fixedNumber(at, 2, locale) + QStringLiteral("°"),
                              colour, PlotView::Side::Left, true});
         }
     };

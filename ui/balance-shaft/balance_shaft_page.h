@@ -67,6 +67,7 @@ class BalanceShaftPage : public ScenePage {
     QComboBox* preset_ = nullptr;
     QComboBox* interpolation_ = nullptr;
     QLabel* massSum_ = nullptr;
+    QLabel* angularSpeed_ = nullptr;
     TorqueTableEditor* torque_ = nullptr;
     ValueSlider* angle_ = nullptr;
     QComboBox* meansChoice_ = nullptr;

@@ -210,8 +210,8 @@ QVector<QStringList> BalanceShaftViewModel::criteriaRows() const {
         row(tr("RMS"), &MomentMetrics::rms, percent(result_.rms_change)),
         row(tr("mean"), &MomentMetrics::mean,
             percent(relative(result_.M_ups.mean, result_.M_up.mean))),
-        {tr("mean, nodes"), number(result_.printed_mean_M_up, 1),
-         number(result_.printed_mean_M_s, 1), number(result_.printed_mean_M_ups, 1),
+        {tr("node mean"), number(result_.printed_mean_M_up, 1), number(result_.printed_mean_M_s, 1),
+         number(result_.printed_mean_M_ups, 1),
          percent(relative(result_.printed_mean_M_ups, result_.printed_mean_M_up))},
         row(tr("max"), &MomentMetrics::max, percent(relative(result_.M_ups.max, result_.M_up.max))),
         row(tr("min"), &MomentMetrics::min,
@@ -248,7 +248,7 @@ QString bestText(const Optimum& best, const QString& sentence) {
         return QCoreApplication::translate("ravnoves::BalanceShaftViewModel",
                                            "Every α is as good as any other.");
     }
-    return sentence.arg(number(*best.shaft_angle / degree, 1), number(best.value, 1));
+    return sentence.arg(number(*best.shaft_angle / degree, 2), number(best.value, 1));
 }
 
 }  // namespace

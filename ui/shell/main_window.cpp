@@ -74,6 +74,15 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     }
 }
 
+MainWindow::~MainWindow() {
+    // A history that is destroyed says that it is clean; there is no title left to update then.
+    for (const Entry& entry : entries_) {
+        if (entry.page != nullptr) {
+            disconnect(entry.page->model()->history(), nullptr, this, nullptr);
+        }
+    }
+}
+
 void MainWindow::buildNavigation() {
     auto* centre = new QWidget(this);
     auto* row = new QHBoxLayout(centre);

@@ -21,6 +21,7 @@ class MainWindow : public QMainWindow {
 
   public:
     explicit MainWindow(QWidget* parent = nullptr);
+    ~MainWindow() override;
 
     /// Brings a scene to the front by its word in case files.
     /// @return false where there is none

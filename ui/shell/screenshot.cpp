@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QRegularExpression>
+#include <QTabWidget>
 
 #include "case-file/input_error.h"
 #include "shell/main_window.h"
@@ -17,6 +18,19 @@ QString applySetting(MainWindow& window, const QString& pair) {
     ScenePage* page = window.currentPage();
     if (page == nullptr) {
         return QStringLiteral("--set: this page is still to come");
+    }
+    if (pair.startsWith(QLatin1String("tab="))) {
+        // Any tab of the page by its object name, so that a picture can show it.
+        const QString wanted = pair.mid(4);
+        for (QTabWidget* tabs : page->findChildren<QTabWidget*>()) {
+            for (int i = 0; i < tabs->count(); ++i) {
+                if (tabs->widget(i)->objectName() == wanted) {
+                    tabs->setCurrentIndex(i);
+                    return {};
+                }
+            }
+        }
+        return QStringLiteral("--set: this page has no tab %1").arg(wanted);
     }
     try {
         page->model()->setByKey(pair.left(equals), pair.mid(equals + 1));

@@ -6,7 +6,8 @@ namespace ravnoves {
 
 class MainWindow;
 
-/// Applies "key=value" to the page in front (SceneViewModel::setByKey).
+/// Applies "key=value" to the page in front (SceneViewModel::setByKey), or brings a tab
+/// to the front ("tab=torque-table").
 /// @return an empty string, or what is wrong
 QString applySetting(MainWindow& window, const QString& pair);
 

@@ -44,7 +44,7 @@ void ResultTable::setColumns(const QStringList& headings) {
 
 void ResultTable::fitColumns() {
     // Columns only ever grow, so that they rest while a slider moves.
-    constexpr int padding = 12;
+    constexpr int padding = 9;
     const QFontMetrics cells(font());
     const QFontMetrics headings(horizontalHeader()->font());
     for (int column = 1; column < columnCount(); ++column) {

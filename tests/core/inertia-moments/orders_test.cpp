@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engines.h"
+#include "inertia-moments/pose.h"
 
 namespace ravnoves::inertia_moments {
 namespace {
@@ -241,6 +242,54 @@ TEST(ExactOrders, MeanTorqueAndMeanForceVanish) {
             sum += (*values)[i];
         }
         EXPECT_NEAR(sum / 720.0, 0.0, 1e-12 * unit);
+    }
+}
+
+// The picture's points: rods keep their length, crankpin 1 stands at φ from cylinder 1's axis.
+TEST(EnginePose, PointsOfTheMechanism) {
+    for (const Input& input : {irregular(), vr5()}) {
+        const Engine engine = make_engine(input);
+        for (int i = 0; i < 30; ++i) {
+            const double phi = 0.23 * i;
+            const auto poses = engine_pose(engine, phi);
+            ASSERT_EQ(poses.size(), engine.cylinders.size());
+            for (std::size_t c = 0; c < poses.size(); ++c) {
+                const CylinderPose& pose = poses[c];
+                const Cylinder& cylinder = engine.cylinders[c];
+                EXPECT_NEAR(std::abs(pose.piston_pin - pose.crankpin), input.rod_length(), 1e-14);
+                EXPECT_NEAR(std::abs(pose.axis_foot), std::abs(cylinder.offset), 1e-15);
+                const double angle =
+                    phi + engine.cylinders[0].bank_angle + pi / 2.0 + cylinder.crankpin_angle;
+                EXPECT_NEAR(std::abs(pose.crankpin - std::polar(input.crank_radius, angle)), 0.0,
+                            1e-15);
+                const double along =
+                    ((pose.piston_pin - pose.axis_foot) * std::conj(pose.axis_direction)).real();
+                EXPECT_LE(along, pose.top + 1e-15);
+                EXPECT_GE(along, pose.bottom - 1e-15);
+            }
+        }
+    }
+}
+
+// Acceleration of the piston pins by differences of the picture's points: the inertia force.
+TEST(EnginePose, MassTimesAccelerationIsTheForce) {
+    const Input input = irregular();
+    const Engine engine = make_engine(input);
+    const double h = 1e-4;
+    const auto sum_at = [&](double phi) {
+        Complex sum;
+        for (const CylinderPose& pose : engine_pose(engine, phi)) {
+            sum += pose.piston_pin;
+        }
+        return sum;
+    };
+    for (int i = 0; i < 30; ++i) {
+        const double phi = 0.23 * i;
+        const Complex acceleration = (sum_at(phi + h) - 2.0 * sum_at(phi) + sum_at(phi - h)) /
+                                     (h * h) * input.angular_speed * input.angular_speed;
+        const Complex force = exact_wrench(engine, phi).force;
+        EXPECT_NEAR(std::abs(force + input.reciprocating_mass * acceleration), 0.0,
+                    1e-6 * engine.force_unit());
     }
 }
 

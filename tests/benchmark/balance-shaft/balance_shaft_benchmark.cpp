@@ -1,0 +1,147 @@
+// What the balance-shaft page waits for: one position of the shaft, the sweep over its angle, the
+// best angle, a new solver. On the paper's table of 49 rows and on one of 721 rows (every degree).
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "balance-shaft/balance_shaft.h"
+#include "balance-shaft/best_range.h"
+#include "balance-shaft/cycle_extrema.h"
+#include "numerics/periodic_piecewise.h"
+
+namespace {
+
+using namespace ravnoves;
+using namespace ravnoves::balance_shaft;
+
+/// The paper's engine; its torque on the given rows, read off the periodic spline of Table 2.
+Input engine(int rows, Interpolation interpolation = Interpolation::linear) {
+    Input input = preset_tmz_650d();
+    input.interpolation = interpolation;
+    TorqueTable& table = input.torque.table;
+    if (rows != static_cast<int>(table.size())) {
+        const auto spline = PeriodicPiecewise::cubic(table.crank_angle_deg, table.torque);
+        table = {};
+        for (int i = 0; i < rows; ++i) {
+            table.crank_angle_deg.push_back(720.0 * i / (rows - 1));
+            table.torque.push_back(spline(720.0 * (i % (rows - 1)) / (rows - 1)));
+        }
+    }
+    return input;
+}
+
+Interpolation interpolation_of(const benchmark::State& state) {
+    return state.range(1) == 0 ? Interpolation::linear : Interpolation::periodic_cubic;
+}
+
+CycleExtrema extrema_of(const Input& input) {
+    const TorqueTable& table = input.torque.table;
+    std::vector<double> moment = table.torque;
+    std::transform(moment.begin(), moment.end(), moment.begin(), [](double m) { return -m; });
+    return {input.interpolation == Interpolation::linear
+                ? PeriodicPiecewise::linear(table.crank_angle_deg, moment)
+                : PeriodicPiecewise::cubic(table.crank_angle_deg, moment),
+            solve(input).moment_amplitude};
+}
+
+/// Curves of 721 points and all metrics at a new α.
+void move_shaft(benchmark::State& state) {
+    const Solver solver(engine(static_cast<int>(state.range(0)), interpolation_of(state)));
+    Result result = solver.result();
+    double alpha = 0.0;
+    for (auto _ : state) {
+        solver.move_shaft(alpha, result);
+        benchmark::DoNotOptimize(result.curves.M_ups.data());
+        benchmark::ClobberMemory();
+        alpha += 0.0174;
+    }
+}
+BENCHMARK(move_shaft)->ArgsProduct({{49, 721}, {0, 1}})->ArgNames({"rows", "cubic"});
+
+/// Range and RMS at 360 angles, exact over the continuous cycle.
+void sweep(benchmark::State& state) {
+    const Solver solver(engine(static_cast<int>(state.range(0)), interpolation_of(state)));
+    std::vector<double> range(360);
+    std::vector<double> rms(360);
+    for (auto _ : state) {
+        for (std::size_t i = 0; i < range.size(); ++i) {
+            const double alpha = static_cast<double>(i) * degree;
+            range[i] = solver.range(alpha);
+            rms[i] = solver.rms(alpha);
+        }
+        benchmark::DoNotOptimize(range.data());
+        benchmark::DoNotOptimize(rms.data());
+        benchmark::ClobberMemory();
+    }
+}
+BENCHMARK(sweep)
+    ->ArgsProduct({{49, 721}, {0, 1}})
+    ->ArgNames({"rows", "cubic"})
+    ->Unit(benchmark::kMicrosecond);
+
+/// The global minimum of the range over α.
+void best_angle(benchmark::State& state) {
+    const CycleExtrema extrema =
+        extrema_of(engine(static_cast<int>(state.range(0)), interpolation_of(state)));
+    int evaluations = 0;
+    for (auto _ : state) {
+        const BestRange best = minimise_range(extrema);
+        evaluations = best.evaluations;
+        benchmark::DoNotOptimize(best.shaft_angle);
+    }
+    state.counters["evaluations"] = evaluations;
+}
+BENCHMARK(best_angle)
+    ->ArgsProduct({{49, 721}, {0, 1}})
+    ->ArgNames({"rows", "cubic"})
+    ->Unit(benchmark::kMicrosecond);
+
+/// Everything from an input: what a change of speed or mass costs.
+void solve_anew(benchmark::State& state) {
+    const Input input = engine(static_cast<int>(state.range(0)), interpolation_of(state));
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(solve(input).best_range.value);
+    }
+}
+BENCHMARK(solve_anew)
+    ->ArgsProduct({{49, 721}, {0, 1}})
+    ->ArgNames({"rows", "cubic"})
+    ->Unit(benchmark::kMicrosecond);
+
+/// For comparison: one range by a plain loop over 721 samples, not exact.
+void plain_range_sweep(benchmark::State& state) {
+    const Result result = solve(engine(721));
+    const auto count = static_cast<Eigen::Index>(result.curves.M_up.size());
+    const Eigen::ArrayXd moment =
+        Eigen::Map<const Eigen::ArrayXd>(result.curves.M_up.data(), count);
+    const Eigen::ArrayXd phi =
+        Eigen::Map<const Eigen::ArrayXd>(result.curves.crank_angle_deg.data(), count) * degree;
+    const Eigen::ArrayXd cosine = phi.cos();
+    const Eigen::ArrayXd sine = phi.sin();
+    std::vector<double> range(360);
+    for (auto _ : state) {
+        for (std::size_t i = 0; i < range.size(); ++i) {
+            const double alpha = static_cast<double>(i) * degree;
+            const double x = result.moment_amplitude * std::sin(alpha);
+            const double y = result.moment_amplitude * std::cos(alpha);
+            range[i] = (moment + x * cosine + y * sine).maxCoeff() -
+                       (moment + x * cosine + y * sine).minCoeff();
+        }
+        benchmark::DoNotOptimize(range.data());
+        benchmark::ClobberMemory();
+    }
+}
+BENCHMARK(plain_range_sweep)->Unit(benchmark::kMicrosecond);
+
+void read_case_and_solve(benchmark::State& state) {
+    const std::string text = read_text_file(std::string(RAVNOVES_EXAMPLES) + "/tmz-650d.case.json");
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(solve_case(parse_case(text), CaseContext{}).dump(2).size());
+    }
+}
+BENCHMARK(read_case_and_solve)->Unit(benchmark::kMicrosecond);
+
+}  // namespace

@@ -1,0 +1,186 @@
+#include "shell/main_window.h"
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QFile>
+#include <QMessageBox>
+#include <QTemporaryDir>
+#include <QTextBrowser>
+#include <QTimer>
+#include <QToolButton>
+
+#include "case-file/case_file.h"
+#include "events.h"
+#include "shell/help_window.h"
+#include "shell/scene_page.h"
+#include "shell/screenshot.h"
+#include "theme/icons.h"
+#include "theme/theme.h"
+
+namespace ravnoves {
+namespace {
+
+class MainWindowTest : public ::testing::Test {
+  protected:
+    MainWindowTest() { test::showAt(window, {1280, 800}); }
+
+    QString file(const char* name) const { return folder.filePath(QString::fromLatin1(name)); }
+    void write(const QString& path, std::string_view text) {
+        write_text_file(path.toStdString(), text);
+    }
+    QString example() const { return QStringLiteral(RAVNOVES_EXAMPLES "/tmz-650d.case.json"); }
+    /// Answers the next message box with a button and keeps its text.
+    void answer(QMessageBox::StandardButton button) {
+        QTimer::singleShot(50, &window, [this, button] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            ASSERT_NE(box, nullptr);
+            asked = box->text();
+            box->button(button)->click();
+        });
+    }
+
+    QTemporaryDir folder;
+    MainWindow window;
+    QString asked;
+};
+
+TEST_F(MainWindowTest, EverySceneOpensByKeyAndByName) {
+    for (const SceneInfo& info : sceneList()) {
+        EXPECT_TRUE(window.showScene(info.name)) << info.name.toStdString();
+        EXPECT_EQ(window.currentScene(), info.name);
+        EXPECT_FALSE(window.grab().isNull());
+    }
+    QTest::keyClick(&window, Qt::Key_1, Qt::ControlModifier);
+    EXPECT_EQ(window.currentScene(), QStringLiteral("balance-shaft"));
+    EXPECT_FALSE(window.showScene(QStringLiteral("balance-shift")));
+}
+
+TEST_F(MainWindowTest, OpensSavesAndOpensAgain) {
+    EXPECT_EQ(window.openCase(example()), QString());
+    EXPECT_TRUE(window.windowTitle().contains(QStringLiteral("tmz-650d.case.json")));
+    EXPECT_FALSE(window.isWindowModified());
+    const Json before = window.currentPage()->model()->inputJson();
+    EXPECT_EQ(applySetting(window, QStringLiteral("shaft_angle_deg=120")), QString());
+    EXPECT_TRUE(window.isWindowModified());
+    const QString copy = file("copy.case.json");
+    EXPECT_EQ(window.saveCase(copy), QString());
+    EXPECT_FALSE(window.isWindowModified());
+    EXPECT_EQ(window.openCase(example()), QString());
+    EXPECT_EQ(window.currentPage()->model()->inputJson(), before);
+    EXPECT_EQ(window.openCase(copy), QString());
+    EXPECT_EQ(window.currentPage()->model()->inputJson().at("shaft_angle_deg"), 120);
+}
+
+TEST_F(MainWindowTest, BadFilesAreNamedAndChangeNothing) {
+    ASSERT_EQ(window.openCase(example()), QString());
+    const Json before = window.currentPage()->model()->inputJson();
+    const std::vector<std::pair<const char*, const char*>> cases{
+        {"", "JSON"},
+        {"{\"format\": \"ravnoves-case\", \"version\": 2, \"scene\": \"balance-shaft\", "
+         "\"input\": {}}",
+         "newer"},
+        {"{\"format\": \"ravnoves-case\", \"version\": 1, \"scene\": \"balance-shift\", "
+         "\"input\": {}}",
+         "balance-shaft"},
+        {"{\"format\": \"ravnoves-case\", \"version\": 1, \"scene\": \"balance-shaft\", "
+         "\"input\": {\"crank_radius_mm\": -46}}",
+         "/input/"},
+        {"\x7f"
+         "ELF\x02\x01",
+         "JSON"},
+    };
+    for (const auto& [text, word] : cases) {
+        const QString path = file("bad.json");
+        write(path, text);
+        const QString trouble = window.openCase(path);
+        EXPECT_TRUE(trouble.startsWith(path)) << text;
+        EXPECT_EQ(window.currentPage()->model()->inputJson(), before) << text;
+    }
+    EXPECT_NE(window.openCase(file("missing.json")), QString());
+    EXPECT_NE(window.openCase(folder.path()), QString());
+}
+
+TEST_F(MainWindowTest, SavingToABadPlaceSaysSoAndKeepsTheOldFile) {
+    ASSERT_EQ(window.openCase(example()), QString());
+    EXPECT_NE(window.saveCase(QStringLiteral("/nonexistent/x.case.json")), QString());
+    EXPECT_TRUE(window.windowTitle().contains(QStringLiteral("tmz-650d.case.json")));
+}
+
+TEST_F(MainWindowTest, AsksBeforeChangesAreLost) {
+    ASSERT_EQ(window.openCase(example()), QString());
+    ASSERT_EQ(applySetting(window, QStringLiteral("shaft_angle_deg=77")), QString());
+    answer(QMessageBox::Cancel);
+    EXPECT_FALSE(window.close());
+    EXPECT_TRUE(asked.contains(QStringLiteral("Balance shaft")));
+    answer(QMessageBox::Discard);
+    EXPECT_TRUE(window.close());
+}
+
+TEST_F(MainWindowTest, CopiesResults) {
+    QTest::keyClick(&window, Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+    const QString text = QApplication::clipboard()->text();
+    EXPECT_TRUE(text.contains(QStringLiteral("range\t1208.0"))) << text.toStdString();
+}
+
+TEST_F(MainWindowTest, SettingsFromTheCommandLineAreChecked) {
+    EXPECT_EQ(applySetting(window, QStringLiteral("centre_distance_mm=120")), QString());
+    EXPECT_TRUE(applySetting(window, QStringLiteral("centre_distance_mm"))
+                    .contains(QStringLiteral("key=value")));
+    EXPECT_TRUE(applySetting(window, QStringLiteral("centre_distance_mm=-1"))
+                    .contains(QStringLiteral("/input/centre_distance_mm")));
+    EXPECT_TRUE(applySetting(window, QStringLiteral("centre_distence_mm=1"))
+                    .contains(QStringLiteral("centre_distance_mm")));
+}
+
+TEST_F(MainWindowTest, PicturesAreTheSameEveryTime) {
+    const QString first = file("a.png");
+    const QString second = file("b.png");
+    ASSERT_EQ(writeScreenshot(window, first, QStringLiteral("1280x800")), QString());
+    MainWindow other;
+    ASSERT_EQ(writeScreenshot(other, second, QStringLiteral("1280x800")), QString());
+    const QImage a(first);
+    EXPECT_EQ(a.size(), QSize(1280, 800));
+    EXPECT_EQ(a, QImage(second));
+    EXPECT_NE(writeScreenshot(other, second, QStringLiteral("big")), QString());
+    EXPECT_NE(
+        writeScreenshot(other, QStringLiteral("/nonexistent/a.png"), QStringLiteral("1280x800")),
+        QString());
+}
+
+TEST_F(MainWindowTest, DarkAndLightDiffer) {
+    const QImage light = window.grab().toImage();
+    Theme::instance().setMode(Theme::Mode::Dark);
+    QApplication::processEvents();
+    const QImage dark = window.grab().toImage();
+    Theme::instance().setMode(Theme::Mode::Light);
+    EXPECT_GT(light.pixelColor(640, 790).lightness(), 180);
+    EXPECT_LT(dark.pixelColor(640, 790).lightness(), 80);
+}
+
+TEST_F(MainWindowTest, EveryActionHasATipAndEveryIconExists) {
+    for (const QAction* action : window.findChildren<QAction*>()) {
+        if (!action->text().isEmpty()) {
+            EXPECT_FALSE(action->toolTip().isEmpty()) << action->text().toStdString();
+        }
+    }
+    for (const SceneInfo& info : sceneList()) {
+        EXPECT_FALSE(themedIcon(QStringLiteral("scene-") + info.name).isNull());
+    }
+}
+
+TEST(Help, EveryPageHasItsHelp) {
+    for (const SceneInfo& info : sceneList()) {
+        if (!info.make) {
+            continue;
+        }
+        HelpWindow help(info.name);
+        const QString text = help.findChild<QTextBrowser*>()->toPlainText();
+        EXPECT_GT(text.size(), 200) << info.name.toStdString();
+    }
+}
+
+}  // namespace
+}  // namespace ravnoves
