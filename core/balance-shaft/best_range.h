@@ -5,13 +5,16 @@
 namespace ravnoves::balance_shaft {
 
 /// The least range over α and what is known of the others.
-struct BestRange {
-    double shaft_angle = 0.0;  ///< rad, 0…2π
-    double range = 0.0;        ///< N·m
-    double worst = 0.0;        ///< N·m, the largest range met on the way
-    double gap = 0.0;          ///< N·m: no α has a range below range − gap
+template <typename Scalar>
+struct BasicBestRange {
+    Scalar shaft_angle = Scalar(0);  ///< rad, 0…2π
+    Scalar range = Scalar(0);        ///< N·m
+    Scalar worst = Scalar(0);        ///< N·m, the largest range met on the way
+    Scalar gap = Scalar(0);          ///< N·m: no α has a range below range − gap
     int evaluations = 0;
 };
+
+using BestRange = BasicBestRange<double>;
 
 /// The global minimum of the range R(α) = max − min of M(φ) + A sin(φ + α), by cutting planes.
 ///
@@ -20,7 +23,8 @@ struct BestRange {
 /// everywhere (a range is at least the difference of any two of its values). Between two
 /// evaluated angles the larger of their two sinusoids bounds R from below; the interval is split
 /// at that bound's minimum until no bound lies under the best value. Kinks and several minima need
-/// no care, since the bounds are global.
-BestRange minimise_range(const CycleExtrema& extrema);
+/// no care, since the bounds are global. Made for double and for Real50.
+template <typename Scalar>
+BasicBestRange<Scalar> minimise_range(const BasicCycleExtrema<Scalar>& extrema);
 
 }  // namespace ravnoves::balance_shaft

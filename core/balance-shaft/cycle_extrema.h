@@ -9,15 +9,20 @@
 namespace ravnoves::balance_shaft {
 
 /// An extremum over the cycle.
-struct Extremum {
-    double value = 0.0;      ///< N·m
-    double angle_deg = 0.0;  ///< crank angle, 0…720
+template <typename Scalar>
+struct BasicExtremum {
+    Scalar value = Scalar(0);      ///< N·m
+    Scalar angle_deg = Scalar(0);  ///< crank angle, 0…720
 };
 
-struct Extrema {
-    Extremum max;
-    Extremum min;
+template <typename Scalar>
+struct BasicExtrema {
+    BasicExtremum<Scalar> max;
+    BasicExtremum<Scalar> min;
 };
+
+using Extremum = BasicExtremum<double>;
+using Extrema = BasicExtrema<double>;
 
 /// The exact extrema of M(φ) + A sin(φ + α) over a cycle of 720° for one M and one A ≥ 0 and any
 /// number of α, where M is piecewise linear or cubic in φ in degrees with period 720°.
@@ -28,32 +33,34 @@ struct Extrema {
 /// above its own chord, so only intervals with an end that near to the best are solved for their
 /// interior extremum: in closed form for lines (cos(φ + α) = −slope/A), by monotone brackets for
 /// cubics.
-class CycleExtrema {
+template <typename Scalar>
+class BasicCycleExtrema {
   public:
-    CycleExtrema(const PeriodicPiecewise& moment, double amplitude);
+    BasicCycleExtrema(const BasicPeriodicPiecewise<Scalar>& moment, const Scalar& amplitude);
 
     /// @param alpha  rad, any finite angle
-    Extrema operator()(double alpha) const;
-    double range(double alpha) const {
-        const Extrema found = (*this)(alpha);
+    BasicExtrema<Scalar> operator()(const Scalar& alpha) const;
+    Scalar range(const Scalar& alpha) const {
+        const BasicExtrema<Scalar> found = (*this)(alpha);
         return found.max.value - found.min.value;
     }
 
-    double amplitude() const { return amplitude_; }
+    Scalar amplitude() const { return amplitude_; }
 
   private:
-    using Cubic = PeriodicPiecewise::Cubic;
+    using Column = Eigen::Array<Scalar, Eigen::Dynamic, 1>;
+    using Cubic = PiecewiseCubic<Scalar>;
 
     /// M between two folded knots in one of the two revolutions.
     struct Branch {
-        Cubic cubic;               ///< about the interval's left knot, per degree
-        double steepest = 0.0;     ///< lines: φ + α where an interior maximum lies, °; a minimum
-                                   ///< lies at −steepest
-        double rise = 0.0;         ///< lines: A sin(steepest)
+        Cubic cubic;                  ///< about the interval's left knot, per degree
+        Scalar steepest = Scalar(0);  ///< lines: φ + α where an interior maximum lies, °; a minimum
+                                      ///< lies at −steepest
+        Scalar rise = Scalar(0);   ///< lines: A sin(steepest)
         bool has_interior = true;  ///< false where the slope is too steep for an interior extremum
-        double last = 0.0;         ///< value at the right knot
-        double above = 0.0;        ///< most that the moments may lie above their larger end
-        double below = 0.0;        ///< and below their smaller one
+        Scalar last = Scalar(0);   ///< value at the right knot
+        Scalar above = Scalar(0);  ///< most that the moments may lie above their larger end
+        Scalar below = Scalar(0);  ///< and below their smaller one
     };
 
     /// The least and the largest value so far and where, and the search of one interval for more.
@@ -61,16 +68,18 @@ class CycleExtrema {
 
     void search_interval(Eigen::Index j, Search& search) const;
 
-    double amplitude_ = 0.0;
+    Scalar amplitude_ = Scalar(0);
     bool linear_ = true;
     std::size_t count_ = 0;         ///< folded knots
-    std::vector<double> knot_deg_;  ///< count_ + 1, 0 ≤ knot < 360, then the first + 360
+    std::vector<Scalar> knot_deg_;  ///< count_ + 1, 0 ≤ knot < 360, then the first + 360
     std::vector<Branch> branches_;  ///< two per interval: first revolution, second
     // Padded to whole blocks with copies of the first knot.
-    Eigen::ArrayXd cos_, sin_, upper_, lower_;
+    Column cos_, sin_, upper_, lower_;
     // How far the function may lie above and below the ends within the intervals beside a knot, and
     // the largest of that in each block.
-    Eigen::ArrayXd above_, below_, block_above_, block_below_;
+    Column above_, below_, block_above_, block_below_;
 };
+
+using CycleExtrema = BasicCycleExtrema<double>;
 
 }  // namespace ravnoves::balance_shaft
