@@ -1,0 +1,63 @@
+#include "numerics/real50.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "balance-shaft/best_range.h"
+#include "balance-shaft/cycle_extrema.h"
+#include "numerics/periodic_piecewise.h"
+
+namespace ravnoves {
+namespace {
+
+/// sin φ + sin(φ/2) every 30° of a cycle of 720°, in any scalar.
+template <typename Scalar>
+BasicPeriodicPiecewise<Scalar> table(bool cubic) {
+    const std::vector<double> values{0.0,  0.8,  1.4,  1.7,  1.7,  1.5,  1.0, 0.5, 0.0,
+                                     -0.3, -0.4, -0.3, 0.0,  0.3,  0.4,  0.3, 0.0, -0.5,
+                                     -1,   -1.5, -1.7, -1.7, -1.4, -0.8, 0.0};
+    std::vector<Scalar> x;
+    std::vector<Scalar> y;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        x.emplace_back(30 * static_cast<int>(i));
+        y.emplace_back(values[i]);
+    }
+    return cubic ? BasicPeriodicPiecewise<Scalar>::cubic(x, y)
+                 : BasicPeriodicPiecewise<Scalar>::linear(x, y);
+}
+
+double gap(const Real50& exact, double found) {
+    return std::abs(static_cast<double>(exact - found));
+}
+
+TEST(Real50, IntegralsOfThePiecesAreThoseOfDouble) {
+    for (const bool cubic : {false, true}) {
+        const auto f = table<double>(cubic);
+        const auto exact = table<Real50>(cubic);
+        EXPECT_LT(gap(exact.mean(), f.mean()), 1e-15);
+        EXPECT_LT(gap(exact.variance(), f.variance()), 1e-14);
+        const Real50 frequency = boost::math::constants::degree<Real50>();
+        const auto order = exact.fourier(frequency);
+        EXPECT_LT(gap(order.a, f.fourier(M_PI / 180.0).a), 1e-14);
+        EXPECT_LT(gap(order.b, f.fourier(M_PI / 180.0).b), 1e-14);
+    }
+}
+
+TEST(Real50, RangeAndBestAngleAreThoseOfDouble) {
+    using namespace balance_shaft;
+    for (const bool cubic : {false, true}) {
+        const CycleExtrema f(table<double>(cubic), 0.7);
+        const BasicCycleExtrema<Real50> exact(table<Real50>(cubic), Real50(0.7));
+        for (const double alpha : {0.0, 0.3, 2.0, 4.5}) {
+            EXPECT_LT(gap(exact.range(Real50(alpha)), f.range(alpha)), 1e-14) << alpha;
+        }
+        const auto best = minimise_range(exact);
+        EXPECT_LT(gap(best.range, minimise_range(f).range), 1e-13);
+        EXPECT_LT(best.gap, Real50(1e-40));
+    }
+}
+
+}  // namespace
+}  // namespace ravnoves
