@@ -1,8 +1,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QFileInfo>
 #include <QSettings>
-#include <QTimer>
+#include <QTemporaryDir>
 #include <cstdio>
 
 #include "shell/language.h"
@@ -69,9 +68,10 @@ int main(int argc, char** argv) {
                        themeOption, languageOption});
     parser.process(app);
 
+    const QTemporaryDir noSettings;
     if (screenshot) {
         // Nothing of the user's settings may change the picture.
-        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, u"/nonexistent"_s);
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, noSettings.path());
     }
     ravnoves::installLanguage(parser.isSet(languageOption) ? parser.value(languageOption)
                               : screenshot                 ? u"en"_s

@@ -217,9 +217,8 @@ void PlotView::setCurveStyle(int number, const CurveStyle& style) {
     Curve& curve = *curves_.at(static_cast<std::size_t>(number));
     curve.style = style;
     const QColor colour = Theme::instance().curve(style.colour);
-    curve.series->setPen(style.shape == Shape::Points
-                             ? QPen(Qt::NoPen)
-                             : QPen(colour, style.width, style.pen, Qt::RoundCap, Qt::RoundJoin));
+    curve.series->setPen(QPen(colour, style.width, style.pen, Qt::RoundCap, Qt::RoundJoin));
+    curve.stale = true;
     if (curve.button != nullptr) {
         curve.button->setText(style.name);
         curve.button->setAccessibleName(tr("Show %1").arg(style.name));
@@ -284,6 +283,12 @@ bool PlotView::isCurveShown(int number) const {
 
 int PlotView::curveCount() const {
     return static_cast<int>(curves_.size());
+}
+
+void PlotView::setImage(const QImage& image, const QRectF& values) {
+    image_ = image;
+    imageValues_ = values;
+    chartChanged();
 }
 
 void PlotView::setMarks(std::vector<Mark> marks) {
@@ -386,6 +391,11 @@ double PlotView::xAt(double pixelX) const {
     return x_->value((pixelX - area.left()) / std::max(1.0, area.width()));
 }
 
+double PlotView::yAt(double pixelY, Side side) const {
+    const QRectF area = plotArea();
+    return axis(side).value((area.bottom() - pixelY) / std::max(1.0, area.height()));
+}
+
 std::pair<double, double> PlotView::xInterval() const {
     return {x_->low, x_->high};
 }
@@ -415,6 +425,10 @@ void PlotView::updateRanges() {
                         std::minmax_element(curve->y.begin(), curve->y.end());
                     low = std::min(low, *least);
                     high = std::max(high, *most);
+                    if (curve->style.shape == Shape::Bars && !state.spec.logarithmic) {
+                        low = std::min(low, 0.0);
+                        high = std::max(high, 0.0);
+                    }
                 }
             }
             if (!(low <= high)) {
@@ -434,7 +448,9 @@ void PlotView::updateRanges() {
                     continue;
                 }
                 const double pad = 0.04 * (high - low);
-                std::tie(low, high) = niceInterval(low - pad, high + pad, 6);
+                std::tie(low, high) =
+                    niceInterval(low < 0.0 || low > pad ? low - pad : low,
+                                 high > 0.0 || high < -pad ? high + pad : high, 6);
             }
         }
         if (low != state.low || high != state.high) {
@@ -575,7 +591,8 @@ void PlotView::updateSeries() {
             continue;
         }
         curve->stale = false;
-        const bool drawn = curve->shown && curve->style.shape != Shape::Points;
+        const bool drawn = curve->shown && (curve->style.shape == Shape::Line ||
+                                            curve->style.shape == Shape::LineAndPoints);
         curve->series->setVisible(drawn);
         if (!drawn) {
             continue;
@@ -597,6 +614,16 @@ void PlotView::renderChart(QPainter& painter) {
     const QRectF area = plotArea();
     painter.setRenderHint(QPainter::Antialiasing);
     paintTitle(painter);
+    if (!image_.isNull()) {
+        painter.save();
+        painter.setClipRect(area);
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.drawImage(QRectF(toPixel(imageValues_.left(), imageValues_.bottom()),
+                                 toPixel(imageValues_.right(), imageValues_.top()))
+                              .normalized(),
+                          image_);
+        painter.restore();
+    }
     for (const Band& band : bands_) {
         const double from = toPixel(band.from, left_->low).x();
         const double to = toPixel(band.to, left_->low).x();
@@ -632,7 +659,23 @@ void PlotView::renderChart(QPainter& painter) {
                 }
             }
         }
-        if (curve->style.shape != Shape::Line) {
+        if (curve->style.shape == Shape::Bars) {
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(colour);
+            const double foot = axis(curve->style.side).spec.logarithmic
+                                    ? area.bottom()
+                                    : toPixel(0.0, 0.0, curve->style.side).y();
+            for (std::size_t i = 0; i < curve->x.size(); ++i) {
+                const double middle = curve->x[i] + curve->style.barShift;
+                const double half = 0.5 * curve->style.barWidth;
+                const QPointF left = toPixel(middle - half, curve->y[i], curve->style.side);
+                const QPointF right = toPixel(middle + half, curve->y[i], curve->style.side);
+                painter.drawRect(
+                    QRectF(QPointF(left.x(), std::clamp(left.y(), area.top(), area.bottom())),
+                           QPointF(right.x(), std::clamp(foot, area.top(), area.bottom())))
+                        .normalized());
+            }
+        } else if (curve->style.shape != Shape::Line) {
             painter.setPen(QPen(Theme::instance().panel(), 1.0));
             painter.setBrush(colour);
             for (std::size_t i = 0; i < curve->x.size(); ++i) {
@@ -836,6 +879,13 @@ std::optional<double> PlotView::valueAt(int number, double x) const {
     if (curve.style.shape == Shape::Points) {
         return std::nullopt;
     }
+    if (curve.style.shape == Shape::Bars) {
+        const auto bar = std::find_if(curve.x.begin(), curve.x.end(),
+                                      [&](double at) { return std::abs(at - x) < 0.5; });
+        return bar == curve.x.end()
+                   ? std::nullopt
+                   : std::optional(curve.y[static_cast<std::size_t>(bar - curve.x.begin())]);
+    }
     const auto upper = std::upper_bound(curve.x.begin(), curve.x.end(), x);
     const auto i = static_cast<std::size_t>(upper - curve.x.begin());
     if (i == 0 || i == curve.x.size()) {
@@ -924,7 +974,7 @@ void PlotView::mousePressEvent(QMouseEvent* event) {
     if (inside && pickable_ && event->button() == Qt::LeftButton &&
         !event->modifiers().testFlag(Qt::ShiftModifier)) {
         picking_ = true;
-        Q_EMIT picked(std::clamp(xAt(event->position().x()), x_->low, x_->high));
+        pick(event->position());
     } else if (inside &&
                (event->button() == Qt::LeftButton || event->button() == Qt::MiddleButton)) {
         panFrom_ = event->position();
@@ -934,7 +984,7 @@ void PlotView::mousePressEvent(QMouseEvent* event) {
 
 void PlotView::mouseMoveEvent(QMouseEvent* event) {
     if (picking_) {
-        Q_EMIT picked(std::clamp(xAt(event->position().x()), x_->low, x_->high));
+        pick(event->position());
         return;
     }
     if (panFrom_) {
@@ -959,6 +1009,12 @@ void PlotView::mouseDoubleClickEvent(QMouseEvent* event) {
     } else {
         resetZoom();
     }
+}
+
+void PlotView::pick(const QPointF& position) {
+    const double x = std::clamp(xAt(position.x()), x_->low, x_->high);
+    Q_EMIT picked(x);
+    Q_EMIT pickedAt(x, std::clamp(yAt(position.y()), left_->low, left_->high));
 }
 
 void PlotView::moveCursor(const QPointF& position) {

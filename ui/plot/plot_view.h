@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QImage>
 #include <QPixmap>
 #include <QWidget>
 #include <array>
@@ -31,7 +32,12 @@ class PlotView : public QWidget {
 
   public:
     enum class Side { Left, Right };
-    enum class Shape { Line, Points, LineAndPoints };
+    enum class Shape {
+        Line,
+        Points,
+        LineAndPoints,
+        Bars,  ///< from 0 to the value; barWidth and barShift in units of x
+    };
 
     struct CurveStyle {
         QString name;            ///< in the legend and the readout
@@ -43,6 +49,8 @@ class PlotView : public QWidget {
         bool shown = true;
         bool inLegend = true;
         QString toolTip = {};
+        double barWidth = 0.8;
+        double barShift = 0.0;  ///< of the bar's middle, so that groups stand side by side
     };
 
     struct Axis {
@@ -105,6 +113,9 @@ class PlotView : public QWidget {
     /// Vertical error bars from low to high at each point of the curve; empty spans remove them.
     void setErrorBars(int curve, std::vector<double> low, std::vector<double> high);
 
+    /// A picture under the curves that fills a rectangle of values (a map over x and y); a null
+    /// image removes it. Row 0 of the image is the top.
+    void setImage(const QImage& image, const QRectF& values);
     void setMarks(std::vector<Mark> marks);
     void setBands(std::vector<Band> bands);
     void setLines(std::vector<Line> lines);
@@ -126,6 +137,7 @@ class PlotView : public QWidget {
     QRectF plotArea() const;
     QPointF toPixel(double x, double y, Side side = Side::Left) const;
     double xAt(double pixelX) const;
+    double yAt(double pixelY, Side side = Side::Left) const;
     /// The interval shown now.
     std::pair<double, double> xInterval() const;
     std::pair<double, double> yInterval(Side side) const;
@@ -146,6 +158,8 @@ class PlotView : public QWidget {
   Q_SIGNALS:
     /// A click or drag in a pickable plot.
     void picked(double x);
+    /// The same with the value on the left axis (maps).
+    void pickedAt(double x, double y);
     /// The cursor is over x.
     void cursorMoved(double x);
     void cursorLeft();
@@ -181,6 +195,7 @@ class PlotView : public QWidget {
     void zoom(double factorX, double factorY, const QPointF& about);
     void pan(const QPointF& pixels);
     void moveCursor(const QPointF& position);
+    void pick(const QPointF& position);
     void renderChart(QPainter& painter);
     void paintOverlay(QPainter& painter);
     void paintMarks(QPainter& painter, const QRectF& area);
@@ -197,6 +212,8 @@ class PlotView : public QWidget {
     std::unique_ptr<AxisState> left_;
     std::unique_ptr<AxisState> right_;
 
+    QImage image_;
+    QRectF imageValues_;
     std::vector<Mark> marks_;
     std::vector<Band> bands_;
     std::vector<Line> lines_;
