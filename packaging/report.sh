@@ -7,7 +7,9 @@ if [ $# -ne 4 ]; then
     exit 2
 fi
 cli=$1 program=$2 examples=$3 report=$4
-export QT_QPA_PLATFORM=offscreen LC_ALL=C.UTF-8 XDG_RUNTIME_DIR=${XDG_RUNTIME_DIR:-/tmp}
+XDG_RUNTIME_DIR=$(mktemp -d) # private, or Qt complains
+trap 'rm -rf "$XDG_RUNTIME_DIR"' EXIT
+export XDG_RUNTIME_DIR QT_QPA_PLATFORM=offscreen LC_ALL=C.UTF-8
 unset QT_FONT_DPI QT_SCALE_FACTOR
 
 # field NAME FILE: a top-level string of a case file.
