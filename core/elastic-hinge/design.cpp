@@ -1,0 +1,264 @@
+#include "elastic-hinge/design.h"
+
+#include <algorithm>
+#include <boost/math/interpolators/quintic_hermite.hpp>
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/special_functions/cos_pi.hpp>
+#include <boost/math/special_functions/sin_pi.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+
+#include "numerics/constants.h"
+#include "numerics/periodic_integral.h"
+
+namespace ravnoves::elastic_hinge {
+
+namespace {
+
+constexpr int table_samples = 721;
+
+/// φ in 0…2π.
+double wrap(double phi) {
+    const double turned = phi - two_pi * std::floor(phi / two_pi);
+    return turned >= two_pi ? 0.0 : std::max(turned, 0.0);
+}
+
+}  // namespace
+
+std::shared_ptr<const AngleGrid> angle_grid(int samples) {
+    thread_local std::shared_ptr<const AngleGrid> kept;
+    const auto n = static_cast<std::size_t>(std::max(samples, 13));
+    if (kept && kept->size() == n) {
+        return kept;
+    }
+    AngleGrid grid;
+    grid.angle_deg.resize(n);
+    grid.angle.resize(n);
+    grid.sin_phi.resize(n);
+    grid.cos_phi.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const double turn = static_cast<double>(i) / static_cast<double>(n - 1);
+        grid.angle_deg[i] = 360.0 * static_cast<double>(i) / static_cast<double>(n - 1);
+        grid.angle[i] = two_pi * turn;
+        // The second half mirrors the first to the last digit.
+        const std::size_t mirror = n - 1 - i;
+        grid.sin_phi[i] = mirror < i ? -grid.sin_phi[mirror] : boost::math::sin_pi(2.0 * turn);
+        grid.cos_phi[i] = mirror < i ? grid.cos_phi[mirror] : boost::math::cos_pi(2.0 * turn);
+    }
+    kept = std::make_shared<const AngleGrid>(std::move(grid));
+    return kept;
+}
+
+std::vector<AngleState> turn_states(const Mechanism<double>& mechanism, double static_moment,
+                                    Kinematics kinematics, const AngleGrid& grid) {
+    const bool exact = mechanism.lambda < 1.0;
+    const std::size_t n = grid.size();
+    std::vector<AngleState> states(n);
+    for (std::size_t i = 0; 2 * i < n; ++i) {
+        const double s = grid.sin_phi[i];
+        const double c = grid.cos_phi[i];
+        AngleState& state = states[i];
+        if (exact) {
+            state.exact = rod_angle_exact(mechanism.lambda, s, c);
+            state.inertia = reduced_inertia(mechanism, s, c, state.exact);
+        }
+        const RodAngle<double> rod = kinematics == Kinematics::exact
+                                         ? state.exact
+                                         : rod_angle_series(mechanism.lambda, s, c);
+        state.moment = rod_hinge_moment(mechanism, static_moment, s, c, rod);
+        state.cos_psi = rod.cos_psi;
+        state.psi = std::asin(mechanism.lambda * s);
+        const std::size_t mirror = n - 1 - i;
+        if (mirror == i) {
+            continue;
+        }
+        AngleState& other = states[mirror];
+        other = state;
+        other.exact.sin_psi = -state.exact.sin_psi;
+        other.exact.dcos = -state.exact.dcos;
+        other.exact.d3cos = -state.exact.d3cos;
+        other.exact.d2psi = -state.exact.d2psi;
+        other.inertia.slope = -state.inertia.slope;
+        other.moment.inertia = -state.moment.inertia;
+        other.moment.dweight = -state.moment.dweight;
+        other.psi = -state.psi;
+    }
+    return states;
+}
+
+Design::Design(const Input& input)
+    : mechanism_((check_input(input), mechanism_of(input))),
+      omega_(input.angular_speed),
+      kinematics_(input.kinematics),
+      sharp_(input.lambda > 0.97) {
+    const bool solved = input.rod_counterweight && !input.rod_counterweight->mass;
+    static_moment_ = solved ? 0.0 : mechanism_.static_moment();
+    integral_ = elastic_hinge::rod_hinge_integral(mechanism_, static_moment_, kinematics_);
+    states_ = turn_states(mechanism_, static_moment_, kinematics_, *angle_grid(table_samples));
+    if (has_exact_kinematics()) {
+        tabulate_work();
+        find_ranges();
+    }
+}
+
+double Design::rod_hinge_mean() const {
+    return integral_ / two_pi;
+}
+
+RodHingeMoment<double> Design::rod_moment(double sin_phi, double cos_phi) const {
+    return rod_hinge_moment(mechanism_, static_moment_, sin_phi, cos_phi,
+                            rod_angle(kinematics_, mechanism_.lambda, sin_phi, cos_phi));
+}
+
+double Design::work_slope(double phi) const {
+    const double s = std::sin(phi);
+    const double c = std::cos(phi);
+    const double cos_psi = std::sqrt((1.0 - mechanism_.lambda * s) * (1.0 + mechanism_.lambda * s));
+    return (rod_moment(s, c).value(omega_) - rod_hinge_mean()) *
+           (1.0 + mechanism_.lambda * c / cos_psi);
+}
+
+void Design::tabulate_work() {
+    const auto kept = angle_grid(table_samples);
+    const AngleGrid& grid = *kept;
+    const std::size_t n = grid.size();
+    const double step = two_pi / static_cast<double>(n - 1);
+    const double mean = rod_hinge_mean();
+    std::vector<double> slope(n);
+    std::vector<double> second(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const AngleState& state = states_[i];
+        const double potential = state.moment.value(omega_) - mean;
+        const double dtheta = 1.0 + state.exact.dpsi;
+        slope[i] = potential * dtheta;
+        second[i] = state.moment.slope(omega_) * dtheta + potential * state.exact.d2psi;
+    }
+    if (sharp_) {
+        work_.assign(n, 0.0);
+        for (std::size_t i = 0; i + 1 < n; ++i) {
+            work_[i + 1] = work_[i] + integrate_work(grid.angle[i], grid.angle[i + 1]);
+        }
+        return;
+    }
+    work_ = cumulative_periodic_integral({slope.data(), n - 1}, step);
+    auto copy = work_;
+    boost::math::interpolators::cardinal_quintic_hermite<std::vector<double>> interpolator(
+        std::move(copy), std::move(slope), std::move(second), 0.0, step);
+    interpolated_work_ = [interpolator, last = step * static_cast<double>(n - 1)](double x) {
+        return interpolator(std::min(x, last));
+    };
+}
+
+double Design::rod_work(double phi) const {
+    const double x = wrap(phi);
+    if (!sharp_) {
+        return interpolated_work_(x);
+    }
+    const double step = two_pi / static_cast<double>(work_.size() - 1);
+    const auto i = std::min(static_cast<std::size_t>(x / step), work_.size() - 1);
+    const double node = step * static_cast<double>(i);
+    return x == node ? work_[i] : work_[i] + integrate_work(node, x);
+}
+
+double Design::integrate_work(double from, double to) const {
+    // The integrand has a pole at a distance of about √(1 − λ²) from the real angle 90° (and 270°):
+    // panels half as long as the way to it keep the seven-point rule exact to rounding.
+    const double width = std::sqrt((1.0 - mechanism_.lambda) * (1.0 + mechanism_.lambda));
+    const double off = std::abs(std::remainder(0.5 * (from + to) - 0.5 * pi, pi));
+    const double reach = 0.5 * std::max(std::hypot(off - 0.5 * std::abs(to - from), width), width);
+    const int panels =
+        static_cast<int>(std::clamp(std::ceil(std::abs(to - from) / reach), 1.0, 256.0));
+    double sum = 0.0;
+    for (int i = 0; i < panels; ++i) {
+        sum += boost::math::quadrature::gauss<double, 7>::integrate(
+            [this](double x) { return work_slope(x); }, from + (to - from) * i / panels,
+            from + (to - from) * (i + 1) / panels);
+    }
+    return sum;
+}
+
+Demand Design::demand(Hinge hinge, double phi, const AngleState& state,
+                      const EnergyRise<double>& rise, double work) const {
+    if (hinge == Hinge::crank) {
+        return {phi, 1.0, rise.rise, rise.slope, rise.second};
+    }
+    const double dtheta = 1.0 + state.exact.dpsi;
+    const double potential = state.moment.value(omega_) - rod_hinge_mean();
+    const double dpotential = state.moment.slope(omega_);
+    if (hinge == Hinge::rod) {
+        // The hinge turns the rod by +M₁₂ against −ψ and the crank by −M₁₂: its power is −M₁₂ θ̇.
+        return {phi + state.psi, dtheta, -work, -potential, -dpotential / dtheta};
+    }
+    return {phi, 1.0, rise.rise + work, rise.slope + potential * dtheta,
+            rise.second + dpotential * dtheta + potential * state.exact.d2psi};
+}
+
+Demand Design::demand(Hinge hinge, double phi) const {
+    const double s = std::sin(phi);
+    const double c = std::cos(phi);
+    AngleState state{};
+    state.exact = rod_angle_exact(mechanism_.lambda, s, c);
+    state.inertia = reduced_inertia(mechanism_, s, c, state.exact);
+    const auto rise = energy_rise(mechanism_, omega_, s, c, state.inertia);
+    if (hinge == Hinge::crank) {
+        return demand(hinge, phi, state, rise, 0.0);
+    }
+    state.moment = kinematics_ == Kinematics::exact
+                       ? rod_hinge_moment(mechanism_, static_moment_, s, c, state.exact)
+                       : rod_moment(s, c);
+    state.psi = std::asin(state.exact.sin_psi);
+    return demand(hinge, phi, state, rise, rod_work(phi));
+}
+
+void Design::find_ranges() {
+    const auto kept = angle_grid(table_samples);
+    const AngleGrid& grid = *kept;
+    const std::size_t n = grid.size();
+    std::vector<Demand> points[3];
+    for (auto& list : points) {
+        list.resize(n);
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto rise =
+            energy_rise(mechanism_, omega_, grid.sin_phi[i], grid.cos_phi[i], states_[i].inertia);
+        for (const Hinge hinge : {Hinge::crank, Hinge::crank_with_rod, Hinge::rod}) {
+            points[static_cast<int>(hinge)][i] =
+                demand(hinge, grid.angle[i], states_[i], rise, work_[i]);
+        }
+    }
+    for (const Hinge hinge : {Hinge::crank, Hinge::crank_with_rod, Hinge::rod}) {
+        const auto& list = points[static_cast<int>(hinge)];
+        DemandRange& range = ranges_[static_cast<int>(hinge)];
+        const auto take = [&](double phi, double energy) {
+            if (energy < range.min) {
+                range.min = energy;
+                range.min_angle = wrap(phi);
+            }
+            if (energy > range.max) {
+                range.max = energy;
+                range.max_angle = wrap(phi);
+            }
+        };
+        for (std::size_t i = 0; i + 1 < n; ++i) {
+            take(grid.angle[i], list[i].energy);
+            const double a = list[i].moment;
+            const double b = list[i + 1].moment;
+            if (!((a < 0 && b > 0) || (a > 0 && b < 0))) {
+                continue;
+            }
+            // An extremum of the energy is a zero of the moment, and well conditioned as that.
+            std::uintmax_t steps = 60;
+            const auto bracket = boost::math::tools::toms748_solve(
+                [&](double phi) { return demand(hinge, phi).moment; }, grid.angle[i],
+                grid.angle[i + 1], a, b, boost::math::tools::eps_tolerance<double>(50), steps);
+            const double phi = 0.5 * (bracket.first + bracket.second);
+            take(phi, demand(hinge, phi).energy);
+        }
+    }
+}
+
+DemandRange Design::range(Hinge hinge) const {
+    return ranges_[static_cast<int>(hinge)];
+}
+
+}  // namespace ravnoves::elastic_hinge

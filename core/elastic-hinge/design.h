@@ -1,0 +1,122 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "elastic-hinge/energy.h"
+#include "elastic-hinge/input.h"
+#include "elastic-hinge/kinematics.h"
+#include "elastic-hinge/rod_hinge_moment.h"
+
+namespace ravnoves::elastic_hinge {
+
+/// Equally spaced crank angles over one turn, both ends included.
+struct AngleGrid {
+    std::vector<double> angle_deg;  ///< 0…360
+    std::vector<double> angle;      ///< rad
+    std::vector<double> sin_phi;    ///< exact at multiples of 90°
+    std::vector<double> cos_phi;
+
+    std::size_t size() const { return angle.size(); }
+};
+
+/// The grid of `samples` angles (at least 13); the last one asked for is kept per thread.
+std::shared_ptr<const AngleGrid> angle_grid(int samples);
+
+/// What one crank angle of a mechanism has in common for every crank speed.
+struct AngleState {
+    RodAngle<double> exact;          ///< undefined for λ = 1, as is `inertia`
+    ReducedInertia<double> inertia;  ///< always of the exact kinematics
+    RodHingeMoment<double> moment;   ///< of the chosen kinematics
+    double cos_psi;                  ///< of the chosen kinematics
+    double psi;                      ///< the rod's angle, rad: asin(λ sin φ)
+};
+
+/// The states over one turn. Only half of them are computed: φ and −φ mirror each other.
+std::vector<AngleState> turn_states(const Mechanism<double>& mechanism, double static_moment,
+                                    Kinematics kinematics, const AngleGrid& grid);
+
+/// Which hinge a guide is for.
+enum class Hinge {
+    crank,           ///< between frame and crank: gives M; turns through φ
+    crank_with_rod,  ///< between frame and crank where the rod has its hinge: gives M₁, through φ
+    rod,  ///< between crank and rod: gives M₁₂'s potential part; through θ = φ + ψ
+};
+
+/// What a hinge has to give out, at one crank angle. Derivatives are by the hinge's own angle.
+struct Demand {
+    double polar_angle;  ///< rad: φ or θ, the angle that the hinge has turned through
+    double dpolar;       ///< d polar_angle / dφ, > 0
+    double energy;       ///< J given out since φ = 0
+    double moment;       ///< d energy / d polar_angle, N·m
+    double dmoment;      ///< d moment / d polar_angle, N·m
+};
+
+/// The least and the greatest energy that a hinge has given out, over the turn.
+struct DemandRange {
+    double min = 0.0;        ///< J, ≤ 0
+    double max = 0.0;        ///< J, ≥ 0
+    double min_angle = 0.0;  ///< crank angle, rad, 0…2π
+    double max_angle = 0.0;
+
+    double span() const { return max - min; }  ///< J
+};
+
+/// All that follows from mechanism and design speed, before any spring is chosen.
+///
+/// Immutable after construction; const members may run in several threads.
+class Design {
+  public:
+    /// @throws InputError as check_input()
+    explicit Design(const Input& input);
+
+    const Mechanism<double>& mechanism() const { return mechanism_; }
+    double angular_speed() const { return omega_; }
+    Kinematics kinematics() const { return kinematics_; }
+    /// False for λ = 1: M, M₁ and every guide need the exact kinematics.
+    bool has_exact_kinematics() const { return mechanism_.lambda < 1.0; }
+
+    /// ∮ M₁₂ dφ, J.
+    double rod_hinge_integral() const { return integral_; }
+    /// Its mean over the turn, N·m: what (5) takes off.
+    double rod_hinge_mean() const;
+    /// (m₃ + m₂/2) ℓ − m₄ ℓ₂, kg·m; exactly 0 for a counterweight that was solved.
+    double static_moment() const { return static_moment_; }
+
+    /// M₁₂ by the chosen kinematics.
+    RodHingeMoment<double> rod_moment(double sin_phi, double cos_phi) const;
+    /// Work of M₁₂'s potential part from φ = 0: ∫ (M₁₂ − mean) dθ, J. Periodic.
+    /// @param phi  rad, any. Needs the exact kinematics.
+    double rod_work(double phi) const;
+
+    /// Needs the exact kinematics.
+    Demand demand(Hinge hinge, double phi) const;
+    /// The same from what is already known of that angle (for whole curves).
+    Demand demand(Hinge hinge, double phi, const AngleState& state, const EnergyRise<double>& rise,
+                  double work) const;
+    DemandRange range(Hinge hinge) const;
+
+    /// States and rod_work() at the 721 angles of angle_grid(721); the work is empty for λ = 1.
+    const std::vector<AngleState>& states() const { return states_; }
+    const std::vector<double>& work_table() const { return work_; }
+
+  private:
+    void tabulate_work();
+    void find_ranges();
+    double work_slope(double phi) const;
+    double integrate_work(double from, double to) const;
+
+    Mechanism<double> mechanism_;
+    double omega_;
+    Kinematics kinematics_;
+    double static_moment_;
+    double integral_;
+    bool sharp_;  ///< λ so near 1 that the table's step is too coarse for interpolation
+    std::vector<AngleState> states_;
+    std::vector<double> work_;
+    std::function<double(double)> interpolated_work_;
+    DemandRange ranges_[3];
+};
+
+}  // namespace ravnoves::elastic_hinge

@@ -1,0 +1,311 @@
+#include "elastic-hinge/guide.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ravnoves::elastic_hinge {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+std::string number(double value) {
+    return format_number(value, 6);
+}
+
+std::string number_up(double value) {
+    return number(value * (1.0 + 5e-6));  // six digits that still suffice
+}
+
+std::string degrees(double angle) {
+    return number(angle / degree) + "°";
+}
+
+const char* name_of(Hinge hinge) {
+    switch (hinge) {
+        case Hinge::crank:
+            return "the crank's hinge";
+        case Hinge::crank_with_rod:
+            return "the crank's hinge beside the rod's";
+        case Hinge::rod:
+            break;
+    }
+    return "the rod's hinge";
+}
+
+struct BranchScan {
+    BranchSummary summary;
+    double sharpest = 0.0;  ///< greatest curvature against the roller, 1/m
+
+    void take(const GuidePoint& point, Branch branch, double roller) {
+        summary.min_radius = std::min(summary.min_radius, point.radius);
+        summary.max_radius = std::max(summary.max_radius, point.radius);
+        const double side = branch == Branch::compressed ? 1.0 : -1.0;
+        const double length = std::sqrt(point.radius * point.radius + point.slope * point.slope);
+        if (!std::isfinite(length)) {
+            return;
+        }
+        // ρ / length is the cosine of the pressure angle.
+        const double cosine = point.radius / length;
+        least_cosine = std::min(least_cosine, cosine);
+        const double bend = point.curvature();
+        if (std::isfinite(bend)) {
+            most_bent = std::max(most_bent, std::abs(bend));
+            // The profile lies outside a compressed spring's rollers and inside a stretched one's.
+            const double against = -side * bend;
+            if (against > sharpest) {
+                sharpest = against;
+                summary.undercut_angle = point.angle;
+            }
+        }
+        const double profile = roller > 0.0
+                                   ? std::sqrt(point.radius * point.radius + roller * roller +
+                                               2.0 * side * roller * point.radius * cosine)
+                                   : point.radius;
+        summary.profile_min_radius = std::min(summary.profile_min_radius, profile);
+        summary.profile_max_radius = std::max(summary.profile_max_radius, profile);
+    }
+
+    BranchSummary finish(double roller) {
+        summary.smallest_curvature_radius = most_bent > 0.0 ? 1.0 / most_bent : summary.max_radius;
+        if (sharpest > 0.0 && std::isfinite(1.0 / sharpest)) {
+            summary.largest_roller_radius = 1.0 / sharpest;
+            summary.undercut = roller > *summary.largest_roller_radius;
+        }
+        summary.max_pressure_angle = std::acos(std::min(least_cosine, 1.0));
+        return summary;
+    }
+
+    double most_bent = 0.0;
+    double least_cosine = 1.0;
+};
+
+BranchScan start_scan() {
+    BranchScan scan;
+    scan.summary.min_radius = std::numeric_limits<double>::max();
+    scan.summary.profile_min_radius = std::numeric_limits<double>::max();
+    return scan;
+}
+
+}  // namespace
+
+double Spring::preload() const {
+    return std::abs(0.5 * free_length - guide_radius_at_zero);
+}
+
+double GuidePoint::curvature() const {
+    const double square = radius * radius + slope * slope;
+    return (square + slope * slope - radius * second) / (square * std::sqrt(square));
+}
+
+double GuidePoint::pressure_angle() const {
+    return std::atan2(std::abs(slope), radius);
+}
+
+PlanePoint offset_point(const GuidePoint& point, double distance) {
+    const double c = std::cos(point.angle);
+    const double s = std::sin(point.angle);
+    const double length = std::hypot(point.radius, point.slope);
+    // Tangent (ρ′ c − ρ s, ρ′ s + ρ c); its outward normal is that turned by −90°.
+    const double nx = (point.slope * s + point.radius * c) / length;
+    const double ny = (point.radius * s - point.slope * c) / length;
+    return {point.radius * c + distance * nx, point.radius * s + distance * ny};
+}
+
+GuideShape::GuideShape(std::shared_ptr<const Design> design, Hinge hinge, const Spring& spring,
+                       GuideSign sign)
+    : design_(std::move(design)),
+      hinge_(hinge),
+      spring_{spring.stiffness, spring.free_length, spring.guide_radius_at_zero} {
+    const bool reversed = sign == GuideSign::as_printed && hinge != Hinge::rod;
+    scale_ = (reversed ? -0.5 : 0.5) / spring.stiffness;
+}
+
+Branch GuideShape::branch() const {
+    return spring_.radius_at_zero > 0.5 * spring_.free_length ? Branch::stretched
+                                                              : Branch::compressed;
+}
+
+std::pair<GuidePoint, GuidePoint> GuideShape::both(const Demand& demand) const {
+    const double q = given_out(demand);
+    const double d0 = spring_.preload();
+    const double square = d0 * d0 - q;
+    if (!(square >= 0.0)) {
+        const GuidePoint none{demand.polar_angle, nothing, nothing, nothing};
+        return {none, none};
+    }
+    const double d = std::sqrt(square);
+    // guide_radius() for both branches: ρ = ρ₀ ± q / (d₀ + d).
+    const double change = q == 0.0 ? 0.0 : q / (d0 + d);
+    double slope = 0.0;
+    double second = 0.0;
+    const double dsquare = -scale_ * demand.moment;
+    const double d2square = -scale_ * demand.dmoment;
+    if (dsquare != 0.0 || d2square != 0.0) {
+        const double inverse = 1.0 / d;  // infinite where an unloaded spring is to be loaded
+        slope = 0.5 * dsquare * inverse;
+        second = (0.5 * d2square - slope * slope) * inverse;
+    }
+    return {
+        {demand.polar_angle, spring_.start_radius(Branch::compressed) + change, -slope, -second},
+        {demand.polar_angle, spring_.start_radius(Branch::stretched) - change, slope, second}};
+}
+
+GuidePoint GuideShape::at(Branch branch, const Demand& demand) const {
+    const auto points = both(demand);
+    return branch == Branch::compressed ? points.first : points.second;
+}
+
+double GuideShape::energy(double radius) const {
+    const double change = spring_.free_length - 2.0 * radius;
+    return 0.5 * spring_.stiffness * change * change;
+}
+
+double GuideShape::least_given_out() const {
+    const DemandRange range = design_->range(hinge_);
+    return scale_ > 0.0 ? scale_ * range.min : scale_ * range.max;
+}
+
+double GuideShape::greatest_given_out() const {
+    const DemandRange range = design_->range(hinge_);
+    return scale_ > 0.0 ? scale_ * range.max : scale_ * range.min;
+}
+
+double GuideShape::greatest_angle() const {
+    const DemandRange range = design_->range(hinge_);
+    return scale_ > 0.0 ? range.max_angle : range.min_angle;
+}
+
+Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
+                 const std::optional<Spring>& spring, const Input& input,
+                 const std::vector<Demand>& demands) {
+    Guide guide;
+    guide.hinge = hinge;
+    if (!design->has_exact_kinematics()) {
+        guide.problem = GuideProblem::mechanism_locks;
+        guide.reason =
+            "at lambda = 1 the mechanism locks at a crank angle of 90°: there is no guide";
+        return guide;
+    }
+    if (!spring) {
+        guide.problem = GuideProblem::no_spring;
+        guide.reason = "no spring is given for " + std::string(name_of(hinge));
+        return guide;
+    }
+    const auto shape =
+        std::make_shared<const GuideShape>(std::move(design), hinge, *spring, input.guide_sign);
+    guide.shape = shape;
+    guide.branch = shape->branch();
+    guide.preload = spring->preload();
+
+    const double greatest = std::max(shape->greatest_given_out(), 0.0);
+    const double least = std::min(shape->least_given_out(), 0.0);
+    guide.minimum_preload = std::sqrt(greatest);
+    guide.worst_angle = shape->greatest_angle();
+    const double square = guide.preload * guide.preload;
+    if (square > 0.0) {
+        guide.minimum_stiffness = spring->stiffness * (greatest / square);
+    }
+    for (const Demand& demand : demands) {
+        guide.largest_moment =
+            std::max(guide.largest_moment, std::abs(demand.moment * demand.dpolar));
+    }
+
+    // Where rounding alone leaves the last place of the square below zero, the guide exists.
+    const double slack = 8.0 * std::numeric_limits<double>::epsilon() * square;
+    const bool exists = greatest <= square + slack;
+    const double lowest = std::sqrt(std::max(square - greatest, 0.0));
+    const double highest = std::sqrt(square - least);
+    guide.smallest_deflection = lowest;
+    guide.largest_deflection = highest;
+    const double half_length = 0.5 * spring->free_length;
+
+    const std::size_t n = demands.size();
+    guide.polar_angle.resize(n);
+    guide.radius_compressed.resize(n);
+    guide.radius_stretched.resize(n);
+    BranchScan compressed = start_scan();
+    BranchScan stretched = start_scan();
+    const bool fits = half_length > highest;  // a compressed spring keeps a length
+    double steepest_error = 0.0;
+    const double waves = input.profile_error_waves;
+    bool missing = false;
+    for (std::size_t i = 0; i < n; ++i) {
+        const Demand& demand = demands[i];
+        const auto [inner, outer] = shape->both(demand);
+        guide.polar_angle[i] = demand.polar_angle;
+        guide.radius_stretched[i] = outer.radius;
+        guide.radius_compressed[i] = inner.radius > 0.0 ? inner.radius : nothing;
+        if (std::isnan(outer.radius)) {
+            if (!missing) {
+                guide.first_missing_angle =
+                    two_pi * static_cast<double>(i) / static_cast<double>(n - 1);
+            }
+            missing = true;
+            continue;
+        }
+        if (exists) {
+            if (fits) {
+                compressed.take(inner, Branch::compressed, input.roller_radius);
+            }
+            stretched.take(outer, Branch::stretched, input.roller_radius);
+            const double d = std::abs(outer.radius - half_length);
+            const double slope = std::isfinite(outer.slope) ? outer.slope : 0.0;
+            const double wave = waves * d;
+            steepest_error = std::max(steepest_error, slope * slope + wave * wave);
+        }
+    }
+
+    if (!exists) {
+        guide.problem = GuideProblem::preload_too_small;
+        if (!missing) {
+            guide.first_missing_angle = guide.worst_angle;
+        }
+        guide.reason = "from a crank angle of " + degrees(guide.first_missing_angle) +
+                       " the spring would have to give out more energy than it stores (most at " +
+                       degrees(guide.worst_angle) + "): the preload |l0/2 - rho0| is " +
+                       number(guide.preload / field::millimetre) + " mm and must be at least " +
+                       number_up(guide.minimum_preload / field::millimetre) + " mm";
+        if (guide.minimum_stiffness && std::isfinite(*guide.minimum_stiffness)) {
+            guide.reason += ", or the stiffness at least " + number_up(*guide.minimum_stiffness) +
+                            " N/m with this preload";
+        }
+        return guide;
+    }
+
+    guide.relief = highest + lowest > 0.0 ? (greatest - least) / (highest + lowest) : 0.0;
+    guide.spring_travel = 2.0 * guide.relief;
+    guide.largest_spring_force = 2.0 * spring->stiffness * highest;
+    guide.smallest_spring_force = 2.0 * spring->stiffness * lowest;
+    guide.stretched = stretched.finish(input.roller_radius);
+    guide.stretched.exists = true;
+    if (fits) {
+        guide.compressed = compressed.finish(input.roller_radius);
+        guide.compressed.exists = true;
+    }
+
+    const double amplitude = input.profile_error;
+    guide.error.amplitude = amplitude;
+    guide.error.waves = input.profile_error_waves;
+    // Π = 2c (d + η)²: its error is 2c (2 d η + η²), that of the moment the derivative of it.
+    guide.error.torque =
+        4.0 * spring->stiffness * amplitude * (std::sqrt(steepest_error) + 0.5 * waves * amplitude);
+    guide.error.energy = 2.0 * spring->stiffness * amplitude * (2.0 * highest + amplitude);
+    guide.error.relative =
+        guide.largest_moment > 0.0 ? guide.error.torque / guide.largest_moment : 0.0;
+
+    if (guide.branch == Branch::compressed && !fits) {
+        guide.problem = GuideProblem::radius_not_positive;
+        guide.reason = "the spring would have to be compressed by " +
+                       number(2.0 * highest / field::millimetre) +
+                       " mm, its whole free length of " +
+                       number(spring->free_length / field::millimetre) + " mm or more";
+        return guide;
+    }
+    guide.feasible = true;
+    guide.problem = GuideProblem::none;
+    return guide;
+}
+
+}  // namespace ravnoves::elastic_hinge

@@ -1,0 +1,159 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "elastic-hinge/design.h"
+#include "elastic-hinge/guide_formula.h"
+#include "elastic-hinge/input.h"
+
+namespace ravnoves::elastic_hinge {
+
+/// A point of the roller centre's path in the guide's polar coordinates.
+struct GuidePoint {
+    double angle;   ///< polar angle, rad: the hinge's own angle
+    double radius;  ///< ρ, m; not a number where the guide does not exist
+    double slope;   ///< dρ/d angle, m
+    double second;  ///< d²ρ/d angle², m
+
+    /// Curvature of the path, 1/m; positive where it bends around the centre, as a circle does.
+    double curvature() const;
+    /// Angle between the path's normal and the radius, rad, 0…π/2.
+    double pressure_angle() const;
+};
+
+/// A point in the guide's plane, m.
+struct PlanePoint {
+    double x = 0.0;
+    double y = 0.0;
+};
+
+/// The point at a distance along the path's outward normal (inward where negative), m: the profile
+/// that a roller of that radius touches.
+PlanePoint offset_point(const GuidePoint& point, double distance);
+
+/// The guide as a function of the crank angle: equation (3) for one hinge, one spring.
+///
+/// Holds its design; const members may run in several threads.
+class GuideShape {
+  public:
+    /// The sign does not reach the rod's hinge, whose guide always does the work that M₁₂ asks for.
+    /// @param design  with exact kinematics
+    GuideShape(std::shared_ptr<const Design> design, Hinge hinge, const Spring& spring,
+               GuideSign sign);
+
+    Hinge hinge() const { return hinge_; }
+    const Design& design() const { return *design_; }
+    const GuideSpring<double>& spring() const { return spring_; }
+    /// The branch that ρ₀ lies on.
+    Branch branch() const;
+
+    /// At a crank angle in rad, any; the radius is not a number where the spring would have to
+    /// give out more than it stores.
+    GuidePoint at(Branch branch, double phi) const {
+        return at(branch, design_->demand(hinge_, phi));
+    }
+    GuidePoint at(Branch branch, const Demand& demand) const;
+    /// Both branches at once: compressed, stretched.
+    std::pair<GuidePoint, GuidePoint> both(const Demand& demand) const;
+    /// What (3) calls B − ℓ₀ρ₀ + ρ₀²: energy given out / 2c, m².
+    double given_out(const Demand& demand) const { return scale_ * demand.energy; }
+    /// Half the change of the spring's length, m.
+    double deflection(const Demand& demand) const {
+        return guide_deflection(spring_, given_out(demand));
+    }
+    /// Energy in the spring at a radius, ½ c (ℓ₀ − 2ρ)², J.
+    double energy(double radius) const;
+
+    /// Least and greatest of given_out() over the turn, m².
+    double least_given_out() const;
+    double greatest_given_out() const;
+    /// The crank angle of the greatest, rad.
+    double greatest_angle() const;
+
+  private:
+    std::shared_ptr<const Design> design_;
+    Hinge hinge_;
+    GuideSpring<double> spring_;
+    double scale_;  ///< ± 1 / (2c), m²/J
+};
+
+/// Why there is no guide.
+enum class GuideProblem {
+    none,
+    no_spring,            ///< the input has none
+    mechanism_locks,      ///< λ = 1
+    preload_too_small,    ///< Π < 0 somewhere
+    radius_not_positive,  ///< the spring would have to shrink to nothing
+};
+
+/// One branch of a guide.
+struct BranchSummary {
+    bool exists = false;
+    double min_radius = 0.0;  ///< of the roller centre's path, m
+    double max_radius = 0.0;
+    double smallest_curvature_radius = 0.0;  ///< of the path, m; over the sampled angles
+    /// The largest roller that follows the path without undercutting its profile, m. Empty: any.
+    std::optional<double> largest_roller_radius;
+    bool undercut = false;            ///< the input's roller is larger than that
+    double undercut_angle = 0.0;      ///< polar angle of the sharpest place, rad
+    double profile_min_radius = 0.0;  ///< of the profile for the input's roller, m
+    double profile_max_radius = 0.0;
+    double max_pressure_angle = 0.0;  ///< rad
+};
+
+/// What waves on a guide's profile do: ε sin(n × polar angle + any phase) added to ρ.
+struct ProfileError {
+    double amplitude = 0.0;  ///< ε, m
+    int waves = 0;           ///< n
+    double torque = 0.0;     ///< greatest error of the hinge's moment over angle and phase, N·m
+    double relative = 0.0;   ///< that against the hinge's greatest moment; 0 where it has none
+    double energy = 0.0;     ///< greatest error of the spring's energy, J
+};
+
+/// A guide with all that a designer asks about it.
+struct Guide {
+    Hinge hinge = Hinge::crank;
+    bool feasible = false;
+    GuideProblem problem = GuideProblem::no_spring;
+    std::string reason;  ///< why not, as a sentence; empty where feasible
+
+    double preload = 0.0;                     ///< |ℓ₀/2 − ρ₀|, m
+    double minimum_preload = 0.0;             ///< that the guide needs, m
+    std::optional<double> minimum_stiffness;  ///< that would do with this preload, N/m; empty: none
+    double first_missing_angle = 0.0;         ///< crank angle where the guide first ends, rad
+    double worst_angle = 0.0;  ///< crank angle where most energy has been given out, rad
+
+    double relief = 0.0;                ///< max ρ − min ρ, m
+    double spring_travel = 0.0;         ///< change of the spring's length over the turn, m
+    double largest_spring_force = 0.0;  ///< N
+    double smallest_spring_force = 0.0;
+    double smallest_deflection = 0.0;  ///< min |ℓ₀/2 − ρ|, m
+    double largest_deflection = 0.0;
+    double largest_moment = 0.0;         ///< of the hinge, N·m
+    Branch branch = Branch::compressed;  ///< that ρ₀ lies on
+    BranchSummary compressed;
+    BranchSummary stretched;
+    ProfileError error;
+
+    /// At the crank angles of the result; not a number where there is no guide.
+    std::vector<double> polar_angle;        ///< rad
+    std::vector<double> radius_compressed;  ///< m
+    std::vector<double> radius_stretched;
+
+    std::shared_ptr<const GuideShape> shape;  ///< empty without spring or exact kinematics
+
+    const BranchSummary& summary() const {
+        return branch == Branch::compressed ? compressed : stretched;
+    }
+};
+
+/// Builds the guide at the given demands (over one turn, both ends included).
+Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
+                 const std::optional<Spring>& spring, const Input& input,
+                 const std::vector<Demand>& demands);
+
+}  // namespace ravnoves::elastic_hinge

@@ -1,0 +1,331 @@
+#include "elastic-hinge/guide_export.h"
+
+#include <dxflib/dl_dxf.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include "case-file/case_file.h"
+#include "case-file/input_error.h"
+
+namespace ravnoves::elastic_hinge {
+
+namespace {
+
+constexpr std::size_t most_points = 500'000;
+
+void check_drawing(const Guide& guide, const GuideDrawing& drawing) {
+    const BranchSummary& summary =
+        drawing.branch == Branch::compressed ? guide.compressed : guide.stretched;
+    if (!guide.shape || !summary.exists) {
+        throw InputError("", "there is no guide to export" +
+                                 (guide.reason.empty() ? std::string() : ": " + guide.reason));
+    }
+    const double tolerance = drawing.chord_tolerance / field::chord_tolerance.to_si;
+    if (!field::chord_tolerance.range.contains(tolerance)) {
+        throw InputError("chord tolerance", field::chord_tolerance.range.describe() + " mm",
+                         format_number(tolerance));
+    }
+    if (!(drawing.roller_radius >= 0.0) || !std::isfinite(drawing.roller_radius)) {
+        throw InputError("roller radius", "must be at least 0",
+                         format_number(drawing.roller_radius));
+    }
+    if (summary.largest_roller_radius && drawing.roller_radius >= *summary.largest_roller_radius) {
+        throw InputError("roller radius",
+                         "must be less than " +
+                             format_number(*summary.largest_roller_radius / field::millimetre) +
+                             " mm, else the profile is undercut",
+                         format_number(drawing.roller_radius / field::millimetre) + " mm");
+    }
+}
+
+double offset_of(const GuideDrawing& drawing) {
+    return drawing.branch == Branch::compressed ? drawing.roller_radius : -drawing.roller_radius;
+}
+
+PlanePoint in_guide_axes(PlanePoint point, const GuideDrawing& drawing) {
+    return drawing.guide_turns ? PlanePoint{point.x, -point.y} : point;
+}
+
+double distance_to_chord(const PlanePoint& p, const PlanePoint& a, const PlanePoint& b) {
+    const double dx = b.x - a.x;
+    const double dy = b.y - a.y;
+    const double length = std::hypot(dx, dy);
+    if (length == 0.0) {
+        return std::hypot(p.x - a.x, p.y - a.y);
+    }
+    return std::abs((p.x - a.x) * dy - (p.y - a.y) * dx) / length;
+}
+
+class ClosedPolyline {
+  public:
+    ClosedPolyline(std::function<PlanePoint(double)> curve, double tolerance)
+        : curve_(std::move(curve)), tolerance_(0.9 * tolerance) {}
+
+    std::vector<PlanePoint> points() {
+        constexpr int arcs = 64;
+        for (int i = 0; i < arcs; ++i) {
+            const double from = two_pi * i / arcs;
+            const double to = two_pi * (i + 1) / arcs;
+            const PlanePoint a = curve_(from);
+            result_.push_back(a);
+            divide(from, a, to, curve_(to), 0);
+        }
+        return std::move(result_);
+    }
+
+  private:
+    /// Adds the points that are needed strictly between the two.
+    void divide(double from, const PlanePoint& a, double to, const PlanePoint& b, int depth) {
+        const double middle = 0.5 * (from + to);
+        const PlanePoint m = curve_(middle);
+        const PlanePoint q1 = curve_(0.5 * (from + middle));
+        const PlanePoint q3 = curve_(0.5 * (middle + to));
+        const double error = std::max(
+            {distance_to_chord(m, a, b), distance_to_chord(q1, a, b), distance_to_chord(q3, a, b)});
+        if (error <= tolerance_ || depth >= 30) {
+            return;
+        }
+        if (result_.size() >= most_points) {
+            throw InputError("chord tolerance",
+                             "is too small for this guide: it would take more than " +
+                                 std::to_string(most_points) + " points");
+        }
+        divide(from, a, middle, m, depth + 1);
+        result_.push_back(m);
+        divide(middle, m, to, b, depth + 1);
+    }
+
+    std::function<PlanePoint(double)> curve_;
+    double tolerance_;
+    std::vector<PlanePoint> result_;
+};
+
+std::string ascii(const std::string& text) {
+    std::string kept;
+    for (const char c : text) {
+        if (c >= ' ' && c <= '~') {
+            kept += c;
+        }
+    }
+    return kept;
+}
+
+/// A file that is gone when the object is.
+class TemporaryFile {
+  public:
+    TemporaryFile() {
+        path_ = (std::filesystem::temp_directory_path() / "ravnoves-XXXXXX").string();
+        const int handle = ::mkstemp(path_.data());
+        if (handle < 0) {
+            throw std::runtime_error("no temporary file can be made in " +
+                                     std::filesystem::temp_directory_path().string());
+        }
+        ::close(handle);
+    }
+    ~TemporaryFile() { std::remove(path_.c_str()); }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+    const std::string& path() const { return path_; }
+
+  private:
+    std::string path_;
+};
+
+constexpr int colour_white = 7;
+constexpr int colour_red = 1;
+constexpr int colour_cyan = 4;
+constexpr int colour_grey = 8;
+constexpr int by_layer = 256;
+
+DL_Attributes on_layer(const std::string& layer) {
+    return {layer, by_layer, 0, -1, "BYLAYER"};
+}
+
+void write_polyline(DL_Dxf& dxf, DL_WriterA& out, const std::vector<PlanePoint>& points,
+                    const std::string& layer) {
+    constexpr int closed = 1;
+    dxf.writePolyline(out, DL_PolylineData(static_cast<int>(points.size()), 0, 0, closed),
+                      on_layer(layer));
+    for (const PlanePoint& point : points) {
+        dxf.writeVertex(
+            out, DL_VertexData(point.x / field::millimetre, point.y / field::millimetre, 0.0, 0.0));
+    }
+    dxf.writePolylineEnd(out);
+}
+
+std::vector<std::string> note_lines(const Guide& guide, const GuideDrawing& drawing) {
+    std::vector<std::string> lines;
+    if (const std::string title = ascii(drawing.title); !title.empty()) {
+        lines.push_back(title);
+    }
+    lines.emplace_back(guide.hinge == Hinge::rod
+                           ? "Guide of the elastic hinge between crank and rod"
+                           : "Guide of the elastic hinge between frame and crank");
+    lines.emplace_back(drawing.branch == Branch::compressed
+                           ? "Spring compressed: rollers run inside the profile"
+                           : "Spring stretched: rollers run outside the profile");
+    lines.push_back("Dimensions in mm, scale 1:1, chord tolerance " +
+                    format_number(drawing.chord_tolerance / field::millimetre));
+    lines.push_back("Roller radius " + format_number(drawing.roller_radius / field::millimetre) +
+                    ", relief " +
+                    format_number(std::round(guide.relief / field::millimetre * 1e6) / 1e6));
+    lines.emplace_back(
+        drawing.guide_turns
+            ? "Guide turns counter-clockwise, spring stands still; zero angle on +X"
+            : "Spring turns counter-clockwise, guide stands still; zero angle on +X");
+    return lines;
+}
+
+}  // namespace
+
+GuideOutline guide_outline(const Guide& guide, const GuideDrawing& drawing) {
+    check_drawing(guide, drawing);
+    const GuideShape& shape = *guide.shape;
+    const double offset = offset_of(drawing);
+    GuideOutline outline;
+    outline.roller_path =
+        ClosedPolyline(
+            [&](double phi) {
+                return in_guide_axes(offset_point(shape.at(drawing.branch, phi), 0.0), drawing);
+            },
+            drawing.chord_tolerance)
+            .points();
+    outline.profile =
+        ClosedPolyline(
+            [&](double phi) {
+                return in_guide_axes(offset_point(shape.at(drawing.branch, phi), offset), drawing);
+            },
+            drawing.chord_tolerance)
+            .points();
+    return outline;
+}
+
+std::string guide_dxf(const Guide& guide, const GuideDrawing& drawing) {
+    const GuideOutline outline = guide_outline(guide, drawing);
+    const TemporaryFile file;
+    {
+        DL_Dxf dxf;
+        const std::unique_ptr<DL_WriterA> writer(dxf.out(file.path().c_str(), DL_VERSION_2000));
+        if (!writer) {
+            throw std::runtime_error("the temporary file " + file.path() + " cannot be written");
+        }
+        DL_WriterA& out = *writer;
+        dxf.writeHeader(out);
+        constexpr int millimetres = 4;
+        out.dxfString(9, "$INSUNITS");
+        out.dxfInt(70, millimetres);
+        out.dxfString(9, "$MEASUREMENT");
+        out.dxfInt(70, 1);
+        out.sectionEnd();
+
+        out.sectionTables();
+        dxf.writeVPort(out);
+        out.tableLinetypes(3);
+        dxf.writeLinetype(out, DL_LinetypeData("BYBLOCK", "BYBLOCK", 0, 0, 0.0));
+        dxf.writeLinetype(out, DL_LinetypeData("BYLAYER", "BYLAYER", 0, 0, 0.0));
+        dxf.writeLinetype(out, DL_LinetypeData("CONTINUOUS", "Continuous", 0, 0, 0.0));
+        out.tableEnd();
+        const std::pair<const char*, int> layers[] = {{"0", colour_white},
+                                                      {"PROFILE", colour_white},
+                                                      {"ROLLER_PATH", colour_cyan},
+                                                      {"AXIS", colour_red},
+                                                      {"NOTE", colour_grey}};
+        out.tableLayers(static_cast<int>(std::size(layers)));
+        for (const auto& [name, colour] : layers) {
+            dxf.writeLayer(out, DL_LayerData(name, 0),
+                           DL_Attributes("", colour, 0, 25, "CONTINUOUS"));
+        }
+        out.tableEnd();
+        out.tableStyle(1);
+        dxf.writeStyle(out, DL_StyleData("Standard", 0, 0.0, 1.0, 0.0, 0, 2.5, "txt", ""));
+        out.tableEnd();
+        dxf.writeView(out);
+        dxf.writeUcs(out);
+        out.tableAppid(1);
+        dxf.writeAppid(out, "ACAD");
+        out.tableEnd();
+        dxf.writeDimStyle(out, 2.5, 0.625, 0.625, 0.625, 2.5);
+        dxf.writeBlockRecord(out);
+        out.tableEnd();
+        out.sectionEnd();
+
+        out.sectionBlocks();
+        for (const char* block : {"*Model_Space", "*Paper_Space", "*Paper_Space0"}) {
+            dxf.writeBlock(out, DL_BlockData(block, 0, 0.0, 0.0, 0.0));
+            dxf.writeEndBlock(out, block);
+        }
+        out.sectionEnd();
+
+        out.sectionEntities();
+        write_polyline(dxf, out, outline.profile, "PROFILE");
+        write_polyline(dxf, out, outline.roller_path, "ROLLER_PATH");
+        double reach = 0.0;
+        for (const auto* list : {&outline.profile, &outline.roller_path}) {
+            for (const PlanePoint& point : *list) {
+                reach = std::max(reach, std::hypot(point.x, point.y) / field::millimetre);
+            }
+        }
+        const double arm = 1.1 * reach;
+        dxf.writeLine(out, DL_LineData(-arm, 0.0, 0.0, arm, 0.0, 0.0), on_layer("AXIS"));
+        dxf.writeLine(out, DL_LineData(0.0, -arm, 0.0, 0.0, arm, 0.0), on_layer("AXIS"));
+        const double height = 0.03 * reach;
+        double y = -arm - 2.0 * height;
+        for (const std::string& line : note_lines(guide, drawing)) {
+            dxf.writeText(out,
+                          DL_TextData(-arm, y, 0.0, -arm, y, 0.0, height, 1.0, 0, 0, 0, line,
+                                      "Standard", 0.0),
+                          on_layer("NOTE"));
+            y -= 1.6 * height;
+        }
+        out.sectionEnd();
+        dxf.writeObjects(out);
+        dxf.writeObjectsEnd(out);
+        out.dxfEOF();
+        out.close();
+    }
+    return read_text_file(file.path());
+}
+
+std::string guide_csv(const Guide& guide, const GuideDrawing& drawing, double step_deg) {
+    check_drawing(guide, drawing);
+    if (!(step_deg >= 0.001 && step_deg <= 90.0)) {
+        throw InputError("step", "must be from 0.001 to 90", format_number(step_deg));
+    }
+    const GuideShape& shape = *guide.shape;
+    const double offset = offset_of(drawing);
+    std::string text =
+        "crank_angle_deg,polar_angle_deg,radius_mm,x_mm,y_mm,profile_x_mm,profile_y_mm\n";
+    const auto rows = static_cast<std::size_t>(std::ceil(360.0 / step_deg - 1e-9));
+    const double sense = drawing.guide_turns ? -1.0 : 1.0;
+    for (std::size_t i = 0; i < rows; ++i) {
+        const double phi_deg = step_deg * static_cast<double>(i);
+        const GuidePoint point = shape.at(drawing.branch, phi_deg * degree);
+        const PlanePoint path = in_guide_axes(offset_point(point, 0.0), drawing);
+        const PlanePoint profile = in_guide_axes(offset_point(point, offset), drawing);
+        const double polar = guide.hinge == Hinge::rod ? point.angle / degree : phi_deg;
+        const double values[] = {phi_deg,
+                                 i == 0 ? 0.0 : sense * polar,
+                                 point.radius / field::millimetre,
+                                 path.x / field::millimetre,
+                                 path.y / field::millimetre,
+                                 profile.x / field::millimetre,
+                                 profile.y / field::millimetre};
+        const char* separator = "";
+        for (const double value : values) {
+            text += separator;
+            text += format_number(value == 0.0 ? 0.0 : value);
+            separator = ",";
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+}  // namespace ravnoves::elastic_hinge

@@ -1,0 +1,132 @@
+#include "elastic-hinge/guide_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ravnoves::elastic_hinge {
+
+namespace {
+
+std::string millimetres(double length) {
+    const double rounded = std::round(length / field::millimetre * 1e3) / 1e3;
+    return format_number(rounded) + " mm";
+}
+
+/// The largest roller that follows the path, m; empty where any does.
+std::optional<double> largest_roller(const GuideShape& shape, Branch branch) {
+    const auto grid = angle_grid(721);
+    double sharpest = 0.0;
+    for (const double phi : grid->angle) {
+        const double bend = shape.at(branch, phi).curvature();
+        if (std::isfinite(bend)) {
+            sharpest = std::max(sharpest, branch == Branch::compressed ? -bend : bend);
+        }
+    }
+    return sharpest > 0.0 ? std::optional(1.0 / sharpest) : std::nullopt;
+}
+
+}  // namespace
+
+GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hinge, GuideSign sign,
+                           Branch branch, double free_length, double roller_radius,
+                           const GuideWish& wish) {
+    GuideProposal proposal;
+    proposal.branch = branch;
+    const auto refuse = [&](std::string reason) {
+        proposal.reason = std::move(reason);
+        return proposal;
+    };
+    if (!design->has_exact_kinematics()) {
+        return refuse("at lambda = 1 the mechanism locks: there is no guide");
+    }
+    const DemandRange range = design->range(hinge);
+    const double span = range.span();
+    if (!(span > 0.0)) {
+        return refuse("the hinge has no energy to give out: its guide is a circle");
+    }
+    const bool reversed = sign == GuideSign::as_printed && hinge != Hinge::rod;
+    const double greatest = reversed ? -range.min : range.max;
+
+    const double relief = wish.relief;
+    const double half = 0.5 * free_length;
+    const double limit = 0.5 * wish.outer_diameter - roller_radius;  // of the roller centre's path
+    const double shortest = wish.smallest_spring_length.value_or(0.4 * free_length);
+
+    // Bounds of the least deflection d_min.
+    double low = 0.1 * relief;
+    double high = 0.0;
+    if (branch == Branch::compressed) {
+        low = std::max(low, half - limit);
+        high = 0.5 * (free_length - shortest) - relief;
+        if (low > high) {
+            return refuse("a spring of " + millimetres(free_length) +
+                          " that gets no shorter than " + millimetres(shortest) +
+                          " leaves no room for a relief of " + millimetres(relief) +
+                          " within an outer diameter of " + millimetres(wish.outer_diameter) +
+                          "; the outer diameter must be at least " +
+                          millimetres(2.0 * (half - std::max(high, 0.0) + roller_radius)) +
+                          (high < 0.1 * relief ? " and the spring longer" : ""));
+        }
+    } else {
+        high = limit - half - relief;
+        if (low > high) {
+            return refuse("a stretched spring of " + millimetres(free_length) +
+                          " with a relief of " + millimetres(relief) +
+                          " needs an outer diameter of at least " +
+                          millimetres(2.0 * (half + 1.1 * relief + roller_radius)));
+        }
+    }
+
+    const auto spring_for = [&](double least) {
+        Spring spring;
+        spring.free_length = free_length;
+        spring.stiffness = span / (2.0 * relief * (2.0 * least + relief));
+        const double start = std::sqrt(least * least + greatest / (2.0 * spring.stiffness));
+        spring.guide_radius_at_zero = branch == Branch::compressed ? half - start : half + start;
+        return spring;
+    };
+    const auto follows = [&](double least) {
+        const GuideShape shape(design, hinge, spring_for(least), sign);
+        const auto roller = largest_roller(shape, branch);
+        return !roller || roller_radius <= *roller;
+    };
+    // More preload usually smooths the guide, but not always: look everywhere, then sharpen.
+    constexpr int looks = 64;
+    const auto look = [&](int i) {
+        return i == looks ? high : low * std::pow(high / low, static_cast<double>(i) / looks);
+    };
+    int first = 0;
+    while (first <= looks && !follows(look(first))) {
+        ++first;
+    }
+    if (first > looks) {
+        return refuse("a roller of radius " + millimetres(roller_radius) +
+                      " undercuts every guide with a relief of " + millimetres(relief) +
+                      "; a smaller roller or less relief is needed");
+    }
+    double least = look(first);
+    for (double bad = first == 0 ? least : look(first - 1); least - bad > 1e-9 * free_length;) {
+        const double middle = 0.5 * (bad + least);
+        (follows(middle) ? least : bad) = middle;
+    }
+
+    proposal.spring = spring_for(least);
+    if (!field::stiffness.range.contains(proposal.spring.stiffness) ||
+        !field::guide_radius.range.contains(proposal.spring.guide_radius_at_zero /
+                                            field::millimetre)) {
+        return refuse("the stiffness that would be needed, " +
+                      format_number(proposal.spring.stiffness) + " N/m, is out of range");
+    }
+    const double most = least + relief;
+    proposal.found = true;
+    proposal.relief = relief;
+    proposal.outer_diameter =
+        2.0 * (roller_radius + (branch == Branch::compressed ? half - least : half + most));
+    proposal.smallest_spring_length =
+        branch == Branch::compressed ? free_length - 2.0 * most : free_length + 2.0 * least;
+    proposal.largest_spring_force = 2.0 * proposal.spring.stiffness * most;
+    proposal.largest_spring_energy = 2.0 * proposal.spring.stiffness * most * most;
+    return proposal;
+}
+
+}  // namespace ravnoves::elastic_hinge

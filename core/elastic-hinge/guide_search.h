@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "elastic-hinge/design.h"
+#include "elastic-hinge/guide.h"
+#include "elastic-hinge/input.h"
+
+namespace ravnoves::elastic_hinge {
+
+/// A spring whose guide has the wanted relief and fits, or why there is none.
+struct GuideProposal {
+    bool found = false;
+    std::string reason;  ///< why not, as a sentence; empty where found
+    Branch branch = Branch::compressed;
+    Spring spring;                        ///< the free length that was given, with new c and ρ₀
+    double relief = 0.0;                  ///< m
+    double outer_diameter = 0.0;          ///< of profile and rollers together, m
+    double smallest_spring_length = 0.0;  ///< m
+    double largest_spring_force = 0.0;    ///< N
+    double largest_spring_energy = 0.0;   ///< J
+};
+
+/// Finds c and ρ₀ for a wanted relief.
+///
+/// With d = |ℓ₀/2 − ρ| between d_min and d_min + relief and the energy span ΔE that the hinge has
+/// to give out, c = ΔE / (2 relief (2 d_min + relief)): one free number, d_min, is left. The search
+/// takes the least one (which stores the least energy) that keeps a tenth of the relief as preload
+/// at the weakest place, fits into the outer diameter, keeps the spring longer than its smallest
+/// length and lets the roller follow without undercut.
+/// @param free_length    ℓ₀, m
+/// @param roller_radius  m, ≥ 0
+GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hinge, GuideSign sign,
+                           Branch branch, double free_length, double roller_radius,
+                           const GuideWish& wish);
+
+}  // namespace ravnoves::elastic_hinge

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "elastic-hinge/design.h"
+#include "elastic-hinge/guide.h"
+#include "elastic-hinge/input.h"
+
+namespace ravnoves::elastic_hinge {
+
+/// How a motion ended.
+enum class MotionEnd {
+    completed,  ///< all the turns (or the time) asked for
+    reversed,   ///< the crank stopped and would turn back
+    too_slow,   ///< the turns were not done within the longest time
+    cancelled,  ///< by the caller
+};
+
+/// One forward motion: I φ̈ + ½ I′ φ̇² + V′ + Π′ = moment on the crank.
+struct MotionSetup {
+    HingeSet hinges = HingeSet::none;
+    double start_angle = 0.0;   ///< rad
+    double start_speed = 0.0;   ///< rad/s, any sign
+    double crank_torque = 0.0;  ///< constant, N·m
+    double turns = 5.0;         ///< stops after so many turns either way…
+    double longest_time = 0.0;  ///< … or after that time, s; 0: chosen from turns and speed
+    bool stop_at_reversal = true;
+    double profile_error = 0.0;  ///< ε of waves ε sin(n φ) on the crank's guide, m
+    int profile_error_waves = 1;
+    int samples_per_turn = 180;  ///< at least
+    double tolerance = 1e-12;    ///< relative, of one integration step
+};
+
+/// The motion at growing times.
+struct Motion {
+    MotionEnd end = MotionEnd::completed;
+    std::string reason;               ///< how it ended, as a sentence; empty where completed
+    std::vector<double> time;         ///< s
+    std::vector<double> crank_angle;  ///< rad
+    std::vector<double> speed;        ///< rad/s
+    double min_speed = 0.0;           ///< rad/s, over the samples
+    double max_speed = 0.0;
+    double mean_speed = 0.0;  ///< angle turned / time, rad/s
+    /// (max − min) / mean, the coefficient of speed fluctuation; 0 where the mean is 0.
+    double ripple = 0.0;
+    /// Largest change of T + V + Π − work of the crank's moment, against the largest change of T or
+    /// the work done, whichever is larger.
+    double energy_drift = 0.0;
+    std::size_t steps = 0;  ///< of the integrator
+
+    /// Crank angle (rad) and speed (rad/s) at a time between the samples.
+    double angle_at(double seconds) const;
+    double speed_at(double seconds) const;
+};
+
+/// Called with the part done, 0…1; false cancels.
+using MotionProgress = std::function<bool(double)>;
+
+/// Integrates the motion with Boost.Odeint (Dormand–Prince 5 with dense output).
+///
+/// The crank's hinge acts through its guide: the moment is that of the spring on a roller at ρ(φ)
+/// with slope ρ′(φ), whatever the crank's speed.
+/// @param crank_guide  for HingeSet::crank a guide of Hinge::crank, for crank_and_rod one of
+///                     Hinge::crank_with_rod; unused for none
+/// @throws InputError where a hinge is asked for whose guide is not feasible, where the mechanism
+///         locks (λ = 1) or where it has no inertia
+Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_guide,
+                const MotionSetup& setup, const MotionProgress& progress = {});
+
+/// The side force at any crank speed and acceleration, N, by Newton–Euler on rod, slider and
+/// counterweight, with the moment of a hinge between crank and rod. As in (6) and (7) it is the
+/// force of the slider on its guide, positive upwards.
+/// @param hinge_moment  on the rod, counter-clockwise, N·m; 0 without hinge
+double side_force(const Mechanism<double>& mechanism, double phi, double speed, double acceleration,
+                  double hinge_moment);
+
+}  // namespace ravnoves::elastic_hinge

@@ -1,0 +1,346 @@
+#include "elastic-hinge/solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+
+#include "case-file/input_error.h"
+
+namespace ravnoves::elastic_hinge {
+
+namespace {
+
+double largest(const std::vector<double>& values) {
+    double most = 0.0;
+    for (const double value : values) {
+        most = std::max(most, std::abs(value));
+    }
+    return most;
+}
+
+/// Not finite anywhere: the sum of finite numbers in range is finite, of others it is not.
+bool all_finite(const std::vector<double>& values) {
+    double sum = 0.0;
+    for (const double value : values) {
+        sum += value * 0.0;
+    }
+    return sum == 0.0;
+}
+
+bool all_finite(const MechanismCurves& curves) {
+    for (const auto* list :
+         {&curves.reduced_inertia, &curves.crank_moment, &curves.rod_hinge_moment,
+          &curves.rod_hinge_moment_potential, &curves.side_force_without_hinge,
+          &curves.side_force_with_hinge, &curves.crank_moment_with_rod_hinge}) {
+        if (!all_finite(*list)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+[[noreturn]] void refuse_extreme() {
+    throw InputError("/input",
+                     "holds values so far apart that the result leaves the range of "
+                     "numbers; bring them nearer to those of a machine");
+}
+
+void resize(MechanismCurves& curves, std::size_t n, bool exact) {
+    curves.rod_hinge_moment.resize(n);
+    curves.rod_hinge_moment_potential.resize(n);
+    curves.side_force_without_hinge.resize(n);
+    curves.side_force_with_hinge.resize(n);
+    curves.reduced_inertia.resize(exact ? n : 0);
+    curves.crank_moment.resize(exact ? n : 0);
+    curves.crank_moment_with_rod_hinge.resize(exact ? n : 0);
+}
+
+/// All the curves of one mechanism at one speed.
+void fill(MechanismCurves& curves, const Mechanism<double>& mechanism,
+          const std::vector<AngleState>& states, const AngleGrid& grid, double omega, double mean) {
+    const std::size_t n = states.size();
+    const bool exact = mechanism.lambda < 1.0;
+    resize(curves, n, exact);
+    const double square = omega * omega;
+    const double lever = mechanism.lambda / mechanism.crank_radius;  // 1/ℓ
+    for (std::size_t i = 0; i < n; ++i) {
+        const AngleState& state = states[i];
+        const double moment = state.moment.weight + square * state.moment.inertia;
+        const double arm = lever / state.cos_psi;
+        curves.rod_hinge_moment[i] = moment;
+        curves.rod_hinge_moment_potential[i] = moment - mean;
+        curves.side_force_without_hinge[i] = -moment * arm;
+        curves.side_force_with_hinge[i] = -mean * arm;
+    }
+    if (!exact) {
+        return;
+    }
+    const double weight = potential_amplitude(mechanism);
+    for (std::size_t i = 0; i < n; ++i) {
+        const AngleState& state = states[i];
+        const double crank = 0.5 * square * state.inertia.slope + weight * grid.cos_phi[i];
+        curves.reduced_inertia[i] = state.inertia.value;
+        curves.crank_moment[i] = crank;
+        curves.crank_moment_with_rod_hinge[i] =
+            crank + curves.rod_hinge_moment_potential[i] * (1.0 + state.exact.dpsi);
+    }
+}
+
+/// The rod's moments and the side forces for one λ (the counterweight solved anew, where it is).
+MechanismCurves curves_at_lambda(Input input, double lambda, const AngleGrid& grid) {
+    input.lambda = lambda;
+    const Mechanism<double> mechanism = mechanism_of(input);
+    const bool solved = input.rod_counterweight && !input.rod_counterweight->mass;
+    const double static_moment = solved ? 0.0 : mechanism.static_moment();
+    const double mean = rod_hinge_integral(mechanism, static_moment, input.kinematics) / two_pi;
+    const double square = input.angular_speed * input.angular_speed;
+    const std::size_t n = grid.size();
+    MechanismCurves curves;
+    resize(curves, n, false);
+    for (std::size_t i = 0; 2 * i < n; ++i) {
+        const double s = grid.sin_phi[i];
+        const double c = grid.cos_phi[i];
+        const auto rod = rod_angle(input.kinematics, lambda, s, c);
+        const auto moment = rod_hinge_moment(mechanism, static_moment, s, c, rod);
+        const double arm = lambda / (mechanism.crank_radius * rod.cos_psi);
+        // φ and −φ: the weight's part is even, the inertia's odd.
+        for (const double side : {1.0, -1.0}) {
+            const std::size_t at = side > 0.0 ? i : n - 1 - i;
+            const double value = moment.weight + side * square * moment.inertia;
+            curves.rod_hinge_moment[at] = value;
+            curves.rod_hinge_moment_potential[at] = value - mean;
+            curves.side_force_without_hinge[at] = -value * arm;
+            curves.side_force_with_hinge[at] = -mean * arm;
+        }
+    }
+    return curves;
+}
+
+/// Where the paper's series and the exact kinematics part.
+void compare_kinematics(const Input& input, const Design& design,
+                        const std::vector<AngleState>& states, const AngleGrid& grid,
+                        Result& result) {
+    const Mechanism<double>& mechanism = design.mechanism();
+    const bool exact = design.has_exact_kinematics();
+    const double square = input.angular_speed * input.angular_speed;
+    double moment_error = 0.0;
+    for (std::size_t i = 0; 2 * i < grid.size(); ++i) {
+        const double s = grid.sin_phi[i];
+        const double c = grid.cos_phi[i];
+        const auto series = rod_angle_series(mechanism.lambda, s, c);
+        const double difference =
+            std::abs(series.cos_psi - (exact ? states[i].exact.cos_psi : std::abs(c)));
+        if (difference > result.series_error) {
+            result.series_error = difference;
+            result.series_error_angle = grid.angle[i];
+        }
+        if (exact) {
+            const auto other =
+                rod_hinge_moment(mechanism, design.static_moment(), s, c,
+                                 input.kinematics == Kinematics::series ? states[i].exact : series);
+            // At φ or at −φ, whichever is worse.
+            moment_error = std::max(
+                moment_error, std::abs(other.weight - states[i].moment.weight) +
+                                  square * std::abs(other.inertia - states[i].moment.inertia));
+        }
+    }
+    if (exact) {
+        result.series_moment_error = moment_error;
+    }
+}
+
+void add_notes(const Input& input, Result& result) {
+    const auto& guide = result.crank_guide;
+    if (input.kinematics == Kinematics::series && input.lambda > 0.4) {
+        result.notes.emplace_back("the series for cos(psi) is off by " +
+                                  format_number(std::round(result.series_error * 1e4) / 1e4) +
+                                  " at this lambda; use the exact kinematics for a design");
+    }
+    if (input.guide_sign == GuideSign::as_printed) {
+        result.notes.emplace_back(
+            "the guide's sign is that printed in the paper: such a guide drives the crank's speed "
+            "away from the design speed; the energy sign keeps it");
+    }
+    if (input.rod_counterweight &&
+        input.rod_counterweight->inertia == CounterweightInertia::as_printed &&
+        result.counterweight_mass > 0.0) {
+        result.notes.emplace_back(
+            "the counterweight's inertia enters the rod's hinge with the sign of equation (9) as "
+            "printed; the slider would bear up to " +
+            format_number(std::round(result.largest_side_force_true * 10.0) / 10.0) +
+            " N; the inertia \"newton-euler\" makes the side force zero");
+    }
+    if (guide.feasible && guide.relief < 0.1 * field::millimetre && guide.error.relative > 0.02) {
+        result.notes.emplace_back(
+            "the crank's guide has a relief of only " +
+            format_number(std::round(guide.relief / field::micrometre * 10.0) / 10.0) +
+            " µm: a profile error of " +
+            format_number(std::round(guide.error.amplitude / field::micrometre * 100.0) / 100.0) +
+            " µm changes its moment by up to " +
+            format_number(std::round(guide.error.relative * 1e3) / 10.0) +
+            " %; a softer spring gives more relief");
+    }
+}
+
+void check_finite(const Guide& guide) {
+    for (const double value :
+         {guide.preload, guide.minimum_preload, guide.relief, guide.largest_spring_force,
+          guide.largest_moment, guide.error.torque, guide.error.energy, guide.error.relative,
+          guide.compressed.max_radius, guide.stretched.max_radius,
+          guide.compressed.profile_max_radius, guide.stretched.profile_max_radius}) {
+        if (!std::isfinite(value)) {
+            refuse_extreme();
+        }
+    }
+}
+
+}  // namespace
+
+Result solve(const Input& input, const SolveOptions& options) {
+    Result result;
+    result.design = std::make_shared<const Design>(input);
+    const Design& design = *result.design;
+    const Mechanism<double>& mechanism = design.mechanism();
+    const bool exact = design.has_exact_kinematics();
+    const double omega = input.angular_speed;
+
+    const auto kept = angle_grid(options.samples);
+    const AngleGrid& grid = *kept;
+    const std::size_t n = grid.size();
+    result.crank_angle_deg = grid.angle_deg;
+    result.rod_hinge_integral = design.rod_hinge_integral();
+    const double mean = design.rod_hinge_mean();
+    result.has_counterweight = input.rod_counterweight.has_value();
+    result.counterweight_mass = mechanism.counterweight_mass;
+    result.balancing_mass = result.has_counterweight ? mechanism.balancing_mass() : 0.0;
+    if (!std::isfinite(mean) || !std::isfinite(result.balancing_mass)) {
+        refuse_extreme();
+    }
+
+    std::vector<AngleState> other_states;
+    if (n != design.states().size()) {
+        other_states = turn_states(mechanism, design.static_moment(), input.kinematics, grid);
+    }
+    const std::vector<AngleState>& states = other_states.empty() ? design.states() : other_states;
+    fill(result.curves, mechanism, states, grid, omega, mean);
+    for (const double speed : options.speeds) {
+        result.by_speed.push_back({speed, {}});
+        fill(result.by_speed.back().curves, mechanism, states, grid, speed, mean);
+    }
+    compare_kinematics(input, design, states, grid, result);
+
+    const bool rod_guides = exact && options.with_rod_guides;
+    std::vector<Demand> crank_demand(exact ? n : 0);
+    std::vector<Demand> crank_with_rod_demand(rod_guides ? n : 0);
+    std::vector<Demand> rod_demand(rod_guides ? n : 0);
+    for (std::size_t i = 0; i < crank_demand.size(); ++i) {
+        const EnergyRise<double> rise =
+            energy_rise(mechanism, omega, grid.sin_phi[i], grid.cos_phi[i], states[i].inertia);
+        const double phi = grid.angle[i];
+        crank_demand[i] = design.demand(Hinge::crank, phi, states[i], rise, 0.0);
+        if (rod_guides) {
+            const double work =
+                other_states.empty() ? design.work_table()[i] : design.rod_work(phi);
+            crank_with_rod_demand[i] =
+                design.demand(Hinge::crank_with_rod, phi, states[i], rise, work);
+            rod_demand[i] = design.demand(Hinge::rod, phi, states[i], rise, work);
+        }
+    }
+
+    const bool hinge_is_true =
+        input.kinematics == Kinematics::exact &&
+        (mechanism.counterweight_mass == 0.0 ||
+         mechanism.counterweight_inertia == CounterweightInertia::newton_euler);
+    if (exact && hinge_is_true) {
+        result.side_force_true = result.curves.side_force_with_hinge;
+    } else if (exact) {
+        Mechanism<double> true_mechanism = mechanism;
+        true_mechanism.counterweight_inertia = CounterweightInertia::newton_euler;
+        result.side_force_true.resize(n);
+        for (std::size_t i = 0; i < n; ++i) {
+            const auto moment = rod_hinge_moment(true_mechanism, design.static_moment(),
+                                                 grid.sin_phi[i], grid.cos_phi[i], states[i].exact);
+            result.side_force_true[i] =
+                (result.curves.rod_hinge_moment_potential[i] - moment.value(omega)) *
+                mechanism.lambda / (mechanism.crank_radius * states[i].exact.cos_psi);
+        }
+    }
+    for (const double lambda : options.lambdas) {
+        if (lambda < 1.0 || input.kinematics == Kinematics::series) {
+            result.by_lambda.push_back({lambda, curves_at_lambda(input, lambda, grid)});
+        }
+    }
+    if (!all_finite(result.curves) || !all_finite(result.side_force_true)) {
+        refuse_extreme();
+    }
+    for (const auto* family : {&result.by_speed, &result.by_lambda}) {
+        for (const FamilyMember& member : *family) {
+            if (!all_finite(member.curves)) {
+                refuse_extreme();
+            }
+        }
+    }
+    result.largest_side_force_without = largest(result.curves.side_force_without_hinge);
+    result.largest_side_force_with = largest(result.curves.side_force_with_hinge);
+    result.largest_side_force_true = largest(result.side_force_true);
+
+    result.crank_guide = make_guide(result.design, Hinge::crank, input.spring, input, crank_demand);
+    check_finite(result.crank_guide);
+    if (options.with_rod_guides) {
+        const auto& rod_spring = input.rod_hinge_spring ? input.rod_hinge_spring : input.spring;
+        result.crank_guide_with_rod = make_guide(result.design, Hinge::crank_with_rod, input.spring,
+                                                 input, crank_with_rod_demand);
+        result.rod_guide = make_guide(result.design, Hinge::rod, rod_spring, input, rod_demand);
+        check_finite(result.crank_guide_with_rod);
+        check_finite(result.rod_guide);
+    }
+    if (input.guide_search && input.spring) {
+        result.proposal =
+            search_guide(result.design, Hinge::crank, input.guide_sign, result.crank_guide.branch,
+                         input.spring->free_length, input.roller_radius, *input.guide_search);
+    }
+    add_notes(input, result);
+    return result;
+}
+
+Motion simulate(const Input& input, const Result& result, HingeSet hinges,
+                const MotionProgress& progress) {
+    const MotionWish wish = input.motion.value_or(MotionWish{});
+    MotionSetup setup;
+    setup.hinges = hinges;
+    setup.turns = wish.turns;
+    setup.start_angle = wish.start_angle;
+    setup.start_speed = wish.start_speed.value_or(input.angular_speed);
+    setup.crank_torque = wish.crank_torque;
+    if (wish.with_profile_error) {
+        setup.profile_error = input.profile_error;
+        setup.profile_error_waves = input.profile_error_waves;
+    }
+    const Guide& guide =
+        hinges == HingeSet::crank_and_rod ? result.crank_guide_with_rod : result.crank_guide;
+    return simulate(result.design, guide, setup, progress);
+}
+
+MechanismPose mechanism_pose(const Result& result, double phi) {
+    const Mechanism<double>& m = result.design->mechanism();
+    const double s = std::sin(phi);
+    const double c = std::cos(phi);
+    const double sin_psi = m.lambda * s;
+    const double cos_psi = std::sqrt(std::max(0.0, (1.0 - sin_psi) * (1.0 + sin_psi)));
+    const double r = m.crank_radius;
+    const double l = m.rod_length();
+    const double l2 = m.counterweight_distance;
+    MechanismPose pose;
+    pose.crankpin = {r * c, r * s};
+    pose.slider = {r * c + l * cos_psi, 0.0};
+    pose.counterweight = {r * c - l2 * cos_psi, r * s + l2 * sin_psi};
+    pose.rod_angle = -std::atan2(sin_psi, cos_psi);
+    pose.spring_half_length = std::numeric_limits<double>::quiet_NaN();
+    if (const auto& shape = result.crank_guide.shape) {
+        pose.spring_half_length = shape->at(result.crank_guide.branch, phi).radius;
+    }
+    return pose;
+}
+
+}  // namespace ravnoves::elastic_hinge

@@ -1,0 +1,241 @@
+#include "elastic-hinge/guide_export.h"
+
+#include <dxflib/dl_creationadapter.h>
+#include <dxflib/dl_dxf.h>
+
+#include <clocale>
+#include <map>
+#include <sstream>
+
+#include "support.h"
+
+namespace ravnoves::elastic_hinge {
+namespace {
+
+/// What dxflib reads back.
+class Drawing : public DL_CreationAdapter {
+  public:
+    struct Polyline {
+        bool closed = false;
+        std::vector<PlanePoint> points;  // mm
+    };
+    std::map<std::string, Polyline> polylines;
+    std::map<std::string, int> lines;
+    std::vector<std::string> texts;
+    std::vector<std::string> layers;
+    int units = -1;
+
+    void addLayer(const DL_LayerData& data) override { layers.push_back(data.name); }
+    void addPolyline(const DL_PolylineData& data) override {
+        current_ = &polylines[getAttributes().getLayer()];
+        current_->closed = (data.flags & 1) != 0;
+        expected_ = data.number;
+    }
+    void addVertex(const DL_VertexData& data) override {
+        current_->points.push_back({data.x, data.y});
+        EXPECT_EQ(data.bulge, 0.0);
+    }
+    void addLine(const DL_LineData&) override { ++lines[getAttributes().getLayer()]; }
+    void addText(const DL_TextData& data) override { texts.push_back(data.text); }
+    void setVariableInt(const std::string& key, int value, int) override {
+        if (key == "$INSUNITS") {
+            units = value;
+        }
+    }
+    unsigned expected() const { return expected_; }
+
+  private:
+    Polyline* current_ = nullptr;
+    unsigned expected_ = 0;
+};
+
+Drawing read_back(const std::string& text) {
+    Drawing drawing;
+    std::stringstream stream(text);
+    DL_Dxf dxf;
+    EXPECT_TRUE(dxf.in(stream, &drawing));
+    return drawing;
+}
+
+double distance_to_polyline(const PlanePoint& p, const std::vector<PlanePoint>& points) {
+    double least = 1e300;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const PlanePoint& a = points[i];
+        const PlanePoint& b = points[(i + 1) % points.size()];
+        const double dx = b.x - a.x;
+        const double dy = b.y - a.y;
+        const double u =
+            std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+        least = std::min(least, std::hypot(p.x - a.x - u * dx, p.y - a.y - u * dy));
+    }
+    return least;
+}
+
+Guide deep_guide(Branch branch) {
+    Input input = preset_zotov();
+    input.spring = Spring{2e5, 0.2, branch == Branch::compressed ? 0.088 : 0.112};
+    return solve(input).crank_guide;
+}
+
+class ElasticHingeExport : public testing::TestWithParam<Branch> {};
+
+TEST_P(ElasticHingeExport, DxfReadsBackClosedAndWithinItsTolerance) {
+    const Guide guide = deep_guide(GetParam());
+    ASSERT_TRUE(guide.feasible) << guide.reason;
+    GuideDrawing drawing;
+    drawing.branch = GetParam();
+    drawing.roller_radius = 0.006;
+    drawing.chord_tolerance = 5e-6;
+    drawing.title = "Направляющая guide 1";
+    const Drawing read = read_back(guide_dxf(guide, drawing));
+    EXPECT_EQ(read.units, 4);  // mm
+    for (const char* layer : {"PROFILE", "ROLLER_PATH", "AXIS", "NOTE"}) {
+        EXPECT_NE(std::find(read.layers.begin(), read.layers.end(), layer), read.layers.end());
+    }
+    EXPECT_EQ(read.lines.at("AXIS"), 2);
+    ASSERT_FALSE(read.texts.empty());
+    EXPECT_EQ(read.texts.front(), " guide 1");
+    bool tolerance_named = false;
+    for (const std::string& text : read.texts) {
+        tolerance_named |= text.find("chord tolerance 0.005") != std::string::npos;
+    }
+    EXPECT_TRUE(tolerance_named);
+
+    const double side = GetParam() == Branch::compressed ? 1.0 : -1.0;
+    const struct {
+        const char* layer;
+        double offset;
+    } curves[] = {{"ROLLER_PATH", 0.0}, {"PROFILE", side * drawing.roller_radius}};
+    for (const auto& curve : curves) {
+        const auto& polyline = read.polylines.at(curve.layer);
+        EXPECT_TRUE(polyline.closed);
+        ASSERT_GT(polyline.points.size(), 64U);
+        // Closed once: the last point is not the first again, but near it.
+        const PlanePoint& first = polyline.points.front();
+        const PlanePoint& last = polyline.points.back();
+        const double gap = std::hypot(first.x - last.x, first.y - last.y);
+        EXPECT_GT(gap, 0.0);
+        EXPECT_LT(gap, 10.0);
+        double worst = 0.0;
+        for (int i = 0; i < 2000; ++i) {
+            const double phi = two_pi * (i + 0.37) / 2000;
+            PlanePoint p = offset_point(guide.shape->at(GetParam(), phi), curve.offset);
+            p = {p.x * 1e3, -p.y * 1e3};  // the guide turns: its polar angle is −φ
+            worst = std::max(worst, distance_to_polyline(p, polyline.points));
+        }
+        EXPECT_LT(worst, 0.005);
+        EXPECT_GT(worst, 0.0005);  // and no thousand points too many
+    }
+    // The roller touches: the profile is everywhere one roller radius from the path.
+    const auto& path = read.polylines.at("ROLLER_PATH").points;
+    const auto& profile = read.polylines.at("PROFILE").points;
+    for (std::size_t i = 0; i < profile.size(); i += 17) {
+        EXPECT_NEAR(distance_to_polyline(profile[i], path), 6.0, 0.006);
+        EXPECT_GT(
+            side * (std::hypot(profile[i].x, profile[i].y) - std::hypot(path[0].x, path[0].y)),
+            0.0);
+    }
+}
+
+TEST_P(ElasticHingeExport, FinerToleranceTakesMorePointsAsItsSquareRoot) {
+    const Guide guide = deep_guide(GetParam());
+    GuideDrawing drawing;
+    drawing.branch = GetParam();
+    drawing.chord_tolerance = 16e-6;
+    const auto coarse = guide_outline(guide, drawing).profile.size();
+    drawing.chord_tolerance = 1e-6;
+    const auto fine = guide_outline(guide, drawing).profile.size();
+    EXPECT_NEAR(static_cast<double>(fine) / static_cast<double>(coarse), 4.0, 1.5);
+}
+
+TEST_P(ElasticHingeExport, CsvHoldsTheSameCurve) {
+    const Guide guide = deep_guide(GetParam());
+    GuideDrawing drawing;
+    drawing.branch = GetParam();
+    drawing.roller_radius = 0.006;
+    for (const bool turns : {true, false}) {
+        drawing.guide_turns = turns;
+        std::stringstream stream(guide_csv(guide, drawing, 0.5));
+        std::string line;
+        std::getline(stream, line);
+        EXPECT_EQ(line,
+                  "crank_angle_deg,polar_angle_deg,radius_mm,x_mm,y_mm,profile_x_mm,profile_y_mm");
+        int rows = 0;
+        while (std::getline(stream, line)) {
+            std::stringstream cells(line);
+            std::vector<double> v;
+            for (std::string cell; std::getline(cells, cell, ',');) {
+                v.push_back(std::stod(cell));
+            }
+            ASSERT_EQ(v.size(), 7U);
+            EXPECT_DOUBLE_EQ(v[0], 0.5 * rows);
+            EXPECT_DOUBLE_EQ(v[1], turns ? -v[0] : v[0]);
+            EXPECT_NEAR(v[3], v[2] * std::cos(v[1] * degree), 1e-9);
+            EXPECT_NEAR(v[4], v[2] * std::sin(v[1] * degree), 1e-9);
+            EXPECT_NEAR(std::hypot(v[5] - v[3], v[6] - v[4]), 6.0, 1e-9);
+            EXPECT_NEAR(v[2], guide.shape->at(GetParam(), v[0] * degree).radius * 1e3, 1e-12);
+            ++rows;
+        }
+        EXPECT_EQ(rows, 720);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(BothBranches, ElasticHingeExport,
+                         testing::Values(Branch::compressed, Branch::stretched));
+
+TEST(ElasticHingeExportOfTheRod, UsesTheHingesOwnAngle) {
+    Input input = preset_zotov();
+    input.spring = Spring{2e5, 0.2, 0.085};
+    const Guide guide = solve(input).rod_guide;
+    ASSERT_TRUE(guide.feasible) << guide.reason;
+    GuideDrawing drawing;
+    drawing.guide_turns = false;
+    std::stringstream stream(guide_csv(guide, drawing, 90));
+    std::string line;
+    std::getline(stream, line);
+    std::getline(stream, line);
+    std::getline(stream, line);  // 90°: θ = 90° + asin 0.3
+    EXPECT_EQ(line.substr(0, 3), "90,");
+    EXPECT_NEAR(std::stod(line.substr(3)), 90 + std::asin(0.3) / degree, 1e-9);
+    EXPECT_TRUE(read_back(guide_dxf(guide, drawing)).polylines.at("PROFILE").closed);
+}
+
+TEST(ElasticHingeExportRefusals, SayWhy) {
+    Input input = preset_zotov();
+    input.spring->guide_radius_at_zero = 0.0999;
+    const Guide none = solve(input).crank_guide;
+    EXPECT_NE(test::error_of([&] { guide_dxf(none, {}); }).find("preload"), std::string::npos);
+    EXPECT_NE(test::error_of([&] { guide_csv(none, {}, 1.0); }).find("preload"), std::string::npos);
+
+    const Guide guide = deep_guide(Branch::compressed);
+    GuideDrawing drawing;
+    drawing.chord_tolerance = 0.0;
+    EXPECT_NE(test::error_of([&] { guide_dxf(guide, drawing); }).find("chord tolerance"),
+              std::string::npos);
+    drawing = {};
+    drawing.branch = Branch::stretched;
+    drawing.roller_radius = 0.2;
+    EXPECT_NE(test::error_of([&] { guide_dxf(guide, drawing); }).find("undercut"),
+              std::string::npos);
+    EXPECT_NE(test::error_of([&] { guide_csv(guide, {}, 0.0); }), "no error");
+}
+
+TEST(ElasticHingeExportRefusals, NumbersKeepTheirPointInALocaleWithCommas) {
+    const std::string plain = guide_dxf(deep_guide(Branch::compressed), {});
+    bool found = false;
+    for (const char* name : {"ru_RU.UTF-8", "ru_RU.utf8", "de_DE.UTF-8", "de_DE.utf8"}) {
+        if (std::setlocale(LC_ALL, name) != nullptr) {
+            found = true;
+            break;
+        }
+    }
+    const std::string local = guide_dxf(deep_guide(Branch::compressed), {});
+    std::setlocale(LC_ALL, "C");
+    if (!found) {
+        GTEST_SKIP() << "no locale with a decimal comma on this machine";
+    }
+    EXPECT_EQ(plain, local);
+}
+
+}  // namespace
+}  // namespace ravnoves::elastic_hinge

@@ -1,0 +1,109 @@
+#include "elastic-hinge/guide_search.h"
+
+#include "support.h"
+
+namespace ravnoves::elastic_hinge {
+namespace {
+
+class ElasticHingeSearch : public testing::TestWithParam<Branch> {};
+
+TEST_P(ElasticHingeSearch, FindsASpringThatGivesWhatWasWanted) {
+    for (const double relief : {0.2e-3, 1e-3, 5e-3}) {
+        for (const GuideSign sign : {GuideSign::energy, GuideSign::as_printed}) {
+            Input input = preset_zotov();
+            input.guide_sign = sign;
+            input.roller_radius = 0.008;
+            const Result before = solve(input);
+            const GuideWish wish{relief, 0.24, {}};
+            const GuideProposal found = search_guide(before.design, Hinge::crank, sign, GetParam(),
+                                                     0.2, input.roller_radius, wish);
+            ASSERT_TRUE(found.found) << found.reason;
+            input.spring = found.spring;
+            const Guide guide = solve(input).crank_guide;
+            ASSERT_TRUE(guide.feasible) << guide.reason;
+            EXPECT_EQ(guide.branch, GetParam());
+            EXPECT_NEAR(guide.relief, relief, 1e-9 * relief);
+            EXPECT_FALSE(guide.summary().undercut);
+            EXPECT_LE(guide.summary().max_radius + input.roller_radius, 0.12 * (1 + 1e-9));
+            EXPECT_NEAR(2 * (guide.summary().max_radius + input.roller_radius),
+                        found.outer_diameter, 1e-6);
+            EXPECT_NEAR(guide.largest_spring_force, found.largest_spring_force,
+                        1e-9 * found.largest_spring_force);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(BothBranches, ElasticHingeSearch,
+                         testing::Values(Branch::compressed, Branch::stretched));
+
+TEST(ElasticHingeSearchLimits, SmallDiameterForcesMorePreload) {
+    const Result result = solve(preset_zotov());
+    const auto search = [&](double diameter) {
+        return search_guide(result.design, Hinge::crank, GuideSign::energy, Branch::compressed, 0.2,
+                            0.0, GuideWish{1e-3, diameter, {}});
+    };
+    const GuideProposal wide = search(0.25);
+    const GuideProposal narrow = search(0.18);
+    ASSERT_TRUE(wide.found && narrow.found);
+    EXPECT_LE(narrow.outer_diameter, 0.18 + 1e-12);
+    EXPECT_LT(narrow.spring.stiffness, wide.spring.stiffness);
+    EXPECT_GT(narrow.largest_spring_energy, wide.largest_spring_energy);
+}
+
+TEST(ElasticHingeSearchLimits, TheImpossibleIsRefusedWithASize) {
+    const Result result = solve(preset_zotov());
+    const GuideProposal tight =
+        search_guide(result.design, Hinge::crank, GuideSign::energy, Branch::compressed, 0.2, 0.0,
+                     GuideWish{1e-3, 0.05, {}});
+    EXPECT_FALSE(tight.found);
+    EXPECT_NE(tight.reason.find("at least"), std::string::npos) << tight.reason;
+    const GuideProposal stretched =
+        search_guide(result.design, Hinge::crank, GuideSign::energy, Branch::stretched, 0.2, 0.01,
+                     GuideWish{1e-3, 0.2, {}});
+    EXPECT_FALSE(stretched.found);
+    EXPECT_NE(stretched.reason.find("222.2 mm"), std::string::npos) << stretched.reason;
+}
+
+TEST(ElasticHingeSearchLimits, ABigRollerGetsASmootherGuideOrNone) {
+    const Result result = solve(preset_zotov());
+    for (const Branch branch : {Branch::compressed, Branch::stretched}) {
+        const auto search = [&](double roller) {
+            return search_guide(result.design, Hinge::crank, GuideSign::energy, branch, 0.06,
+                                roller, GuideWish{16e-3, 0.4, 0.02});
+        };
+        const GuideProposal small = search(1e-4);
+        ASSERT_TRUE(small.found) << small.reason;
+        bool smoother = false;
+        bool refused = false;
+        for (double roller = 0.001; roller < 0.15; roller *= 1.02) {
+            const GuideProposal proposal = search(roller);
+            if (!proposal.found) {
+                refused = true;
+                continue;
+            }
+            EXPECT_FALSE(refused) << "a bigger roller cannot be easier";
+            Input input = preset_zotov();
+            input.spring = proposal.spring;
+            input.roller_radius = roller * (1 - 1e-6);
+            EXPECT_FALSE(solve(input).crank_guide.summary().undercut) << roller;
+            smoother |= proposal.largest_spring_energy > 1.01 * small.largest_spring_energy;
+        }
+        EXPECT_TRUE(refused);
+        // Preload smooths a stretched spring's guide; a compressed one's is pulled into the middle.
+        EXPECT_EQ(smoother, branch == Branch::stretched);
+    }
+}
+
+TEST(ElasticHingeSearchLimits, AHingeWithoutWorkHasNoGuideToShape) {
+    Input input = preset_zotov();
+    input.masses_as_weights = false;
+    input.gravity = 0.0;
+    input.angular_speed = 0.0;
+    const Result result = solve(input);
+    EXPECT_FALSE(search_guide(result.design, Hinge::crank, GuideSign::energy, Branch::compressed,
+                              0.2, 0.0, GuideWish{})
+                     .found);
+}
+
+}  // namespace
+}  // namespace ravnoves::elastic_hinge

@@ -1,0 +1,296 @@
+#include "elastic-hinge/guide.h"
+
+#include <boost/numeric/odeint.hpp>
+
+#include "support.h"
+
+namespace ravnoves::elastic_hinge {
+namespace {
+
+using test::Fifty;
+
+/// A spring so soft that the guide has a relief of millimetres.
+Input soft_zotov() {
+    Input input = preset_zotov();
+    input.spring = Spring{2e5, 0.2, 0.09};
+    return input;
+}
+
+double energy_at(const Design& design, double phi) {
+    return design.demand(Hinge::crank, phi).energy;
+}
+
+TEST(ElasticHingeGuide, PrintedNumbersOfThePaper) {
+    const Result result = solve(preset_zotov());
+    const Guide& guide = result.crank_guide;
+    ASSERT_TRUE(guide.feasible) << guide.reason;
+    EXPECT_NEAR(guide.relief, 0.018e-3, 0.0005e-3);
+    EXPECT_NEAR(guide.minimum_preload, 0.600e-3, 0.0005e-3);
+    EXPECT_DOUBLE_EQ(guide.spring_travel, 2 * guide.relief);
+}
+
+TEST(ElasticHingeGuide, SpringAndMechanismKeepTheirEnergyOnBothBranches) {
+    for (const double rho : {0.09, 0.11}) {
+        Input input = soft_zotov();
+        input.spring->guide_radius_at_zero = rho;
+        const Result result = solve(input);
+        const GuideShape& shape = *result.crank_guide.shape;
+        EXPECT_EQ(result.crank_guide.branch, rho < 0.1 ? Branch::compressed : Branch::stretched);
+        for (const Branch branch : {Branch::compressed, Branch::stretched}) {
+            const double total = shape.energy(shape.at(branch, 0.0).radius);
+            for (int i = 0; i < 360; ++i) {
+                const double phi = i * degree;
+                const double sum =
+                    shape.energy(shape.at(branch, phi).radius) + energy_at(*result.design, phi);
+                EXPECT_NEAR(sum, total, 1e-13 * total);
+            }
+        }
+    }
+}
+
+TEST(ElasticHingeGuide, AsPrintedStoresWhatTheMechanismTakesUp) {
+    Input input = soft_zotov();
+    input.guide_sign = GuideSign::as_printed;
+    const Result result = solve(input);
+    const GuideShape& shape = *result.crank_guide.shape;
+    const double total = shape.energy(0.09);
+    for (int i = 0; i < 360; ++i) {
+        const double phi = i * degree;
+        EXPECT_NEAR(
+            shape.energy(shape.at(Branch::compressed, phi).radius) - energy_at(*result.design, phi),
+            total, 1e-13 * total);
+    }
+}
+
+TEST(ElasticHingeGuide, ClosedFormSolvesTheEquationThatDefinesIt) {
+    // (2) by a fixed-step method of order 4: the difference from the closed form falls so.
+    const Result result = solve(soft_zotov());
+    const GuideShape& shape = *result.crank_guide.shape;
+    const double end = 2.0;
+    double before = 0.0;
+    for (const int steps : {40, 80, 160}) {
+        boost::numeric::odeint::runge_kutta4<double> stepper;
+        double rho = 0.09;
+        boost::numeric::odeint::integrate_n_steps(
+            stepper,
+            [&](const double& x, double& dx, double phi) {
+                dx = guide_slope_ode(shape.spring(), x,
+                                     result.design->demand(Hinge::crank, phi).moment);
+            },
+            rho, 0.0, end / steps, static_cast<std::size_t>(steps));
+        const double error = std::abs(rho - shape.at(Branch::compressed, end).radius);
+        if (before > 0.0) {
+            EXPECT_NEAR(std::log2(before / error), 4.0, 0.5);
+        }
+        before = error;
+    }
+    EXPECT_LT(before, 1e-9);
+}
+
+TEST(ElasticHingeGuide, StableFormKeepsDigitsWhereThePrintedOneLosesThem) {
+    // The spring is almost unloaded (ρ₀ near ℓ₀/2) or almost fully pressed (ρ₀ small).
+    const struct { double rho, q; } cases[] = {{0.1 - 1e-7, 3e-15}, {1e-9, -1e-12}, {0.09, 1e-13}};
+    for (const auto& c : cases) {
+        const GuideSpring<double> spring{2e7, 0.2, c.rho};
+        const GuideSpring<Fifty> exact{Fifty(2e7), Fifty(0.2), Fifty(c.rho)};
+        const Fifty truth = guide_radius(exact, Branch::compressed, Fifty(c.q));
+        EXPECT_LT(abs(truth / guide_radius_printed(exact, Branch::compressed, Fifty(c.q)) - 1),
+                  Fifty("1e-30"));
+        const Fifty stable = abs(Fifty(guide_radius(spring, Branch::compressed, c.q)) / truth - 1);
+        const Fifty naive =
+            abs(Fifty(guide_radius_printed(spring, Branch::compressed, c.q)) / truth - 1);
+        EXPECT_LT(stable, 3e-16);
+        // Relief is what is left of ρ after ρ₀: there the printed form loses even more.
+        const Fifty relief = truth - Fifty(c.rho);
+        EXPECT_GT(abs(naive * truth / relief), 100 * 2.3e-16) << c.rho;
+    }
+}
+
+TEST(ElasticHingeGuide, SlopeAndSecondDerivativeAreThoseOfTheRadius) {
+    Input input = soft_zotov();
+    input.rod_hinge_spring = Spring{3e5, 0.2, 0.115};
+    const Result result = solve(input);
+    for (const Guide* guide :
+         {&result.crank_guide, &result.crank_guide_with_rod, &result.rod_guide}) {
+        ASSERT_TRUE(guide->feasible) << guide->reason;
+        for (const Branch branch : {Branch::compressed, Branch::stretched}) {
+            for (const double phi : {0.3, 1.7, 2.9, 4.4, 6.0}) {
+                const double h = 1e-4;
+                const GuidePoint a = guide->shape->at(branch, phi - h);
+                const GuidePoint b = guide->shape->at(branch, phi + h);
+                const GuidePoint m = guide->shape->at(branch, phi);
+                EXPECT_NEAR(m.slope, (b.radius - a.radius) / (b.angle - a.angle),
+                            1e-6 * (std::abs(m.slope) + 1e-3));
+                EXPECT_NEAR(m.second, (b.slope - a.slope) / (b.angle - a.angle),
+                            1e-5 * (std::abs(m.second) + 1e-3));
+            }
+        }
+    }
+}
+
+TEST(ElasticHingeGuide, TooLittlePreloadIsRefusedWithWhatWouldDo) {
+    Input input = preset_zotov();
+    input.spring->guide_radius_at_zero = 0.0995;  // 0.5 mm of the 0.6 mm that are needed
+    const Result result = solve(input);
+    const Guide& guide = result.crank_guide;
+    EXPECT_FALSE(guide.feasible);
+    EXPECT_EQ(guide.problem, GuideProblem::preload_too_small);
+    EXPECT_NE(guide.reason.find("at least 0.60002"), std::string::npos) << guide.reason;
+    EXPECT_NE(guide.reason.find("75.9257°"), std::string::npos) << guide.reason;
+    EXPECT_NEAR(guide.worst_angle / degree, 75.9257, 1e-3);
+    // The first angle without a guide: where the energy given out reaches that stored.
+    const double stored = 0.5 * 2e7 * 4 * 0.0005 * 0.0005;
+    EXPECT_LT(energy_at(*result.design, guide.first_missing_angle - degree), stored);
+    EXPECT_GT(energy_at(*result.design, guide.first_missing_angle), stored);
+    // The curve stands where there is a guide and is a gap where there is none.
+    std::size_t missing = 0;
+    for (std::size_t i = 0; i < result.crank_angle_deg.size(); ++i) {
+        const bool gap = std::isnan(guide.radius_compressed[i]);
+        missing += gap ? 1 : 0;
+        EXPECT_EQ(gap, energy_at(*result.design, result.crank_angle_deg[i] * degree) > stored);
+    }
+    EXPECT_GT(missing, 10U);
+
+    Input preloaded = input;
+    preloaded.spring->guide_radius_at_zero = 0.1 - guide.minimum_preload * (1 + 1e-9);
+    EXPECT_TRUE(solve(preloaded).crank_guide.feasible);
+    preloaded.spring->guide_radius_at_zero = 0.1 - guide.minimum_preload * (1 - 1e-6);
+    EXPECT_FALSE(solve(preloaded).crank_guide.feasible);
+
+    Input stiffer = input;
+    ASSERT_TRUE(guide.minimum_stiffness);
+    stiffer.spring->stiffness = *guide.minimum_stiffness * (1 + 1e-9);
+    EXPECT_TRUE(solve(stiffer).crank_guide.feasible);
+    stiffer.spring->stiffness = *guide.minimum_stiffness * (1 - 1e-6);
+    EXPECT_FALSE(solve(stiffer).crank_guide.feasible);
+}
+
+TEST(ElasticHingeGuide, UnloadedSpringWorksAsPrintedOnlyAndAlmost) {
+    // The paper's guides 1, ρ₀ = ℓ₀/2: with the printed sign 9 µm of preload are enough.
+    Input input = preset_zotov();
+    input.spring->guide_radius_at_zero = 0.1;
+    EXPECT_FALSE(solve(input).crank_guide.feasible);
+    EXPECT_FALSE(solve(input).crank_guide.minimum_stiffness.has_value());
+    input.guide_sign = GuideSign::as_printed;
+    const Result printed = solve(input);
+    EXPECT_NEAR(printed.crank_guide.minimum_preload, 8.6e-6, 0.1e-6);
+    input.spring->guide_radius_at_zero = 0.1 - 9e-6;
+    EXPECT_TRUE(solve(input).crank_guide.feasible);
+}
+
+TEST(ElasticHingeGuide, SpringPressedToNothingIsRefused) {
+    Input input = preset_zotov();
+    input.guide_sign = GuideSign::as_printed;  // stores the 14 J on top of what it has
+    input.spring = Spring{3000.0, 0.2, 0.001};
+    const Guide guide = solve(input).crank_guide;
+    EXPECT_FALSE(guide.feasible);
+    EXPECT_EQ(guide.problem, GuideProblem::radius_not_positive);
+    EXPECT_TRUE(guide.stretched.exists);
+}
+
+TEST(ElasticHingeGuide, NoSpringIsAReason) {
+    Input input = preset_zotov();
+    input.spring.reset();
+    const Guide guide = solve(input).crank_guide;
+    EXPECT_FALSE(guide.feasible);
+    EXPECT_EQ(guide.problem, GuideProblem::no_spring);
+    EXPECT_FALSE(guide.reason.empty());
+}
+
+TEST(ElasticHingeGuide, CurvatureOfACircleIsItsInverseRadius) {
+    const GuidePoint centred{0.4, 0.09, 0.0, 0.0};
+    EXPECT_DOUBLE_EQ(centred.curvature(), 1 / 0.09);
+    // A circle of radius 50 mm about a point 20 mm off the centre.
+    const double e = 0.02;
+    const double R = 0.05;
+    for (const double a : {0.3, 1.2, 2.5, 4.0}) {
+        const double root = std::sqrt(R * R - e * e * std::sin(a) * std::sin(a));
+        const double rho = e * std::cos(a) + root;
+        const double slope = -e * std::sin(a) - e * e * std::sin(a) * std::cos(a) / root;
+        const double second = -e * std::cos(a) - e * e * std::cos(2 * a) / root -
+                              std::pow(e * e * std::sin(a) * std::cos(a), 2) / std::pow(root, 3);
+        const GuidePoint point{a, rho, slope, second};
+        EXPECT_NEAR(point.curvature(), 1 / R, 1e-10);
+        // Its offset is a circle about the same point.
+        const PlanePoint p = offset_point(point, 0.01);
+        EXPECT_NEAR(std::hypot(p.x - e, p.y), R + 0.01, 1e-15);
+    }
+}
+
+TEST(ElasticHingeGuide, LargestRollerIsTheOneAtWhichTheProfileStartsToRunBackwards) {
+    Input input = preset_zotov();
+    input.spring = Spring{23e3, 0.06, 0.012};  // from 12 mm to 27 mm
+    const Result result = solve(input);
+    const Guide& guide = result.crank_guide;
+    ASSERT_TRUE(guide.feasible) << guide.reason;
+    ASSERT_TRUE(guide.compressed.largest_roller_radius.has_value());
+    for (const Branch branch : {Branch::compressed, Branch::stretched}) {
+        const double limit = branch == Branch::compressed ? *guide.compressed.largest_roller_radius
+                                                          : *guide.stretched.largest_roller_radius;
+        const double side = branch == Branch::compressed ? 1.0 : -1.0;
+        const auto runs_backwards = [&](double roller) {
+            const int n = 14400;
+            PlanePoint before = offset_point(guide.shape->at(branch, 0.0), side * roller);
+            PlanePoint path_before = offset_point(guide.shape->at(branch, 0.0), 0.0);
+            for (int i = 1; i <= n; ++i) {
+                const GuidePoint point = guide.shape->at(branch, two_pi * i / n);
+                const PlanePoint profile = offset_point(point, side * roller);
+                const PlanePoint path = offset_point(point, 0.0);
+                if ((profile.x - before.x) * (path.x - path_before.x) +
+                        (profile.y - before.y) * (path.y - path_before.y) <
+                    0) {
+                    return true;
+                }
+                before = profile;
+                path_before = path;
+            }
+            return false;
+        };
+        EXPECT_FALSE(runs_backwards(0.995 * limit));
+        EXPECT_TRUE(runs_backwards(1.005 * limit));
+    }
+    input.roller_radius = 1.01 * *guide.compressed.largest_roller_radius;
+    EXPECT_TRUE(solve(input).crank_guide.compressed.undercut);
+    input.roller_radius = 0.99 * *guide.compressed.largest_roller_radius;
+    EXPECT_FALSE(solve(input).crank_guide.compressed.undercut);
+}
+
+TEST(ElasticHingeGuide, ProfileErrorIsTheWorstOverAngleAndPhase) {
+    for (const int waves : {1, 2, 7}) {
+        Input input = soft_zotov();
+        input.profile_error = 20e-6;
+        input.profile_error_waves = waves;
+        const Guide guide = solve(input).crank_guide;
+        const double c = input.spring->stiffness;
+        double worst = 0.0;
+        for (int phase = 0; phase < 48; ++phase) {
+            for (int i = 0; i < 720; ++i) {
+                const double phi = i * 0.5 * degree;
+                const GuidePoint p = guide.shape->at(Branch::compressed, phi);
+                const double argument = waves * phi + two_pi * phase / 48;
+                const double error = input.profile_error * std::sin(argument);
+                const double slope_error = input.profile_error * waves * std::cos(argument);
+                const double change = 0.2 - 2 * p.radius;
+                const double moment = 2 * c * change * p.slope;
+                const double made = 2 * c * (change - 2 * error) * (p.slope + slope_error);
+                worst = std::max(worst, std::abs(made - moment));
+            }
+        }
+        EXPECT_LE(worst, guide.error.torque);
+        EXPECT_GT(worst, 0.99 * guide.error.torque);
+    }
+}
+
+TEST(ElasticHingeGuide, AMicrometreSpoilsThePapersGuideAndNotOneOfAMillimetre) {
+    Input input = preset_zotov();
+    const double hard = solve(input).crank_guide.error.relative;
+    input.spring = Spring{3e6, 0.2, 0.1 - 2.0e-3};
+    const Guide soft = solve(input).crank_guide;
+    ASSERT_TRUE(soft.feasible) << soft.reason;
+    EXPECT_GT(soft.relief, 0.5e-3);
+    EXPECT_GT(hard, 0.4);
+    EXPECT_LT(soft.error.relative, 0.02);
+}
+
+}  // namespace
+}  // namespace ravnoves::elastic_hinge

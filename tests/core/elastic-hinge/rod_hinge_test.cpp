@@ -1,0 +1,236 @@
+#include "elastic-hinge/rod_hinge_moment.h"
+
+#include "elastic-hinge/motion.h"
+#include "support.h"
+
+namespace ravnoves::elastic_hinge {
+namespace {
+
+using test::derivative;
+using test::Fifty;
+using test::turn_integral;
+
+Input with_counterweight(double distance, CounterweightInertia inertia) {
+    Input input = preset_zotov();
+    input.rod_counterweight = RodCounterweight{distance, std::nullopt, inertia};
+    return input;
+}
+
+TEST(ElasticHingeRod, IntegralIsThePrintedOneAtEverySpeed) {
+    for (const Kinematics kinematics : {Kinematics::series, Kinematics::exact}) {
+        for (const double omega : {0.0, 100.0, 300.0, 500.0}) {
+            Input input = preset_zotov();
+            input.kinematics = kinematics;
+            input.angular_speed = omega;
+            const Result result = solve(input);
+            const double by_quadrature = turn_integral(result.curves.rod_hinge_moment);
+            EXPECT_NEAR(by_quadrature, kinematics == Kinematics::series ? 9.46863 : 9.46481, 5e-6);
+            EXPECT_NEAR(by_quadrature, result.rod_hinge_integral, 1e-11);
+            EXPECT_NEAR(turn_integral(result.curves.rod_hinge_moment_potential), 0.0, 1e-11);
+        }
+    }
+}
+
+TEST(ElasticHingeRod, SlopeIsTheDerivativeOfTheMoment) {
+    for (const Kinematics kinematics : {Kinematics::series, Kinematics::exact}) {
+        for (const auto inertia :
+             {CounterweightInertia::as_printed, CounterweightInertia::newton_euler}) {
+            auto m = test::with_counterweight<Fifty>(test::zotov_mechanism<Fifty>(), Fifty(1) / 20);
+            m.counterweight_mass *= 2;
+            m.counterweight_inertia = inertia;
+            const auto at = [&](const Fifty& phi) {
+                const Fifty s = sin(phi);
+                const Fifty c = cos(phi);
+                return rod_hinge_moment(m, m.static_moment(), s, c,
+                                        rod_angle(kinematics, m.lambda, s, c));
+            };
+            const Fifty omega(200);
+            for (const char* text : {"0.3", "1.4", "2.2", "4.1"}) {
+                const Fifty phi(text);
+                const Fifty numeric =
+                    derivative([&](const Fifty& x) { return at(x).value(omega); }, phi);
+                EXPECT_LT(abs(at(phi).slope(omega) - numeric), Fifty("1e-20"));
+            }
+        }
+    }
+}
+
+TEST(ElasticHingeRod, CounterweightsOfThePaper) {
+    const struct {
+        double distance, weight;
+    } printed[] = {{0.05, 30.833}, {0.1, 15.4167}, {0.15, 10.278}};
+    for (const auto& row : printed) {
+        for (const double omega : {100.0, 500.0}) {
+            Input input = with_counterweight(row.distance, CounterweightInertia::as_printed);
+            input.angular_speed = omega;
+            const Result result = solve(input);
+            EXPECT_NEAR(result.counterweight_mass * 9.82, row.weight, 5e-4);
+            EXPECT_EQ(result.rod_hinge_integral, 0.0);
+            EXPECT_NEAR(turn_integral(result.curves.rod_hinge_moment), 0.0, 1e-12 * omega * omega);
+            EXPECT_EQ(result.largest_side_force_with, 0.0);
+            // The same weight given by hand does the same, to rounding.
+            input.rod_counterweight->mass = result.counterweight_mass;
+            EXPECT_NEAR(solve(input).rod_hinge_integral, 0.0, 1e-13);
+        }
+    }
+}
+
+TEST(ElasticHingeRod, CrankMomentsHaveNoMean) {
+    for (const double lambda : {0.1, 0.3, 0.6}) {
+        for (const bool counterweight : {false, true}) {
+            Input input = counterweight
+                              ? with_counterweight(0.1, CounterweightInertia::newton_euler)
+                              : preset_zotov();
+            input.lambda = lambda;
+            input.angular_speed = 300.0;
+            const MechanismCurves curves = solve(input).curves;
+            double scale = 0.0;
+            for (const double value : curves.crank_moment_with_rod_hinge) {
+                scale = std::max(scale, std::abs(value));
+            }
+            EXPECT_NEAR(turn_integral(curves.crank_moment), 0.0, 1e-12 * scale);
+            EXPECT_NEAR(turn_integral(curves.crank_moment_with_rod_hinge), 0.0, 1e-12 * scale);
+        }
+    }
+}
+
+TEST(ElasticHingeRod, SideForcesFollowFromNewtonAndEuler) {
+    // (7): without a hinge, and zero with the moment M₁₂ on the rod; no counterweight.
+    Input input = preset_zotov();
+    input.angular_speed = 300.0;
+    const Result result = solve(input);
+    const auto& m = result.design->mechanism();
+    for (std::size_t i = 0; i < result.crank_angle_deg.size(); i += 37) {
+        const double phi = result.crank_angle_deg[i] * degree;
+        EXPECT_NEAR(side_force(m, phi, 300.0, 0.0, 0.0), result.curves.side_force_without_hinge[i],
+                    1e-9);
+        EXPECT_NEAR(side_force(m, phi, 300.0, 0.0, result.curves.rod_hinge_moment[i]), 0.0, 1e-9);
+        EXPECT_NEAR(side_force(m, phi, 300.0, 0.0, result.curves.rod_hinge_moment_potential[i]),
+                    result.curves.side_force_with_hinge[i], 1e-9);
+        EXPECT_NEAR(result.side_force_true[i], result.curves.side_force_with_hinge[i], 1e-12);
+    }
+}
+
+TEST(ElasticHingeRod, CounterweightNeedsTheSignsOfNewtonAndEuler) {
+    // With (9) as printed the slider's guide bears kilonewtons, with moments about A nothing.
+    for (const auto inertia :
+         {CounterweightInertia::as_printed, CounterweightInertia::newton_euler}) {
+        Input input = with_counterweight(0.1, inertia);
+        input.angular_speed = 300.0;
+        const Result result = solve(input);
+        const auto& m = result.design->mechanism();
+        double worst = 0.0;
+        for (std::size_t i = 0; i < result.crank_angle_deg.size(); ++i) {
+            const double force = side_force(m, result.crank_angle_deg[i] * degree, 300.0, 0.0,
+                                            result.curves.rod_hinge_moment_potential[i]);
+            EXPECT_NEAR(result.side_force_true[i], force, 1e-8);
+            worst = std::max(worst, std::abs(force));
+        }
+        EXPECT_NEAR(result.largest_side_force_true, worst, 1e-8);
+        if (inertia == CounterweightInertia::newton_euler) {
+            EXPECT_LT(worst, 1e-8);
+        } else {
+            EXPECT_GT(worst, 1e4);
+            EXPECT_FALSE(result.notes.empty());
+        }
+    }
+}
+
+TEST(ElasticHingeRod, GuideDoesTheWorkOfTheMomentOverItsOwnAngle) {
+    for (const double lambda : {0.3, 0.85, 0.97}) {
+        Input input = preset_zotov();
+        input.lambda = lambda;
+        input.rod_hinge_spring = Spring{1e5, 0.2, 0.06};
+        const Result result = solve(input);
+        const Guide& guide = result.rod_guide;
+        ASSERT_TRUE(guide.feasible) << guide.reason;
+        const double mean = result.design->rod_hinge_mean();
+        for (std::size_t i = 1; i < guide.polar_angle.size(); ++i) {
+            EXPECT_GT(guide.polar_angle[i], guide.polar_angle[i - 1]);  // monotonic for λ < 1
+        }
+        EXPECT_NEAR(guide.polar_angle.back(), two_pi, 1e-14);
+        for (const double phi : {0.4, 1.5, 1.62, 3.0, 4.8}) {
+            // dΠ/dθ = M₁₂ − mean: what the hinge takes from rod and crank it stores.
+            const double h = 1e-5;
+            const auto stored = [&](double x) {
+                return guide.shape->energy(guide.shape->at(Branch::compressed, x).radius);
+            };
+            const double slope = (stored(phi + h) - stored(phi - h)) /
+                                 (result.design->demand(Hinge::rod, phi + h).polar_angle -
+                                  result.design->demand(Hinge::rod, phi - h).polar_angle);
+            const double moment =
+                result.design->rod_moment(std::sin(phi), std::cos(phi)).value(100.0) - mean;
+            EXPECT_NEAR(slope, moment, 1e-5 * (1 + std::abs(moment))) << lambda << " " << phi;
+        }
+        EXPECT_NEAR(guide.radius_compressed.front(), guide.radius_compressed.back(), 1e-15);
+    }
+}
+
+TEST(ElasticHingeRod, BothHingesTogetherKeepTheEnergy) {
+    for (const bool counterweight : {false, true}) {
+        Input input = counterweight ? with_counterweight(0.05, CounterweightInertia::newton_euler)
+                                    : preset_zotov();
+        input.spring = Spring{1e5, 0.2, 0.05};
+        const Result result = solve(input);
+        ASSERT_TRUE(result.crank_guide_with_rod.feasible) << result.crank_guide_with_rod.reason;
+        ASSERT_TRUE(result.rod_guide.feasible) << result.rod_guide.reason;
+        const auto total = [&](double phi) {
+            return result.design->demand(Hinge::crank, phi).energy +
+                   result.crank_guide_with_rod.shape->energy(
+                       result.crank_guide_with_rod.shape->at(Branch::compressed, phi).radius) +
+                   result.rod_guide.shape->energy(
+                       result.rod_guide.shape->at(Branch::compressed, phi).radius);
+        };
+        for (int i = 0; i < 360; i += 5) {
+            EXPECT_NEAR(total(i * degree), total(0.0), 1e-11 * total(0.0));
+        }
+    }
+}
+
+TEST(ElasticHingeRod, AtLambdaOneTheSeriesIsStillDrawn) {
+    Input input = preset_zotov();
+    input.lambda = 1.0;
+    const std::string refusal = test::error_of([&] { solve(input); });
+    EXPECT_EQ(refusal.find("/input/lambda: must be less than 1"), 0U) << refusal;
+    EXPECT_NE(refusal.find("locks"), std::string::npos);
+
+    input.kinematics = Kinematics::series;
+    const Result result = solve(input);
+    EXPECT_EQ(result.curves.rod_hinge_moment.size(), result.crank_angle_deg.size());
+    for (std::size_t i = 0; i < result.crank_angle_deg.size(); ++i) {
+        EXPECT_TRUE(std::isfinite(result.curves.side_force_without_hinge[i]));
+        EXPECT_TRUE(std::isfinite(result.curves.side_force_with_hinge[i]));
+    }
+    EXPECT_TRUE(result.curves.crank_moment.empty());
+    EXPECT_FALSE(result.crank_guide.feasible);
+    EXPECT_EQ(result.crank_guide.problem, GuideProblem::mechanism_locks);
+    EXPECT_NEAR(turn_integral(result.curves.rod_hinge_moment), result.rod_hinge_integral, 1e-11);
+}
+
+TEST(ElasticHingeRod, FamiliesHoldWhatASolutionOfTheirOwnHolds) {
+    Input input = with_counterweight(0.1, CounterweightInertia::newton_euler);
+    SolveOptions options;
+    options.speeds = {100.0, 300.0};
+    options.lambdas = {0.4, 0.8, 1.0};
+    const Result result = solve(input, options);
+    ASSERT_EQ(result.by_speed.size(), 2U);
+    ASSERT_EQ(result.by_lambda.size(), 2U);  // λ = 1 has no exact kinematics
+    input.angular_speed = 300.0;
+    const MechanismCurves alone = solve(input).curves;
+    EXPECT_EQ(result.by_speed[1].curves.crank_moment_with_rod_hinge,
+              alone.crank_moment_with_rod_hinge);
+    EXPECT_EQ(result.by_speed[1].curves.side_force_without_hinge, alone.side_force_without_hinge);
+    input.angular_speed = 100.0;
+    input.lambda = 0.8;
+    const MechanismCurves slim = solve(input).curves;
+    for (std::size_t i = 0; i < slim.side_force_without_hinge.size(); ++i) {
+        const double force = slim.side_force_without_hinge[i];
+        EXPECT_NEAR(result.by_lambda[1].curves.side_force_without_hinge[i], force,
+                    1e-13 * (1 + std::abs(force)));
+    }
+    input.kinematics = Kinematics::series;
+    EXPECT_EQ(solve(input, options).by_lambda.size(), 3U);
+}
+
+}  // namespace
+}  // namespace ravnoves::elastic_hinge

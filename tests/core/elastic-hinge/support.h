@@ -1,0 +1,55 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_dec_float.hpp>
+#include <cmath>
+#include <string>
+
+#include "case-file/input_error.h"
+#include "elastic-hinge/solver.h"
+
+namespace ravnoves::elastic_hinge::test {
+
+using Fifty = boost::multiprecision::cpp_dec_float_50;
+
+/// Derivative in 50 digits: the truncation error is of order h⁴ = 1e-40.
+template <typename Function>
+Fifty derivative(const Function& f, const Fifty& x) {
+    const Fifty h("1e-10");
+    return (8 * (f(x + h) - f(x - h)) - (f(x + 2 * h) - f(x - 2 * h))) / (12 * h);
+}
+
+template <typename Scalar>
+Mechanism<Scalar> zotov_mechanism(Scalar lambda = Scalar(3) / 10) {
+    const Scalar g = Scalar(982) / 100;
+    return {Scalar(5) / g, Scalar(13) / 2 / g, Scalar(6) / g, g, Scalar(5) / 100, lambda};
+}
+
+template <typename Scalar>
+Mechanism<Scalar> with_counterweight(Mechanism<Scalar> mechanism, Scalar distance) {
+    mechanism.counterweight_distance = distance;
+    mechanism.counterweight_mass = mechanism.balancing_mass();
+    return mechanism;
+}
+
+/// ∫ over one turn of samples that hold both ends, by the trapezoidal rule (spectral here).
+inline double turn_integral(const std::vector<double>& samples) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+        sum += samples[i];
+    }
+    return sum * two_pi / static_cast<double>(samples.size() - 1);
+}
+
+template <typename Action>
+std::string error_of(const Action& action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+}  // namespace ravnoves::elastic_hinge::test
