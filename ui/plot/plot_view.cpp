@@ -275,6 +275,7 @@ void PlotView::setCurveShown(int number, bool shown) {
     }
     curve.stale = true;
     chartChanged();
+    Q_EMIT curveToggled(number, shown);
 }
 
 bool PlotView::isCurveShown(int number) const {

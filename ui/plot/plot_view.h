@@ -163,6 +163,8 @@ class PlotView : public QWidget {
     /// The cursor is over x.
     void cursorMoved(double x);
     void cursorLeft();
+    /// A curve was switched on or off, by its legend entry or by setCurveShown().
+    void curveToggled(int curve, bool shown);
 
   protected:
     void paintEvent(QPaintEvent* event) override;

@@ -40,8 +40,7 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
     row->addWidget(slider_, 1);
     row->addWidget(box_);
     setRange(min, max);
-    connect(slider_, &QSlider::valueChanged, this,
-            [this](int ticks) { edit(std::min(max_, min_ + ticks * step_)); });
+    connect(slider_, &QSlider::valueChanged, this, [this](int tick) { edit(valueAt(tick)); });
     connect(slider_, &QSlider::sliderPressed, this, &ValueSlider::pressed);
     connect(slider_, &QSlider::sliderReleased, this, &ValueSlider::released);
     connect(box_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ValueSlider::edit);
@@ -52,9 +51,34 @@ void ValueSlider::setRange(double min, double max) {
     max_ = max;
     const QSignalBlocker quietSlider(slider_);
     const QSignalBlocker quietBox(box_);
-    slider_->setRange(0, static_cast<int>(std::lround((max - min) / step_)));
+    slider_->setRange(0, tickOf(max));
     box_->setRange(min, max);
     setValue(std::clamp(value_, min, max));
+}
+
+void ValueSlider::setLogarithmic(int stepsPerDecade, int digits) {
+    stepsPerDecade_ = stepsPerDecade;
+    digits_ = digits;
+    slider_->setPageStep(stepsPerDecade);
+    box_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    setRange(min_, max_);
+}
+
+int ValueSlider::tickOf(double value) const {
+    if (stepsPerDecade_ > 0) {
+        return static_cast<int>(
+            std::lround(stepsPerDecade_ * std::log10(std::clamp(value, min_, max_) / min_)));
+    }
+    return static_cast<int>(std::lround((value - min_) / step_));
+}
+
+double ValueSlider::valueAt(int tick) const {
+    if (stepsPerDecade_ > 0) {
+        const double value = min_ * std::pow(10.0, static_cast<double>(tick) / stepsPerDecade_);
+        const double unit = std::pow(10.0, std::floor(std::log10(value)) - digits_ + 1);
+        return std::clamp(std::round(value / unit) * unit, min_, max_);
+    }
+    return std::min(max_, min_ + tick * step_);
 }
 
 void ValueSlider::setHint(const QString& hint) {
@@ -72,7 +96,7 @@ void ValueSlider::setValue(double value) {
     value_ = value;
     const QSignalBlocker quietSlider(slider_);
     const QSignalBlocker quietBox(box_);
-    slider_->setValue(static_cast<int>(std::lround((value - min_) / step_)));
+    slider_->setValue(tickOf(value));
     box_->setValue(value);
 }
 

@@ -23,6 +23,9 @@ class ValueSlider : public QWidget {
     void setRange(double min, double max);
     void setHint(const QString& hint);
     void setTickInterval(double interval);
+    /// The slider goes by the value's logarithm: a step is one part of a decade. Values are rounded
+    /// to `digits` significant digits when the slider is moved. The range must be positive.
+    void setLogarithmic(int stepsPerDecade, int digits);
     QSlider* slider() const { return slider_; }
     QDoubleSpinBox* box() const { return box_; }
 
@@ -37,6 +40,8 @@ class ValueSlider : public QWidget {
 
   private:
     void edit(double value);
+    int tickOf(double value) const;
+    double valueAt(int tick) const;
 
     QLabel* label_;
     QSlider* slider_;
@@ -45,6 +50,8 @@ class ValueSlider : public QWidget {
     double max_;
     double step_;
     double value_ = 0.0;
+    int stepsPerDecade_ = 0;  ///< 0: linear
+    int digits_ = 0;
 };
 
 }  // namespace ravnoves

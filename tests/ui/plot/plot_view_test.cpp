@@ -180,6 +180,15 @@ TEST_F(PlotViewTest, LegendSwitchesCurves) {
     EXPECT_TRUE(plot.isCurveShown(curve));
 }
 
+TEST_F(PlotViewTest, TellsWhichCurveIsSwitched) {
+    QSignalSpy toggled(&plot, &PlotView::curveToggled);
+    plot.setCurveShown(0, false);
+    plot.setCurveShown(0, false);
+    ASSERT_EQ(toggled.size(), 1);
+    EXPECT_EQ(toggled[0][0].toInt(), 0);
+    EXPECT_FALSE(toggled[0][1].toBool());
+}
+
 TEST_F(PlotViewTest, KeysZoomMoveAndReset) {
     const auto whole = plot.xInterval();
     QTest::keyClick(&plot, Qt::Key_Plus);

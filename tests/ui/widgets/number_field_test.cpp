@@ -131,5 +131,25 @@ TEST_F(ValueSliderTest, SettingTheValueSaysNothing) {
     EXPECT_NEAR(slider.slider()->value(), 1000, 1);
 }
 
+TEST(LogarithmicSlider, GoesByDecades) {
+    ValueSlider slider(QStringLiteral("&c"), 1.0, 1e6, 0.1, 1.0, 1, QStringLiteral("kN/m"));
+    slider.setLogarithmic(50, 3);
+    slider.setValue(20000.0);
+    QSignalSpy edited(&slider, &ValueSlider::valueEdited);
+    QTest::keyClick(slider.slider(), Qt::Key_PageDown);  // one decade
+    ASSERT_EQ(edited.size(), 1);
+    EXPECT_NEAR(slider.value(), 2000.0, 40.0);  // to the nearest step
+    QTest::keyClick(slider.slider(), Qt::Key_Home);
+    EXPECT_DOUBLE_EQ(slider.value(), 1.0);
+    QTest::keyClick(slider.slider(), Qt::Key_End);
+    EXPECT_DOUBLE_EQ(slider.value(), 1e6);
+    // Every step is the same part of the value, and comes out with three digits.
+    QTest::keyClick(slider.slider(), Qt::Key_Left);
+    EXPECT_DOUBLE_EQ(slider.value(), 955000.0);
+    // The box takes any value.
+    slider.box()->setValue(1234.5);
+    EXPECT_DOUBLE_EQ(slider.value(), 1234.5);
+}
+
 }  // namespace
 }  // namespace ravnoves
