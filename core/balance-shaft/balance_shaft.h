@@ -63,6 +63,30 @@ inline constexpr FieldSpec shaft_swing_radius{"shaft_swing_radius_mm", "mm", Ran
 inline constexpr FieldSpec gear_tip_radius{"gear_tip_radius_mm", "mm", Range::greater_than(0),
                                            millimetre};
 inline constexpr FieldSpec wall{"wall_mm", "mm", Range::at_least(0), millimetre};
+// Of the objects "torque/pressure" and "torque/cycle".
+inline constexpr double bar = 1e5;  ///< Pa per bar
+inline constexpr FieldSpec bore{"bore_mm", "mm", Range::greater_than(0, 10000), millimetre};
+inline constexpr FieldSpec offset{"offset_mm", "mm", Range{}, millimetre};
+inline constexpr FieldSpec crankcase_pressure{"crankcase_pressure_bar", "bar",
+                                              Range::between(0, 1e3), bar};
+inline constexpr FieldSpec compression_ratio{"compression_ratio", "", Range::greater_than(1, 100)};
+inline constexpr FieldSpec intake_pressure{"intake_pressure_bar", "bar",
+                                           Range::greater_than(0, 1e3), bar};
+inline constexpr FieldSpec exhaust_pressure{"exhaust_pressure_bar", "bar",
+                                            Range::greater_than(0, 1e3), bar};
+inline constexpr FieldSpec polytropic_compression{"polytropic_compression", "",
+                                                  Range::between(1, 2)};
+inline constexpr FieldSpec polytropic_expansion{"polytropic_expansion", "",
+                                                Range::greater_than(1, 2)};
+inline constexpr FieldSpec heat{"heat_J", "J", Range::between(0, 1e12)};
+inline constexpr FieldSpec imep{"indicated_mean_effective_pressure_bar", "bar",
+                                Range::between(-1e3, 1e3), bar};
+/// 360° is the firing top dead centre.
+inline constexpr FieldSpec combustion_start{"combustion_start_deg", "°", Range::between(270, 450),
+                                            degree};
+inline constexpr FieldSpec combustion_duration{"combustion_duration_deg", "°",
+                                               Range::between(1, 180), degree};
+inline constexpr FieldSpec wiebe_m{"wiebe_m", "", Range::between(0, 10)};
 }  // namespace field
 
 /// One of the masses that move with the piston (the paper's Table 1).
@@ -81,18 +105,26 @@ enum class Interpolation {
 /// Where the engine torque comes from.
 struct TorqueSource {
     enum class Kind {
-        table,  ///< the table itself stands in the case file
-        csv,    ///< the case file names a file beside it
+        table,     ///< the table itself stands in the case file
+        csv,       ///< the case file names a file beside it
+        pressure,  ///< gas torque from a measured pressure trace, inertia torque from the masses
+        cycle,     ///< gas torque from a computed cycle, inertia torque from the masses
     };
     Kind kind = Kind::table;
-    TorqueTable table;  ///< the rows, for both kinds
-    std::string csv;    ///< path as the case file has it; empty for a table
+    TorqueTable table;       ///< the rows, for table and csv
+    std::string csv;         ///< path as the case file has it, for csv and pressure
+    PressureTrace trace;     ///< for pressure
+    GasCycle cycle;          ///< for cycle
+    CylinderSizes cylinder;  ///< for pressure and cycle
+
+    /// The torque follows the speed and the masses entered.
+    bool is_computed() const { return kind == Kind::pressure || kind == Kind::cycle; }
     bool operator==(const TorqueSource&) const = default;
 };
 
 /// Sizes for the front view; what is empty has a default made from the other inputs.
 struct EnvelopeSizes {
-    std::optional<double> cylinder_bore;       ///< m; default: the stroke, 2 r
+    std::optional<double> cylinder_bore;       ///< m; default: the torque source's bore, else 2 r
     std::optional<double> cylinder_top;        ///< m above the crank axis; default r + L + bore/2
     std::optional<double> crank_swing_radius;  ///< m, circle swept by crank and counterweight;
                                                ///< default 1.3 max(r, ρ₁)
@@ -118,8 +150,9 @@ struct Input {
     double shaft_angle = 0.0;                  ///< α, rad
     TorqueSource torque;                       ///< M_id
     Interpolation interpolation = Interpolation::linear;
-    double step_deg = 1.0;             ///< step of the curves and of the sweep, °
-    std::optional<double> rod_length;  ///< L, m; default r / default_lambda
+    double step_deg = 1.0;  ///< step of the curves and of the sweep, °
+    /// L, m; default r / default_lambda. Needed where the torque is computed.
+    std::optional<double> rod_length;
     EnvelopeSizes envelope;
 
     double reciprocating_mass() const;    ///< m_j, kg
@@ -159,6 +192,11 @@ struct MomentCurves {
     std::vector<double> M_up;             ///< tipping moment −M_id, N·m
     std::vector<double> M_s;              ///< moment of the shaft, (4), N·m
     std::vector<double> M_ups;            ///< moment on the mounts, (5), N·m
+    // Where the torque is computed, else empty:
+    std::vector<double> M_gas;      ///< gas torque, a part of M_id = −M_up, N·m
+    std::vector<double> M_inertia;  ///< inertia torque, the other part, N·m
+    std::vector<double> pressure;   ///< Pa
+    std::vector<double> volume;     ///< m³; of a pressure trace without the clearance volume
 };
 
 /// Criteria over the shaft's angle, at every step_deg, both ends included. The means are cycle
@@ -232,7 +270,9 @@ struct Result {
     double order_1_phase = 0.0;      ///< rad: that order is amplitude × sin(φ + phase)
     /// Part of M_up's variance that is of the first order, 0…1; empty where M_up is constant.
     std::optional<double> order_1_share;
-    double printed_mean_M_up = 0.0;  ///< mean over the table's rows, both ends, N·m
+    double printed_mean_M_up = 0.0;           ///< mean over the table's rows, both ends, N·m
+    std::optional<IndicatedCycle> indicated;  ///< where the torque is computed
+    double indicated_power = 0.0;             ///< work × ω / 4π, W; where the torque is computed
     Optimum best_range;
     Optimum best_rms;
     AngleSweep sweep;

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "balance-shaft/balance_shaft.h"
+#include "balance-shaft/engine_torque.h"
 #include "case-file/input_error.h"
 #include "case-file/object_reader.h"
 
@@ -45,33 +46,92 @@ std::vector<NamedMass> read_masses(ObjectReader& reader) {
     return parts;
 }
 
-TorqueSource read_torque(ObjectReader reader, const CaseContext& context) {
-    TorqueSource source;
-    if (reader.has("csv")) {
+/// Reads and parses a file that the case names.
+template <typename Parse>
+auto read_beside(const std::string& name, const std::string& place, const CaseContext& context,
+                 Parse parse) {
+    if (name.find('\0') != std::string::npos || name.empty()) {
+        throw InputError(place, "must be a file name", show(Json(name)));
+    }
+    try {
+        return parse(read_text_file(context.directory / name));
+    } catch (const InputError& error) {
+        std::string rule = name + ": ";
+        rule += error.where().empty() ? "" : error.where() + ": ";
+        throw InputError(place, rule + error.allowed(), error.found());
+    }
+}
+
+/// What "pressure" and "cycle" share.
+void read_cylinder(ObjectReader& reader, Input& input) {
+    CylinderSizes& sizes = input.torque.cylinder;
+    sizes.bore = reader.si(field::bore);
+    input.rod_length = reader.si(field::rod_length);
+    sizes.offset = reader.si(field::offset, sizes.offset);
+    sizes.crankcase_pressure = reader.si(field::crankcase_pressure, sizes.crankcase_pressure);
+}
+
+void read_cycle(ObjectReader reader, Input& input) {
+    read_cylinder(reader, input);
+    GasCycle& cycle = input.torque.cycle;
+    cycle.compression_ratio = reader.si(field::compression_ratio);
+    cycle.intake_pressure = reader.si(field::intake_pressure, cycle.intake_pressure);
+    cycle.exhaust_pressure = reader.si(field::exhaust_pressure, cycle.exhaust_pressure);
+    cycle.polytropic_compression =
+        reader.si(field::polytropic_compression, cycle.polytropic_compression);
+    cycle.polytropic_expansion = reader.si(field::polytropic_expansion, cycle.polytropic_expansion);
+    cycle.heat = reader.optional_si(field::heat);
+    cycle.imep = reader.optional_si(field::imep);
+    if (cycle.heat.has_value() == cycle.imep.has_value()) {
+        throw InputError(reader.pointer(),
+                         "must hold either heat_J or indicated_mean_effective_pressure_bar",
+                         cycle.heat ? "both" : "neither");
+    }
+    cycle.combustion_start = reader.si(field::combustion_start);
+    cycle.combustion_duration = reader.si(field::combustion_duration);
+    cycle.wiebe_m = reader.si(field::wiebe_m, cycle.wiebe_m);
+    reader.finish();
+}
+
+void read_torque(ObjectReader reader, const CaseContext& context, Input& input) {
+    TorqueSource& source = input.torque;
+    const bool pressure = reader.has("pressure");
+    const bool cycle = reader.has("cycle");
+    const bool csv = reader.has("csv");
+    const bool table = reader.has("crank_angle_deg") || reader.has("torque_Nm");
+    if (pressure + cycle + csv + table != 1) {
+        reader.finish();  // a misspelt key is named first
+        throw InputError(
+            reader.pointer(),
+            "must hold one of: crank_angle_deg with torque_Nm, csv, pressure, cycle",
+            pressure + cycle + csv + table == 0 ? "none of them" : "more than one of them");
+    }
+    if (pressure) {
+        source.kind = TorqueSource::Kind::pressure;
+        ObjectReader inner = reader.object("pressure");
+        read_cylinder(inner, input);
+        source.csv = inner.text("csv");
+        inner.finish();
+        reader.finish();
+        source.trace =
+            read_beside(source.csv, inner.pointer_to("csv"), context,
+                        [](const std::string& text) { return parse_pressure_trace(text).trace; });
+    } else if (cycle) {
+        source.kind = TorqueSource::Kind::cycle;
+        read_cycle(reader.object("cycle"), input);
+        reader.finish();
+    } else if (csv) {
         source.kind = TorqueSource::Kind::csv;
         source.csv = reader.text("csv");
         reader.finish();
-        const std::string place = reader.pointer_to("csv");
-        if (source.csv.find('\0') != std::string::npos || source.csv.empty()) {
-            throw InputError(place, "must be a file name", show(Json(source.csv)));
-        }
-        try {
-            source.table = parse_torque_table(read_text_file(context.directory / source.csv)).table;
-        } catch (const InputError& error) {
-            std::string rule = source.csv + ": ";
-            rule += error.where().empty() ? "" : error.where() + ": ";
-            throw InputError(place, rule + error.allowed(), error.found());
-        }
-        return source;
+        source.table =
+            read_beside(source.csv, reader.pointer_to("csv"), context,
+                        [](const std::string& text) { return parse_torque_table(text).table; });
+    } else {
+        source.table.crank_angle_deg = reader.numbers("crank_angle_deg", Range{});
+        source.table.torque = reader.numbers("torque_Nm", Range{});
+        reader.finish();
     }
-    if (!reader.has("crank_angle_deg") && !reader.has("torque_Nm")) {
-        reader.finish();  // a misspelt key is named first
-        throw InputError(reader.pointer(), "must hold crank_angle_deg and torque_Nm, or csv", "{}");
-    }
-    source.table.crank_angle_deg = reader.numbers("crank_angle_deg", Range{});
-    source.table.torque = reader.numbers("torque_Nm", Range{});
-    reader.finish();
-    return source;
 }
 
 EnvelopeSizes read_envelope(ObjectReader reader) {
@@ -93,6 +153,106 @@ void put(Json& object, const FieldSpec& field, double si) {
 void put(Json& object, const FieldSpec& field, const std::optional<double>& si) {
     if (si) {
         put(object, field, *si);
+    }
+}
+
+Json write_torque(const Input& input) {
+    const TorqueSource& source = input.torque;
+    if (source.kind == TorqueSource::Kind::table) {
+        return {{"crank_angle_deg", source.table.crank_angle_deg},
+                {"torque_Nm", source.table.torque}};
+    }
+    if (source.kind == TorqueSource::Kind::csv) {
+        return {{"csv", source.csv}};
+    }
+    Json inner = Json::object();
+    if (source.kind == TorqueSource::Kind::pressure) {
+        inner["csv"] = source.csv;
+    }
+    put(inner, field::bore, source.cylinder.bore);
+    put(inner, field::rod_length, input.rod_length);
+    put(inner, field::offset, source.cylinder.offset);
+    put(inner, field::crankcase_pressure, source.cylinder.crankcase_pressure);
+    if (source.kind == TorqueSource::Kind::pressure) {
+        return {{"pressure", inner}};
+    }
+    const GasCycle& cycle = source.cycle;
+    put(inner, field::compression_ratio, cycle.compression_ratio);
+    put(inner, field::intake_pressure, cycle.intake_pressure);
+    put(inner, field::exhaust_pressure, cycle.exhaust_pressure);
+    put(inner, field::polytropic_compression, cycle.polytropic_compression);
+    put(inner, field::polytropic_expansion, cycle.polytropic_expansion);
+    put(inner, field::heat, cycle.heat);
+    put(inner, field::imep, cycle.imep);
+    put(inner, field::combustion_start, cycle.combustion_start);
+    put(inner, field::combustion_duration, cycle.combustion_duration);
+    put(inner, field::wiebe_m, cycle.wiebe_m);
+    return {{"cycle", inner}};
+}
+
+void check_torque(const Input& input) {
+    const std::string root_of_torque = std::string(root) + "/torque";
+    const TorqueSource& source = input.torque;
+    if (!source.is_computed()) {
+        check_torque_table(source.table, root_of_torque);
+        return;
+    }
+    const bool traced = source.kind == TorqueSource::Kind::pressure;
+    const std::string parent = root_of_torque + (traced ? "/pressure" : "/cycle");
+    const auto check_inner = [&](const FieldSpec& field, const auto& value) {
+        check(field, value, parent.c_str());
+    };
+    check_inner(field::bore, source.cylinder.bore);
+    check_inner(field::offset, source.cylinder.offset);
+    check_inner(field::crankcase_pressure, source.cylinder.crankcase_pressure);
+    if (!input.rod_length) {
+        throw InputError(pointer(field::rod_length, parent.c_str()), "is required and missing");
+    }
+    check_inner(field::rod_length, input.rod_length);
+    const double offset = std::abs(source.cylinder.offset);
+    const SliderCrank<double> crank = slider_crank(input);
+    if (!(*input.rod_length > (input.crank_radius + 2.0 * offset) * (1.0 + 1e-9))) {
+        throw InputError(
+            pointer(field::rod_length, parent.c_str()),
+            "must be greater than the crank radius and twice the offset together, " +
+                format_number(from_si(field::crank_radius, input.crank_radius + 2.0 * offset)),
+            format_number(from_si(field::rod_length, *input.rod_length)));
+    }
+    // Beyond these no cylinder exists, and pressures and powers of volumes leave double's range.
+    constexpr Range displacement_range = Range::between(1e-12, 1e3);
+    const double displacement =
+        pi / 4.0 * source.cylinder.bore * source.cylinder.bore * crank.stroke();
+    if (!displacement_range.contains(displacement)) {
+        throw InputError(pointer(field::bore, parent.c_str()),
+                         "must make a displacement from 1e-6 cm³ to 1e9 cm³",
+                         format_number(displacement * 1e6, 6) + " cm³");
+    }
+    if (traced) {
+        check_pressure_trace(source.trace, parent + "/csv");
+        return;
+    }
+    const GasCycle& cycle = source.cycle;
+    check_inner(field::compression_ratio, cycle.compression_ratio);
+    check_inner(field::intake_pressure, cycle.intake_pressure);
+    check_inner(field::exhaust_pressure, cycle.exhaust_pressure);
+    check_inner(field::polytropic_compression, cycle.polytropic_compression);
+    check_inner(field::polytropic_expansion, cycle.polytropic_expansion);
+    check_inner(field::heat, cycle.heat);
+    check_inner(field::imep, cycle.imep);
+    if (cycle.heat.has_value() == cycle.imep.has_value()) {
+        throw InputError(parent, "must hold either heat_J or indicated_mean_effective_pressure_bar",
+                         cycle.heat ? "both" : "neither");
+    }
+    check_inner(field::combustion_start, cycle.combustion_start);
+    check_inner(field::combustion_duration, cycle.combustion_duration);
+    check_inner(field::wiebe_m, cycle.wiebe_m);
+    const double end = cycle.combustion_start + cycle.combustion_duration;
+    const double bottom = two_pi + crank.bottom_dead_centre() - crank.top_dead_centre();
+    if (end > bottom) {
+        throw InputError(pointer(field::combustion_duration, parent.c_str()),
+                         "must end the combustion before the bottom dead centre at " +
+                             format_number(bottom / degree, 6) + "°",
+                         format_number(end / degree, 6) + "°");
     }
 }
 
@@ -140,7 +300,11 @@ Input read_input(const Json& json, const CaseContext& context) {
     if (reader.has("envelope")) {
         input.envelope = read_envelope(reader.object("envelope"));
     }
-    input.torque = read_torque(reader.object("torque"), context);
+    read_torque(reader.object("torque"), context, input);
+    if (input.torque.is_computed() && reader.has(field::rod_length.key)) {
+        throw InputError(reader.pointer_to(field::rod_length.key),
+                         "must be left out where the torque's own object gives it");
+    }
     reader.finish();
     check_input(input);
     return input;
@@ -163,16 +327,13 @@ Json write_input(const Input& input) {
     put(json, field::counterweight_mass, input.counterweight_mass);
     put(json, field::centre_distance, input.centre_distance);
     put(json, field::shaft_angle, input.shaft_angle);
-    if (input.torque.kind == TorqueSource::Kind::csv) {
-        json["torque"] = {{"csv", input.torque.csv}};
-    } else {
-        json["torque"] = {{"crank_angle_deg", input.torque.table.crank_angle_deg},
-                          {"torque_Nm", input.torque.table.torque}};
-    }
+    json["torque"] = write_torque(input);
     json["interpolation"] =
         input.interpolation == Interpolation::linear ? "linear" : "periodic-cubic";
     json[std::string(field::step.key)] = input.step_deg;
-    put(json, field::rod_length, input.rod_length);
+    if (!input.torque.is_computed()) {
+        put(json, field::rod_length, input.rod_length);
+    }
     put(json, field::rod_mass, input.rod_mass);
     if (input.envelope != EnvelopeSizes{}) {
         Json envelope = Json::object();
@@ -211,7 +372,7 @@ void check_input(const Input& input) {
     check(field::counterweight_mass, input.counterweight_mass);
     check(field::centre_distance, input.centre_distance);
     check(field::shaft_angle, input.shaft_angle);
-    check_torque_table(input.torque.table, std::string(root) + "/torque");
+    check_torque(input);
     if (!field::step.range.contains(input.step_deg)) {
         throw InputError(pointer(field::step), field::step.range.describe(),
                          format_number(input.step_deg));
@@ -265,6 +426,10 @@ void check_input(const Input& input) {
     check_together(input.centre_distance, "the mechanism", field::centre_distance);
     check_together(force * input.centre_distance, "the shaft's moment", field::centre_distance);
     check_together(input.effective_rod_length(), "the mechanism", field::rod_length);
+    check_together(reciprocating * input.crank_radius * input.crank_radius * speed * speed,
+                   "the inertia torque", field::crank_radius);
+    check_together(input.torque.cylinder.bore, "the cylinder", field::bore);
+    check_together(input.torque.cylinder.offset, "the cylinder", field::offset);
     check_together(input.envelope.cylinder_bore.value_or(0.0), "the envelope",
                    field::cylinder_bore);
     check_together(input.envelope.cylinder_top.value_or(0.0), "the envelope", field::cylinder_top);

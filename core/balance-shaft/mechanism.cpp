@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "balance-shaft/balance_shaft.h"
-#include "numerics/slider_crank.h"
+#include "balance-shaft/engine_torque.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -12,12 +12,12 @@ MechanismPose mechanism_pose(const Solver& solver, double crank_angle, double sh
     const double s = std::sin(crank_angle);
     const double mass = input.reciprocating_mass();
     const double speed2 = input.angular_speed * input.angular_speed;
-    const SliderCrank<double> crank{view.crank_radius, view.rod_length};
+    const SliderCrank<double> crank = slider_crank(input);
     const PistonMotion<double> piston = crank.at(s, c);
 
     MechanismPose pose;
     pose.crankpin = {view.crank_radius * s, view.crank_radius * c};
-    pose.piston_pin = {0.0, piston.s};
+    pose.piston_pin = {crank.offset, piston.s};
     const double rho = view.counterweight_radius;
     // The crank turns clockwise in the view, the shaft the other way: their counterweights meet in
     // the vertical component only.

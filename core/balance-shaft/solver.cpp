@@ -4,6 +4,7 @@
 #include "balance-shaft/balance_shaft.h"
 #include "balance-shaft/best_range.h"
 #include "balance-shaft/cycle_extrema.h"
+#include "balance-shaft/engine_torque.h"
 #include "numerics/periodic_piecewise.h"
 
 namespace ravnoves::balance_shaft {
@@ -38,19 +39,6 @@ double wrap_turn(double angle) {
     return angle < two_pi ? angle : 0.0;
 }
 
-/// M_up = −M_id over the crank angle in degrees.
-PeriodicPiecewise tipping_moment(const Input& input) {
-    const TorqueTable& table = input.torque.table;
-    std::vector<double> angle = table.crank_angle_deg;
-    angle.back() = angle.front() + cycle_deg;
-    std::vector<double> moment(table.size());
-    std::transform(table.torque.begin(), table.torque.end(), moment.begin(),
-                   [](double torque) { return 0.0 - torque; });
-    moment.back() = moment.front();
-    return input.interpolation == Interpolation::linear ? PeriodicPiecewise::linear(angle, moment)
-                                                        : PeriodicPiecewise::cubic(angle, moment);
-}
-
 struct Forces {
     double inertia_force_1_max;  ///< P_j1 max, N
     double counterweight_mass;   ///< m₁, kg, (1) or as given
@@ -74,7 +62,9 @@ FrontView fill_in(const Input& input) {
     view.rod_length = input.effective_rod_length();
     view.counterweight_radius = input.counterweight_radius;
     view.centre_distance = input.centre_distance;
-    view.cylinder_bore = input.envelope.cylinder_bore.value_or(2.0 * view.crank_radius);
+    const double known_bore =
+        input.torque.is_computed() ? input.torque.cylinder.bore : 2.0 * view.crank_radius;
+    view.cylinder_bore = input.envelope.cylinder_bore.value_or(known_bore);
     view.cylinder_top = input.envelope.cylinder_top.value_or(view.crank_radius + view.rod_length +
                                                              view.cylinder_bore / 2.0);
     constexpr double swing = 1.3;  // circle swept against the radius of the centre of mass
@@ -95,6 +85,15 @@ double printed_mean_of_shaft_moment(double amplitude, double alpha) {
     return amplitude * std::sin(alpha) / nodes;
 }
 
+/// M_id at rows over the cycle, as given or computed.
+TorqueTable engine_torque(const Input& input, const std::optional<CylinderGas>& gas) {
+    if (!gas) {
+        return input.torque.table;
+    }
+    const TorqueParts parts = torque_parts(input, *gas);
+    return {parts.crank_angle_deg, parts.torque(input.angular_speed)};
+}
+
 MomentMetrics metrics_of(const Extrema& extrema, double mean, double variance) {
     MomentMetrics metrics;
     metrics.mean = mean;
@@ -113,10 +112,12 @@ struct Solver::Prepared {
     Input input;
     FrontView view;
     Forces forces;
-    PeriodicPiecewise moment;  ///< M_up over φ in degrees
-    CycleExtrema extrema;      ///< of M_up + M_s
-    double variance = 0.0;     ///< of M_up, (N·m)²
-    FourierPair order_1;       ///< M_up's component a cos φ + b sin φ
+    std::optional<CylinderGas> gas;  ///< where the torque is computed
+    TorqueTable table;               ///< M_id, given or computed
+    PeriodicPiecewise moment;        ///< M_up over φ in degrees
+    CycleExtrema extrema;            ///< of M_up + M_s
+    double variance = 0.0;           ///< of M_up, (N·m)²
+    FourierPair order_1;             ///< M_up's component a cos φ + b sin φ
     /// What result() starts from: all but what follows the shaft's angle.
     Result base;
     std::vector<double> cos_curve;  ///< cos φ and sin φ at the curves' angles
@@ -144,7 +145,9 @@ Solver::Prepared::Prepared(const Input& checked)
     : input(checked),
       view(fill_in(checked)),
       forces(checked),
-      moment(tipping_moment(checked)),
+      gas(cylinder_gas(checked)),
+      table(engine_torque(checked, gas)),
+      moment(tipping_moment(table.crank_angle_deg, table.torque, checked.interpolation)),
       extrema(moment, forces.moment_amplitude),
       variance(moment.variance()),
       order_1(moment.fourier(degree)) {
@@ -163,10 +166,14 @@ Solver::Prepared::Prepared(const Input& checked)
             std::min(base.order_1_amplitude * base.order_1_amplitude / (2.0 * variance), 1.0);
     }
     double sum = 0.0;
-    for (const double torque : input.torque.table.torque) {
+    for (const double torque : table.torque) {
         sum -= torque;
     }
-    base.printed_mean_M_up = sum / static_cast<double>(input.torque.table.size());
+    base.printed_mean_M_up = sum / static_cast<double>(table.size());
+    if (gas) {
+        base.indicated = gas->indicated();
+        base.indicated_power = base.indicated->work * input.angular_speed / (4.0 * pi);
+    }
     prepare_curves();
     prepare_optima();
     prepare_sweep();
@@ -187,6 +194,18 @@ void Solver::Prepared::prepare_curves() {
     }
     curves.M_s.resize(count);
     curves.M_ups.resize(count);
+    if (!gas) {
+        return;
+    }
+    const SliderCrank<double> crank = slider_crank(input);
+    for (const double angle : curves.crank_angle_deg) {
+        const double theta = angle * degree;
+        curves.pressure.push_back(gas->pressure(theta));
+        curves.volume.push_back(gas->volume(theta));
+        curves.M_gas.push_back(gas->torque(theta));
+        curves.M_inertia.push_back(
+            inertia_torque(crank, base.reciprocating_mass, input.angular_speed, theta));
+    }
 }
 
 void Solver::Prepared::prepare_optima() {

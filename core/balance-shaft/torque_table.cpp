@@ -16,8 +16,30 @@ namespace {
 
 constexpr double cycle_deg = 720.0;
 constexpr double largest_angle_deg = 1e5;
-constexpr double span_tolerance = 1e-3;        ///< of the span, for tables rounded by hand
-constexpr double end_torque_tolerance = 1e-9;  ///< of the largest torque
+constexpr double span_tolerance = 1e-3;          ///< of the span, for tables rounded by hand
+constexpr double end_torque_tolerance = 1e-9;    ///< of the largest torque
+constexpr double end_pressure_tolerance = 0.02;  ///< of the largest pressure
+
+/// What the second column holds.
+struct Column {
+    const char* name;
+    std::string unit;
+    double to_si;
+    Range range;  ///< in SI
+    double end_tolerance;
+    bool may_be_open;  ///< the closing row may be missing
+};
+
+Column torque_column() {
+    return {
+        "torque", "N·m", 1.0, Range::between(-largest_torque, largest_torque), end_torque_tolerance,
+        false};
+}
+
+Column pressure_column(const std::string& unit, double to_si) {
+    return {"pressure", unit, to_si, Range::between(0.0, largest_pressure), end_pressure_tolerance,
+            true};
+}
 
 std::string_view trim(std::string_view text) {
     const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v'; };
@@ -106,6 +128,9 @@ char find_separator(std::string_view line, std::size_t number) {
     if (line.find('\t') != std::string_view::npos) {
         return '\t';
     }
+    if (line.find(',') == std::string_view::npos) {
+        return ' ';
+    }
     std::vector<std::string_view> fields;
     split(line, ' ', fields);
     if (fields.size() == 2 && !fields[0].ends_with(',') && !fields[1].starts_with(',')) {
@@ -151,38 +176,51 @@ bool near(double value, double wanted) {
     return std::abs(value - wanted) <= span_tolerance * wanted;
 }
 
-void check_rows(const TorqueTable& table, const auto& place_of_angle, const auto& place_of_torque) {
-    const double allowed =
-        end_torque_tolerance *
-        std::abs(*std::max_element(table.torque.begin(), table.torque.end(),
-                                   [](double a, double b) { return std::abs(a) < std::abs(b); }));
-    for (std::size_t i = 1; i < table.size(); ++i) {
-        const double previous = table.crank_angle_deg[i - 1];
-        if (table.crank_angle_deg[i] == previous) {
+void check_ascending(const std::vector<double>& angles, const auto& place) {
+    for (std::size_t i = 1; i < angles.size(); ++i) {
+        const double previous = angles[i - 1];
+        if (angles[i] == previous) {
             throw InputError(
-                place_of_angle(i),
-                "must not repeat the angle of the row before, " + format_number(previous),
-                format_number(table.crank_angle_deg[i]));
+                place(i), "must not repeat the angle of the row before, " + format_number(previous),
+                format_number(angles[i]));
         }
-        if (!(table.crank_angle_deg[i] > previous)) {
+        if (!(angles[i] > previous)) {
             throw InputError(
-                place_of_angle(i),
+                place(i),
                 "must be greater than the angle of the row before, " + format_number(previous),
-                format_number(table.crank_angle_deg[i]));
+                format_number(angles[i]));
         }
-    }
-    if (!(std::abs(table.torque.back() - table.torque.front()) <= allowed)) {
-        throw InputError(place_of_torque(table.size() - 1),
-                         "must equal the first torque, " + format_number(table.torque.front()) +
-                             " N·m, since the cycle repeats",
-                         format_number(table.torque.back()) + " N·m");
     }
 }
 
+void check_end(const std::vector<double>& values, const Column& column, double tolerance,
+               const std::string& place) {
+    double largest = 0.0;
+    for (const double value : values) {
+        largest = std::max(largest, std::abs(value));
+    }
+    if (!(std::abs(values.back() - values.front()) <= tolerance * largest)) {
+        const auto show_value = [&](double value) {
+            return format_number(value / column.to_si) + " " + column.unit;
+        };
+        throw InputError(place,
+                         "must equal the first " + std::string(column.name) + ", " +
+                             show_value(values.front()) + ", since the cycle repeats",
+                         show_value(values.back()));
+    }
+}
+
+/// A table of two columns, of one cycle of 720°.
+struct Cycle {
+    TableText text;
+    std::vector<double> angle_deg;
+    std::vector<double> value;
+};
+
 }  // namespace
 
-std::string TorqueTableText::describe() const {
-    std::string text = std::to_string(table.size()) + " rows, separated by ";
+std::string TableText::describe() const {
+    std::string text = std::to_string(rows) + " rows, separated by ";
     text += separator == ';'    ? "semicolons"
             : separator == ','  ? "commas"
             : separator == '\t' ? "tabs"
@@ -190,19 +228,30 @@ std::string TorqueTableText::describe() const {
     text += decimal_comma ? ", decimal comma" : "";
     text += in_radians ? ", angles in radians" : ", angles in degrees";
     text += has_header ? ", with a header" : "";
+    text += pressure_unit.empty() ? "" : ", pressure in " + pressure_unit;
     text += repeated ? ", 360° repeated to 720°" : "";
+    text += closed ? ", end joined to the start" : "";
     return text;
 }
 
-TorqueTableText parse_torque_table(std::string_view text) {
+namespace {
+
+/// Rows as they stand in the text.
+struct Rows {
+    TableText text;
+    std::string header;
+    std::vector<double> angle;
+    std::vector<double> value;
+    std::vector<std::size_t> line;
+};
+
+Rows read_rows(std::string_view text, const char* value_name) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (text.starts_with(byte_order_mark)) {
         text.remove_prefix(byte_order_mark.size());
     }
-    TorqueTableText result;
-    std::vector<std::size_t> line_of_row;
+    Rows rows;
     std::vector<std::string_view> fields;
-    std::string_view header;
     std::size_t number = 0;
     std::size_t header_lines = 0;
     bool separator_known = false;
@@ -226,23 +275,22 @@ TorqueTableText parse_torque_table(std::string_view text) {
         if (trim(line).empty() || trim(line).front() == '#') {
             continue;
         }
-        if (result.table.size() == 0 && !looks_like_number(line) && !is_not_a_number_word(line) &&
+        if (rows.angle.empty() && !looks_like_number(line) && !is_not_a_number_word(line) &&
             header_lines < 2) {
             ++header_lines;  // names, and units below them
-            if (!header_says_radians(header).has_value()) {
-                header = line;
-            }
-            result.has_header = true;
+            rows.header.append(line).append("\n");
+            rows.text.has_header = true;
             continue;
         }
         if (!separator_known) {
-            result.separator = find_separator(line, number);
+            rows.text.separator = find_separator(line, number);
             separator_known = true;
         }
-        split(line, result.separator, fields);
+        split(line, rows.text.separator, fields);
         if (fields.size() != 2) {
             throw InputError(
-                "line " + std::to_string(number), "must hold two columns, crank angle and torque",
+                "line " + std::to_string(number),
+                std::string("must hold two columns, crank angle and ") + value_name,
                 fields.size() == 1 ? quote(fields[0]) : std::to_string(fields.size()) + " columns");
         }
         std::array<double, 2> values{};
@@ -253,122 +301,205 @@ TorqueTableText parse_torque_table(std::string_view text) {
                                  "must be a finite number", quote(fields[column]));
             }
             values[column] = *value;
-            result.decimal_comma =
-                result.decimal_comma || fields[column].find(',') != std::string_view::npos;
+            rows.text.decimal_comma =
+                rows.text.decimal_comma || fields[column].find(',') != std::string_view::npos;
         }
         if (std::abs(values[0]) > largest_angle_deg) {
             throw InputError(at(number, 1),
                              Range::between(-largest_angle_deg, largest_angle_deg).describe(),
                              format_number(values[0]));
         }
-        if (std::abs(values[1]) > largest_torque) {
-            throw InputError(at(number, 2),
-                             Range::between(-largest_torque, largest_torque).describe(),
-                             format_number(values[1]));
-        }
-        if (result.table.size() >= largest_torque_table) {
+        if (rows.angle.size() >= largest_torque_table) {
             throw InputError(
                 "line " + std::to_string(number),
                 "the table must have at most " + std::to_string(largest_torque_table) + " rows");
         }
-        result.table.crank_angle_deg.push_back(values[0]);
-        result.table.torque.push_back(values[1]);
-        line_of_row.push_back(number);
+        rows.angle.push_back(values[0]);
+        rows.value.push_back(values[1]);
+        rows.line.push_back(number);
     }
+    return rows;
+}
 
-    TorqueTable& table = result.table;
-    if (table.size() < 3) {
-        throw InputError("", "the torque table must have at least 3 rows",
-                         std::to_string(table.size()));
+/// Checks the rows, finds the unit of the angles and brings the table to one cycle of 720°.
+Cycle to_cycle(Rows&& rows, const Column& column) {
+    Cycle cycle{rows.text, std::move(rows.angle), std::move(rows.value)};
+    std::vector<double>& angle = cycle.angle_deg;
+    std::vector<double>& value = cycle.value;
+    const auto place_of_angle = [&](std::size_t i) { return at(rows.line[i], 1); };
+    if (angle.size() < 3) {
+        throw InputError("", std::string("the ") + column.name + " table must have at least 3 rows",
+                         std::to_string(angle.size()));
     }
-    check_rows(
-        table, [&](std::size_t i) { return at(line_of_row[i], 1); },
-        [&](std::size_t i) { return at(line_of_row[i], 2); });
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        value[i] *= column.to_si;
+        if (!column.range.contains(value[i])) {
+            Range shown = column.range;
+            shown.min /= column.to_si;
+            shown.max /= column.to_si;
+            throw InputError(at(rows.line[i], 2), shown.describe(),
+                             format_number(value[i] / column.to_si));
+        }
+    }
+    check_ascending(angle, place_of_angle);
 
-    const double first = table.crank_angle_deg.front();
-    const double span = table.crank_angle_deg.back() - first;
-    const auto from_header = header_says_radians(header);
-    const bool is_degrees = near(span, cycle_deg) || near(span, cycle_deg / 2.0);
-    const bool is_radians = near(span, 2.0 * two_pi) || near(span, two_pi);
-    result.in_radians = from_header.value_or(is_radians);
-    const double turn = result.in_radians ? two_pi : cycle_deg / 2.0;
-    if (!(result.in_radians ? is_radians : is_degrees)) {
-        const std::string unit = result.in_radians ? " rad" : "°";
-        throw InputError(at(line_of_row.back(), 1),
+    const double first = angle.front();
+    double span = angle.back() - first;
+    const auto from_header = header_says_radians(rows.header);
+    const auto is_cycle = [&](double length, bool radians) {
+        const double turn = radians ? two_pi : cycle_deg / 2.0;
+        return near(length, turn) || near(length, 2.0 * turn);
+    };
+    const double open_span = span + angle.back() - angle[angle.size() - 2];
+    if (column.may_be_open && !is_cycle(span, false) && !is_cycle(span, true) &&
+        (is_cycle(open_span, false) || is_cycle(open_span, true))) {
+        angle.push_back(first + open_span);
+        value.push_back(value.front());
+        rows.line.push_back(rows.line.back());
+        span = open_span;
+        cycle.text.closed = true;
+    }
+    check_end(value, column, column.end_tolerance, at(rows.line.back(), 2));
+    cycle.text.in_radians = from_header.value_or(is_cycle(span, true));
+    if (!is_cycle(span, cycle.text.in_radians)) {
+        const std::string unit = cycle.text.in_radians ? " rad" : "°";
+        throw InputError(at(rows.line.back(), 1),
                          "the angles must span 720° (or 360°, or 4π or 2π in radians), the last "
                          "row repeating the first",
                          format_number(span) + unit);
     }
-    if (result.in_radians) {
-        for (double& angle : table.crank_angle_deg) {
-            angle /= degree;
+    if (column.may_be_open && value.back() != value.front()) {
+        value.front() = (value.front() + value.back()) / 2.0;
+        cycle.text.closed = true;
+    }
+    value.back() = value.front();
+    if (cycle.text.in_radians) {
+        for (double& a : angle) {
+            a /= degree;
         }
     }
-    result.repeated = near(span, turn);
-    table.torque.back() = table.torque.front();
-    const double first_deg = table.crank_angle_deg.front();
-    if (result.repeated) {
-        const std::size_t rows = table.size();
-        if (2 * rows - 1 > largest_torque_table) {
+    cycle.text.repeated = near(angle.back() - angle.front(), cycle_deg / 2.0);
+    const double first_deg = angle.front();
+    if (cycle.text.repeated) {
+        const std::size_t count = angle.size();
+        if (2 * count - 1 > largest_torque_table) {
             throw InputError("",
-                             "the torque table of 720° must have at most " +
+                             "the table of 720° must have at most " +
                                  std::to_string(largest_torque_table) + " rows",
-                             std::to_string(2 * rows - 1));
+                             std::to_string(2 * count - 1));
         }
-        table.crank_angle_deg.back() = first_deg + cycle_deg / 2.0;
-        for (std::size_t i = 1; i < rows; ++i) {
-            table.crank_angle_deg.push_back(table.crank_angle_deg[i] + cycle_deg / 2.0);
-            table.torque.push_back(table.torque[i]);
+        angle.back() = first_deg + cycle_deg / 2.0;
+        for (std::size_t i = 1; i < count; ++i) {
+            angle.push_back(angle[i] + cycle_deg / 2.0);
+            value.push_back(value[i]);
         }
     }
-    table.crank_angle_deg.back() = first_deg + cycle_deg;
+    angle.back() = first_deg + cycle_deg;
+    cycle.text.rows = angle.size();
     // Rounding of the units must not have undone the order.
-    for (std::size_t i = 1; i < table.size(); ++i) {
-        if (!(table.crank_angle_deg[i] > table.crank_angle_deg[i - 1])) {
+    for (std::size_t i = 1; i < angle.size(); ++i) {
+        if (!(angle[i] > angle[i - 1])) {
             throw InputError("", "the angles of neighbouring rows are too close together",
-                             format_number(table.crank_angle_deg[i]) + "°");
+                             format_number(angle[i]) + "°");
         }
     }
-    return result;
+    return cycle;
 }
 
-void check_torque_table(const TorqueTable& table, const std::string& where) {
-    const std::string angles = where + "/crank_angle_deg";
-    const std::string torques = where + "/torque_Nm";
-    if (table.crank_angle_deg.size() != table.torque.size()) {
-        throw InputError(torques,
-                         "must hold as many numbers as crank_angle_deg, " +
-                             std::to_string(table.crank_angle_deg.size()),
-                         std::to_string(table.torque.size()));
+/// The unit that the header names for a pressure, with its size in Pa.
+std::pair<std::string, double> pressure_unit(std::string_view header) {
+    const auto has_word = [&](std::string_view word) {
+        const auto is_letter = [](char c) {
+            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+        };
+        for (std::size_t i = header.find(word); i != std::string_view::npos;
+             i = header.find(word, i + 1)) {
+            const std::size_t end = i + word.size();
+            if ((i == 0 || !is_letter(header[i - 1])) &&
+                (end >= header.size() || !is_letter(header[end]))) {
+                return true;
+            }
+        }
+        return false;
+    };
+    if (has_word("MPa") || header.find("МПа") != std::string_view::npos) {
+        return {"MPa", 1e6};
     }
-    if (table.size() < 3) {
-        throw InputError(angles, "must hold at least 3 numbers", std::to_string(table.size()));
+    if (has_word("kPa") || header.find("кПа") != std::string_view::npos) {
+        return {"kPa", 1e3};
     }
-    if (table.size() > largest_torque_table) {
+    if (has_word("Pa") || header.find("Па") != std::string_view::npos) {
+        return {"Pa", 1.0};
+    }
+    if (has_word("psi")) {
+        return {"psi", 6894.757293168361};
+    }
+    return {"bar", 1e5};
+}
+
+void check_table(const std::vector<double>& angle, const std::vector<double>& value,
+                 const Column& column, const std::string& angles, const std::string& values) {
+    if (angle.size() != value.size()) {
+        throw InputError(
+            values, "must hold as many numbers as crank_angle_deg, " + std::to_string(angle.size()),
+            std::to_string(value.size()));
+    }
+    if (angle.size() < 3) {
+        throw InputError(angles, "must hold at least 3 numbers", std::to_string(angle.size()));
+    }
+    if (angle.size() > largest_torque_table) {
         throw InputError(angles,
                          "must hold at most " + std::to_string(largest_torque_table) + " numbers",
-                         std::to_string(table.size()));
+                         std::to_string(angle.size()));
     }
     constexpr Range angle_range = Range::between(-largest_angle_deg, largest_angle_deg);
-    constexpr Range torque_range = Range::between(-largest_torque, largest_torque);
-    for (std::size_t i = 0; i < table.size(); ++i) {
-        if (!angle_range.contains(table.crank_angle_deg[i])) {
+    for (std::size_t i = 0; i < angle.size(); ++i) {
+        if (!angle_range.contains(angle[i])) {
             throw InputError(angles + "/" + std::to_string(i), angle_range.describe(),
-                             format_number(table.crank_angle_deg[i]));
+                             format_number(angle[i]));
         }
-        if (!torque_range.contains(table.torque[i])) {
-            throw InputError(torques + "/" + std::to_string(i), torque_range.describe(),
-                             format_number(table.torque[i]));
+        if (!column.range.contains(value[i])) {
+            throw InputError(values + "/" + std::to_string(i), column.range.describe(),
+                             format_number(value[i]));
         }
     }
-    check_rows(
-        table, [&](std::size_t i) { return angles + "/" + std::to_string(i); },
-        [&](std::size_t i) { return torques + "/" + std::to_string(i); });
-    const double span = table.crank_angle_deg.back() - table.crank_angle_deg.front();
+    check_ascending(angle, [&](std::size_t i) { return angles + "/" + std::to_string(i); });
+    check_end(value, column, end_torque_tolerance, values + "/" + std::to_string(value.size() - 1));
+    const double span = angle.back() - angle.front();
     if (std::abs(span - cycle_deg) > 1e-9 * cycle_deg) {
         throw InputError(angles, "must span 720°, the last row repeating the first",
                          format_number(span) + "°");
     }
+}
+
+}  // namespace
+
+TorqueTableText parse_torque_table(std::string_view text) {
+    Cycle cycle = to_cycle(read_rows(text, "torque"), torque_column());
+    TorqueTableText result;
+    static_cast<TableText&>(result) = cycle.text;
+    result.table = {std::move(cycle.angle_deg), std::move(cycle.value)};
+    return result;
+}
+
+PressureTraceText parse_pressure_trace(std::string_view text) {
+    Rows rows = read_rows(text, "pressure");
+    const auto [unit, to_si] = pressure_unit(rows.header);
+    Cycle cycle = to_cycle(std::move(rows), pressure_column(unit, to_si));
+    PressureTraceText result;
+    static_cast<TableText&>(result) = cycle.text;
+    result.pressure_unit = unit;
+    result.trace = {std::move(cycle.angle_deg), std::move(cycle.value)};
+    return result;
+}
+
+void check_torque_table(const TorqueTable& table, const std::string& where) {
+    check_table(table.crank_angle_deg, table.torque, torque_column(), where + "/crank_angle_deg",
+                where + "/torque_Nm");
+}
+
+void check_pressure_trace(const PressureTrace& trace, const std::string& where) {
+    check_table(trace.crank_angle_deg, trace.pressure, pressure_column("Pa", 1.0), where, where);
 }
 
 std::string write_torque_table(const TorqueTable& table) {

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "balance-shaft/cylinder_gas.h"
+
 namespace ravnoves::balance_shaft {
 
 /// Engine torque M_id over one four-stroke cycle, at rows of ascending crank angle.
@@ -23,18 +25,30 @@ struct TorqueTable {
 inline constexpr std::size_t largest_torque_table = 1'000'000;  ///< rows
 inline constexpr double largest_torque = 1e12;                  ///< N·m
 
-/// What parse_torque_table() found out about a text, for the page to say.
-struct TorqueTableText {
-    TorqueTable table;
+inline constexpr double largest_pressure = 1e10;  ///< Pa
+
+/// What the text of a table of two columns turned out to be, for the page to say.
+struct TableText {
     char separator = '\t';    ///< between the columns: comma, semicolon, tab or blank
     bool has_header = false;  ///< the first line held words
     bool in_radians = false;  ///< angles were in radians (by the header or by the span)
     bool repeated = false;    ///< the text spanned 360° and stands here twice
     bool decimal_comma = false;
+    std::size_t rows = 0;       ///< of the table, after repeating
+    std::string pressure_unit;  ///< "bar", "kPa" and so on, of a pressure trace
+    bool closed = false;        ///< a pressure trace's end was made to meet its start
 
     /// "49 rows, separated by semicolons, decimal comma, angles in degrees": one sentence without
     /// the full stop.
     std::string describe() const;
+};
+
+struct TorqueTableText : TableText {
+    TorqueTable table;
+};
+
+struct PressureTraceText : TableText {
+    PressureTrace trace;
 };
 
 /// Reads a torque table from CSV text or from what a spreadsheet puts on the clipboard.
@@ -47,6 +61,16 @@ struct TorqueTableText {
 /// @throws InputError that names line and column ("line 4, column 2"), or the row for a table that
 ///         is not one cycle: unsorted, duplicate angle, too few rows, end that differs from start
 TorqueTableText parse_torque_table(std::string_view text);
+
+/// Reads a measured pressure trace the same way. The unit of the second column is what the header
+/// names ("Pa", "kPa", "MPa", "bar", "psi"), else bar; absolute pressures, not below 0. A cycle
+/// that lacks its last row is closed, and one whose end differs from its start by at most 2 % of
+/// the peak (a measured trace always does) is made to meet it half way.
+/// @throws InputError as parse_torque_table()
+PressureTraceText parse_pressure_trace(std::string_view text);
+/// Checks a trace as check_torque_table() does; pressures from 0 to largest_pressure.
+/// @throws InputError
+void check_pressure_trace(const PressureTrace& trace, const std::string& where);
 
 /// Checks that a table is one cycle: at least 3 rows, finite, angles ascending, span of 720°, last
 /// torque equal to the first (to 1e-9 of the largest), at most largest_torque_table rows.

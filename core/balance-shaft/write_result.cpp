@@ -5,6 +5,7 @@ namespace ravnoves::balance_shaft {
 namespace {
 
 constexpr double millimetre = 1e-3;
+constexpr double cubic_centimetre = 1e-6;
 constexpr double percent = 100.0;
 
 Json number_or_null(const std::optional<double>& value, double factor) {
@@ -30,6 +31,25 @@ Json write(const Optimum& optimum, const char* value_key) {
     return json;
 }
 
+Json write(const IndicatedCycle& indicated, double power) {
+    return {{"displacement_cm3", indicated.displacement / cubic_centimetre},
+            {"clearance_volume_cm3", number_or_null(indicated.clearance, 1.0 / cubic_centimetre)},
+            {"heat_J", number_or_null(indicated.heat, 1.0)},
+            {"work_J", indicated.work},
+            {"mean_effective_pressure_bar", indicated.imep / field::bar},
+            {"power_kW", power / 1000.0},
+            {"mean_torque_Nm", indicated.work / (4.0 * pi)},
+            {"peak_pressure_bar", indicated.peak_pressure / field::bar},
+            {"peak_pressure_crank_angle_deg", indicated.peak_pressure_angle / degree}};
+}
+
+std::vector<double> scaled(std::vector<double> values, double factor) {
+    for (double& value : values) {
+        value *= factor;
+    }
+    return values;
+}
+
 }  // namespace
 
 Json write_result(const Result& result) {
@@ -37,7 +57,7 @@ Json write_result(const Result& result) {
     for (const Note& note : result.notes) {
         notes.push_back(note.text);
     }
-    return {
+    Json json = {
         {"angular_speed_rad_s", result.angular_speed},
         {"reciprocating_mass_kg", result.reciprocating_mass},
         {"inertia_force_1_max_N", result.inertia_force_1_max},
@@ -67,20 +87,29 @@ Json write_result(const Result& result) {
          {{"width_mm", result.envelope.width() / millimetre},
           {"height_mm", result.envelope.height() / millimetre}}},
         {"notes", notes},
-        {"curves",
-         {{"crank_angle_deg", result.curves.crank_angle_deg},
-          {"M_up_Nm", result.curves.M_up},
-          {"M_s_Nm", result.curves.M_s},
-          {"M_ups_Nm", result.curves.M_ups}}},
-        {"sweep",
-         {{"shaft_angle_deg", result.sweep.shaft_angle_deg},
-          {"range_Nm", result.sweep.range},
-          {"rms_Nm", result.sweep.rms},
-          {"mean_M_s_Nm", result.sweep.mean_M_s},
-          {"mean_M_ups_Nm", result.sweep.mean_M_ups},
-          {"printed_mean_M_s_25_nodes_Nm", result.sweep.printed_mean_M_s},
-          {"printed_mean_M_ups_nodes_Nm", result.sweep.printed_mean_M_ups}}},
     };
+    if (result.indicated) {
+        json["indicated"] = write(*result.indicated, result.indicated_power);
+    }
+    Json curves = {{"crank_angle_deg", result.curves.crank_angle_deg},
+                   {"M_up_Nm", result.curves.M_up},
+                   {"M_s_Nm", result.curves.M_s},
+                   {"M_ups_Nm", result.curves.M_ups}};
+    if (result.indicated) {
+        curves["M_gas_Nm"] = result.curves.M_gas;
+        curves["M_inertia_Nm"] = result.curves.M_inertia;
+        curves["pressure_bar"] = scaled(result.curves.pressure, 1.0 / field::bar);
+        curves["volume_cm3"] = scaled(result.curves.volume, 1.0 / cubic_centimetre);
+    }
+    json["curves"] = std::move(curves);
+    json["sweep"] = {{"shaft_angle_deg", result.sweep.shaft_angle_deg},
+                     {"range_Nm", result.sweep.range},
+                     {"rms_Nm", result.sweep.rms},
+                     {"mean_M_s_Nm", result.sweep.mean_M_s},
+                     {"mean_M_ups_Nm", result.sweep.mean_M_ups},
+                     {"printed_mean_M_s_25_nodes_Nm", result.sweep.printed_mean_M_s},
+                     {"printed_mean_M_ups_nodes_Nm", result.sweep.printed_mean_M_ups}};
+    return json;
 }
 
 }  // namespace ravnoves::balance_shaft

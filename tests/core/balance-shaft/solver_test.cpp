@@ -308,6 +308,7 @@ TEST(BalanceShaft, MomentsScaleTogether) {
         for (NamedMass& part : input.reciprocating_masses) {
             part.mass *= k;
         }
+        *input.rod_mass *= k;
         for (double& torque : input.torque.table.torque) {
             torque *= k;
         }

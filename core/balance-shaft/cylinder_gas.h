@@ -1,0 +1,115 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "numerics/periodic_piecewise.h"
+#include "numerics/slider_crank.h"
+
+namespace ravnoves::balance_shaft {
+
+/// A measured cylinder pressure over one four-stroke cycle, at rows of ascending crank angle; the
+/// last row repeats the first 720° later.
+struct PressureTrace {
+    std::vector<double> crank_angle_deg;  ///< °, from top dead centre at the start of intake
+    std::vector<double> pressure;         ///< Pa, absolute, as many as angles
+    bool operator==(const PressureTrace&) const = default;
+};
+
+/// A plain four-stroke cycle: constant pressures for the gas exchange, polytropic compression, one
+/// Wiebe heat release, polytropic expansion. Angles: 0° begins the intake, 360° is the firing top
+/// dead centre.
+struct GasCycle {
+    double compression_ratio = 18.0;       ///< ε
+    double intake_pressure = 1e5;          ///< Pa, absolute
+    double exhaust_pressure = 1e5;         ///< Pa, absolute
+    double polytropic_compression = 1.35;  ///< exponent until combustion begins
+    double polytropic_expansion = 1.30;    ///< exponent of combustion and expansion
+    std::optional<double> heat;            ///< J per cycle; one of heat and imep
+    std::optional<double> imep;            ///< Pa, indicated mean effective pressure over 720°
+    double combustion_start = 0.0;         ///< rad
+    double combustion_duration = 0.0;      ///< rad
+    double wiebe_m = 1.0;                  ///< form exponent of Vibe's law
+    bool operator==(const GasCycle&) const = default;
+};
+
+/// The cylinder that both kinds of gas torque need besides the crank.
+struct CylinderSizes {
+    double bore = 0.0;                ///< m
+    double offset = 0.0;              ///< e of the cylinder axis, m (sign of SliderCrank)
+    double crankcase_pressure = 1e5;  ///< p₀, Pa, absolute
+    bool operator==(const CylinderSizes&) const = default;
+};
+
+/// Work and pressures of one cycle.
+struct IndicatedCycle {
+    double displacement = 0.0;         ///< V_d, m³
+    std::optional<double> clearance;   ///< V_c, m³; empty for a trace (compression ratio unknown)
+    double work = 0.0;                 ///< ∮ p dV over 720°, J
+    double imep = 0.0;                 ///< work / V_d, Pa
+    std::optional<double> heat;        ///< J, of a GasCycle
+    double peak_pressure = 0.0;        ///< Pa
+    double peak_pressure_angle = 0.0;  ///< rad
+};
+
+/// Pressure, volume and gas torque of one cylinder over the crank angle θ (from the crank's
+/// position along the cylinder axis; equal to top dead centre where the offset is 0). Traces and
+/// cycles count from top dead centre, θ − θ_TDC.
+///
+/// Gas torque M_g = −(p − p₀) A s′(θ), with s the piston pin's distance from the crank axis and A
+/// the piston's area; positive in the direction of rotation.
+///
+/// In a GasCycle, from the start of combustion, p Vⁿ = p_s V_sⁿ + (n − 1) Q ∫ Vⁿ⁻¹ dx, the solution
+/// of dp = ((n − 1) dQ − n p dV)/V with Q dx the heat released by Vibe's law
+/// x = (1 − exp(−a τ^(m+1)))/(1 − exp(−a)), a = ln 1000 (99.9 % burnt at the end, here all of it).
+class CylinderGas {
+  public:
+    /// @param smooth  reads the trace by the periodic spline, else by straight lines
+    CylinderGas(const SliderCrank<double>& crank, const CylinderSizes& sizes,
+                const PressureTrace& trace, bool smooth);
+    /// @throws InputError where the imep asked for needs a negative heat
+    CylinderGas(const SliderCrank<double>& crank, const CylinderSizes& sizes,
+                const GasCycle& cycle);
+
+    double pressure(double theta) const;  ///< Pa; any θ, rad
+    /// V = V_c + A (s_max − s), m³; V_c = 0 for a trace.
+    double volume(double theta) const;
+    double torque(double theta) const;  ///< gas torque, N·m
+    const IndicatedCycle& indicated() const { return indicated_; }
+
+  private:
+    CylinderGas(const SliderCrank<double>& crank, const CylinderSizes& sizes);
+    double cycle_pressure(double angle) const;
+    double wiebe_integral(double from, double to) const;
+    double released_integral(double angle) const;
+    double work() const;
+    void find_indicated();
+
+    SliderCrank<double> crank_;
+    CylinderSizes sizes_;
+    double area_ = 0.0;
+    double top_dead_centre_ = 0.0;  ///< θ, rad
+    double bottom_ = 0.0;           ///< bottom dead centre after top dead centre, rad, near π
+    double longest_ = 0.0;          ///< s at top dead centre, m
+    double clearance_ = 0.0;
+    std::vector<double> breaks_;  ///< angles from TDC where the pressure has a kink or jump, rad
+
+    std::optional<PeriodicPiecewise> trace_;  ///< Pa over degrees
+
+    GasCycle cycle_;
+    double heat_ = 0.0;
+    double start_constant_ = 0.0;   ///< p_s V_sⁿ
+    double intake_constant_ = 0.0;  ///< p V^n_c of compression
+    std::vector<double> integral_;  ///< ∫ Vⁿ⁻¹ dx up to equal steps of the combustion
+    IndicatedCycle indicated_;
+};
+
+/// Inertia torque M_j = −m_j ω² s′ s″, N·m.
+inline double inertia_torque(const SliderCrank<double>& crank, double mass, double angular_speed,
+                             double theta) {
+    const PistonMotion<double> motion = crank.at(theta);
+    return -mass * angular_speed * angular_speed * motion.ds * motion.d2s;
+}
+
+}  // namespace ravnoves::balance_shaft

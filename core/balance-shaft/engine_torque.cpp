@@ -1,0 +1,67 @@
+#include "balance-shaft/engine_torque.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ravnoves::balance_shaft {
+
+SliderCrank<double> slider_crank(const Input& input) {
+    return {input.crank_radius, input.effective_rod_length(),
+            input.torque.is_computed() ? input.torque.cylinder.offset : 0.0};
+}
+
+std::optional<CylinderGas> cylinder_gas(const Input& input) {
+    const TorqueSource& source = input.torque;
+    switch (source.kind) {
+        case TorqueSource::Kind::pressure:
+            return CylinderGas(slider_crank(input), source.cylinder, source.trace,
+                               input.interpolation == Interpolation::periodic_cubic);
+        case TorqueSource::Kind::cycle:
+            return CylinderGas(slider_crank(input), source.cylinder, source.cycle);
+        default:
+            return std::nullopt;
+    }
+}
+
+std::vector<double> TorqueParts::torque(double angular_speed) const {
+    std::vector<double> sum(gas.size());
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+        sum[i] = gas[i] + angular_speed * angular_speed * unit_inertia[i];
+    }
+    return sum;
+}
+
+TorqueParts torque_parts(const Input& input, const CylinderGas& gas) {
+    double rows_per_degree = 2.0;
+    if (input.torque.kind == TorqueSource::Kind::pressure) {
+        rows_per_degree =
+            std::clamp(static_cast<double>(input.torque.trace.pressure.size() - 1) / 720.0,
+                       rows_per_degree, 10.0);
+    }
+    const int rows = static_cast<int>(std::lround(720.0 * rows_per_degree));
+    const SliderCrank<double> crank = slider_crank(input);
+    const double mass = input.reciprocating_mass();
+    TorqueParts parts;
+    for (int i = 0; i <= rows; ++i) {
+        const double angle = 720.0 * i / rows;
+        const double theta = 720.0 * (i % rows) / rows * degree;
+        parts.crank_angle_deg.push_back(angle);
+        parts.gas.push_back(gas.torque(theta));
+        parts.unit_inertia.push_back(inertia_torque(crank, mass, 1.0, theta));
+    }
+    return parts;
+}
+
+PeriodicPiecewise tipping_moment(const std::vector<double>& crank_angle_deg,
+                                 const std::vector<double>& torque, Interpolation interpolation) {
+    std::vector<double> angle = crank_angle_deg;
+    angle.back() = angle.front() + 720.0;
+    std::vector<double> moment(torque.size());
+    std::transform(torque.begin(), torque.end(), moment.begin(),
+                   [](double value) { return 0.0 - value; });
+    moment.back() = moment.front();
+    return interpolation == Interpolation::linear ? PeriodicPiecewise::linear(angle, moment)
+                                                  : PeriodicPiecewise::cubic(angle, moment);
+}
+
+}  // namespace ravnoves::balance_shaft

@@ -1,0 +1,420 @@
+#include "balance-shaft/cylinder_gas.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/numeric/odeint.hpp>
+#include <cmath>
+
+#include "balance-shaft/engine_torque.h"
+#include "test_cases.h"
+
+namespace ravnoves::balance_shaft {
+namespace {
+
+using test::error_of;
+
+/// The paper's engine with a plain diesel cycle in place of its table.
+Input diesel() {
+    Input input = preset_tmz_650d();
+    input.rod_length = 0.150;
+    input.torque = {};
+    input.torque.kind = TorqueSource::Kind::cycle;
+    input.torque.cylinder.bore = 0.0955;
+    GasCycle& cycle = input.torque.cycle;
+    cycle.compression_ratio = 18.0;
+    cycle.heat = 1300.0;
+    cycle.combustion_start = 352.0 * degree;
+    cycle.combustion_duration = 60.0 * degree;
+    cycle.wiebe_m = 1.0;
+    return input;
+}
+
+/// Angles at which the cycle's pressure has a kink, a jump or no Taylor series, from 0 to 4π.
+std::vector<double> breaks(const Input& input) {
+    const SliderCrank<double> crank = slider_crank(input);
+    const double top = crank.top_dead_centre();
+    const double bottom = crank.bottom_dead_centre();
+    const GasCycle& cycle = input.torque.cycle;
+    std::vector<double> all{top, bottom, top + two_pi, bottom + two_pi, top + 2 * two_pi};
+    if (input.torque.kind == TorqueSource::Kind::cycle) {
+        for (const double part : {0.0, 1e-4, 1e-3, 1e-2, 0.1, 1.0}) {
+            all.push_back(cycle.combustion_start + part * cycle.combustion_duration + top);
+        }
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+double integral(const Input& input, const auto& f) {
+    const std::vector<double> ends = breaks(input);
+    double sum = 0.0;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        sum += boost::math::quadrature::gauss_kronrod<double, 31>::integrate(f, ends[i],
+                                                                             ends[i + 1], 8, 1e-12);
+    }
+    return sum;
+}
+
+/// ∮ p dV from points (V, p) alone: Romberg's extrapolation of the trapezia between the breaks.
+double area_of_indicator_diagram(const Input& input, const CylinderGas& gas) {
+    const std::vector<double> ends = breaks(input);
+    double area = 0.0;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        // Just inside, so that a jump at a dead centre is not halved; no area is lost there.
+        const double from = ends[i] + 1e-11;
+        const double to = ends[i + 1] - 1e-11;
+        constexpr int levels = 9;
+        std::array<double, levels> row{};
+        for (int level = 0; level < levels; ++level) {
+            const int steps = 4 << level;
+            double sum = 0.0;
+            double v0 = gas.volume(from);
+            double p0 = gas.pressure(from);
+            for (int k = 1; k <= steps; ++k) {
+                const double theta = from + (to - from) * k / steps;
+                const double v1 = gas.volume(theta);
+                const double p1 = gas.pressure(theta);
+                sum += (p0 + p1) / 2.0 * (v1 - v0);
+                v0 = v1;
+                p0 = p1;
+            }
+            double factor = 4.0;
+            double previous = row[0];
+            row[0] = sum;
+            for (int k = 1; k <= level; ++k) {
+                const double better =
+                    row[static_cast<std::size_t>(k) - 1] +
+                    (row[static_cast<std::size_t>(k) - 1] - previous) / (factor - 1.0);
+                previous = row[static_cast<std::size_t>(k)];
+                row[static_cast<std::size_t>(k)] = better;
+                factor *= 4.0;
+            }
+        }
+        area += row[levels - 1];
+    }
+    return area;
+}
+
+TEST(CylinderGas, IsentropicMotoredCycleDoesNoWork) {
+    for (const double offset : {0.0, 0.004, -0.006}) {
+        Input input = diesel();
+        input.torque.cylinder.offset = offset;
+        GasCycle& cycle = input.torque.cycle;
+        cycle.heat = 0.0;
+        cycle.polytropic_compression = cycle.polytropic_expansion = 1.4;
+        for (const double crankcase : {0.0, 0.9e5, 3e5}) {
+            input.torque.cylinder.crankcase_pressure = crankcase;
+            const CylinderGas gas = *cylinder_gas(input);
+            const double work = integral(input, [&](double theta) { return gas.torque(theta); });
+            const double scale =
+                integral(input, [&](double theta) { return std::abs(gas.torque(theta)); });
+            EXPECT_GT(scale, 100.0);
+            EXPECT_LE(std::abs(work), 1e-11 * scale) << "offset " << offset;
+            EXPECT_LE(std::abs(gas.indicated().work), 1e-11 * scale);
+        }
+    }
+}
+
+TEST(CylinderGas, IndicatedWorkIsTheAreaOfTheDiagramAndTheTorquesIntegral) {
+    for (const double m : {0.0, 1.0, 2.0, 0.4, 1.7}) {
+        for (const double offset : {0.0, 0.005}) {
+            Input input = diesel();
+            input.torque.cycle.wiebe_m = m;
+            input.torque.cycle.intake_pressure = 0.93e5;
+            input.torque.cycle.exhaust_pressure = 1.1e5;
+            input.torque.cylinder.offset = offset;
+            const CylinderGas gas = *cylinder_gas(input);
+            const double work = gas.indicated().work;
+            EXPECT_GT(work, 300.0);
+            EXPECT_NEAR(integral(input, [&](double theta) { return gas.torque(theta); }), work,
+                        1e-9 * work)
+                << "m = " << m;
+            EXPECT_NEAR(area_of_indicator_diagram(input, gas), work,
+                        (m == 0.4 ? 1e-7 : 1e-9) * work)
+                << "m = " << m;
+            EXPECT_NEAR(gas.indicated().imep, work / gas.indicated().displacement, 1e-9);
+        }
+    }
+}
+
+TEST(CylinderGas, PressureObeysTheEnergyBalance) {
+    // dp/dφ = ((n − 1) dQ/dφ − n p dV/dφ)/V, integrated on its own with dV/dφ = −A s′.
+    const Input input = diesel();
+    const CylinderGas gas = *cylinder_gas(input);
+    const GasCycle& cycle = input.torque.cycle;
+    const SliderCrank<double> crank = slider_crank(input);
+    const double area = pi / 4.0 * 0.0955 * 0.0955;
+    const double a = std::log(1000.0);
+    using State = std::vector<double>;
+    State p{gas.pressure(cycle.combustion_start)};
+    const double n = cycle.polytropic_expansion;
+    bool burns = true;  // by stretch: the rate jumps at the end of combustion
+    const auto slope = [&](const State& state, State& result, double theta) {
+        const double tau = (theta - cycle.combustion_start) / cycle.combustion_duration;
+        const double burning = burns ? a * (cycle.wiebe_m + 1.0) * std::pow(tau, cycle.wiebe_m) *
+                                           std::exp(-a * std::pow(tau, cycle.wiebe_m + 1.0)) /
+                                           (1.0 - std::exp(-a)) / cycle.combustion_duration
+                                     : 0.0;
+        const double dv = -area * crank.at(theta).ds;
+        result[0] = ((n - 1.0) * *cycle.heat * burning - n * state[0] * dv) / gas.volume(theta);
+    };
+    namespace odeint = boost::numeric::odeint;
+    auto stepper = odeint::make_controlled(1e-3, 1e-12, odeint::runge_kutta_fehlberg78<State>());
+    double from = cycle.combustion_start;
+    for (const double to : {355.0, 360.0, 370.0, 400.0, 412.0, 450.0, 535.0}) {
+        burns = to <= 412.0;
+        odeint::integrate_adaptive(stepper, slope, p, from, to * degree, 1e-4);
+        from = to * degree;
+        EXPECT_NEAR(gas.pressure(from), p[0], 1e-9 * p[0]) << to;
+    }
+    // Compression before it, closed form; the exchange strokes.
+    const double bottom = gas.volume(pi);
+    EXPECT_NEAR(gas.pressure(300.0 * degree),
+                cycle.intake_pressure *
+                    std::pow(bottom / gas.volume(300.0 * degree), cycle.polytropic_compression),
+                1e-6);
+    EXPECT_EQ(gas.pressure(90.0 * degree), cycle.intake_pressure);
+    EXPECT_EQ(gas.pressure(630.0 * degree), cycle.exhaust_pressure);
+    EXPECT_NEAR(bottom / gas.volume(0.0), cycle.compression_ratio, 1e-12);
+}
+
+TEST(CylinderGas, AllTheHeatIsReleased) {
+    // At constant volume p rises by (n − 1) Q/V: a very short combustion at top dead centre.
+    Input input = diesel();
+    GasCycle& cycle = input.torque.cycle;
+    cycle.combustion_start = 359.5 * degree;
+    cycle.combustion_duration = 1.0 * degree;
+    const CylinderGas gas = *cylinder_gas(input);
+    const double volume = gas.volume(two_pi);
+    const double before = gas.pressure(359.49 * degree);
+    const double after = gas.pressure(360.5 * degree);
+    EXPECT_NEAR((after - before) * volume / (cycle.polytropic_expansion - 1.0), 1300.0, 1.0);
+}
+
+TEST(CylinderGas, MeanEffectivePressureAskedForIsReached) {
+    Input input = diesel();
+    input.torque.cycle.heat.reset();
+    for (const double imep : {1e5, 3e5, 9e5}) {
+        input.torque.cycle.imep = imep;
+        const CylinderGas gas = *cylinder_gas(input);
+        EXPECT_NEAR(gas.indicated().imep, imep, 1e-9 * 9e5);
+        EXPECT_GE(*gas.indicated().heat, 0.0);
+    }
+    input.torque.cycle.imep = -3e5;
+    EXPECT_EQ(error_of([&] { solve(input); })
+                  .rfind("/input/torque/cycle/indicated_mean_effective_pressure_bar: must be at "
+                         "least ",
+                         0),
+              0U)
+        << error_of([&] { solve(input); });
+}
+
+TEST(InertiaTorque, IsTheLossOfKineticEnergyOverTheAngle) {
+    const SliderCrank<double> crank{0.046, 0.150, 0.004};
+    const double mass = 1.316;
+    const double speed = 376.8;
+    const auto energy = [&](double theta) {
+        const double velocity = crank.at(theta).ds * speed;
+        return mass * velocity * velocity / 2.0;
+    };
+    const double h = 1e-3;
+    for (double theta = 0.0; theta < two_pi; theta += 0.1) {
+        // Fourth-order difference.
+        const double slope = (8.0 * (energy(theta + h) - energy(theta - h)) -
+                              (energy(theta + 2 * h) - energy(theta - 2 * h))) /
+                             (12.0 * h);
+        EXPECT_NEAR(inertia_torque(crank, mass, speed, theta), -slope, 1e-7 * 400.0);
+    }
+}
+
+TEST(ComputedTorque, SolverSeesGasPlusInertia) {
+    const Input input = diesel();
+    const Solver solver(input);
+    const Result result = solver.result();
+    ASSERT_TRUE(result.indicated);
+    const CylinderGas gas = *cylinder_gas(input);
+    // The inertia torque has no mean.
+    EXPECT_NEAR(-result.M_up.mean, result.indicated->work / (4.0 * pi),
+                2e-4 * result.indicated->work / (4.0 * pi));
+    EXPECT_NEAR(
+        result.indicated_power,
+        result.indicated->imep * result.indicated->displacement * input.angular_speed / (4.0 * pi),
+        1e-6);
+    const MomentCurves& curves = result.curves;
+    ASSERT_EQ(curves.M_gas.size(), curves.M_up.size());
+    for (std::size_t i = 0; i < curves.M_up.size(); ++i) {
+        EXPECT_NEAR(curves.M_up[i], -(curves.M_gas[i] + curves.M_inertia[i]), 1e-9);
+        EXPECT_EQ(curves.M_gas[i], gas.torque(curves.crank_angle_deg[i] * degree));
+    }
+    const Json json = write_result(result);
+    EXPECT_EQ(json.at("curves").at("pressure_bar").size(), 721U);
+    EXPECT_NEAR(json.at("indicated").at("displacement_cm3").get<double>(), 659.0, 0.5);
+    EXPECT_NEAR(json.at("indicated").at("peak_pressure_crank_angle_deg").get<double>(), 365.0,
+                10.0);
+}
+
+TEST(ComputedTorque, InertiaPartGrowsWithTheSquareOfTheSpeed) {
+    Input input = diesel();
+    const Result slow = solve(input);
+    input.angular_speed *= 2.0;
+    const Result fast = solve(input);
+    for (std::size_t i = 0; i < slow.curves.M_gas.size(); ++i) {
+        EXPECT_EQ(fast.curves.M_gas[i], slow.curves.M_gas[i]);
+        EXPECT_NEAR(fast.curves.M_inertia[i], 4.0 * slow.curves.M_inertia[i], 1e-9);
+    }
+    EXPECT_NEAR(fast.moment_amplitude, 4.0 * slow.moment_amplitude, 1e-9);
+}
+
+TEST(ComputedTorque, ATraceOfTheCycleGivesTheCyclesTorque) {
+    Input input = diesel();
+    input.interpolation = Interpolation::periodic_cubic;
+    const CylinderGas cycle = *cylinder_gas(input);
+    Input traced = input;
+    traced.torque.kind = TorqueSource::Kind::pressure;
+    traced.torque.csv = "p.csv";
+    for (int i = 0; i <= 3600; ++i) {
+        traced.torque.trace.crank_angle_deg.push_back(0.2 * i);
+        traced.torque.trace.pressure.push_back(cycle.pressure((i % 3600) * 0.2 * degree));
+    }
+    const Result computed = solve(input);
+    const Result measured = solve(traced);
+    EXPECT_NEAR(measured.indicated->work, computed.indicated->work,
+                1e-3 * computed.indicated->work);
+    EXPECT_NEAR(measured.M_up.range, computed.M_up.range, 1e-3 * computed.M_up.range);
+    EXPECT_NEAR(measured.indicated->peak_pressure, computed.indicated->peak_pressure, 1e2);
+    EXPECT_FALSE(measured.indicated->clearance);
+    EXPECT_FALSE(measured.indicated->heat);
+}
+
+TEST(ComputedTorque, CasesRoundTrip) {
+    const Input input = diesel();
+    EXPECT_EQ(read_input(write_input(input), {}), input);
+    const Json json = write_input(input);
+    EXPECT_EQ(json.at("torque").at("cycle").at("rod_length_mm"), 150.0);
+    EXPECT_FALSE(json.contains("rod_length_mm"));
+
+    const auto folder = std::filesystem::temp_directory_path() /
+                        ("ravnoves-pressure-" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder);
+    std::string text = "angle,pressure kPa\n";
+    for (int i = 0; i < 720; ++i) {
+        text +=
+            std::to_string(i) + "," + std::to_string(100 + (i > 300 && i < 500 ? 900 : 0)) + "\n";
+    }
+    write_text_file(folder / "p.csv", text);
+    Json traced = json;
+    traced["torque"] = {{"pressure",
+                         {{"csv", "p.csv"},
+                          {"bore_mm", 95.5},
+                          {"rod_length_mm", 150},
+                          {"offset_mm", 2},
+                          {"crankcase_pressure_bar", 1.02}}}};
+    const Input read = read_input(traced, CaseContext{folder});
+    EXPECT_EQ(read.torque.trace.pressure.size(), 721U);  // closed
+    EXPECT_EQ(read.torque.trace.pressure[400], 1e6);
+    EXPECT_EQ(read.torque.cylinder.offset, 0.002);
+    EXPECT_EQ(read_input(write_input(read), CaseContext{folder}), read);
+    EXPECT_GT(solve(read).M_up.range, 0.0);
+    std::filesystem::remove_all(folder);
+}
+
+TEST(ComputedTorque, BadCyclesAreRefused) {
+    const auto refusal = [](const std::string& patch) {
+        Json json = write_input(diesel());
+        json["torque"].merge_patch(parse_json(patch));
+        return error_of([&] { solve(read_input(json, {})); });
+    };
+    EXPECT_EQ(refusal(R"({"cycle": {"compression_ratio": 1}})"),
+              "/input/torque/cycle/compression_ratio: must be greater than 1 and at most 100, got "
+              "1");
+    EXPECT_EQ(refusal(R"({"cycle": {"indicated_mean_effective_pressure_bar": 7}})"),
+              "/input/torque/cycle: must hold either heat_J or "
+              "indicated_mean_effective_pressure_bar, got both");
+    EXPECT_EQ(refusal(R"({"cycle": {"heat_J": null}})"),
+              "/input/torque/cycle: must hold either heat_J or "
+              "indicated_mean_effective_pressure_bar, got neither");
+    EXPECT_EQ(refusal(R"({"cycle": {"rod_length_mm": 46}})"),
+              "/input/torque/cycle/rod_length_mm: must be greater than the crank radius and twice "
+              "the offset together, 46, got 46");
+    EXPECT_EQ(refusal(R"({"cycle": {"rod_length_mm": null}})"),
+              "/input/torque/cycle/rod_length_mm: is required and missing");
+    EXPECT_EQ(refusal(R"({"cycle": {"combustion_start_deg": 440,
+                          "combustion_duration_deg": 101}})"),
+              "/input/torque/cycle/combustion_duration_deg: must end the combustion before the "
+              "bottom dead centre at 540°, got 541°");
+    EXPECT_EQ(refusal(R"({"cycle": {"combustion_start_deg": -8}})"),
+              "/input/torque/cycle/combustion_start_deg: must be from 270 to 450, got -8");
+    EXPECT_EQ(refusal(R"({"cycle": {"bore": 1}})"), "/input/torque/cycle/bore: is not a known key");
+    EXPECT_EQ(refusal(R"({"cycle": {"bore_mm": 1e-5}})"),
+              "/input/torque/cycle/bore_mm: must make a displacement from 1e-6 cm³ to 1e9 cm³, "
+              "got 7.22566e-12 cm³");
+    EXPECT_EQ(refusal(R"({"csv": "x.csv"})"),
+              "/input/torque: must hold one of: crank_angle_deg with torque_Nm, csv, pressure, "
+              "cycle, got more than one of them");
+    EXPECT_EQ(refusal(R"({"cycle": null, "cycles": {}})"),
+              "/input/torque/cycles: is not a known key; the nearest is \"cycle\"");
+    Json json = write_input(diesel());
+    json["rod_length_mm"] = 150;
+    EXPECT_EQ(error_of([&] { read_input(json, {}); }),
+              "/input/rod_length_mm: must be left out where the torque's own object gives it");
+}
+
+TEST(ComputedTorque, ExtremeFiniteCyclesGiveNumbersOrWords) {
+    int solved = 0;
+    for (const double ratio : {1.0000001, 2.0, 100.0}) {
+        for (const double n : {1.0000001, 1.4, 2.0}) {
+            for (const double heat : {0.0, 1e-300, 1e12}) {
+                for (const double m : {0.0, 10.0}) {
+                    for (const double bore : {2e-5, 0.1, 10.0}) {
+                        Input input = diesel();
+                        input.step_deg = 30;
+                        input.torque.cylinder.bore = bore;
+                        GasCycle& cycle = input.torque.cycle;
+                        cycle.compression_ratio = ratio;
+                        cycle.polytropic_expansion = n;
+                        cycle.heat = heat;
+                        cycle.wiebe_m = m;
+                        try {
+                            const Result result = solve(input);
+                            EXPECT_TRUE(std::isfinite(result.best_range.value));
+                            EXPECT_TRUE(std::isfinite(result.indicated->work));
+                            EXPECT_TRUE(std::isfinite(result.M_ups.rms));
+                            ++solved;
+                        } catch (const InputError& error) {
+                            EXPECT_NE(std::string(error.what()), "");
+                        }
+                    }
+                }
+            }
+        }
+    }
+    EXPECT_GT(solved, 50);
+}
+
+TEST(PressureTraceText, KnowsUnitsAndClosesTheCycle) {
+    const auto read = parse_pressure_trace("deg;MPa\n0;0,1\n180;0,1\n360;6\n540;0,3\n720;0,102\n");
+    EXPECT_EQ(read.pressure_unit, "MPa");
+    EXPECT_TRUE(read.closed);
+    EXPECT_NEAR(read.trace.pressure[2], 6e6, 1e-6);
+    EXPECT_NEAR(read.trace.pressure.front(), 0.101e6, 1e-6);
+    EXPECT_EQ(read.trace.pressure.front(), read.trace.pressure.back());
+    EXPECT_EQ(read.describe(),
+              "5 rows, separated by semicolons, decimal comma, angles in degrees, with a header, "
+              "pressure in MPa, end joined to the start");
+    const auto open = parse_pressure_trace("0 1\n180 1\n360 60\n540 3\n");
+    EXPECT_EQ(open.pressure_unit, "bar");
+    EXPECT_EQ(open.trace.crank_angle_deg.back(), 720.0);
+    EXPECT_EQ(open.trace.pressure.back(), 1e5);
+    EXPECT_EQ(error_of([] { parse_pressure_trace("0 1\n180 1\n360 60\n540 3\n720 9\n"); }),
+              "line 5, column 2: must equal the first pressure, 1 bar, since the cycle repeats, "
+              "got 9 bar");
+    EXPECT_EQ(error_of([] { parse_pressure_trace("0 1\n180 -1\n360 60\n540 3\n720 1\n"); }),
+              "line 2, column 2: must be from 0 to 100000, got -1");
+    EXPECT_EQ(error_of([] { parse_pressure_trace("0 1 2\n"); }),
+              "line 1: must hold two columns, crank angle and pressure, got 3 columns");
+}
+
+}  // namespace
+}  // namespace ravnoves::balance_shaft
