@@ -16,7 +16,9 @@
 #include <cmath>
 
 #include "balance-shaft/balance_shaft_view_model.h"
+#include "balance-shaft/cycle_view.h"
 #include "balance-shaft/mechanism_view.h"
+#include "balance-shaft/torque_source_editor.h"
 #include "balance-shaft/torque_table_editor.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
@@ -130,6 +132,10 @@ BalanceShaftPage::BalanceShaftPage(QWidget* parent)
     showShaft();
     showMeans();
     showCursor(model_->crankAngleDeg());
+}
+
+TorqueTableEditor* BalanceShaftPage::torqueEditor() const {
+    return source_->tableEditor();
 }
 
 SceneViewModel* BalanceShaftPage::model() {
@@ -310,9 +316,9 @@ QWidget* BalanceShaftPage::buildInputs() {
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     tabs->addTab(scroll, tr("Inputs"));
-    torque_ = new TorqueTableEditor(model_, tabs);
-    torque_->setObjectName(QStringLiteral("torque-table"));
-    tabs->addTab(torque_, tr("Torque table"));
+    source_ = new TorqueSourceEditor(model_, tabs);
+    source_->setObjectName(QStringLiteral("torque"));
+    tabs->addTab(source_, tr("Torque"));
     return tabs;
 }
 
@@ -351,6 +357,24 @@ QWidget* BalanceShaftPage::buildPlots() {
     });
     column->addWidget(bar);
 
+    views_ = new QTabWidget(holder);
+    views_->setDocumentMode(true);
+    column->addWidget(views_, 1);
+    cycle_ = new CycleView(model_, views_);
+    const auto addView = [this](QWidget* view, const char* name, const QString& title) {
+        view->setObjectName(QString::fromLatin1(name));
+        views_->addTab(view, title);
+    };
+    addView(buildMoments(), "moments", tr("Moments"));
+    addView(cycle_, "cycle", tr("Cycle"));
+    return holder;
+}
+
+QWidget* BalanceShaftPage::buildMoments() {
+    auto* holder = new QWidget(this);
+    auto* column = new QVBoxLayout(holder);
+    column->setContentsMargins(0, Theme::space, 0, 0);
+    column->setSpacing(Theme::space);
     const QString crankAxis = tr("φ, °");
     const QString angleAxis = tr("α, °");
     const QString newtonMetre = tr("N·m");
@@ -371,6 +395,7 @@ QWidget* BalanceShaftPage::buildPlots() {
                                .width = 2.0,
                                .toolTip = tr("Moment on the mounts, Mᵤₚ + Mₛ, (5)")});
     connect(moments_, &PlotView::cursorMoved, model_, &BalanceShaftViewModel::setCrankAngleDeg);
+    connect(moments_, &PlotView::curveToggled, this, &BalanceShaftPage::showShaft);
     column->addWidget(moments_, 5);
 
     auto* lower = new QHBoxLayout;
@@ -619,6 +644,7 @@ void BalanceShaftPage::resetZoom() {
     for (PlotView* plot : {moments_, range_, means_}) {
         plot->resetZoom();
     }
+    cycle_->resetZoom();
 }
 
 }  // namespace ravnoves

@@ -10,6 +10,7 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QTabWidget;
 class QToolButton;
 
 namespace ravnoves {
@@ -18,6 +19,8 @@ class BalanceShaftViewModel;
 class MechanismView;
 class NumberField;
 class ResultTable;
+class CycleView;
+class TorqueSourceEditor;
 class TorqueTableEditor;
 class ValueSlider;
 
@@ -42,7 +45,9 @@ class BalanceShaftPage : public ScenePage {
     PlotView* rangePlot() const { return range_; }
     PlotView* meanPlot() const { return means_; }
     MechanismView* picture() const { return picture_; }
-    TorqueTableEditor* torqueEditor() const { return torque_; }
+    TorqueTableEditor* torqueEditor() const;
+    TorqueSourceEditor* torqueSource() const { return source_; }
+    QTabWidget* views() const { return views_; }
 
   private:
     /// A field bound to one number of the input.
@@ -53,6 +58,7 @@ class BalanceShaftPage : public ScenePage {
 
     QWidget* buildInputs();
     QWidget* buildPlots();
+    QWidget* buildMoments();
     QWidget* buildAnswer();
     void bind(NumberField* field, const QString& name, std::function<std::optional<double>()> read,
               std::function<void(std::optional<double>)> write);
@@ -68,7 +74,9 @@ class BalanceShaftPage : public ScenePage {
     QComboBox* interpolation_ = nullptr;
     QLabel* massSum_ = nullptr;
     QLabel* angularSpeed_ = nullptr;
-    TorqueTableEditor* torque_ = nullptr;
+    TorqueSourceEditor* source_ = nullptr;
+    QTabWidget* views_ = nullptr;
+    CycleView* cycle_ = nullptr;
     ValueSlider* angle_ = nullptr;
     QComboBox* meansChoice_ = nullptr;
     PlotView* moments_ = nullptr;

@@ -114,6 +114,51 @@ QString BalanceShaftViewModel::edit(const QString& name,
     return {};
 }
 
+namespace {
+
+/// Gives a computed torque what it needs and the input lacks.
+void fillCylinder(Input& input) {
+    if (!input.rod_length) {
+        input.rod_length = input.effective_rod_length();
+    }
+    if (!(input.torque.cylinder.bore > 0.0)) {
+        input.torque.cylinder.bore =
+            input.envelope.cylinder_bore.value_or(2.0 * input.crank_radius);
+    }
+}
+
+}  // namespace
+
+QString BalanceShaftViewModel::setTorqueKind(balance_shaft::TorqueSource::Kind kind) {
+    using Kind = balance_shaft::TorqueSource::Kind;
+    return edit(tr("Torque source"), [&](Input& input) {
+        input.torque.kind = kind;
+        if (!input.torque.is_computed()) {
+            return;
+        }
+        fillCylinder(input);
+        balance_shaft::GasCycle& cycle = input.torque.cycle;
+        if (kind == Kind::cycle && !cycle.heat && !cycle.imep) {
+            cycle.combustion_start = 352.0 * degree;
+            cycle.combustion_duration = 60.0 * degree;
+            // The load of the torque that was there: mean torque × 4π = work per cycle.
+            const double radius = 0.5 * input.torque.cylinder.bore;
+            const double displacement = pi * radius * radius * 2.0 * input.crank_radius;
+            cycle.imep = std::max(0.0, -result_.M_up.mean) * 2.0 * two_pi / displacement;
+        }
+    });
+}
+
+QString BalanceShaftViewModel::setPressureTrace(const balance_shaft::PressureTrace& trace,
+                                                const QString& path) {
+    return edit(tr("Pressure trace"), [&](Input& input) {
+        input.torque.kind = balance_shaft::TorqueSource::Kind::pressure;
+        input.torque.trace = trace;
+        input.torque.csv = path.toStdString();
+        fillCylinder(input);
+    });
+}
+
 void BalanceShaftViewModel::apply(const Input& input) {
     solver_ = Solver(input);
     input_ = input;
@@ -210,7 +255,7 @@ QVector<QStringList> BalanceShaftViewModel::criteriaRows() const {
         row(tr("RMS"), &MomentMetrics::rms, percent(result_.rms_change)),
         row(tr("mean"), &MomentMetrics::mean,
             percent(relative(result_.M_ups.mean, result_.M_up.mean))),
-        {tr("node mean"), number(result_.printed_mean_M_up, 1), number(result_.printed_mean_M_s, 1),
+        {tr("nodes"), number(result_.printed_mean_M_up, 1), number(result_.printed_mean_M_s, 1),
          number(result_.printed_mean_M_ups, 1),
          percent(relative(result_.printed_mean_M_ups, result_.printed_mean_M_up))},
         row(tr("max"), &MomentMetrics::max, percent(relative(result_.M_ups.max, result_.M_up.max))),
@@ -239,6 +284,30 @@ QVector<QStringList> BalanceShaftViewModel::quantityRows() const {
              number(1e3 * result_.envelope.height(), 0),
          millimetre},
     };
+}
+
+QVector<QStringList> BalanceShaftViewModel::cycleRows() const {
+    if (!result_.indicated) {
+        return {};
+    }
+    const balance_shaft::IndicatedCycle& cycle = *result_.indicated;
+    constexpr double bar = balance_shaft::field::bar;
+    QVector<QStringList> rows{
+        {tr("Indicated mean effective pressure"), number(cycle.imep / bar, 3), tr("bar")},
+        {tr("Indicated work per cycle"), number(cycle.work, 1), tr("J")},
+        {tr("Indicated power"), number(result_.indicated_power * 1e-3, 2), tr("kW")},
+        {tr("Mean torque"), number(-result_.M_up.mean, 2), tr("N·m")},
+        {tr("Peak pressure"), number(cycle.peak_pressure / bar, 1), tr("bar")},
+        {tr("at crank angle"), number(cycle.peak_pressure_angle / degree, 1), QStringLiteral("°")},
+        {tr("Displacement"), number(cycle.displacement * 1e6, 1), tr("cm³")},
+    };
+    if (cycle.clearance) {
+        rows.push_back({tr("Clearance volume"), number(*cycle.clearance * 1e6, 2), tr("cm³")});
+    }
+    if (cycle.heat) {
+        rows.push_back({tr("Heat per cycle"), number(*cycle.heat, 1), tr("J")});
+    }
+    return rows;
 }
 
 namespace {

@@ -39,6 +39,12 @@ class BalanceShaftViewModel : public SceneViewModel {
     /// @return an empty string, or what is wrong with it; the old input holds then
     QString edit(const QString& name, const std::function<void(balance_shaft::Input&)>& mutate);
 
+    /// Where the torque comes from; a source used for the first time starts with values made from
+    /// what is there (rod length, bore, the table's mean torque). The same return.
+    QString setTorqueKind(balance_shaft::TorqueSource::Kind kind);
+    /// Takes a measured trace and computes the torque from it. The same return.
+    QString setPressureTrace(const balance_shaft::PressureTrace& trace, const QString& path);
+
     double shaftAngleDeg() const;  ///< α, 0…360
     void setShaftAngleDeg(double angle);
     /// The next move of the shaft is a step of its own in the history.
@@ -61,6 +67,8 @@ class BalanceShaftViewModel : public SceneViewModel {
     QVector<QStringList> criteriaRows() const;
     QStringList quantityColumns() const;
     QVector<QStringList> quantityRows() const;
+    /// Work, pressures and power of a computed torque; empty for a table.
+    QVector<QStringList> cycleRows() const;
     /// Best α for range and RMS as sentences.
     QString bestRangeText() const;
     QString bestRmsText() const;

@@ -1,0 +1,98 @@
+#include "balance-shaft/torque_source_editor.h"
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QTemporaryDir>
+#include <cmath>
+
+#include "balance-shaft/balance_shaft_page.h"
+#include "balance-shaft/balance_shaft_view_model.h"
+#include "balance-shaft/cycle_view.h"
+#include "events.h"
+#include "widgets/number_field.h"
+
+namespace ravnoves {
+namespace {
+
+using Kind = balance_shaft::TorqueSource::Kind;
+
+class TorqueSourceTest : public ::testing::Test {
+  protected:
+    TorqueSourceTest() {
+        test::showAt(page, {1187, 712});
+        page.activateWindow();
+        model = page.viewModel();
+        source = page.torqueSource();
+    }
+    void choose(int index) {
+        source->choice()->setCurrentIndex(index);
+        Q_EMIT source->choice()->activated(index);
+    }
+
+    BalanceShaftPage page;
+    BalanceShaftViewModel* model = nullptr;
+    TorqueSourceEditor* source = nullptr;
+};
+
+TEST_F(TorqueSourceTest, TheComputedCycleStartsAtTheLoadOfTheTable) {
+    const double mean = model->result().M_up.mean;
+    choose(2);
+    ASSERT_EQ(model->input().torque.kind, Kind::cycle);
+    EXPECT_NEAR(model->result().M_up.mean, mean, 1e-6 * std::abs(mean));
+    EXPECT_FALSE(model->cycleRows().isEmpty());
+    // Back again, the table is as it was.
+    choose(0);
+    EXPECT_EQ(model->input().torque.kind, Kind::table);
+    EXPECT_NEAR(model->result().M_up.range, 1208.0, 1e-9);
+    EXPECT_TRUE(model->cycleRows().isEmpty());
+}
+
+TEST_F(TorqueSourceTest, InertiaTorqueFollowsTheSpeedAndGasTorqueDoesNot) {
+    choose(2);
+    const auto before = model->result().curves;
+    model->edit(QStringLiteral("Speed"),
+                [](balance_shaft::Input& input) { input.angular_speed *= 2.0; });
+    const auto& after = model->result().curves;
+    ASSERT_EQ(before.M_gas.size(), after.M_gas.size());
+    for (std::size_t i = 0; i < after.M_gas.size(); ++i) {
+        EXPECT_NEAR(after.M_inertia[i], 4.0 * before.M_inertia[i], 1e-9 * 400.0);
+        EXPECT_NEAR(after.M_gas[i], before.M_gas[i], 1e-9 * 900.0);
+    }
+}
+
+TEST_F(TorqueSourceTest, FieldsOfTheCycleEditTheCase) {
+    choose(2);
+    auto* ratio = source->findChild<NumberField*>(QStringLiteral("compression_ratio"));
+    ASSERT_NE(ratio, nullptr);
+    page.findChild<QTabWidget*>()->setCurrentWidget(source);
+    ratio->setFocus();
+    ratio->selectAll();
+    QTest::keyClicks(ratio, QStringLiteral("16,5"));
+    EXPECT_DOUBLE_EQ(model->input().torque.cycle.compression_ratio, 16.5);
+    QTest::keyClicks(ratio, QStringLiteral("x"));
+    EXPECT_FALSE(ratio->trouble().isEmpty());
+    EXPECT_DOUBLE_EQ(model->input().torque.cycle.compression_ratio, 16.5);
+}
+
+TEST_F(TorqueSourceTest, ReadsAPressureTrace) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("trace.csv"));
+    std::string text = "crank angle, deg;p, bar\n";
+    for (int phi = 0; phi <= 720; phi += 5) {
+        const double away = (phi - 365.0) / 40.0;
+        text +=
+            std::to_string(phi) + ";" + std::to_string(1.0 + 60.0 * std::exp(-away * away)) + "\n";
+    }
+    write_text_file(path.toStdString(), text);
+    EXPECT_EQ(source->importTrace(path), QString());
+    EXPECT_EQ(model->input().torque.kind, Kind::pressure);
+    ASSERT_TRUE(model->result().indicated.has_value());
+    EXPECT_NEAR(model->result().indicated->peak_pressure, 61e5, 1e3);
+    write_text_file(path.toStdString(), "0;1\n360;x\n720;1\n");
+    EXPECT_TRUE(source->importTrace(path).contains(QStringLiteral("line 2")));
+    EXPECT_EQ(model->input().torque.kind, Kind::pressure);
+}
+
+}  // namespace
+}  // namespace ravnoves

@@ -1,0 +1,116 @@
+#include "balance-shaft/cycle_view.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QStackedLayout>
+#include <algorithm>
+
+#include "balance-shaft/balance_shaft_view_model.h"
+#include "plot/plot_view.h"
+#include "theme/theme.h"
+#include "widgets/panel.h"
+#include "widgets/result_table.h"
+
+namespace ravnoves {
+
+namespace {
+
+std::vector<double> scaled(const std::vector<double>& values, double factor) {
+    std::vector<double> result(values.size());
+    std::transform(values.begin(), values.end(), result.begin(),
+                   [factor](double value) { return value * factor; });
+    return result;
+}
+
+}  // namespace
+
+CycleView::CycleView(BalanceShaftViewModel* model, QWidget* parent)
+    : QWidget(parent), model_(model), stack_(new QStackedLayout(this)) {
+    auto* hint =
+        new QLabel(tr("The torque is a table.\nChoose “pressure trace” or “computed cycle” "
+                      "on the Torque tab to see gas and inertia torque, pressure and "
+                      "indicator diagram."),
+                   this);
+    hint->setAlignment(Qt::AlignCenter);
+    hint->setWordWrap(true);
+    hint->setMargin(Theme::margin * 3);
+    stack_->addWidget(hint);
+
+    auto* plots = new QWidget(this);
+    auto* grid = new QGridLayout(plots);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(Theme::space);
+    torque_ = new PlotView(tr("Engine torque and its parts"), plots);
+    torque_->setXAxis({tr("φ, °"), 0.0, 720.0, true});
+    torque_->setYAxis(PlotView::Side::Left, {tr("N·m")});
+    gas_ = torque_->addCurve({.name = tr("gas"), .colour = 1, .toolTip = tr("−(p − p₀) A s′")});
+    inertia_ =
+        torque_->addCurve({.name = tr("inertia"), .colour = 3, .toolTip = tr("−mⱼ ω² s′ s″")});
+    total_ = torque_->addCurve({.name = tr("M_id"),
+                                .colour = 2,
+                                .width = 2.0,
+                                .toolTip = tr("Engine torque, gas plus inertia")});
+    connect(torque_, &PlotView::cursorMoved, model_, &BalanceShaftViewModel::setCrankAngleDeg);
+    pressure_ = new PlotView(tr("Cylinder pressure"), plots);
+    pressure_->setXAxis({tr("φ, °"), 0.0, 720.0, true});
+    pressure_->setYAxis(PlotView::Side::Left, {tr("bar")});
+    pressureCurve_ =
+        pressure_->addCurve({.name = tr("p"), .colour = 7, .width = 1.8, .inLegend = false});
+    connect(pressure_, &PlotView::cursorMoved, model_, &BalanceShaftViewModel::setCrankAngleDeg);
+    indicator_ = new PlotView(tr("Indicator diagram, p–V"), plots);
+    indicator_->setYAxis(PlotView::Side::Left, {tr("bar")});
+    loop_ = indicator_->addCurve({.name = tr("p"), .colour = 7, .width = 1.8, .inLegend = false});
+    auto* panel = new Panel(plots);
+    auto* column = new QVBoxLayout(panel);
+    column->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
+    table_ = new ResultTable(panel);
+    table_->setAccessibleName(tr("Work, pressures and power of the cycle"));
+    table_->setColumns({tr("Cycle"), tr("Value"), tr("Unit")});
+    column->addWidget(table_);
+    grid->addWidget(torque_, 0, 0, 1, 2);
+    grid->addWidget(pressure_, 1, 0);
+    grid->addWidget(indicator_, 1, 1);
+    grid->addWidget(panel, 2, 0, 1, 2);
+    grid->setRowStretch(0, 3);
+    grid->setRowStretch(1, 3);
+    stack_->addWidget(plots);
+
+    connect(model_, &SceneViewModel::changed, this, &CycleView::showResult);
+    connect(model_, &BalanceShaftViewModel::crankAngleChanged, this, [this](double angle) {
+        torque_->setPresentX(angle);
+        pressure_->setPresentX(angle);
+    });
+    torque_->setPresentX(model_->crankAngleDeg());
+    pressure_->setPresentX(model_->crankAngleDeg());
+    showResult();
+}
+
+void CycleView::showResult() {
+    const balance_shaft::Result& result = model_->result();
+    const balance_shaft::MomentCurves& curves = result.curves;
+    const bool computed = result.indicated.has_value() && !curves.M_gas.empty();
+    stack_->setCurrentIndex(computed ? 1 : 0);
+    if (!computed) {
+        return;
+    }
+    torque_->setCurve(gas_, curves.crank_angle_deg, curves.M_gas);
+    torque_->setCurve(inertia_, curves.crank_angle_deg, curves.M_inertia);
+    torque_->setCurve(total_, curves.crank_angle_deg, scaled(curves.M_up, -1.0));
+    pressure_->setCurve(pressureCurve_, curves.crank_angle_deg,
+                        scaled(curves.pressure, 1.0 / balance_shaft::field::bar));
+    const std::vector<double> volume = scaled(curves.volume, 1e6);
+    const double largest = *std::max_element(volume.begin(), volume.end());
+    indicator_->setXAxis(
+        {result.indicated->clearance ? tr("V, cm³") : tr("V without clearance, cm³"), 0.0,
+         1.03 * largest});
+    indicator_->setCurve(loop_, volume, scaled(curves.pressure, 1.0 / balance_shaft::field::bar));
+    table_->setRows(model_->cycleRows());
+}
+
+void CycleView::resetZoom() {
+    for (PlotView* plot : {torque_, pressure_, indicator_}) {
+        plot->resetZoom();
+    }
+}
+
+}  // namespace ravnoves

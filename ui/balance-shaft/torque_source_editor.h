@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QWidget>
+#include <functional>
+#include <optional>
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QStackedWidget;
+
+namespace ravnoves {
+
+class BalanceShaftViewModel;
+class FormSection;
+class NumberField;
+class TorqueTableEditor;
+
+/// Where the engine torque comes from: a table, a measured pressure trace, or a computed cycle,
+/// each with its own form. Switching keeps what the other sources hold.
+class TorqueSourceEditor : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit TorqueSourceEditor(BalanceShaftViewModel* model, QWidget* parent = nullptr);
+
+    QComboBox* choice() const { return choice_; }
+    TorqueTableEditor* tableEditor() const { return table_; }
+    /// Reads a pressure trace.
+    /// @return an empty string, or what is wrong, with the file's name
+    QString importTrace(const QString& path);
+
+  private:
+    struct Binding {
+        NumberField* field;
+        std::function<std::optional<double>()> read;
+    };
+
+    QWidget* buildPressure();
+    QWidget* buildCycle();
+    void addCylinder(FormSection* form);
+    void showInput();
+
+    BalanceShaftViewModel* model_;
+    QComboBox* choice_ = nullptr;
+    QStackedWidget* forms_ = nullptr;
+    TorqueTableEditor* table_ = nullptr;
+    QLabel* trace_ = nullptr;
+    QLabel* trouble_ = nullptr;
+    std::vector<Binding> bindings_;
+};
+
+}  // namespace ravnoves
