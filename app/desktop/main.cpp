@@ -2,7 +2,9 @@
 #include <QCommandLineParser>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <algorithm>
 #include <cstdio>
+#include <initializer_list>
 
 #include "shell/language.h"
 #include "shell/main_window.h"
@@ -13,14 +15,14 @@ namespace {
 
 using namespace Qt::StringLiterals;
 
-bool wantsScreenshot(int argc, char** argv) {
-    for (int i = 1; i < argc; ++i) {
-        const QByteArrayView argument(argv[i]);
-        if (argument == "--screenshot" || argument.startsWith("--screenshot=")) {
-            return true;
-        }
-    }
-    return false;
+/// Whether one of the options was given, before Qt may parse them: as "--name" or "--name=value".
+bool given(int argc, char** argv, std::initializer_list<QByteArrayView> options) {
+    return std::any_of(argv + 1, argv + argc, [&](const char* word) {
+        const QByteArrayView argument(word);
+        const qsizetype equals = argument.indexOf('=');
+        const QByteArrayView name = equals < 0 ? argument : argument.first(equals);
+        return std::find(options.begin(), options.end(), name) != options.end();
+    });
 }
 
 int fail(const QString& text) {
@@ -31,16 +33,20 @@ int fail(const QString& text) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const bool screenshot = wantsScreenshot(argc, argv);
+    const bool screenshot = given(argc, argv, {"--screenshot"});
     if (screenshot) {
-        // The same pixels everywhere: no scaling, and no display needed.
+        // The same pixels everywhere: no scaling.
         qunsetenv("QT_SCALE_FACTOR");
         qunsetenv("QT_FONT_DPI");
-        if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") &&
-            qEnvironmentVariableIsEmpty("DISPLAY") &&
-            qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) {
-            qputenv("QT_QPA_PLATFORM", "offscreen");
+    }
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") && qEnvironmentVariableIsEmpty("DISPLAY") &&
+        qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") && !given(argc, argv, {"-platform"})) {
+        if (!screenshot && !given(argc, argv, {"-h", "--help", "--help-all", "-v", "--version"})) {
+            return fail(
+                u"There is no display. --screenshot FILE.png renders a page without one; "
+                "ravnoves-cli solves case files."_s);
         }
+        qputenv("QT_QPA_PLATFORM", "offscreen");
     }
     QApplication app(argc, argv);
     QApplication::setApplicationName(u"Ravnoves"_s);
@@ -66,7 +72,10 @@ int main(int argc, char** argv) {
                                             u"code"_s);
     parser.addOptions({sceneOption, caseOption, setOption, screenshotOption, sizeOption,
                        themeOption, languageOption});
-    parser.process(app);
+    if (!parser.parse(QApplication::arguments())) {
+        return fail(parser.errorText());
+    }
+    parser.process(app);  // --help and --version
 
     const QTemporaryDir noSettings;
     if (screenshot) {
