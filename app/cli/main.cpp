@@ -24,6 +24,12 @@ void complain(const std::string& file, const std::string& text) {
 }
 
 int solve_file(const std::string& case_path, const std::string& result_path) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(result_path, ignored) &&
+        std::filesystem::equivalent(case_path, result_path, ignored)) {
+        complain(result_path, "is the case itself; the result must go to another file");
+        return exit_bad_input;
+    }
     std::string text;
     try {
         const ravnoves::CaseFile file = ravnoves::parse_case(ravnoves::read_text_file(case_path));

@@ -174,6 +174,17 @@ TEST_F(CommandLine, BadInputLeavesTheResultFileAsItWas) {
     EXPECT_FALSE(fs::exists(folder / "new.json"));
 }
 
+TEST_F(CommandLine, NeverWritesTheResultOverTheCase) {
+    const std::string text = example().dump();
+    write("case.json", text);
+    fs::create_symlink("case.json", folder / "link.json");
+    for (const char* name : {"case.json", "./case.json", "link.json"}) {
+        expect_refused(run("solve case.json -o " + std::string(name)),
+                       std::string(name) + ": is the case itself");
+    }
+    EXPECT_TRUE(read_all(folder / "case.json") == text);
+}
+
 TEST_F(CommandLine, UnknownKeyNamesTheNearest) {
     Json bad = example();
     bad["input"]["crank_radus_mm"] = 46;
