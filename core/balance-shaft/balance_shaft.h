@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "balance-shaft/inertia_check.h"
 #include "balance-shaft/torque_table.h"
 #include "case-file/case_file.h"
 #include "case-file/json.h"
@@ -143,8 +144,8 @@ struct Input {
     double crank_radius = 0.0;   ///< r, m
     /// Their sum is m_j, kg. One entry with an empty name stands for reciprocating_mass_kg.
     std::vector<NamedMass> reciprocating_masses;
-    std::optional<double> rod_mass;  ///< kg, the whole rod with shells (the paper's Table 1)
-    double counterweight_radius = 0.0;         ///< ρ₁, m
+    std::optional<double> rod_mass;     ///< kg, the whole rod with shells (the paper's Table 1)
+    double counterweight_radius = 0.0;  ///< ρ₁, m
     std::optional<double> counterweight_mass;  ///< m₁, kg; empty: by equation (1)
     double centre_distance = 0.0;              ///< l, m
     double shaft_angle = 0.0;                  ///< α, rad
@@ -251,10 +252,20 @@ struct Note {
         range_without_gain,      ///< no α has a smaller range than the engine without a shaft
         rms_without_gain,        ///< no α has a smaller RMS than the engine without a shaft
         counterweight_mismatch,  ///< the given m₁ is not that of equation (1)
+        inertia_mismatch,        ///< the torque does not belong to the masses and speed entered
     };
     Kind kind;
     std::string text;
 };
+
+/// One line of an order spectrum: amplitude × sin(order × φ + phase).
+struct OrderLine {
+    double order = 0.0;      ///< multiples of the crank's speed; a four-stroke has halves
+    double amplitude = 0.0;  ///< N·m
+    double phase = 0.0;      ///< rad
+};
+
+inline constexpr std::size_t spectrum_lines = 24;  ///< orders ½, 1 … 12
 
 /// Everything that the page shows and that the command line prints.
 struct Result {
@@ -270,7 +281,9 @@ struct Result {
     double order_1_phase = 0.0;      ///< rad: that order is amplitude × sin(φ + phase)
     /// Part of M_up's variance that is of the first order, 0…1; empty where M_up is constant.
     std::optional<double> order_1_share;
-    double printed_mean_M_up = 0.0;           ///< mean over the table's rows, both ends, N·m
+    double printed_mean_M_up = 0.0;  ///< mean over the table's rows, both ends, N·m
+    InertiaCheck inertia_check;
+    std::vector<OrderLine> spectrum_M_up;     ///< spectrum_lines, exact for the interpolant
     std::optional<IndicatedCycle> indicated;  ///< where the torque is computed
     double indicated_power = 0.0;             ///< work × ω / 4π, W; where the torque is computed
     Optimum best_range;
@@ -290,6 +303,7 @@ struct Result {
     std::optional<double> rms_change;
     MomentCurves curves;  ///< crank_angle_deg and M_up do not follow
     Envelope envelope;
+    std::vector<OrderLine> spectrum_M_ups;  ///< differs from M_up's in order 1 alone
 };
 
 /// The "result" object of the contract, with what this program adds.

@@ -94,6 +94,10 @@ TorqueTable engine_torque(const Input& input, const std::optional<CylinderGas>& 
     return {parts.crank_angle_deg, parts.torque(input.angular_speed)};
 }
 
+OrderLine order_line(double order, const FourierPair& pair) {
+    return {order, std::hypot(pair.a, pair.b), std::atan2(pair.a, pair.b)};
+}
+
 MomentMetrics metrics_of(const Extrema& extrema, double mean, double variance) {
     MomentMetrics metrics;
     metrics.mean = mean;
@@ -112,12 +116,13 @@ struct Solver::Prepared {
     Input input;
     FrontView view;
     Forces forces;
-    std::optional<CylinderGas> gas;  ///< where the torque is computed
-    TorqueTable table;               ///< M_id, given or computed
-    PeriodicPiecewise moment;        ///< M_up over φ in degrees
-    CycleExtrema extrema;            ///< of M_up + M_s
-    double variance = 0.0;           ///< of M_up, (N·m)²
-    FourierPair order_1;             ///< M_up's component a cos φ + b sin φ
+    std::optional<CylinderGas> gas;   ///< where the torque is computed
+    TorqueTable table;                ///< M_id, given or computed
+    PeriodicPiecewise moment;         ///< M_up over φ in degrees
+    CycleExtrema extrema;             ///< of M_up + M_s
+    double variance = 0.0;            ///< of M_up, (N·m)²
+    std::vector<FourierPair> series;  ///< of M_up, orders ½, 1, 1½ …
+    FourierPair order_1;              ///< M_up's component a cos φ + b sin φ
     /// What result() starts from: all but what follows the shaft's angle.
     Result base;
     std::vector<double> cos_curve;  ///< cos φ and sin φ at the curves' angles
@@ -135,6 +140,8 @@ struct Solver::Prepared {
     double rms_at(double alpha) const { return std::sqrt(std::max(variance_at(alpha), 0.0)); }
     Envelope envelope_at(double alpha) const;
 
+    TorqueTable inertia_table() const;
+    void prepare_spectrum();
     void prepare_curves();
     void prepare_optima();
     void prepare_sweep();
@@ -150,7 +157,8 @@ Solver::Prepared::Prepared(const Input& checked)
       moment(tipping_moment(table.crank_angle_deg, table.torque, checked.interpolation)),
       extrema(moment, forces.moment_amplitude),
       variance(moment.variance()),
-      order_1(moment.fourier(degree)) {
+      series(moment.fourier_series(degree / 2.0, spectrum_lines)),
+      order_1(series[1]) {
     base.angular_speed = input.angular_speed;
     base.reciprocating_mass = input.reciprocating_mass();
     base.inertia_force_1_max = forces.inertia_force_1_max;
@@ -174,10 +182,31 @@ Solver::Prepared::Prepared(const Input& checked)
         base.indicated = gas->indicated();
         base.indicated_power = base.indicated->work * input.angular_speed / (4.0 * pi);
     }
+    base.inertia_check = check_inertia(inertia_table(), input);
+    prepare_spectrum();
     prepare_curves();
     prepare_optima();
     prepare_sweep();
     prepare_notes();
+}
+
+/// M_id without the gas torque where that is known.
+TorqueTable Solver::Prepared::inertia_table() const {
+    if (!gas) {
+        return table;
+    }
+    TorqueTable inertia = table;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        inertia.torque[i] -= gas->torque(table.crank_angle_deg[i] * degree);
+    }
+    return inertia;
+}
+
+void Solver::Prepared::prepare_spectrum() {
+    for (std::size_t k = 0; k < series.size(); ++k) {
+        base.spectrum_M_up.push_back(order_line(static_cast<double>(k + 1) / 2.0, series[k]));
+    }
+    base.spectrum_M_ups = base.spectrum_M_up;
 }
 
 void Solver::Prepared::prepare_curves() {
@@ -257,6 +286,9 @@ void Solver::Prepared::prepare_notes() {
     const auto note = [&](Note::Kind kind, const std::string& text) {
         base.notes.push_back({kind, text});
     };
+    if (base.inertia_check.consistent && !*base.inertia_check.consistent) {
+        note(Note::Kind::inertia_mismatch, base.inertia_check.text);
+    }
     if (forces.moment_amplitude == 0.0) {
         note(Note::Kind::no_shaft_moment, base.best_range.note);
     } else {
@@ -335,6 +367,9 @@ void Solver::move_shaft(double shaft_angle, Result& result) const {
         result.rms_change = result.M_ups.rms / prepared.base.M_up.rms - 1.0;
     }
     result.envelope = prepared.envelope_at(alpha);
+
+    result.spectrum_M_ups[1] = order_line(1.0, {prepared.order_1.a + amplitude * std::sin(alpha),
+                                                prepared.order_1.b + amplitude * std::cos(alpha)});
 
     const auto count = static_cast<Eigen::Index>(prepared.cos_curve.size());
     using Curve = Eigen::Map<const Eigen::ArrayXd>;

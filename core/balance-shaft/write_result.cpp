@@ -43,6 +43,38 @@ Json write(const IndicatedCycle& indicated, double power) {
             {"peak_pressure_crank_angle_deg", indicated.peak_pressure_angle / degree}};
 }
 
+Json write(const InertiaCheck& check) {
+    Json json = {{"fitted_m_r2_w2_Nm", number_or_null(check.fitted, 1.0)},
+                 {"entered_m_r2_w2_Nm", check.entered},
+                 {"fitted_lambda", check.fitted ? Json(check.fitted_lambda) : Json(nullptr)},
+                 {"consistent", check.consistent ? Json(*check.consistent) : Json(nullptr)}};
+    if (check.fitted) {
+        json["residual_rms_Nm"] = check.residual_rms;
+        json["matching_speed_rpm"] = check.matching_speed / rpm;
+        json["matching_mass_kg"] = check.matching_mass;
+    }
+    json["text"] = check.text;
+    return json;
+}
+
+Json write_spectrum(const Result& result) {
+    Json json = {{"order", Json::array()},
+                 {"M_up_amplitude_Nm", Json::array()},
+                 {"M_up_phase_deg", Json::array()},
+                 {"M_ups_amplitude_Nm", Json::array()},
+                 {"M_ups_phase_deg", Json::array()}};
+    for (const OrderLine& line : result.spectrum_M_up) {
+        json["order"].push_back(line.order);
+        json["M_up_amplitude_Nm"].push_back(line.amplitude);
+        json["M_up_phase_deg"].push_back(line.phase / degree);
+    }
+    for (const OrderLine& line : result.spectrum_M_ups) {
+        json["M_ups_amplitude_Nm"].push_back(line.amplitude);
+        json["M_ups_phase_deg"].push_back(line.phase / degree);
+    }
+    return json;
+}
+
 std::vector<double> scaled(std::vector<double> values, double factor) {
     for (double& value : values) {
         value *= factor;
@@ -88,6 +120,8 @@ Json write_result(const Result& result) {
           {"height_mm", result.envelope.height() / millimetre}}},
         {"notes", notes},
     };
+    json["inertia_check"] = write(result.inertia_check);
+    json["spectrum"] = write_spectrum(result);
     if (result.indicated) {
         json["indicated"] = write(*result.indicated, result.indicated_power);
     }

@@ -185,6 +185,55 @@ BasicFourierPair<Scalar> BasicPeriodicPiecewise<Scalar>::fourier(
     return {2 * sum.a / period(), 2 * sum.b / period()};
 }
 
+template <typename Scalar>
+std::vector<BasicFourierPair<Scalar>> BasicPeriodicPiecewise<Scalar>::fourier_series(
+    const Scalar& angular_frequency, std::size_t count) const {
+    using std::ceil;
+    using std::cos;
+    using std::sin;
+    std::vector<BasicFourierPair<Scalar>> sums(count);
+    std::vector<TrigonometricMoments<Scalar>> moments;
+    Scalar half_of_moments(0);
+    const Scalar highest = angular_frequency * static_cast<double>(count);
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        const Scalar h = knots_[i + 1] - knots_[i];
+        const int parts = std::max(1, static_cast<int>(ceil(Scalar(h * highest / 2))));
+        const Scalar half = h / parts / 2;
+        if (half != half_of_moments) {
+            moments.clear();
+            for (std::size_t k = 1; k <= count; ++k) {
+                moments.emplace_back(half * angular_frequency * static_cast<double>(k));
+            }
+            half_of_moments = half;
+        }
+        for (int part = 0; part < parts; ++part) {
+            const Scalar middle = half * (2 * part + 1);
+            const Cubic p = pieces_[i].shifted(middle);
+            const Scalar phase = angular_frequency * (knots_[i] + middle);
+            const Scalar c_1 = cos(phase);
+            const Scalar s_1 = sin(phase);
+            Scalar c = c_1;
+            Scalar s = s_1;
+            for (std::size_t k = 0; k < count; ++k) {
+                const TrigonometricMoments<Scalar>& m = moments[k];
+                const Scalar w = angular_frequency * static_cast<double>(k + 1);
+                const Scalar even = (p.y * m.cos_0 + p.c2 / (w * w) * m.cos_2) / w;
+                const Scalar odd = (p.c1 / w * m.sin_1 + p.c3 / (w * w * w) * m.sin_3) / w;
+                sums[k].a += c * even - s * odd;
+                sums[k].b += s * even + c * odd;
+                const Scalar next = c * c_1 - s * s_1;
+                s = s * c_1 + c * s_1;
+                c = next;
+            }
+        }
+    }
+    for (auto& sum : sums) {
+        sum.a = 2 * sum.a / period();
+        sum.b = 2 * sum.b / period();
+    }
+    return sums;
+}
+
 template class BasicPeriodicPiecewise<double>;
 template class BasicPeriodicPiecewise<Real50>;
 

@@ -69,6 +69,9 @@ class BasicPeriodicPiecewise {
     /// Coefficients at the angular frequency ω: a = (2/T) ∫ f cos(ωx) dx, b with the sine, over one
     /// period from x = knots().front(). ω T should be a multiple of 2π. Exact for the interpolant.
     BasicFourierPair<Scalar> fourier(const Scalar& angular_frequency) const;
+    /// The coefficients at ω, 2ω, … count·ω, together cheaper than one by one.
+    std::vector<BasicFourierPair<Scalar>> fourier_series(const Scalar& angular_frequency,
+                                                         std::size_t count) const;
 
   private:
     std::vector<Scalar> knots_;

@@ -35,12 +35,11 @@ double cycle_mean(const TorqueTable& table, const auto& f) {
 }
 
 TEST(BalanceShaftExample, MatchesTheContract) {
-    const Json document = ravnoves::test::check_example("tmz-650d");
+    ravnoves::test::check_example("tmz-650d");
     // The expected optimum was searched on a grid of 0.01°: at its own angle we agree closely.
     const Solver solver(preset_tmz_650d());
     EXPECT_NEAR(solver.range(50.65 * degree), 1066.7481566759568, 1e-6 * 1066.7);
     EXPECT_NEAR(solver.rms(11.76 * degree), 263.56934456000073, 1e-6 * 263.6);
-    EXPECT_FALSE(document.at("result").contains("inertia_check"));
 }
 
 TEST(BalanceShaftPaper, Forces) {
@@ -99,8 +98,9 @@ TEST(BalanceShaftPaper, RangeAndBestAngles) {
     EXPECT_NEAR(result.best_rms.value, 263.6, 0.05);
     EXPECT_NEAR(result.best_range.value / result.M_up.range - 1.0, -0.117, 5e-4);
     // The paper's claim that the RMS could fall does not hold at any angle.
-    ASSERT_EQ(result.notes.size(), 1U);
-    EXPECT_EQ(result.notes[0].kind, Note::Kind::rms_without_gain);
+    EXPECT_TRUE(std::any_of(result.notes.begin(), result.notes.end(), [](const Note& note) {
+        return note.kind == Note::Kind::rms_without_gain;
+    }));
     EXPECT_TRUE(std::all_of(result.sweep.rms.begin(), result.sweep.rms.end(),
                             [&](double rms) { return rms > result.M_up.rms; }));
 }
@@ -351,7 +351,9 @@ TEST(BalanceShaft, AShaftWithoutMomentChangesNothingAndSaysSo) {
         EXPECT_FALSE(result.best_range.note.empty());
         EXPECT_NEAR(result.best_range.value, 1208.0, 1e-9);
         EXPECT_NEAR(result.M_ups.range, 1208.0, 1e-9);
-        EXPECT_EQ(result.notes[0].kind, Note::Kind::no_shaft_moment);
+        EXPECT_TRUE(std::any_of(result.notes.begin(), result.notes.end(), [](const Note& note) {
+            return note.kind == Note::Kind::no_shaft_moment;
+        }));
         EXPECT_TRUE(write_result(result).at("optimum").at("range").at("shaft_angle_deg").is_null());
     }
 }

@@ -88,6 +88,17 @@ TEST_P(Piecewise, IntegralsAreThoseOfTheInterpolant) {
     }
 }
 
+TEST_P(Piecewise, SeriesIsTheCoefficientsOneByOne) {
+    const auto f = make();
+    const auto series = f.fourier_series(0.5, 24);
+    ASSERT_EQ(series.size(), 24U);
+    for (std::size_t k = 0; k < series.size(); ++k) {
+        const FourierPair pair = f.fourier(0.5 * static_cast<double>(k + 1));
+        EXPECT_NEAR(series[k].a, pair.a, 1e-13) << k;
+        EXPECT_NEAR(series[k].b, pair.b, 1e-13) << k;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(LinearAndCubic, Piecewise,
                          testing::Combine(testing::Bool(), testing::Values(2, 3, 4, 10, 200)));
 

@@ -1,0 +1,210 @@
+#include "balance-shaft/inertia_check.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "balance-shaft/engine_torque.h"
+#include "test_cases.h"
+
+namespace ravnoves::balance_shaft {
+namespace {
+
+double angle_of(const Optimum& optimum) {
+    return *optimum.shaft_angle / degree;
+}
+
+TEST(InertiaCheck, FindsHalfTheInertiaInThePapersTable) {
+    const Result result = solve(preset_tmz_650d());
+    const InertiaCheck& check = result.inertia_check;
+    EXPECT_NEAR(*check.fitted, 206.0, 0.5);
+    EXPECT_NEAR(check.fitted_lambda, 0.326, 0.0005);
+    EXPECT_NEAR(check.residual_rms, 0.8, 0.05);
+    EXPECT_NEAR(check.entered, 395.0, 0.5);
+    EXPECT_FALSE(*check.consistent);
+    EXPECT_NEAR(check.matching_speed / rpm, 2600.0, 10.0);
+    EXPECT_NEAR(check.matching_mass, 0.69, 0.005);
+    EXPECT_EQ(check.stroke_begin_deg, 0.0);
+    EXPECT_EQ(result.notes.front().kind, Note::Kind::inertia_mismatch);
+    const Json json = write_result(result).at("inertia_check");
+    EXPECT_EQ(json.at("consistent"), false);
+    EXPECT_EQ(json.at("fitted_m_r2_w2_Nm"), *check.fitted);
+    EXPECT_EQ(json.at("entered_m_r2_w2_Nm"), check.entered);
+    EXPECT_EQ(json.at("fitted_lambda"), check.fitted_lambda);
+}
+
+TEST(InertiaCheck, TheMatchingSpeedMakesTheShaftUseful) {
+    const Input input = preset_tmz_650d();
+    const InertiaCheck check = solve(input).inertia_check;
+    const Input slower = with_matching_speed(input, check);
+    const Result result = solve(slower);
+    EXPECT_TRUE(*result.inertia_check.consistent);
+    EXPECT_NEAR(*result.inertia_check.fitted, result.inertia_check.entered, 1e-6);
+    // With M_s at 2600 min⁻¹: α ≈ 20° cuts the range by 9 %, α ≈ 12° the RMS from 213 to 186.
+    EXPECT_NEAR(angle_of(result.best_range), 20.0, 1.0);
+    EXPECT_NEAR(result.best_range.value / result.M_up.range, 0.91, 0.005);
+    EXPECT_NEAR(angle_of(result.best_rms), 12.0, 0.5);
+    EXPECT_NEAR(result.best_rms.value, 186.0, 0.5);
+}
+
+TEST(InertiaCheck, TheRebuiltTorqueLeavesNothingToGain) {
+    const Input input = preset_tmz_650d();
+    const InertiaCheck check = solve(input).inertia_check;
+    const Input rebuilt = with_rebuilt_torque(input, check);
+    const Result result = solve(rebuilt);
+    EXPECT_TRUE(*result.inertia_check.consistent);
+    EXPECT_NEAR(*result.inertia_check.fitted, 395.4, 1.0);
+    // At 3600 min⁻¹ with its whole inertia no α lowers the range.
+    EXPECT_GE(result.best_range.value, result.M_up.range);
+    // The mean torque is gas work: inertia has no part in it.
+    const auto mean = [](const Input& i) {
+        const auto& t = i.torque.table.torque;
+        return std::accumulate(t.begin(), t.end() - 1, 0.0) / static_cast<double>(t.size() - 1);
+    };
+    EXPECT_NEAR(mean(rebuilt), mean(input), 1e-9);
+}
+
+/// A table of a real engine: gas torque of a cycle plus inertia torque, with noise as a part of the
+/// inertia torque's amplitude.
+TorqueTable table_of(const Input& engine, double step_deg, double noise, unsigned seed) {
+    const CylinderGas gas = *cylinder_gas(engine);
+    const SliderCrank<double> crank = slider_crank(engine);
+    std::mt19937 generator(seed);
+    const double mass = engine.reciprocating_mass();
+    std::normal_distribution<double> normal(
+        0.0, noise * mass * std::pow(engine.crank_radius * engine.angular_speed, 2));
+    TorqueTable table;
+    for (double angle = 0.0; angle < 720.0 - 1e-9; angle += step_deg) {
+        table.crank_angle_deg.push_back(angle);
+        table.torque.push_back(gas.torque(angle * degree) +
+                               inertia_torque(crank, mass, engine.angular_speed, angle * degree) +
+                               normal(generator));
+    }
+    table.crank_angle_deg.push_back(720.0);
+    table.torque.push_back(table.torque.front());
+    return table;
+}
+
+Input engine(double mass, double rod_length) {
+    Input input = preset_tmz_650d();
+    input.reciprocating_masses = {{"", mass}};
+    input.rod_mass.reset();
+    input.rod_length = rod_length;
+    input.torque = {};
+    input.torque.kind = TorqueSource::Kind::cycle;
+    input.torque.cylinder.bore = 0.0955;
+    input.torque.cycle.compression_ratio = 18.0;
+    input.torque.cycle.intake_pressure = 0.95e5;
+    input.torque.cycle.heat = 1200.0;
+    input.torque.cycle.combustion_start = 352.0 * degree;
+    input.torque.cycle.combustion_duration = 60.0 * degree;
+    return input;
+}
+
+TEST(InertiaCheck, RecoversKnownMassesThroughNoiseAndWarnsAtAQuarterOff) {
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        const double mass = 0.4 + 0.05 * seed;
+        const double rod = 0.12 + 0.002 * seed;
+        const Input truth = engine(mass, rod);
+        const double step = seed % 2 == 0 ? 15.0 : 5.0;
+        const TorqueTable table = table_of(truth, step, 0.02, seed);
+        Input entered = truth;
+        entered.torque = {};
+        entered.torque.table = table;
+        const InertiaCheck right = check_inertia(table, entered);
+        ASSERT_TRUE(right.fitted) << seed;
+        EXPECT_NEAR(*right.fitted / right.entered, 1.0, 0.05) << seed;
+        EXPECT_NEAR(right.fitted_lambda, truth.crank_radius / rod, 0.05) << seed;
+        EXPECT_TRUE(*right.consistent);
+        EXPECT_FALSE(solve(entered).notes.size() > 0 &&
+                     solve(entered).notes[0].kind == Note::Kind::inertia_mismatch);
+        for (const double factor : {0.75, 1.25}) {
+            entered.reciprocating_masses[0].mass = mass * factor;
+            const InertiaCheck wrong = check_inertia(table, entered);
+            EXPECT_FALSE(*wrong.consistent) << seed;
+            EXPECT_NEAR(wrong.matching_mass, mass, 0.05 * mass) << seed;
+        }
+    }
+}
+
+TEST(InertiaCheck, FindsTheGasExchangeWhereverTheCycleBegins) {
+    const Input truth = engine(1.3, 0.15);
+    const TorqueTable table = table_of(truth, 5.0, 0.0, 1);
+    TorqueTable shifted = table;  // firing dead centre at 0°
+    std::rotate(shifted.torque.begin(), shifted.torque.begin() + 72, shifted.torque.end() - 1);
+    shifted.torque.back() = shifted.torque.front();
+    const InertiaCheck first = check_inertia(table, truth);
+    const InertiaCheck second = check_inertia(shifted, truth);
+    EXPECT_EQ(second.stroke_begin_deg, 360.0);
+    EXPECT_NEAR(*second.fitted, *first.fitted, 1e-9);
+    EXPECT_NEAR(*first.fitted, first.entered, 0.01 * first.entered);
+    EXPECT_NEAR(first.fitted_lambda, 0.046 / 0.15, 0.01);
+    // A steady depression of 0.05 bar on the piston.
+    EXPECT_NEAR(first.gas_exchange, -0.05e5 * pi / 4 * 0.0955 * 0.0955 * 0.046, 0.3);
+}
+
+TEST(InertiaCheck, AComputedTorqueIsConsistentByItself) {
+    const Result result = solve(engine(1.3, 0.15));
+    EXPECT_TRUE(*result.inertia_check.consistent);
+    EXPECT_NEAR(*result.inertia_check.fitted, result.inertia_check.entered,
+                1e-6 * result.inertia_check.entered);
+    EXPECT_NEAR(result.inertia_check.fitted_lambda, 0.046 / 0.15, 1e-5);
+}
+
+TEST(InertiaCheck, SaysWhereNoFitIsPossible) {
+    Input input = preset_tmz_650d();
+    for (const double torque : {0.0, 42.0}) {
+        std::fill(input.torque.table.torque.begin(), input.torque.table.torque.end(), torque);
+        const Result result = solve(input);
+        EXPECT_FALSE(result.inertia_check.fitted);
+        EXPECT_FALSE(result.inertia_check.consistent);
+        EXPECT_FALSE(result.inertia_check.text.empty());
+        EXPECT_TRUE(write_result(result).at("inertia_check").at("consistent").is_null());
+        EXPECT_EQ(with_rebuilt_torque(input, result.inertia_check), input);
+        EXPECT_EQ(with_matching_speed(input, result.inertia_check), input);
+    }
+    input.torque.table = {{0, 180, 360, 720}, {0, 10, -10, 0}};
+    EXPECT_FALSE(solve(input).inertia_check.fitted);
+}
+
+TEST(OrderSpectrum, IsThatOfTheInterpolantAndOnlyTheFirstOrderMoves) {
+    const Solver solver(preset_tmz_650d());
+    Result result = solver.result();
+    ASSERT_EQ(result.spectrum_M_up.size(), spectrum_lines);
+    // Every line against a sum over a fine grid (a trapezium rule, exact enough for lines).
+    constexpr int samples = 72'000;
+    for (const std::size_t k : {0U, 1U, 2U, 3U, 7U, 23U}) {
+        const OrderLine& line = result.spectrum_M_up[k];
+        EXPECT_EQ(line.order, static_cast<double>(k + 1) / 2.0);
+        double a = 0.0;
+        double b = 0.0;
+        for (int i = 0; i < samples; ++i) {
+            const double phi = 4.0 * pi * i / samples;
+            a += solver.M_up(phi) * std::cos(line.order * phi) * 2.0 / samples;
+            b += solver.M_up(phi) * std::sin(line.order * phi) * 2.0 / samples;
+        }
+        EXPECT_NEAR(line.amplitude * std::sin(line.phase), a, 1e-3);
+        EXPECT_NEAR(line.amplitude * std::cos(line.phase), b, 1e-3);
+    }
+    solver.move_shaft(*result.best_rms.shaft_angle, result);
+    for (std::size_t k = 0; k < spectrum_lines; ++k) {
+        if (k != 1) {
+            EXPECT_EQ(result.spectrum_M_ups[k].amplitude, result.spectrum_M_up[k].amplitude);
+        }
+    }
+    // At the best RMS angle the shaft's moment opposes the first order.
+    EXPECT_NEAR(result.spectrum_M_ups[1].amplitude,
+                std::abs(result.order_1_amplitude - result.moment_amplitude), 1e-9);
+    // Parseval: what the first twelve orders hold is not more than the whole, and near it.
+    double sum = 0.0;
+    for (const OrderLine& line : result.spectrum_M_up) {
+        sum += line.amplitude * line.amplitude / 2.0;
+    }
+    const double variance = result.M_up.rms * result.M_up.rms;
+    EXPECT_LE(sum, variance);
+    EXPECT_GE(sum, 0.98 * variance);
+}
+
+}  // namespace
+}  // namespace ravnoves::balance_shaft
