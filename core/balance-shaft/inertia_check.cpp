@@ -21,13 +21,14 @@ constexpr double largest_lambda = 0.6;
 constexpr double largest_residual = 0.4;
 
 /// Inertia torque for m_j r² ω² = 1: −s′ s″/r².
-double unit_torque(double lambda, double theta) {
-    const PistonMotion<double> motion = SliderCrank<double>{1.0, 1.0 / lambda}.at(theta);
+double unit_torque(double lambda, double sine, double cosine) {
+    const PistonMotion<double> motion = SliderCrank<double>{1.0, 1.0 / lambda}.at(sine, cosine);
     return -motion.ds * motion.d2s;
 }
 
 struct Row {
-    double theta;
+    double sine;  ///< of the crank angle from the dead centre that begins the stroke
+    double cosine;
     double torque;
     double weight;
 };
@@ -59,7 +60,8 @@ std::vector<Row> rows_of_stroke(const TorqueTable& table, double begin_deg) {
                                   ? table.crank_angle_deg[count] - table.crank_angle_deg[count - 1]
                                   : table.crank_angle_deg[i] - table.crank_angle_deg[i - 1];
         const double after = table.crank_angle_deg[i + 1] - table.crank_angle_deg[i];
-        rows.push_back({angle * degree, table.torque[i], before + after});
+        rows.push_back(
+            {std::sin(angle * degree), std::cos(angle * degree), table.torque[i], before + after});
     }
     return rows;
 }
@@ -89,8 +91,8 @@ Fit fit_stroke(const TorqueTable& table, double begin_deg) {
         double gt = 0.0;
         double st = 0.0;
         for (const Row& row : rows) {
-            const double g = unit_torque(lambda, row.theta);
-            const double s = std::sin(row.theta);
+            const double g = unit_torque(lambda, row.sine, row.cosine);
+            const double s = row.sine;
             gg += row.weight * g * g;
             gs += row.weight * g * s;
             ss += row.weight * s * s;
@@ -105,7 +107,7 @@ Fit fit_stroke(const TorqueTable& table, double begin_deg) {
         double sum = 0.0;
         for (const Row& row : rows) {
             const double miss =
-                row.torque - scale * unit_torque(lambda, row.theta) - gas * std::sin(row.theta);
+                row.torque - scale * unit_torque(lambda, row.sine, row.cosine) - gas * row.sine;
             sum += row.weight * miss * miss;
         }
         return std::sqrt(sum / weights);
@@ -192,9 +194,10 @@ Input with_rebuilt_torque(const Input& input, const InertiaCheck& check) {
         input.rod_length ? input.crank_radius / *input.rod_length : check.fitted_lambda;
     TorqueTable& table = changed.torque.table;
     for (std::size_t i = 0; i < table.size(); ++i) {
-        const double theta = table.crank_angle_deg[i] * degree;
-        table.torque[i] += check.entered * unit_torque(lambda, theta) -
-                           *check.fitted * unit_torque(check.fitted_lambda, theta);
+        const double sine = std::sin(table.crank_angle_deg[i] * degree);
+        const double cosine = std::cos(table.crank_angle_deg[i] * degree);
+        table.torque[i] += check.entered * unit_torque(lambda, sine, cosine) -
+                           *check.fitted * unit_torque(check.fitted_lambda, sine, cosine);
     }
     table.torque.back() = table.torque.front();
     changed.torque.kind = TorqueSource::Kind::table;

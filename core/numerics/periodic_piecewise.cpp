@@ -22,6 +22,7 @@ struct TrigonometricMoments {
 
     explicit TrigonometricMoments(const Scalar& d) : cos_0(0), sin_1(0), cos_2(0), sin_3(0) {
         constexpr int terms = std::numeric_limits<Scalar>::digits10 > 20 ? 26 : 12;
+        const Scalar least = std::numeric_limits<Scalar>::epsilon() * d / 1000;
         Scalar even = 2 * d;         // 2 (−1)ʲ d^(2j+1) / (2j)!
         Scalar odd = 2 * d * d * d;  // 2 (−1)ʲ d^(2j+3) / (2j+1)!
         for (int j = 0; j < terms; ++j) {
@@ -30,6 +31,9 @@ struct TrigonometricMoments {
             cos_2 += even * d * d / (n + 3);
             sin_1 += odd / (n + 3);
             sin_3 += odd * d * d / (n + 5);
+            if (n > 0 && -even < least && even < least) {
+                break;  // short pieces need few terms
+            }
             even *= -d * d / ((n + 1) * (n + 2));
             odd *= -d * d / ((n + 2) * (n + 3));
         }

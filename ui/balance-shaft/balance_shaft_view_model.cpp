@@ -359,6 +359,15 @@ QString BalanceShaftViewModel::notesText() const {
                                              (2.0 * input_.counterweight_radius),
                                          4));
                 break;
+            case Note::Kind::inertia_mismatch:
+                lines << tr("The torque holds an inertia torque of mⱼ r² ω² = %1 N·m; the masses "
+                            "and the speed entered give %2 N·m. It fits these masses at %3 min⁻¹, "
+                            "or %4 kg at this speed.")
+                             .arg(number(result_.inertia_check.fitted.value_or(0.0), 0),
+                                  number(result_.inertia_check.entered, 0),
+                                  number(result_.inertia_check.matching_speed / rpm, 0),
+                                  number(result_.inertia_check.matching_mass, 3));
+                break;
         }
     }
     return lines.join(QLatin1Char('\n'));
