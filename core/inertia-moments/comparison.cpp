@@ -59,8 +59,9 @@ std::vector<Difference> compare(const EngineOrders& exact, const EngineOrders& t
             d.two_term = amplitude(short_form);
             d.error = std::hypot(right.cos - short_form.cos, right.sin - short_form.sin);
             const double floor = zero_share * scale[q];
-            if (largest[q] > floor) {
-                d.of_largest = d.error / largest[q];
+            const double reference = std::max(largest[q], balanced_share * scale[q]);
+            if (reference > 0.0) {
+                d.of_largest = d.error / reference;
             }
             if (d.exact > std::max(floor, zero_share * largest[q])) {
                 d.relative = d.error / d.exact;

@@ -21,7 +21,8 @@ struct Difference {
     double error = 0.0;     ///< amplitude of the difference (a wrong phase counts), N or N·m
     /// error / exact; empty where the exact amplitude is nothing beside the quantity's largest.
     std::optional<double> relative;
-    /// error / the quantity's largest amplitude of any order.
+    /// error / the quantity's largest amplitude of any order (of a balanced engine:
+    /// balanced_share of what its cylinders would reach in phase).
     double of_largest = 0.0;
     /// Both are so large that the two-term form is not enough for this component.
     bool warning = false;
@@ -29,11 +30,11 @@ struct Difference {
 
 /// An error of this share in a component warns (5 %)…
 inline constexpr double warning_share = 0.05;
-/// …unless it is less than this share of the quantity's largest component (1 %).
+/// …unless it is less than this share of the quantity's largest component (1 %)…
 inline constexpr double negligible_share = 0.01;
-/// Components under this share of the largest count as nothing.
-inline constexpr double zero_share = 1e-9;
-
+/// …or of this share of what the cylinders would reach all in phase (2 %): what is left of a
+/// balanced engine is not worth a warning.
+inline constexpr double balanced_share = 0.02;
 /// Compares all orders of `exact` component by component; orders that the two-term form does not
 /// have count as left out whole.
 std::vector<Difference> compare(const EngineOrders& exact, const EngineOrders& two_term);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <string_view>
@@ -223,6 +224,28 @@ void check_size(const Input& input, const Engine& engine) {
 }
 
 }  // namespace
+
+double rounded(double si, const FieldSpec& field, int digits) {
+    const double value = si / field.to_si;
+    if (!std::isfinite(value)) {
+        return si;
+    }
+    const std::string text = format_number(value, digits);
+    double shorter = value;
+    std::from_chars(text.data(), text.data() + text.size(), shorter);
+    return shorter * field.to_si;
+}
+
+std::vector<Cylinder> rounded(std::vector<Cylinder> cylinders) {
+    constexpr int digits = 12;
+    for (Cylinder& cylinder : cylinders) {
+        cylinder.axial_position = rounded(cylinder.axial_position, field::axial_position, digits);
+        cylinder.bank_angle = rounded(cylinder.bank_angle, field::bank_angle, digits);
+        cylinder.offset = rounded(cylinder.offset, field::offset, digits);
+        cylinder.crankpin_angle = rounded(cylinder.crankpin_angle, field::crankpin_angle, digits);
+    }
+    return cylinders;
+}
 
 std::optional<Locking> find_locking(double crank_radius, double lambda,
                                     const std::vector<Cylinder>& cylinders) {

@@ -183,6 +183,13 @@ struct Engine {
     }
 };
 
+/// An SI value rounded to so many significant digits in the field's unit: what a person would write
+/// into a case file.
+double rounded(double si, const FieldSpec& field, int digits);
+
+/// Every value of the table rounded to 12 digits in its unit, so that a case file keeps it exactly.
+std::vector<Cylinder> rounded(std::vector<Cylinder> cylinders);
+
 /// A cylinder whose mechanism locks.
 struct Locking {
     std::size_t cylinder = 0;  ///< index in the table

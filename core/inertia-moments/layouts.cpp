@@ -57,7 +57,7 @@ constexpr std::array<LayoutSpec, 20> library{{
     {"flat-6", v, 6, 180, 1, 0, 2.4, 1, true, even, order_flat_6},
     {"vr5", vr, 5, 15, 1, 0.278, 1.4, 0, true, even, order_5},
     {"vr6", vr, 6, 15, 1, 0.278, 1.4, 0, true, even, order_6},
-    {"w12", double_vr, 12, 72, 1, 0.278, 1.5, 0.3, true, even, order_w12},
+    {"w12", double_vr, 12, 72, -1, 0.278, 1.5, 0.3, true, even, order_w12},
 }};
 
 /// The number of stations along the crank.
@@ -116,12 +116,12 @@ Layout usual_layout(const LayoutSpec& spec, double crank_radius) {
     layout.name = spec.arrangement == vr ? "vr" : std::string(spec.name);
     layout.cylinders = spec.cylinders;
     layout.bank_angle = spec.bank_angle_deg * degree;
-    layout.offset = spec.relative_offset * crank_radius;
-    layout.spacing = spec.relative_spacing * crank_radius;
-    layout.stagger = spec.relative_stagger * crank_radius;
+    layout.offset = rounded(spec.relative_offset * crank_radius, field::offset, 6);
+    layout.spacing = rounded(spec.relative_spacing * crank_radius, field::spacing, 6);
+    layout.stagger = rounded(spec.relative_stagger * crank_radius, field::stagger, 6);
     const double length =
         layout.spacing * (station_count(spec.arrangement, spec.cylinders) - 1) + layout.stagger;
-    layout.first_position = length / 2.0;
+    layout.first_position = rounded(length / 2.0, field::first_position, 12);
     layout.firing_order.assign(spec.firing_order.begin(), spec.firing_order.end());
     return layout;
 }

@@ -40,6 +40,7 @@ std::vector<EngineOrder> add_up(const Engine& engine, int max_order, OrdersOf&& 
     for (std::size_t k = 0; k < result.size(); ++k) {
         result[k].order = static_cast<int>(k) + 1;
     }
+    constexpr double least = order_accuracy / zero_share;
     const double force_unit = engine.force_unit();
     const double torque_unit = force_unit * engine.crank_radius;
     const double couple_unit =
@@ -64,8 +65,9 @@ std::vector<EngineOrder> add_up(const Engine& engine, int max_order, OrdersOf&& 
             const RotatingPair pair = RotatingPair::of(u, force);
             order.force += pair;
             order.moment += {pair.forward * lever, pair.backward * lever};
-            order.force_scale += std::abs(force);
-            order.moment_scale += std::abs(force) * std::abs(lever);
+            const double scale = std::max(std::abs(force), least * force_unit);
+            order.force_scale += scale;
+            order.moment_scale += scale * std::abs(lever);
             Complex roll = -cylinder.offset * force;
             Complex torque = torque_unit * odd(own.torque[k]) * turn;
             if (couple_unit != 0.0) {
@@ -74,7 +76,7 @@ std::vector<EngineOrder> add_up(const Engine& engine, int max_order, OrdersOf&& 
             }
             order.inertia_roll += roll;
             order.reaction_torque += -torque;
-            order.roll_scale += std::abs(roll) + std::abs(torque);
+            order.roll_scale += std::max(std::abs(roll) + std::abs(torque), least * torque_unit);
         }
     }
     return result;

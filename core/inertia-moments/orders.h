@@ -62,6 +62,9 @@ inline double phase(const Harmonic<double>& h) {
     return std::atan2(h.sin, h.cos);
 }
 
+/// Amplitudes under this share of their scale count as nothing, and their directions too.
+inline constexpr double zero_share = 1e-9;
+
 /// Everything of one order. The axial force is 0 in every planar mechanism; the five other
 /// components follow.
 struct EngineOrder {
@@ -74,8 +77,9 @@ struct EngineOrder {
     /// What the inertia torque on the crank leaves on the engine, −Σ F ds/dφ, N·m: the torque goes
     /// out through the shaft, its reaction stays.
     Harmonic<double> reaction_torque;
-    /// Amplitudes that the cylinders would reach all in phase: what counts as zero is measured
-    /// against these.
+    /// Amplitudes that the cylinders would reach all in phase, or order_accuracy / zero_share of
+    /// m R ω² where that is more (orders that are 0 but for rounding): what counts as zero is
+    /// measured against these.
     double force_scale = 0.0;   ///< N
     double moment_scale = 0.0;  ///< N·m
     double roll_scale = 0.0;    ///< N·m

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include "balance-shaft/balance_shaft_page.h"
+#include "inertia-moments/inertia_moments_page.h"
 
 namespace ravnoves {
 
@@ -40,7 +41,7 @@ std::vector<SceneInfo> sceneList() {
          tr(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Inertia moments")),
          tr(QT_TRANSLATE_NOOP("ravnoves::SceneList",
                               "Forces and moments of VR5 and any other cylinder layout")),
-         {}},
+         makePage<InertiaMomentsPage>},
         {QStringLiteral("methods"),
          tr(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Methods")),
          tr(QT_TRANSLATE_NOOP("ravnoves::SceneList",

@@ -16,6 +16,8 @@
 
 #include "balance-shaft/balance_shaft_page.h"
 #include "balance-shaft/balance_shaft_view_model.h"
+#include "inertia-moments/inertia_moments_page.h"
+#include "inertia-moments/inertia_moments_view_model.h"
 #include "shell/language.h"
 #include "theme/theme.h"
 
@@ -36,6 +38,13 @@ std::map<std::string, std::function<Drag()>> drags() {
              auto* page = new BalanceShaftPage;
              return Drag{page, [page](int step, int steps) {
                              page->viewModel()->setShaftAngleDeg(360.0 * step / steps);
+                         }};
+         }},
+        {"inertia-moments",
+         [] {
+             auto* page = new InertiaMomentsPage;
+             return Drag{page, [page](int step, int steps) {
+                             page->viewModel()->setBankAngleDeg(5.0 + 85.0 * step / steps);
                          }};
          }},
     };

@@ -146,6 +146,20 @@ TEST(LayoutLibrary, EveryLayoutSolvesAndFiresOnceACycle) {
     EXPECT_EQ(find_layout("i7"), nullptr);
 }
 
+// Each throw of the W12 carries a cylinder of either block, its two pins 72° − 60° apart.
+TEST(LayoutLibrary, W12HasSixThrowsWithSplitPins) {
+    const Result result = solve(unit_engine("w12"));
+    const auto& cylinders = result.engine.cylinders;
+    for (std::size_t i = 0; i < 6; ++i) {
+        EXPECT_EQ(cylinders[i].axial_position, cylinders[i + 6].axial_position);
+        EXPECT_NEAR(
+            wrap_turn(cylinders[i + 6].crankpin_angle - cylinders[i].crankpin_angle) / degree, 12.0,
+            1e-9);
+        EXPECT_NEAR(std::abs(cylinders[i].bank_angle - cylinders[i + 6].bank_angle) / degree, 72.0,
+                    1e-9);
+    }
+}
+
 // At its firing angle each piston stands at top dead centre: the definition, not the formula.
 TEST(EvenFiring, PistonsAreAtTopDeadCentreAtEvenIntervals) {
     for (const double gamma : {0.0, 10.6, 15.0, 72.0}) {

@@ -1,0 +1,474 @@
+#include "inertia-moments/inertia_moments_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QHelpEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTabWidget>
+#include <QTableView>
+#include <QToolButton>
+#include <QToolTip>
+
+#include "events.h"
+#include "inertia-moments/crank_views.h"
+#include "inertia-moments/cylinder_editor.h"
+#include "inertia-moments/cylinder_table_model.h"
+#include "inertia-moments/engine_view.h"
+#include "inertia-moments/inertia_moments_view_model.h"
+#include "inertia-moments/order_bars.h"
+#include "inertia-moments/shaft_view.h"
+#include "theme/theme.h"
+#include "widgets/decimal_spin_box.h"
+#include "widgets/number_field.h"
+#include "widgets/value_slider.h"
+
+namespace ravnoves {
+namespace {
+
+using inertia_moments::RotatingPair;
+using Tabs = InertiaMomentsViewModel::Tabs;
+
+class InertiaMomentsPageTest : public ::testing::Test {
+  protected:
+    InertiaMomentsPageTest() {
+        test::showAt(page, {1187, 712});
+        page.activateWindow();
+        model = page.viewModel();
+    }
+
+    NumberField* field(const char* name) {
+        auto* found = page.findChild<NumberField*>(QString::fromLatin1(name));
+        EXPECT_NE(found, nullptr) << name;
+        return found;
+    }
+    void type(QLineEdit* target, const QString& text) {
+        target->setFocus();
+        target->selectAll();
+        QTest::keyClicks(target, text);
+        QTest::keyClick(target, Qt::Key_Return);
+    }
+    void tab(Tabs group, const char* name) {
+        const QStringList names = InertiaMomentsViewModel::tabNames(group);
+        model->setTab(group, static_cast<int>(names.indexOf(QString::fromLatin1(name))));
+        QApplication::processEvents();
+    }
+    /// Drags a slider's handle by some pixels to the right.
+    static void drag(QSlider* slider, int by) {
+        const double share = static_cast<double>(slider->value() - slider->minimum()) /
+                             (slider->maximum() - slider->minimum());
+        const QPoint from(4 + static_cast<int>((slider->width() - 8) * share),
+                          slider->height() / 2);
+        QTest::mousePress(slider, Qt::LeftButton, {}, from);
+        for (int step = 1; step <= 10; ++step) {
+            const QPoint p = from + QPoint(by * step / 10, 0);
+            QMouseEvent move(QEvent::MouseMove, p, slider->mapToGlobal(p), Qt::NoButton,
+                             Qt::LeftButton, Qt::NoModifier);
+            QApplication::sendEvent(slider, &move);
+        }
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, from + QPoint(by, 0));
+    }
+
+    InertiaMomentsPage page;
+    InertiaMomentsViewModel* model = nullptr;
+};
+
+TEST_F(InertiaMomentsPageTest, DraggingTheBankAngleUpdatesEverythingLive) {
+    const QString before = page.resultsAsText();
+    drag(page.bankSlider()->slider(), 40);
+    EXPECT_GT(model->bankAngleDeg(), 25.0);
+    EXPECT_NEAR(page.bankSlider()->box()->value(), model->bankAngleDeg(), 0.051);
+    EXPECT_NE(page.resultsAsText(), before);
+    // The plots show the new moments: curve 2 is the exact My.
+    const RotatingPair& pair = model->result().exact.order(1).moment;
+    EXPECT_NEAR(*page.momentPlot(1)->valueAt(2, 30.0), pair.at(30.0 * degree).imag(), 1e-9);
+    EXPECT_NEAR(*page.momentPlot(2)->valueAt(3, 30.0),
+                model->result().exact.order(2).moment.at(60.0 * degree).real(), 1e-9);
+    EXPECT_EQ(model->history()->count(), 1);
+    model->history()->undo();
+    EXPECT_NEAR(page.bankSlider()->value(), 15.0, 1e-9);
+}
+
+TEST_F(InertiaMomentsPageTest, EverySliderMovesItsValue) {
+    drag(page.offsetSlider()->slider(), -30);
+    EXPECT_LT(model->offsetMm(), 12.0);
+    drag(page.speedSlider()->slider(), -30);
+    EXPECT_LT(model->speedRpm(), 6100.0);
+    drag(page.referenceSlider()->slider(), 20);
+    EXPECT_GT(model->referenceMm(), 2.0);
+    QTest::keyClick(page.speedSlider()->slider(), Qt::Key_Right);
+    test::turnWheel(page.speedSlider()->slider(), QPoint(20, 8), 1);
+    auto* box = page.offsetSlider()->box();
+    box->setFocus();
+    box->selectAll();
+    QTest::keyClicks(box, QStringLiteral("10,25"));
+    QTest::keyClick(box, Qt::Key_Return);
+    EXPECT_NEAR(model->offsetMm(), 10.25, 1e-9);
+    // Moments refer to the new point: they differ by F d.
+    const double d = model->input().reference_position;
+    const RotatingPair force = model->result().exact.order(1).force;
+    const RotatingPair moment = model->result().exact.order(1).moment;
+    model->setReferenceMm(0.0);
+    EXPECT_NEAR(std::abs(model->result().exact.order(1).moment.forward - moment.forward -
+                         d * force.forward),
+                0.0, 1e-9);
+}
+
+TEST_F(InertiaMomentsPageTest, SlidersThatMeanNothingAreOff) {
+    model->chooseLayout(QStringLiteral("i4"));
+    EXPECT_FALSE(page.bankSlider()->isEnabled());
+    EXPECT_TRUE(page.offsetSlider()->isEnabled());
+    model->chooseLayout(QStringLiteral("table"));
+    EXPECT_FALSE(page.offsetSlider()->isEnabled());
+    model->chooseLayout(QStringLiteral("vr6"));
+    EXPECT_TRUE(page.bankSlider()->isEnabled());
+}
+
+TEST_F(InertiaMomentsPageTest, LayoutsAreChosenFromTheList) {
+    QComboBox* box = page.layoutChoice();
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Home);
+    for (int i = 0; i < box->count() - 1; ++i) {
+        QTest::keyClick(box, Qt::Key_Down);
+        QApplication::processEvents();
+        EXPECT_EQ(model->layoutName(), box->currentData().toString());
+        EXPECT_FALSE(box->currentText().isEmpty());
+    }
+    EXPECT_EQ(model->layoutName(), QStringLiteral("table"));
+    EXPECT_FALSE(field("spacing_mm")->isVisible());
+}
+
+TEST_F(InertiaMomentsPageTest, FieldsEditTheCaseAndUndoBringsItBack) {
+    type(field("spacing_mm"), QStringLiteral("65,5"));
+    EXPECT_NEAR(model->input().layout->spacing, 0.0655, 1e-12);
+    type(field("reciprocating_mass_kg"), QStringLiteral("0.7"));
+    EXPECT_NEAR(model->input().reciprocating_mass, 0.7, 1e-12);
+    type(field("lambda"), QStringLiteral("0.3"));
+    EXPECT_NEAR(model->input().lambda, 0.3, 1e-12);
+    type(page.findChild<QLineEdit*>(QStringLiteral("firing_order")), QStringLiteral("1-3-5-4-2"));
+    EXPECT_EQ(model->firingOrderText(), QStringLiteral("1-3-5-4-2"));
+    while (model->history()->canUndo()) {
+        model->history()->undo();
+    }
+    EXPECT_EQ(model->layoutName(), QStringLiteral("vw-vr5"));
+    EXPECT_NEAR(*field("lambda")->value(), 0.265, 1e-12);
+}
+
+TEST_F(InertiaMomentsPageTest, BadFieldsAreRefusedInWords) {
+    for (const char* name : {"crank_radius_mm", "lambda", "reciprocating_mass_kg", "spacing_mm"}) {
+        const Json before = model->inputJson();
+        for (const char* bad : {"-5", "0", "nan", "abc"}) {
+            type(field(name), QString::fromLatin1(bad));
+            EXPECT_FALSE(field(name)->trouble().isEmpty()) << name << " " << bad;
+        }
+        EXPECT_EQ(model->inputJson(), before) << name;
+        QTest::keyClick(field(name), Qt::Key_Escape);
+    }
+    // A mechanism that locks: the status line names the angle, the case stays.
+    QSignalSpy status(&page, &ScenePage::status);
+    const Json before = model->inputJson();
+    type(field("lambda"), QStringLiteral("0.95"));
+    ASSERT_GE(status.size(), 1);
+    EXPECT_TRUE(status.last().at(0).toString().contains(QStringLiteral("locks with its crank at")));
+    EXPECT_EQ(model->inputJson(), before);
+    auto* order = page.findChild<QLineEdit*>(QStringLiteral("firing_order"));
+    type(order, QStringLiteral("1-2-3"));
+    EXPECT_EQ(model->inputJson(), before);
+}
+
+TEST_F(InertiaMomentsPageTest, RigidRodIsSwitchedOnAsTwoMasses) {
+    auto* box = page.findChild<QCheckBox*>(QStringLiteral("rigid_rod"));
+    QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+    ASSERT_TRUE(model->input().rod.has_value());
+    EXPECT_NEAR(model->result().engine.rod_couple_inertia, 0.0, 1e-12);
+    EXPECT_TRUE(field("rod_inertia_kg_m2")->isVisible());
+    type(field("rod_inertia_kg_m2"), QStringLiteral("0.004"));
+    EXPECT_GT(std::abs(model->result().engine.rod_couple_inertia), 1e-4);
+    QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+    EXPECT_FALSE(model->input().rod.has_value());
+}
+
+TEST_F(InertiaMomentsPageTest, ClickOnAShaftShowsWhatItCancels) {
+    tab(Tabs::Charts, "shafts");
+    ShaftView* view = page.shaftView();
+    ASSERT_TRUE(view->isVisible());
+    const double before = model->result().remaining.order(1).moment.max();
+    // No curve of what is left while nothing acts on order 1 but weights that balance each other.
+    EXPECT_FALSE(page.momentPlot(1)->valueAt(4, 90.0).has_value());
+    QTest::mouseClick(view, Qt::LeftButton, {}, view->cell(0).center().toPoint());
+    EXPECT_TRUE(model->input().shafts[0].enabled);
+    EXPECT_LT(model->result().remaining.order(1).moment.max(), before);
+    EXPECT_NEAR(*page.momentPlot(1)->valueAt(4, 90.0),
+                model->result().remaining.order(1).moment.at(90.0 * degree).imag(), 1e-9);
+    QTest::keyClick(view, Qt::Key_Right);
+    QTest::keyClick(view, Qt::Key_Space);
+    EXPECT_TRUE(model->input().shafts[1].enabled);
+    EXPECT_LT(model->result().remaining.order(1).moment.max(), 1e-9 * before);
+    QTest::mouseClick(view, Qt::LeftButton, {}, view->cell(0).center().toPoint());
+    EXPECT_FALSE(model->input().shafts[0].enabled);
+    // The action switches all.
+    page.sceneActions().at(1)->trigger();
+    for (const auto& shaft : model->input().shafts) {
+        EXPECT_TRUE(shaft.enabled);
+    }
+    page.sceneActions().at(1)->trigger();
+    for (const auto& shaft : model->input().shafts) {
+        EXPECT_FALSE(shaft.enabled);
+    }
+}
+
+TEST_F(InertiaMomentsPageTest, ShaftsAreEditedInTheList) {
+    tab(Tabs::Inputs, "balancing");
+    auto* length = page.findChild<NumberField*>(QStringLiteral("shaft_length_0"));
+    ASSERT_NE(length, nullptr);
+    const double unbalance = model->result().shafts[0].unbalance;
+    const double old = *length->value();
+    type(length, QString::number(2.0 * old));
+    EXPECT_NEAR(model->result().shafts[0].unbalance, 0.5 * unbalance, 1e-12);
+    auto* on = page.findChild<QCheckBox*>(QStringLiteral("shaft_enabled_2"));
+    QTest::mouseClick(on, Qt::LeftButton, {}, QPoint(8, on->height() / 2));
+    EXPECT_TRUE(model->input().shafts[2].enabled);
+    type(page.findChild<NumberField*>(QStringLiteral("shaft_error_2")), QStringLiteral("180"));
+    EXPECT_NEAR(std::abs(model->result().remaining.order(2).moment.forward),
+                2.0 * std::abs(model->result().exact.order(2).moment.forward), 1e-9);
+    QTest::mouseClick(page.findChild<QPushButton*>(QStringLiteral("add_shaft")), Qt::LeftButton);
+    EXPECT_EQ(model->input().shafts.size(), 5U);
+    auto* remove = page.findChild<QToolButton*>(QStringLiteral("remove_shaft_0"));
+    QTest::mouseClick(remove, Qt::LeftButton);
+    QApplication::processEvents();
+    EXPECT_EQ(model->input().shafts.size(), 4U);
+    EXPECT_EQ(model->input().shafts[0].direction, inertia_moments::Direction::backward);
+    // Counterweights off: the rotating masses then count in what is left.
+    auto* weights = page.findChild<QCheckBox*>(QStringLiteral("counterweights"));
+    const double left = model->result().remaining.order(1).force.max();
+    QTest::mouseClick(weights, Qt::LeftButton, {}, QPoint(8, weights->height() / 2));
+    EXPECT_FALSE(model->input().end_webs->enabled);
+    EXPECT_GT(model->result().remaining.order(1).force.max(), left + 1000.0);
+    EXPECT_FALSE(field("front_radius_mm")->isVisible());
+}
+
+TEST_F(InertiaMomentsPageTest, CylindersAreEditedAsATable) {
+    tab(Tabs::Inputs, "cylinders");
+    CylinderTableModel* table = page.cylinderEditor()->tableModel();
+    ASSERT_EQ(table->rowCount(), 5);
+    QSignalSpy trouble(table, &CylinderTableModel::troubleChanged);
+    EXPECT_TRUE(table->setData(table->index(1, CylinderTableModel::CrankpinAngle),
+                               QStringLiteral("200,5"), Qt::EditRole));
+    EXPECT_EQ(model->layoutName(), QStringLiteral("table"));
+    EXPECT_NEAR(model->result().engine.cylinders[1].crankpin_angle / degree, 200.5, 1e-9);
+    EXPECT_FALSE(table->setData(table->index(1, CylinderTableModel::Offset), QStringLiteral("x"),
+                                Qt::EditRole));
+    EXPECT_FALSE(trouble.last().at(0).toString().isEmpty());
+    // An offset at which cylinder 1 locks.
+    EXPECT_FALSE(table->setData(table->index(0, CylinderTableModel::Offset), QStringLiteral("150"),
+                                Qt::EditRole));
+    EXPECT_TRUE(trouble.last().at(0).toString().contains(QStringLiteral("locks")));
+    QTest::mouseClick(page.findChild<QToolButton*>(QStringLiteral("add_cylinder")), Qt::LeftButton);
+    EXPECT_EQ(table->rowCount(), 6);
+    table->removeRowRange(0, 6);
+    EXPECT_EQ(table->rowCount(), 6);  // one at least
+    table->removeRowRange(4, 2);
+    EXPECT_EQ(table->rowCount(), 4);
+    while (model->history()->canUndo()) {
+        model->history()->undo();
+    }
+    EXPECT_EQ(table->rowCount(), 5);
+    EXPECT_EQ(model->layoutName(), QStringLiteral("vw-vr5"));
+}
+
+TEST_F(InertiaMomentsPageTest, CylindersAreTypedPastedAndCopied) {
+    tab(Tabs::Inputs, "cylinders");
+    QTableView* view = page.cylinderEditor()->view();
+    view->setFocus();
+    // A V-twin from a spreadsheet over the first rows.
+    view->setCurrentIndex(view->model()->index(0, 0));
+    QApplication::clipboard()->setText(QStringLiteral("0\t22,5\t0\t0\r\n0\t-22,5\t0\t0\r\n"));
+    QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
+    EXPECT_NEAR(model->input().cylinders.at(1).bank_angle / degree, -22.5, 1e-9);
+    EXPECT_EQ(model->input().cylinders.size(), 5U);
+    QApplication::clipboard()->setText(QStringLiteral("a\tb\n"));
+    const Json before = model->inputJson();
+    QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
+    EXPECT_EQ(model->inputJson(), before);
+    view->selectionModel()->select(
+        QItemSelection(view->model()->index(0, 0), view->model()->index(1, 1)),
+        QItemSelectionModel::ClearAndSelect);
+    QTest::keyClick(view, Qt::Key_C, Qt::ControlModifier);
+    EXPECT_EQ(QApplication::clipboard()->text(), QStringLiteral("0\t22.5\n0\t-22.5\n"));
+    // Typing into a cell.
+    view->setCurrentIndex(view->model()->index(2, CylinderTableModel::BankAngle));
+    QTest::keyClick(view, Qt::Key_3);
+    auto* editor = view->findChild<QLineEdit*>();
+    ASSERT_NE(editor, nullptr);
+    EXPECT_EQ(editor->text(), QStringLiteral("3"));
+    QTest::keyClicks(editor, QStringLiteral("0"));
+    EXPECT_EQ(editor->text(), QStringLiteral("30"));
+    QTest::keyClick(editor, Qt::Key_Return);
+    QApplication::processEvents();  // the view takes the text over when the key is done
+    EXPECT_NEAR(model->input().cylinders.at(2).bank_angle / degree, 30.0, 1e-9);
+    // Pasting beyond the end adds cylinders.
+    view->setCurrentIndex(view->model()->index(4, 0));
+    QApplication::clipboard()->setText(QStringLiteral("-90;0;0;90\n-150;0;0;180\n-210;0;0;270\n"));
+    QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
+    EXPECT_EQ(model->input().cylinders.size(), 7U);
+}
+
+TEST_F(InertiaMomentsPageTest, TheCursorTurnsTheCrankInEveryView) {
+    PlotView* plot = page.momentPlot(1);
+    const QPoint p(plot->toPixel(400.0, 0.0).toPoint().x(),
+                   plot->plotArea().center().toPoint().y());
+    QMouseEvent move(QEvent::MouseMove, p, plot->mapToGlobal(p), Qt::NoButton, Qt::NoButton,
+                     Qt::NoModifier);
+    QApplication::sendEvent(plot, &move);
+    EXPECT_NEAR(model->crankAngleDeg(), 400.0, 3.0);
+    EXPECT_NEAR(page.crankSlider()->value(), model->crankAngleDeg(), 0.51);
+}
+
+TEST_F(InertiaMomentsPageTest, PicturePlaysPausesAndTurns) {
+    EngineView* picture = page.picture();
+    picture->setFocus();
+    const double before = model->crankAngleDeg();
+    QTest::keyClick(picture, Qt::Key_Space);
+    EXPECT_TRUE(picture->isPlaying());
+    QTest::qWait(120);
+    EXPECT_NE(model->crankAngleDeg(), before);
+    QTest::keyClick(picture, Qt::Key_Space);
+    EXPECT_FALSE(picture->isPlaying());
+    const double stopped = model->crankAngleDeg();
+    QTest::keyClick(picture, Qt::Key_Right);
+    EXPECT_NEAR(model->crankAngleDeg(), stopped + 1.0, 1e-9);
+    // Dragging turns it without a jump at the press.
+    QTest::mousePress(picture, Qt::LeftButton, {}, QPoint(30, 150));
+    EXPECT_NEAR(model->crankAngleDeg(), stopped + 1.0, 1e-9);
+    QMouseEvent move(QEvent::MouseMove, QPoint(60, 60), picture->mapToGlobal(QPoint(60, 60)),
+                     Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(picture, &move);
+    QTest::mouseRelease(picture, Qt::LeftButton, {}, QPoint(60, 60));
+    EXPECT_GT(std::abs(model->crankAngleDeg() - stopped), 3.0);
+    page.sceneActions().at(0)->trigger();
+    EXPECT_TRUE(picture->isPlaying());
+    page.setActive(false);
+    EXPECT_FALSE(picture->isPlaying());
+}
+
+TEST_F(InertiaMomentsPageTest, BarsShowExactBesideTwoTerm) {
+    tab(Tabs::Charts, "orders");
+    OrderBars* bars = page.orderBars();
+    ASSERT_TRUE(bars->isVisible());
+    const auto groups = bars->groups();
+    ASSERT_EQ(groups.size(), 12U);
+    EXPECT_NEAR(groups[1][1].exact, model->result().exact.order(2).moment.max(), 1e-9);
+    EXPECT_NEAR(groups[1][1].twoTerm, model->result().two_term.order(2).moment.max(), 1e-9);
+    EXPECT_EQ(groups[4][0].twoTerm, 0.0);
+    EXPECT_GT(groups[2][0].exact, 0.0);
+    const QImage linear = bars->grab().toImage();
+    auto* box = page.findChild<QCheckBox*>(QStringLiteral("logarithmic"));
+    QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+    EXPECT_TRUE(bars->isLogarithmic());
+    EXPECT_NE(bars->grab().toImage(), linear);
+    // The pointer over a bar reads it.
+    const QPoint at(80, bars->height() / 5);
+    QHelpEvent help(QEvent::ToolTip, at, bars->mapToGlobal(at));
+    QApplication::sendEvent(bars, &help);
+    EXPECT_TRUE(QToolTip::text().contains(QStringLiteral("Order 1")))
+        << QToolTip::text().toStdString();
+    QToolTip::hideText();
+}
+
+TEST_F(InertiaMomentsPageTest, HodographsHoldTheVectors) {
+    const QString csv = page.momentHodograph()->dataAsCsv();
+    EXPECT_TRUE(csv.contains(QStringLiteral("1st")));
+    const auto [low, high] = page.momentHodograph()->yInterval(PlotView::Side::Left);
+    EXPECT_GT(high, model->result().exact.order(2).moment.max());
+    EXPECT_NEAR(low, -high, 1e-6 * high);
+    // One newton-metre is as long in x as in y.
+    PlotView* plot = page.momentHodograph();
+    const QPointF zero = plot->toPixel(0, 0);
+    const QPointF x = plot->toPixel(100, 0);
+    const QPointF y = plot->toPixel(0, 100);
+    EXPECT_NEAR(x.x() - zero.x(), zero.y() - y.y(), 0.5);
+    // A balanced engine has a picture too.
+    model->chooseLayout(QStringLiteral("i6"));
+    QApplication::processEvents();
+    EXPECT_LT(plot->yInterval(PlotView::Side::Left).first, 0.0);
+}
+
+TEST_F(InertiaMomentsPageTest, EveryTabOfEveryLayoutDrawsInBothThemes) {
+    for (const auto mode : {Theme::Mode::Light, Theme::Mode::Dark}) {
+        Theme::instance().setMode(mode);
+        for (const QString& name : InertiaMomentsViewModel::layoutNames()) {
+            model->chooseLayout(name);
+            for (const Tabs group : {Tabs::Inputs, Tabs::Charts, Tabs::Answer}) {
+                for (int i = 0; i < InertiaMomentsViewModel::tabNames(group).size(); ++i) {
+                    model->setTab(group, i);
+                }
+            }
+            EXPECT_FALSE(page.grab().isNull());
+        }
+    }
+    Theme::instance().setMode(Theme::Mode::Light);
+    // A firing order that the crank cannot run through, and no shafts, no weights.
+    model->chooseLayout(QStringLiteral("v8-cross-plane"));
+    model->setFiringOrderText(QStringLiteral("1-2-3-4-5-6-7-8"));
+    model->edit(QStringLiteral("bare"), [](inertia_moments::Input& input) {
+        input.shafts.clear();
+        input.end_webs.reset();
+        input.rotating_mass = 0.0;
+    });
+    for (int i = 0; i < 6; ++i) {
+        model->setTab(Tabs::Charts, i);
+        EXPECT_FALSE(page.grab().isNull());
+    }
+}
+
+TEST_F(InertiaMomentsPageTest, NoFormIsWiderThanItsColumn) {
+    for (QScrollArea* area : page.findChildren<QScrollArea*>()) {
+        if (area->widget() != nullptr &&
+            area->horizontalScrollBarPolicy() == Qt::ScrollBarAlwaysOff) {
+            EXPECT_LE(area->widget()->minimumSizeHint().width(), 284)
+                << area->widget()->findChild<QLabel*>()->text().toStdString();
+        }
+    }
+    for (int i = 0; i < 3; ++i) {
+        model->setTab(Tabs::Inputs, i);
+        QApplication::processEvents();
+    }
+}
+
+TEST_F(InertiaMomentsPageTest, ResultsGoToTheClipboardWhole) {
+    const QString text = page.resultsAsText();
+    for (const char* part : {"two-term", "+kω", "mρ, g·mm", "Front web", "left, %"}) {
+        EXPECT_TRUE(text.contains(QString::fromUtf8(part))) << part;
+    }
+    EXPECT_TRUE(page.resultsAsCsv().contains(QLatin1Char(',')));
+}
+
+TEST_F(InertiaMomentsPageTest, EveryInputIsNamedAndExplained) {
+    for (NumberField* input : page.findChildren<NumberField*>()) {
+        EXPECT_FALSE(input->accessibleName().isEmpty()) << input->objectName().toStdString();
+        EXPECT_TRUE(input->toolTip().contains(QStringLiteral("must be")))
+            << input->objectName().toStdString();
+        bool buddy = false;
+        for (const QLabel* label : page.findChildren<QLabel*>()) {
+            buddy = buddy || (label->buddy() == input && label->text().contains(QLatin1Char('&')));
+        }
+        EXPECT_TRUE(buddy) << input->objectName().toStdString();
+    }
+    for (QComboBox* box : page.findChildren<QComboBox*>()) {
+        EXPECT_FALSE(box->accessibleName().isEmpty());
+        EXPECT_FALSE(box->toolTip().isEmpty()) << box->accessibleName().toStdString();
+    }
+}
+
+}  // namespace
+}  // namespace ravnoves

@@ -1,0 +1,260 @@
+#include "inertia-moments/crank_views.h"
+
+#include <QLocale>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "inertia-moments/drawing.h"
+#include "inertia-moments/inertia_moments_view_model.h"
+#include "theme/theme.h"
+#include "widgets/number_text.h"
+
+namespace ravnoves {
+
+using inertia_moments::Complex;
+using inertia_moments::FiringEvent;
+namespace drawing = inertia_drawing;
+
+namespace {
+
+QString angleText(double radians) {
+    double value = std::fmod(radians / degree, 360.0);
+    if (value < 0.0) {
+        value += 360.0;
+    }
+    return fixedNumber(value > 359.95 ? 0.0 : value, 1, QLocale()) + QStringLiteral("°");
+}
+
+void connectTo(InertiaMomentsViewModel* model, QWidget* widget) {
+    widget->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    QObject::connect(model, &SceneViewModel::changed, widget, qOverload<>(&QWidget::update));
+    QObject::connect(&Theme::instance(), &Theme::changed, widget, qOverload<>(&QWidget::update));
+}
+
+}  // namespace
+
+CounterweightView::CounterweightView(InertiaMomentsViewModel* model, QWidget* parent)
+    : QWidget(parent), model_(model) {
+    setAccessibleName(tr("Rotating masses and counterweights"));
+    setToolTip(
+        tr("The crank from the front with crankpin 1 up; angles from crankpin 1, "
+           "counter-clockwise, lags against the rotation."));
+    connectTo(model, this);
+}
+
+void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
+    const Theme& theme = Theme::instance();
+    const auto& result = model_->result();
+    QPainter painter(this);
+    painter.fillRect(rect(), theme.panel());
+    painter.setRenderHint(QPainter::Antialiasing);
+
+    const double textWidth = std::min(210.0, 0.45 * width());
+    const QRectF figure(8, 8, width() - textWidth - 16, height() - 16);
+    const double radius = 0.5 * std::min(figure.width(), figure.height()) - 22.0;
+    const QPointF centre = figure.center();
+    // Relative to crankpin 1, which points up.
+    const auto place = [&](double angle, double r) {
+        return centre + QPointF(-std::sin(angle), -std::cos(angle)) * r;
+    };
+    if (radius > 16.0) {
+        if (result.counterweights) {
+            const auto& design = *result.counterweights;
+            const double largest = std::max(
+                {std::abs(design.front.unbalance), std::abs(design.rear.unbalance), 1e-300});
+            const bool on = model_->input().end_webs->enabled;
+            const auto weight = [&](const inertia_moments::Counterweight& w, QColor colour) {
+                const double share = std::abs(w.unbalance) / largest;
+                if (share < 1e-6) {
+                    return;
+                }
+                colour.setAlphaF(on ? 0.9F : 0.35F);
+                drawing::drawWeight(painter, centre, std::arg(w.unbalance) + pi / 2.0,
+                                    radius * (0.45 + 0.4 * share), colour,
+                                    on ? theme.text() : theme.mutedText());
+            };
+            weight(design.rear, drawing::rearWeight());
+            weight(design.front, drawing::frontWeight());
+        }
+        painter.setPen(QPen(theme.grid(), 1.2));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(centre, radius, radius);
+        // Crankpins; those in one place share a label.
+        std::map<int, QStringList> labels;
+        for (std::size_t i = 0; i < result.engine.cylinders.size(); ++i) {
+            const double angle = result.engine.cylinders[i].crankpin_angle;
+            labels[static_cast<int>(std::lround(angle / degree * 10.0))] << QString::number(i + 1);
+            painter.setPen(QPen(theme.text(), 2.0));
+            painter.drawLine(centre, place(angle, radius));
+        }
+        painter.setFont(Theme::font(Theme::smallSize, true));
+        for (const auto& [tenths, names] : labels) {
+            const double angle = tenths * 0.1 * degree;
+            painter.setPen(QPen(theme.text(), 1.2));
+            painter.setBrush(theme.panel());
+            painter.drawEllipse(place(angle, radius), 4.5, 4.5);
+            painter.setPen(theme.text());
+            const QString text = names.join(QLatin1Char(','));
+            const double beside = 0.5 * painter.fontMetrics().horizontalAdvance(text) - 4.0;
+            painter.drawText(
+                QRectF(place(angle, radius + 12.0 + beside * std::abs(std::sin(angle))) -
+                           QPointF(20, 8),
+                       QSizeF(40, 16)),
+                Qt::AlignCenter, text);
+        }
+        const auto vector = [&](const Complex& v, double scale, const QColor& colour) {
+            if (std::abs(v) > inertia_moments::zero_share * scale) {
+                drawing::drawArrow(painter, centre, place(std::arg(v), 0.8 * radius), colour, 2.4);
+            }
+        };
+        vector(result.rotating.force_factor, result.rotating.force_scale, theme.error());
+        vector(result.rotating.moment_factor, result.rotating.moment_scale, theme.curve(4));
+        painter.setPen(QPen(theme.text(), 1.2));
+        painter.setBrush(theme.panel());
+        painter.drawEllipse(centre, 4.0, 4.0);
+    }
+
+    // What the colours mean, with the angles.
+    painter.setFont(Theme::font(Theme::smallSize));
+    double y = 12.0;
+    const double x = width() - textWidth;
+    const auto line = [&](const QString& text, const QColor& colour, bool swatch) {
+        if (swatch) {
+            painter.fillRect(QRectF(x, y + 3, 9, 9), colour);
+        }
+        painter.setPen(theme.text());
+        const QRectF box(x + 14, y, textWidth - 20, 200);
+        QRectF used;
+        painter.drawText(box, Qt::AlignTop | Qt::AlignLeft | Qt::TextWordWrap, text, &used);
+        y += used.height() + 5.0;
+    };
+    const auto& rotating = result.rotating;
+    const auto lag = [&](const Complex& v, double scale) {
+        return std::abs(v) > inertia_moments::zero_share * scale ? angleText(-std::arg(-v))
+                                                                 : QStringLiteral("–");
+    };
+    const auto at = [&](const Complex& v, double scale) {
+        return std::abs(v) > inertia_moments::zero_share * scale ? angleText(std::arg(v))
+                                                                 : QStringLiteral("–");
+    };
+    line(tr("force Σ e^{iκ} = %1 at %2; opposite: %3 against the rotation")
+             .arg(fixedNumber(std::abs(rotating.force_factor), 3, QLocale()),
+                  at(rotating.force_factor, rotating.force_scale),
+                  lag(rotating.force_factor, rotating.force_scale)),
+         theme.error(), true);
+    line(tr("moment Σ z e^{iκ} = %1 mm at %2; opposite: %3 against the rotation")
+             .arg(fixedNumber(1e3 * std::abs(rotating.moment_factor), 1, QLocale()),
+                  at(rotating.moment_factor, rotating.moment_scale),
+                  lag(rotating.moment_factor, rotating.moment_scale)),
+         theme.curve(4), true);
+    if (result.counterweights) {
+        const auto& design = *result.counterweights;
+        const double scale = std::abs(design.front.unbalance) + std::abs(design.rear.unbalance);
+        const auto weight = [&](const QString& name, const inertia_moments::Counterweight& w,
+                                const QColor& colour) {
+            line(tr("%1: %2 g at ρ %3 mm, %4")
+                     .arg(name, formNumber(1e3 * w.mass(), QLocale(), 4),
+                          formNumber(1e3 * w.radius, QLocale(), 4), at(w.unbalance, scale)),
+                 colour, true);
+        };
+        weight(tr("front web"), design.front, drawing::frontWeight());
+        weight(tr("rear web"), design.rear, drawing::rearWeight());
+        if (!model_->input().end_webs->enabled) {
+            line(tr("(switched off)"), {}, false);
+        }
+    } else {
+        line(tr("No counterweights: switch them on under Balancing."), {}, false);
+    }
+}
+
+FiringWheel::FiringWheel(InertiaMomentsViewModel* model, QWidget* parent)
+    : QWidget(parent), model_(model) {
+    setAccessibleName(tr("Firing order"));
+    setToolTip(
+        tr("One four-stroke cycle of 720°, counter-clockwise from the top: cylinders in "
+           "the order of firing, the intervals between them, the present crank angle."));
+    connectTo(model, this);
+    connect(model_, &InertiaMomentsViewModel::crankAngleChanged, this,
+            qOverload<>(&QWidget::update));
+}
+
+void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
+    const Theme& theme = Theme::instance();
+    const auto& result = model_->result();
+    QPainter painter(this);
+    painter.fillRect(rect(), theme.panel());
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (result.firing.empty()) {
+        painter.setPen(theme.mutedText());
+        painter.setFont(Theme::font());
+        painter.drawText(QRectF(rect()).adjusted(20, 0, -20, 0), Qt::AlignCenter | Qt::TextWordWrap,
+                         model_->firingOrderText().isEmpty()
+                             ? tr("No firing order given.")
+                             : tr("The order %1 cannot be run through in two turns of this crank.")
+                                   .arg(model_->firingOrderText()));
+        return;
+    }
+    const double radius = 0.5 * std::min(width(), height()) - 34.0;
+    if (radius < 16.0) {
+        return;
+    }
+    const QPointF centre = QRectF(rect()).center();
+    // A turn of the wheel is a cycle of 720°.
+    const auto place = [&](double crankAngle, double r) {
+        const double angle = 0.5 * crankAngle;
+        return centre + QPointF(-std::sin(angle), -std::cos(angle)) * r;
+    };
+    painter.setPen(QPen(theme.border(), 2.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(centre, radius, radius);
+    double least = result.firing.front().interval;
+    double most = least;
+    for (const FiringEvent& event : result.firing) {
+        least = std::min(least, event.interval);
+        most = std::max(most, event.interval);
+    }
+    const bool even = most - least < 0.05 * degree;
+    for (const FiringEvent& event : result.firing) {
+        painter.setFont(Theme::font(Theme::smallSize));
+        painter.setPen(theme.mutedText());
+        const QString interval = fixedNumber(event.interval / degree, even ? 0 : 1, QLocale());
+        painter.drawText(
+            QRectF(place(event.crank_angle + 0.5 * event.interval, radius - 20.0) - QPointF(24, 8),
+                   QSizeF(48, 16)),
+            Qt::AlignCenter, interval + QStringLiteral("°"));
+    }
+    for (const FiringEvent& event : result.firing) {
+        const QPointF at = place(event.crank_angle, radius);
+        painter.setPen(QPen(theme.text(), 1.4));
+        painter.setBrush(event.cylinder == 1 ? theme.accent() : theme.panel());
+        painter.drawEllipse(at, 11.0, 11.0);
+        painter.setPen(event.cylinder == 1 ? QColor(Qt::white) : theme.text());
+        painter.setFont(Theme::font(Theme::baseSize, true));
+        painter.drawText(QRectF(at - QPointF(12, 10), QSizeF(24, 20)), Qt::AlignCenter,
+                         QString::number(event.cylinder));
+    }
+    // φ counts from crankpin 1 on its cylinder's axis, the wheel from the first one's firing.
+    const auto& engine = result.engine;
+    const auto& first =
+        engine.cylinders[static_cast<std::size_t>(result.firing.front().cylinder) - 1];
+    const double zero = engine.mechanism(first).top_dead_centre() - engine.crank_phase(first);
+    const double now = model_->crankAngleDeg() * degree - zero;
+    painter.setPen(QPen(theme.accent(), 2.0));
+    painter.drawLine(centre, place(now, radius - 30.0));
+    painter.setBrush(theme.accent());
+    painter.setPen(Qt::NoPen);
+    painter.drawEllipse(centre, 3.5, 3.5);
+    painter.setFont(Theme::font(Theme::smallSize));
+    painter.setPen(theme.mutedText());
+    painter.drawText(QRectF(rect()).adjusted(8, 6, -8, -6), Qt::AlignTop | Qt::AlignLeft,
+                     even ? tr("even, every %1°").arg(fixedNumber(least / degree, 0, QLocale()))
+                          : tr("uneven, %1° to %2°")
+                                .arg(fixedNumber(least / degree, 1, QLocale()),
+                                     fixedNumber(most / degree, 1, QLocale())));
+    painter.drawText(QRectF(rect()).adjusted(8, 6, -8, -6), Qt::AlignTop | Qt::AlignRight,
+                     model_->firingOrderText());
+}
+
+}  // namespace ravnoves

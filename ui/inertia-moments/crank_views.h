@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QWidget>
+
+namespace ravnoves {
+
+class InertiaMomentsViewModel;
+
+/// The crank star with the rotating masses' force and moment and the counterweights of the end
+/// webs (the paper's Fig. 9), crankpin 1 up.
+class CounterweightView : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit CounterweightView(InertiaMomentsViewModel* model, QWidget* parent = nullptr);
+    QSize sizeHint() const override { return {420, 260}; }
+    QSize minimumSizeHint() const override { return {240, 160}; }
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    InertiaMomentsViewModel* model_;
+};
+
+/// The firing order as a wheel of 720°, with the intervals and the present crank angle.
+class FiringWheel : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit FiringWheel(InertiaMomentsViewModel* model, QWidget* parent = nullptr);
+    QSize sizeHint() const override { return {420, 260}; }
+    QSize minimumSizeHint() const override { return {240, 160}; }
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    InertiaMomentsViewModel* model_;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,83 @@
+#include "inertia-moments/drawing.h"
+
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+#include "numerics/constants.h"
+#include "theme/theme.h"
+
+namespace ravnoves::inertia_drawing {
+
+void drawArrow(QPainter& painter, const QPointF& from, const QPointF& to, const QColor& colour,
+               double width) {
+    const QPointF d = to - from;
+    const double length = std::hypot(d.x(), d.y());
+    if (length < 3.0) {
+        return;
+    }
+    const QPointF along = d / length;
+    const QPointF across(-along.y(), along.x());
+    const double head = std::min(4.0 + 2.0 * width, 0.6 * length);
+    painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(from, to - along * head * 0.8);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    painter.drawPolygon(QPolygonF{to, to - along * head + across * head * 0.45,
+                                  to - along * head - across * head * 0.45});
+}
+
+void drawWeight(QPainter& painter, const QPointF& axis, double angle, double radius,
+                const QColor& fill, const QColor& line) {
+    constexpr double half = 48.0;
+    const double inner = 0.3 * radius;
+    const double middle = angle / degree;
+    const QRectF outer(axis - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius));
+    const QRectF hub(axis - QPointF(inner, inner), QSizeF(2 * inner, 2 * inner));
+    QPainterPath path;
+    path.arcMoveTo(outer, middle - half);
+    path.arcTo(outer, middle - half, 2 * half);
+    path.arcTo(hub, middle + half, -2 * half);
+    path.closeSubpath();
+    painter.setPen(QPen(line, 1.1));
+    painter.setBrush(fill);
+    painter.drawPath(path);
+}
+
+void drawTurning(QPainter& painter, const QPointF& centre, double radius, double start,
+                 double sweep, const QColor& colour) {
+    painter.setPen(QPen(colour, 1.4));
+    painter.setBrush(Qt::NoBrush);
+    const QRectF box(centre - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius));
+    painter.drawArc(box, static_cast<int>(std::lround(start / degree * 16)),
+                    static_cast<int>(std::lround(sweep / degree * 16)));
+    const double end = start + sweep;
+    const QPointF tip = centre + QPointF(std::cos(end), -std::sin(end)) * radius;
+    const double turn = sweep > 0.0 ? 1.0 : -1.0;
+    const QPointF along(-std::sin(end) * turn, -std::cos(end) * turn);
+    const QPointF across(-along.y(), along.x());
+    constexpr double head = 6.0;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    painter.drawPolygon(QPolygonF{tip + along * head * 0.7, tip - along * head * 0.4 + across * 3.0,
+                                  tip - along * head * 0.4 - across * 3.0});
+}
+
+QColor bankColour(int bank) {
+    constexpr int colours[] = {2, 1, 3, 4};
+    return Theme::instance().curve(colours[bank % 4]);
+}
+
+QColor metal() {
+    return Theme::instance().isDark() ? QColor(0x4a525c) : QColor(0xd9dee4);
+}
+
+QColor frontWeight() {
+    return Theme::instance().isDark() ? QColor(0x6b5a3a) : QColor(0xf2d9ae);
+}
+
+QColor rearWeight() {
+    return Theme::instance().isDark() ? QColor(0x2f4d66) : QColor(0xbfdcf3);
+}
+
+}  // namespace ravnoves::inertia_drawing

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QColor>
+#include <QPainter>
+#include <QPointF>
+#include <complex>
+
+namespace ravnoves::inertia_drawing {
+
+/// A point of the front view (x right, y up) in a widget's pixels.
+struct Frame {
+    QPointF origin;
+    double pixelsPerUnit = 1.0;
+
+    QPointF at(const std::complex<double>& p) const {
+        return origin + QPointF(p.real() * pixelsPerUnit, -p.imag() * pixelsPerUnit);
+    }
+    double length(double units) const { return units * pixelsPerUnit; }
+};
+
+/// An arrow of the present pen width in one colour; nothing where it would be too short to see.
+void drawArrow(QPainter& painter, const QPointF& from, const QPointF& to, const QColor& colour,
+               double width = 2.0);
+
+/// A counterweight seen along its shaft: the sector of a disc towards an angle (rad, counter-
+/// clockwise from x).
+void drawWeight(QPainter& painter, const QPointF& axis, double angle, double radius,
+                const QColor& fill, const QColor& line);
+
+/// An arc with an arrowhead round a centre, from `start` through `sweep` (rad, counter-clockwise).
+void drawTurning(QPainter& painter, const QPointF& centre, double radius, double start,
+                 double sweep, const QColor& colour);
+
+/// Colours of bank 1, bank 2, … and of metal parts in the present theme.
+QColor bankColour(int bank);
+QColor metal();
+QColor frontWeight();
+QColor rearWeight();
+
+}  // namespace ravnoves::inertia_drawing

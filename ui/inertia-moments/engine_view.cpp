@@ -1,0 +1,359 @@
+#include "inertia-moments/engine_view.h"
+
+#include <QKeyEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <vector>
+
+#include "inertia-moments/drawing.h"
+#include "inertia-moments/inertia_moments_view_model.h"
+#include "inertia-moments/pose.h"
+#include "theme/theme.h"
+#include "widgets/number_text.h"
+
+namespace ravnoves {
+
+using inertia_moments::Complex;
+using inertia_moments::Cylinder;
+using inertia_moments::CylinderPose;
+using inertia_moments::Engine;
+namespace drawing = inertia_drawing;
+
+namespace {
+
+constexpr int frameMs = 16;
+constexpr double degreesPerFrame = 2.4;  // slow enough to follow with the eye
+// Sizes of the picture that the input does not give, in crank radii.
+constexpr double pistonHalf = 0.72;
+constexpr double crownHeight = 0.75;
+
+/// Number of the bank of each cylinder: cylinders with the same direction and offset stand in line.
+std::vector<int> banksOf(const std::vector<Cylinder>& cylinders) {
+    std::vector<std::pair<double, double>> known;
+    std::vector<int> banks;
+    for (const Cylinder& cylinder : cylinders) {
+        const auto same = std::find_if(known.begin(), known.end(), [&](const auto& bank) {
+            return std::abs(bank.first - cylinder.bank_angle) < 1e-6 &&
+                   std::abs(bank.second - cylinder.offset) < 1e-9;
+        });
+        banks.push_back(static_cast<int>(same - known.begin()));
+        if (same == known.end()) {
+            known.emplace_back(cylinder.bank_angle, cylinder.offset);
+        }
+    }
+    return banks;
+}
+
+double pointerAngle(const QPointF& from, const QPointF& to) {
+    return std::atan2(from.y() - to.y(), to.x() - from.x()) / degree;
+}
+
+}  // namespace
+
+EngineView::EngineView(InertiaMomentsViewModel* model, QWidget* parent)
+    : QWidget(parent), model_(model) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Engine from the front and the crank from the side"));
+    setToolTip(
+        tr("To scale; the crank turns counter-clockwise. Drag to turn it, Space plays and "
+           "pauses, the arrow keys step."));
+    timer_.setInterval(frameMs);
+    timer_.setTimerType(Qt::PreciseTimer);
+    connect(&timer_, &QTimer::timeout, this,
+            [this] { model_->setCrankAngleDeg(model_->crankAngleDeg() + degreesPerFrame); });
+    connect(model_, &SceneViewModel::changed, this, qOverload<>(&QWidget::update));
+    connect(model_, &InertiaMomentsViewModel::crankAngleChanged, this,
+            qOverload<>(&QWidget::update));
+    connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+}
+
+void EngineView::setPlaying(bool playing) {
+    if (playing == isPlaying()) {
+        return;
+    }
+    playing ? timer_.start() : timer_.stop();
+    Q_EMIT playingChanged(playing);
+}
+
+QRectF EngineView::frontBounds() const {
+    const Engine& engine = model_->result().engine;
+    const double radius = engine.crank_radius;
+    double left = -1.25 * radius;
+    double right = 1.25 * radius;
+    double top = 1.25 * radius;
+    double bottom = -1.25 * radius;
+    for (const CylinderPose& pose : inertia_moments::engine_pose(engine, 0.0)) {
+        for (const double side : {-pistonHalf, pistonHalf}) {
+            const Complex corner =
+                pose.axis_foot +
+                pose.axis_direction * Complex(pose.top + crownHeight * radius, side * radius);
+            left = std::min(left, corner.real());
+            right = std::max(right, corner.real());
+            top = std::max(top, corner.imag());
+            bottom = std::min(bottom, corner.imag());
+        }
+    }
+    return {left, bottom, right - left, top - bottom};
+}
+
+std::pair<QRectF, QRectF> EngineView::areas() const {
+    const QRectF bounds = frontBounds();
+    const QRectF whole = QRectF(rect()).adjusted(10, 24, -10, -8);
+    const auto scale = [&](const QRectF& area) {
+        return std::min(area.width() / bounds.width(), area.height() / bounds.height());
+    };
+    const QRectF above = whole.adjusted(0, 0, 0, -0.34 * whole.height());
+    const QRectF beside = whole.adjusted(0, 0, -0.55 * whole.width(), 0);
+    if (scale(beside) > scale(above)) {
+        return {beside, whole.adjusted(0.47 * whole.width(), 0, 0, 0)};
+    }
+    return {above, whole.adjusted(0, 0.68 * whole.height(), 0, 0)};
+}
+
+void EngineView::paintEvent(QPaintEvent* /*event*/) {
+    const Theme& theme = Theme::instance();
+    QPainter painter(this);
+    painter.fillRect(rect(), theme.panel());
+    painter.setRenderHint(QPainter::Antialiasing);
+    const auto [front, side] = areas();
+    paintFront(painter, front);
+    paintSide(painter, side);
+    painter.setFont(Theme::font(Theme::smallSize));
+    painter.setPen(theme.mutedText());
+    painter.drawText(QRectF(rect()).adjusted(8, 6, -8, -6), Qt::AlignTop | Qt::AlignLeft,
+                     tr("φ = %1°").arg(fixedNumber(model_->crankAngleDeg(), 0, QLocale())));
+    painter.drawText(QRectF(rect()).adjusted(8, 6, -8, -6), Qt::AlignTop | Qt::AlignRight,
+                     model_->layoutTitle(model_->layoutName()));
+    if (hasFocus()) {
+        painter.setPen(QPen(theme.accent(), 1.0));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+    }
+}
+
+void EngineView::paintFront(QPainter& painter, const QRectF& area) {
+    const Theme& theme = Theme::instance();
+    const Engine& engine = model_->result().engine;
+    const double radius = engine.crank_radius;
+    const double phi = model_->crankAngleDeg() * degree;
+    const std::vector<CylinderPose> poses = inertia_moments::engine_pose(engine, phi);
+    const std::vector<int> banks = banksOf(engine.cylinders);
+
+    const QRectF bounds = frontBounds();
+    const double half = pistonHalf * radius;
+    const double crown = crownHeight * radius;
+    drawing::Frame frame;
+    frame.pixelsPerUnit = std::min(area.width() / bounds.width(), area.height() / bounds.height());
+    frame.origin =
+        area.center() - QPointF(bounds.center().x(), -bounds.center().y()) * frame.pixelsPerUnit;
+    crankPixel_ = frame.at({0.0, 0.0});
+
+    // Axes of the banks, past the crank's centre by their offsets.
+    painter.setPen(QPen(theme.border(), 1.0, Qt::DashDotLine));
+    painter.drawLine(QPointF(area.left(), crankPixel_.y()), QPointF(area.right(), crankPixel_.y()));
+    painter.drawLine(QPointF(crankPixel_.x(), area.top()), QPointF(crankPixel_.x(), area.bottom()));
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        const CylinderPose& pose = poses[i];
+        QColor line = drawing::bankColour(banks[i]);
+        line.setAlphaF(0.5F);
+        painter.setPen(QPen(line, 1.0, Qt::DashLine));
+        painter.drawLine(frame.at(pose.axis_foot - pose.axis_direction * 0.3 * radius),
+                         frame.at(pose.axis_foot + pose.axis_direction * (pose.top + crown)));
+        // Cylinder walls.
+        painter.setPen(QPen(theme.mutedText(), 1.2));
+        for (const double side : {-half, half}) {
+            const Complex across = pose.axis_direction * Complex(0.0, side);
+            painter.drawLine(
+                frame.at(pose.axis_foot + across +
+                         pose.axis_direction * std::max(pose.bottom - 0.4 * radius, 0.0)),
+                frame.at(pose.axis_foot + across + pose.axis_direction * (pose.top + crown)));
+        }
+    }
+
+    painter.setPen(QPen(theme.grid(), 1.2));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(crankPixel_, frame.length(radius), frame.length(radius));
+
+    // From the rear to the front, so that the nearer cylinder covers the farther one.
+    std::vector<std::size_t> order(poses.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return engine.cylinders[a].axial_position < engine.cylinders[b].axial_position;
+    });
+    painter.setFont(Theme::font(Theme::smallSize, true));
+    const double thick = std::clamp(frame.length(0.18 * radius), 2.5, 9.0);
+    for (const std::size_t i : order) {
+        const CylinderPose& pose = poses[i];
+        const QColor bank = drawing::bankColour(banks[i]);
+        QColor body = drawing::metal();
+        body.setAlphaF(0.86F);
+        painter.setPen(QPen(bank, 1.4));
+        painter.setBrush(body);
+        const Complex axial = pose.axis_direction;
+        const Complex across = axial * Complex(0.0, 1.0);
+        const double skirt = 0.35 * radius;
+        const double head = 0.6 * radius;
+        painter.drawPolygon(
+            QPolygonF{frame.at(pose.piston_pin + axial * head + across * 0.95 * half),
+                      frame.at(pose.piston_pin + axial * head - across * 0.95 * half),
+                      frame.at(pose.piston_pin - axial * skirt - across * 0.95 * half),
+                      frame.at(pose.piston_pin - axial * skirt + across * 0.95 * half)});
+        const QPointF pin = frame.at(pose.crankpin);
+        const QPointF piston = frame.at(pose.piston_pin);
+        painter.setPen(QPen(theme.text(), thick + 1.8, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(pin, piston);
+        painter.setPen(QPen(body, thick, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(pin, piston);
+        const QPointF head1 = frame.at(pose.piston_pin + axial * 0.3 * radius);
+        painter.setPen(theme.text());
+        painter.drawText(QRectF(head1 - QPointF(12, 8), QSizeF(24, 16)), Qt::AlignCenter,
+                         QString::number(i + 1));
+    }
+    // The crank star over all.
+    for (const CylinderPose& pose : poses) {
+        painter.setPen(QPen(theme.text(), thick + 1.8, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(crankPixel_, frame.at(pose.crankpin));
+        painter.setPen(QPen(drawing::metal(), thick, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(crankPixel_, frame.at(pose.crankpin));
+    }
+    painter.setPen(QPen(theme.text(), 1.2));
+    painter.setBrush(theme.panel());
+    painter.drawEllipse(crankPixel_, 0.6 * thick + 1.5, 0.6 * thick + 1.5);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        painter.setPen(QPen(theme.text(), 1.2));
+        painter.setBrush(drawing::bankColour(banks[i]));
+        painter.drawEllipse(frame.at(poses[i].crankpin), 0.5 * thick + 1.0, 0.5 * thick + 1.0);
+    }
+}
+
+void EngineView::paintSide(QPainter& painter, const QRectF& area) {
+    const Theme& theme = Theme::instance();
+    const Engine& engine = model_->result().engine;
+    const auto& input = model_->input();
+    const double radius = engine.crank_radius;
+    const double phi = model_->crankAngleDeg() * degree;
+    const std::vector<int> banks = banksOf(engine.cylinders);
+
+    double low = engine.cylinders.front().axial_position;
+    double high = low;
+    for (const Cylinder& cylinder : engine.cylinders) {
+        low = std::min(low, cylinder.axial_position);
+        high = std::max(high, cylinder.axial_position);
+    }
+    const bool weights = input.end_webs && input.end_webs->enabled;
+    if (weights) {
+        low = std::min({low, input.end_webs->front_position, input.end_webs->rear_position});
+        high = std::max({high, input.end_webs->front_position, input.end_webs->rear_position});
+    }
+    low = std::min(low, input.reference_position) - 0.8 * radius;
+    high = std::max(high, input.reference_position) + 0.8 * radius;
+    const double scale =
+        std::min(area.width() / (high - low), (area.height() - 15.0) / (2.3 * radius));
+    const double middle = 0.5 * (low + high);
+    const double axisY = area.center().y() - 7.0;  // the numbers stand below
+    // Cylinder 1 to the left.
+    const auto at = [&](double z, double y) {
+        return QPointF(area.center().x() - (z - middle) * scale, axisY - y * scale);
+    };
+
+    painter.setPen(QPen(theme.border(), 1.0, Qt::DashDotLine));
+    painter.drawLine(at(high, 0), at(low, 0));
+
+    const double direction = phi + engine.cylinders.front().bank_angle;
+    const auto heightOf = [&](double angle) { return std::cos(direction + angle); };
+
+    if (weights && model_->result().counterweights) {
+        const auto& design = *model_->result().counterweights;
+        const auto block = [&](const inertia_moments::Counterweight& weight, const QColor& colour) {
+            if (std::abs(weight.unbalance) <= 0.0) {
+                return;
+            }
+            const double y = weight.radius * heightOf(std::arg(weight.unbalance));
+            const double halfLength = 0.16 * radius * scale;
+            const double size = 0.3 * radius * scale;
+            painter.setPen(QPen(theme.text(), 1.0));
+            painter.drawLine(at(weight.position, 0), at(weight.position, y));
+            painter.setBrush(colour);
+            painter.drawRect(QRectF(at(weight.position, y) - QPointF(halfLength, size),
+                                    QSizeF(2 * halfLength, 2 * size)));
+        };
+        block(design.front, drawing::frontWeight());
+        block(design.rear, drawing::rearWeight());
+    }
+
+    // Throws: web, pin, web.
+    const double pinHalf = 0.26 * radius;
+    std::map<int, QStringList> labels;
+    painter.setFont(Theme::font(Theme::smallSize));
+    for (std::size_t i = 0; i < engine.cylinders.size(); ++i) {
+        const Cylinder& cylinder = engine.cylinders[i];
+        const double y = radius * heightOf(cylinder.crankpin_angle);
+        const double z = cylinder.axial_position;
+        painter.setPen(QPen(theme.text(), 2.2, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(at(z - pinHalf, 0), at(z - pinHalf, y));
+        painter.drawLine(at(z + pinHalf, 0), at(z + pinHalf, y));
+        painter.setPen(QPen(drawing::bankColour(banks[i]), 4.0, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(at(z - pinHalf, y), at(z + pinHalf, y));
+        labels[static_cast<int>(std::lround(at(z, 0).x()))] << QString::number(i + 1);
+    }
+    // Numbers below the throws; those that would overlap share a place.
+    painter.setPen(theme.text());
+    for (auto label = labels.begin(); label != labels.end();) {
+        const int first = label->first;
+        int last = first;
+        QStringList names;
+        while (label != labels.end() && label->first - last <= 14) {
+            last = label->first;
+            names << label->second;
+            ++label;
+        }
+        painter.drawText(
+            QRectF(0.5 * (first + last) - 20.0, axisY + 1.12 * radius * scale + 1.0, 40.0, 14.0),
+            Qt::AlignCenter, names.join(QLatin1Char(',')));
+    }
+    // The point that moments refer to.
+    const QPointF reference = at(input.reference_position, 0);
+    painter.setPen(QPen(theme.accent(), 1.4));
+    painter.setBrush(theme.panel());
+    painter.drawEllipse(reference, 5.0, 5.0);
+    painter.drawLine(reference - QPointF(8, 0), reference + QPointF(8, 0));
+    painter.drawLine(reference - QPointF(0, 8), reference + QPointF(0, 8));
+}
+
+void EngineView::mousePressEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) {
+        return;
+    }
+    setPlaying(false);
+    // The crank follows the pointer round its axis without a jump.
+    dragOffset_ = model_->crankAngleDeg() - pointerAngle(crankPixel_, event->position());
+}
+
+void EngineView::mouseMoveEvent(QMouseEvent* event) {
+    if (event->buttons().testFlag(Qt::LeftButton)) {
+        model_->setCrankAngleDeg(pointerAngle(crankPixel_, event->position()) + dragOffset_);
+    }
+}
+
+void EngineView::keyPressEvent(QKeyEvent* event) {
+    switch (event->key()) {
+        case Qt::Key_Space:
+            setPlaying(!isPlaying());
+            return;
+        case Qt::Key_Left:
+            model_->setCrankAngleDeg(model_->crankAngleDeg() - 1.0);
+            return;
+        case Qt::Key_Right:
+            model_->setCrankAngleDeg(model_->crankAngleDeg() + 1.0);
+            return;
+        default:
+            QWidget::keyPressEvent(event);
+    }
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,202 @@
+#include "inertia-moments/order_bars.h"
+
+#include <QHelpEvent>
+#include <QLocale>
+#include <QPainter>
+#include <QToolTip>
+#include <algorithm>
+#include <cmath>
+
+#include "inertia-moments/inertia_moments_view_model.h"
+#include "theme/theme.h"
+#include "widgets/number_text.h"
+
+namespace ravnoves {
+
+using inertia_moments::EngineOrder;
+using inertia_moments::Result;
+
+namespace {
+
+constexpr int panels = 3;
+constexpr double decades = 6.0;  // of the logarithmic scale
+constexpr double legendHeight = 20.0;
+
+QString valueText(double value) {
+    const double size = std::abs(value);
+    const int decimals = size >= 100.0 ? 0 : size >= 10.0 ? 1 : size >= 1.0 ? 2 : 3;
+    return fixedNumber(value, decimals, QLocale());
+}
+
+}  // namespace
+
+OrderBars::OrderBars(InertiaMomentsViewModel* model, QWidget* parent)
+    : QWidget(parent), model_(model) {
+    setAccessibleName(tr("Amplitudes by order"));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    connect(model_, &SceneViewModel::changed, this, qOverload<>(&QWidget::update));
+    connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+}
+
+void OrderBars::setLogarithmic(bool logarithmic) {
+    logarithmic_ = logarithmic;
+    update();
+}
+
+std::vector<std::array<OrderBars::Group, 3>> OrderBars::groups() const {
+    const Result& result = model_->result();
+    std::vector<std::array<Group, 3>> all(result.exact.orders.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const EngineOrder& exact = result.exact.orders[i];
+        const EngineOrder& left = result.remaining.orders[i];
+        auto& [force, moment, roll] = all[i];
+        force.exact = exact.force.max();
+        force.left = left.force.max();
+        moment.exact = exact.moment.max();
+        moment.left = left.moment.max();
+        roll.exact = inertia_moments::amplitude(exact.roll());
+        roll.left = inertia_moments::amplitude(left.roll());
+        if (i < result.two_term.orders.size()) {
+            const EngineOrder& two = result.two_term.orders[i];
+            force.twoTerm = two.force.max();
+            moment.twoTerm = two.moment.max();
+            roll.twoTerm = inertia_moments::amplitude(two.roll());
+        }
+        // Rounding is not an amplitude.
+        const std::array scales{exact.force_scale, exact.moment_scale, exact.roll_scale};
+        for (std::size_t p = 0; p < scales.size(); ++p) {
+            for (double Group::*member : {&Group::exact, &Group::twoTerm, &Group::left}) {
+                if (all[i][p].*member <= inertia_moments::zero_share * scales[p]) {
+                    all[i][p].*member = 0.0;
+                }
+            }
+        }
+    }
+    return all;
+}
+
+QRectF OrderBars::panelRect(int panel) const {
+    const double each = (height() - legendHeight) / panels;
+    return {0.0, legendHeight + panel * each, static_cast<double>(width()), each};
+}
+
+QRectF OrderBars::barsRect(int panel) const {
+    return panelRect(panel).adjusted(58, 14, -8, -16);
+}
+
+void OrderBars::paintEvent(QPaintEvent* /*event*/) {
+    const Theme& theme = Theme::instance();
+    QPainter painter(this);
+    painter.fillRect(rect(), theme.panel());
+    painter.setFont(Theme::font(Theme::smallSize));
+    const QFontMetricsF metrics(painter.font());
+
+    const QColor exactColour = theme.curve(2);
+    const QColor twoTermColour = theme.curve(1);
+    const QColor leftColour = theme.curve(3);
+    double x = 58.0;
+    for (const auto& [text, colour] :
+         {std::pair{tr("exact"), exactColour}, std::pair{tr("two-term"), twoTermColour},
+          std::pair{tr("left over"), leftColour}}) {
+        painter.fillRect(QRectF(x, 6, 10, 10), colour);
+        painter.setPen(theme.text());
+        painter.drawText(QPointF(x + 14, 15), text);
+        x += metrics.horizontalAdvance(text) + 34.0;
+    }
+
+    const auto all = groups();
+    const std::array<QString, panels> names{tr("F, N"), tr("M, N·m"), tr("Mz, N·m")};
+    for (int panel = 0; panel < panels; ++panel) {
+        const auto p = static_cast<std::size_t>(panel);
+        const QRectF area = barsRect(panel);
+        double most = 0.0;
+        for (const auto& group : all) {
+            most = std::max({most, group[p].exact, group[p].twoTerm, group[p].left});
+        }
+        const auto fraction = [&](double value) {
+            if (!(value > 0.0) || !(most > 0.0)) {
+                return 0.0;
+            }
+            return logarithmic_ ? std::max(0.0, 1.0 + std::log10(value / most) / decades)
+                                : value / most;
+        };
+        painter.setPen(theme.text());
+        painter.drawText(QRectF(4, area.top() - 2, 52, 16), Qt::AlignLeft | Qt::AlignVCenter,
+                         names[p]);
+        painter.setPen(theme.mutedText());
+        painter.drawText(QRectF(4, area.bottom() - 12, 50, 14), Qt::AlignRight | Qt::AlignVCenter,
+                         logarithmic_ ? tr("log") : QStringLiteral("0"));
+        painter.setPen(QPen(theme.grid(), 1));
+        const int lines = logarithmic_ ? static_cast<int>(decades) : 2;
+        for (int i = 1; i <= lines; ++i) {
+            const double y = area.bottom() - area.height() * i / lines;
+            painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
+        }
+        const double slot = area.width() / static_cast<double>(all.size());
+        const double bar = std::clamp(slot / 4.0, 2.0, 14.0);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const Group& group = all[i][p];
+            const double middle = area.left() + slot * (static_cast<double>(i) + 0.5);
+            const std::array values{group.exact, group.twoTerm, group.left};
+            const std::array colours{exactColour, twoTermColour, leftColour};
+            double tallest = 0.0;
+            for (std::size_t b = 0; b < values.size(); ++b) {
+                const double h = area.height() * fraction(values[b]);
+                tallest = std::max(tallest, h);
+                if (h > 0.0) {
+                    painter.fillRect(QRectF(middle + (static_cast<double>(b) - 1.5) * bar,
+                                            area.bottom() - h, bar - 1.0, h),
+                                     colours[b]);
+                }
+            }
+            if (group.exact > 0.02 * most) {
+                painter.setPen(theme.text());
+                const QString text = valueText(group.exact);
+                const double w = metrics.horizontalAdvance(text) + 2.0;
+                if (w < slot * 1.3) {
+                    painter.drawText(QRectF(middle - w / 2, area.bottom() - tallest - 13, w, 12),
+                                     Qt::AlignCenter, text);
+                }
+            }
+            painter.setPen(theme.mutedText());
+            painter.drawText(QRectF(middle - 12, area.bottom() + 1, 24, 14), Qt::AlignCenter,
+                             QString::number(i + 1));
+        }
+        painter.setPen(QPen(theme.border(), 1));
+        painter.drawLine(area.bottomLeft(), area.bottomRight());
+        if (!(most > 0.0)) {
+            painter.setPen(theme.mutedText());
+            painter.drawText(area, Qt::AlignCenter, tr("nothing in any order"));
+        }
+    }
+}
+
+bool OrderBars::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        auto* help = static_cast<QHelpEvent*>(event);
+        const auto all = groups();
+        for (int panel = 0; panel < panels; ++panel) {
+            const QRectF area = barsRect(panel);
+            if (!area.adjusted(0, -14, 0, 16).contains(help->pos())) {
+                continue;
+            }
+            const double slot = area.width() / static_cast<double>(all.size());
+            const auto i =
+                static_cast<std::size_t>(std::clamp((help->pos().x() - area.left()) / slot, 0.0,
+                                                    static_cast<double>(all.size()) - 1.0));
+            const Group& group = all[i][static_cast<std::size_t>(panel)];
+            QToolTip::showText(help->globalPos(),
+                               tr("Order %1: exact %2, two-term %3, left over %4")
+                                   .arg(QString::number(i + 1), valueText(group.exact),
+                                        valueText(group.twoTerm), valueText(group.left)),
+                               this);
+            return true;
+        }
+        QToolTip::hideText();
+        event->ignore();
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+}  // namespace ravnoves

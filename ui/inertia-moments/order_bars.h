@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <vector>
+
+namespace ravnoves {
+
+class InertiaMomentsViewModel;
+
+/// Amplitudes by order as bars: force, moment and roll moment; exact beside two-term beside what
+/// is left over. The height is the largest value of the order's ellipse.
+class OrderBars : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit OrderBars(InertiaMomentsViewModel* model, QWidget* parent = nullptr);
+
+    bool isLogarithmic() const { return logarithmic_; }
+    /// A logarithmic scale over six decades, so that high orders can be seen.
+    void setLogarithmic(bool logarithmic);
+
+    /// What the bars of one order show; [0] force, [1] moment, [2] roll moment.
+    struct Group {
+        double exact = 0.0;
+        double twoTerm = 0.0;
+        double left = 0.0;
+    };
+    std::vector<std::array<Group, 3>> groups() const;
+
+    QSize sizeHint() const override { return {420, 260}; }
+    QSize minimumSizeHint() const override { return {240, 160}; }
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    bool event(QEvent* event) override;
+
+  private:
+    QRectF panelRect(int panel) const;
+    QRectF barsRect(int panel) const;
+
+    InertiaMomentsViewModel* model_;
+    bool logarithmic_ = false;
+};
+
+}  // namespace ravnoves

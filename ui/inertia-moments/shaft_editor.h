@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+class QVBoxLayout;
+
+namespace ravnoves {
+
+class InertiaMomentsViewModel;
+
+/// One balance shaft of the list: switch, order, direction, task, sizes, error of phase.
+class ShaftRow;
+
+/// The list of balance shafts.
+class ShaftEditor : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit ShaftEditor(InertiaMomentsViewModel* model, QWidget* parent = nullptr);
+
+    int rowCount() const { return static_cast<int>(rows_.size()); }
+
+  private:
+    void refresh();
+
+    InertiaMomentsViewModel* model_;
+    QVBoxLayout* list_;
+    std::vector<ShaftRow*> rows_;
+};
+
+}  // namespace ravnoves

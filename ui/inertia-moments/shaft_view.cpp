@@ -1,0 +1,223 @@
+#include "inertia-moments/shaft_view.h"
+
+#include <QKeyEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "inertia-moments/drawing.h"
+#include "inertia-moments/inertia_moments_view_model.h"
+#include "theme/theme.h"
+#include "widgets/number_text.h"
+
+namespace ravnoves {
+
+using inertia_moments::Balances;
+using inertia_moments::Complex;
+using inertia_moments::Direction;
+using inertia_moments::ShaftDesign;
+namespace drawing = inertia_drawing;
+
+namespace {
+
+QString short4(double value) {
+    return formNumber(value, QLocale(), 4);
+}
+
+}  // namespace
+
+ShaftView::ShaftView(InertiaMomentsViewModel* model, QWidget* parent)
+    : QWidget(parent), model_(model) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Balance shafts: arrangement and phases"));
+    setToolTip(
+        tr("Each shaft seen from the front at the present crank angle. Red: what it cancels; the "
+           "weights lie opposite. Dashed: cylinder 1's axis and crankpin 1. Click a shaft to "
+           "switch it; arrow keys and Space do the same."));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    connect(model_, &SceneViewModel::changed, this, qOverload<>(&QWidget::update));
+    connect(model_, &InertiaMomentsViewModel::crankAngleChanged, this,
+            qOverload<>(&QWidget::update));
+    connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+}
+
+int ShaftView::columns() const {
+    const int count = static_cast<int>(model_->result().shafts.size());
+    int best = 1;
+    double size = 0.0;
+    for (int columns = 1; columns <= std::max(count, 1); ++columns) {
+        const int rows = (count + columns - 1) / columns;
+        const double each = std::min(static_cast<double>(width()) / columns,
+                                     (static_cast<double>(height()) / std::max(rows, 1)) - 34.0);
+        if (each > size) {
+            size = each;
+            best = columns;
+        }
+    }
+    return best;
+}
+
+QRectF ShaftView::cell(int index) const {
+    const int count = std::max(1, static_cast<int>(model_->result().shafts.size()));
+    const int across = columns();
+    const int rows = (count + across - 1) / across;
+    const double w = static_cast<double>(width()) / across;
+    const double h = static_cast<double>(height()) / rows;
+    return QRectF((index % across) * w, (index / across) * h, w, h).adjusted(3, 3, -3, -3);
+}
+
+void ShaftView::paintEvent(QPaintEvent* /*event*/) {
+    const Theme& theme = Theme::instance();
+    QPainter painter(this);
+    painter.fillRect(rect(), theme.panel());
+    painter.setRenderHint(QPainter::Antialiasing);
+    const int count = static_cast<int>(model_->result().shafts.size());
+    if (count == 0) {
+        painter.setPen(theme.mutedText());
+        painter.setFont(Theme::font());
+        painter.drawText(QRectF(rect()).adjusted(20, 0, -20, 0), Qt::AlignCenter | Qt::TextWordWrap,
+                         tr("No balance shafts. “Add shaft” under Balancing makes one."));
+        return;
+    }
+    current_ = std::clamp(current_, 0, count - 1);
+    for (int i = 0; i < count; ++i) {
+        paintShaft(painter, i, cell(i));
+    }
+}
+
+void ShaftView::paintShaft(QPainter& painter, int index, const QRectF& area) const {
+    const Theme& theme = Theme::instance();
+    const auto& result = model_->result();
+    const ShaftDesign& design = result.shafts[static_cast<std::size_t>(index)];
+    const bool on = design.shaft.enabled;
+    const bool moment = design.shaft.balances == Balances::moment;
+    const double phi = model_->crankAngleDeg() * degree;
+    const double sign = design.shaft.direction == Direction::forward ? 1.0 : -1.0;
+    const double turned = sign * design.shaft.order * phi;
+
+    painter.setPen(QPen(hasFocus() && index == current_ ? theme.accent() : theme.border(), 1.0));
+    QColor back = theme.good();
+    back.setAlphaF(on ? 0.08F : 0.0F);
+    painter.setBrush(back);
+    painter.drawRoundedRect(area, 4, 4);
+
+    painter.setFont(Theme::font(Theme::smallSize, true));
+    painter.setPen(on ? theme.good() : theme.mutedText());
+    painter.drawText(area.adjusted(6, 3, -6, 0), Qt::AlignTop | Qt::AlignLeft,
+                     (on ? QStringLiteral("\u25CF ") : QStringLiteral("\u25CB ")) +
+                         model_->shaftTitle(design.shaft));
+    painter.setFont(Theme::font(Theme::smallSize));
+    painter.setPen(theme.mutedText());
+    painter.drawText(area.adjusted(6, 3, -6, 0), Qt::AlignTop | Qt::AlignRight,
+                     on ? tr("on") : tr("off"));
+
+    const QString unit = moment ? tr("N·m") : tr("N");
+    QStringList lines{tr("mρ %1 g·mm").arg(short4(design.unbalance * 1e6))};
+    if (design.mass) {
+        lines << tr("m %1 g").arg(short4(1e3 * *design.mass));
+    }
+    lines << tr("%1 → %2 %3")
+                 .arg(fixedNumber(design.before, 0, QLocale()),
+                      fixedNumber(design.remaining, 0, QLocale()), unit);
+    painter.setPen(theme.text());
+    const double row = painter.fontMetrics().height();
+    const double text = row * static_cast<double>(lines.size()) + 5.0;
+    painter.drawText(area.adjusted(6, area.height() - text, -2, 0), Qt::AlignTop | Qt::AlignLeft,
+                     lines.join(QLatin1Char('\n')));
+
+    const QRectF figure = area.adjusted(6, 20, -6, -text);
+    const double radius = 0.5 * std::min(figure.width(), figure.height()) - 6.0;
+    if (radius < 12.0) {
+        return;
+    }
+    const QPointF centre = figure.center();
+    painter.setPen(QPen(theme.grid(), 1.0));
+    painter.drawLine(centre - QPointF(radius, 0), centre + QPointF(radius, 0));
+    painter.drawLine(centre - QPointF(0, radius), centre + QPointF(0, radius));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(centre, radius, radius);
+    const auto ray = [&](double angle, Qt::PenStyle pen, const QColor& colour) {
+        painter.setPen(QPen(colour, 1.1, pen));
+        painter.drawLine(centre, centre + QPointF(std::cos(angle), -std::sin(angle)) * radius);
+    };
+    const double axis = result.engine.cylinders.front().bank_angle + pi / 2.0;
+    ray(axis, Qt::DashDotLine, theme.mutedText());
+    ray(axis + phi, Qt::DashLine, theme.accent());
+
+    if (design.phase) {
+        const double weight = *design.phase + turned;
+        const double size = 0.62 * radius;
+        QColor faint = drawing::rearWeight();
+        if (moment) {
+            faint.setAlphaF(0.45F);
+            drawing::drawWeight(painter, centre, weight + pi, 0.8 * size, faint, theme.mutedText());
+        }
+        QColor front = drawing::frontWeight();
+        front.setAlphaF(on ? 1.0F : 0.45F);
+        drawing::drawWeight(painter, centre, weight, size, front,
+                            on ? theme.text() : theme.mutedText());
+        double largest = 0.0;
+        for (const ShaftDesign& other : result.shafts) {
+            if (other.shaft.balances == design.shaft.balances) {
+                largest = std::max(largest, std::abs(other.target));
+            }
+        }
+        const double length =
+            radius * std::max(0.2, std::abs(design.target) / std::max(largest, 1e-300));
+        const double target = std::arg(design.target) + turned;
+        drawing::drawArrow(painter, centre,
+                           centre + QPointF(std::cos(target), -std::sin(target)) * length,
+                           theme.error(), 2.2);
+    } else {
+        painter.setPen(theme.mutedText());
+        painter.drawText(figure, Qt::AlignCenter, tr("nothing to cancel"));
+    }
+    painter.setPen(QPen(theme.text(), 1.2));
+    painter.setBrush(theme.panel());
+    painter.drawEllipse(centre, 3.0, 3.0);
+    drawing::drawTurning(painter, centre, radius + 3.0, sign > 0.0 ? 0.15 : pi - 0.15, sign * 0.9,
+                         on ? theme.good() : theme.mutedText());
+}
+
+void ShaftView::mousePressEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) {
+        return;
+    }
+    const auto& shafts = model_->result().shafts;
+    for (int i = 0; i < static_cast<int>(shafts.size()); ++i) {
+        if (cell(i).contains(event->position())) {
+            current_ = i;
+            model_->setShaftEnabled(i, !shafts[static_cast<std::size_t>(i)].shaft.enabled);
+            return;
+        }
+    }
+}
+
+void ShaftView::keyPressEvent(QKeyEvent* event) {
+    const auto& shafts = model_->result().shafts;
+    const int count = static_cast<int>(shafts.size());
+    switch (event->key()) {
+        case Qt::Key_Left:
+        case Qt::Key_Up:
+            current_ = std::max(0, current_ - 1);
+            update();
+            return;
+        case Qt::Key_Right:
+        case Qt::Key_Down:
+            current_ = std::clamp(current_ + 1, 0, std::max(0, count - 1));
+            update();
+            return;
+        case Qt::Key_Space:
+            if (current_ < count) {
+                model_->setShaftEnabled(current_,
+                                        !shafts[static_cast<std::size_t>(current_)].shaft.enabled);
+            }
+            return;
+        default:
+            QWidget::keyPressEvent(event);
+    }
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QWidget>
+
+namespace ravnoves {
+
+class InertiaMomentsViewModel;
+
+/// Arrangement and phases of the balance shafts (the paper's Figs. 7 and 8), each at the present
+/// crank angle: what it is to cancel, its weights opposite, its direction, the cylinder axis and
+/// the crankpin that its phase counts from. A click or Space switches a shaft.
+class ShaftView : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit ShaftView(InertiaMomentsViewModel* model, QWidget* parent = nullptr);
+
+    /// The cell of a shaft, pixels.
+    QRectF cell(int index) const;
+
+    QSize sizeHint() const override { return {420, 260}; }
+    QSize minimumSizeHint() const override { return {240, 160}; }
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+  private:
+    int columns() const;
+    void paintShaft(QPainter& painter, int index, const QRectF& area) const;
+
+    InertiaMomentsViewModel* model_;
+    int current_ = 0;  ///< that the keys act on
+};
+
+}  // namespace ravnoves
