@@ -464,6 +464,17 @@ void check_table(const std::vector<double>& angle, const std::vector<double>& va
         }
     }
     check_ascending(angle, [&](std::size_t i) { return angles + "/" + std::to_string(i); });
+    // Rows still closer leave no digits to the slope between them, or let it overflow.
+    constexpr double least_gap_deg = 1e-9;
+    for (std::size_t i = 1; i < angle.size(); ++i) {
+        if (!(angle[i] - angle[i - 1] >= least_gap_deg)) {
+            throw InputError(angles + "/" + std::to_string(i),
+                             "must be at least " + format_number(least_gap_deg) +
+                                 "° more than the angle of the row before, " +
+                                 format_number(angle[i - 1]),
+                             format_number(angle[i]));
+        }
+    }
     check_end(value, column, end_torque_tolerance, values + "/" + std::to_string(value.size() - 1));
     const double span = angle.back() - angle.front();
     if (std::abs(span - cycle_deg) > 1e-9 * cycle_deg) {

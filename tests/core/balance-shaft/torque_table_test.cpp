@@ -190,5 +190,14 @@ TEST(TorqueTableCheck, NamesThePointer) {
               "got 360°");
 }
 
+TEST(BalanceShaftTorqueTable, RowsTooCloseForASlopeAreRefused) {
+    TorqueTable table{{0.0, 1e-12, 300.0, 720.0}, {10.0, -10.0, 5.0, 10.0}};
+    EXPECT_EQ(error_of([&] { check_torque_table(table, "/input/torque"); }),
+              "/input/torque/crank_angle_deg/1: must be at least 1e-09° more than the angle of the "
+              "row before, 0, got 1e-12");
+    table.crank_angle_deg[1] = 1e-6;  // a step of the torque is a table like any other
+    EXPECT_NO_THROW(check_torque_table(table, "/input/torque"));
+}
+
 }  // namespace
 }  // namespace ravnoves::balance_shaft
