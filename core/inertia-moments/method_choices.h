@@ -1,0 +1,30 @@
+#pragma once
+
+#include "numerics/method_choice.h"
+
+namespace ravnoves::inertia_moments {
+
+/// Piston motion on the nodes of a turn: SliderCrank with the sines that UniformTransform keeps.
+inline constexpr MethodChoice slider_crank_choice{
+    "inertia-moments",
+    "slider-crank",
+    "exact-table",
+    "double",
+    1e-9,
+    "Reports print six digits and layouts in balance must come out as zero, which is a difference "
+    "of large forces: so nine digits. The exact form needs one square root; a series of the same "
+    "cost has three digits at λ = 0.5 and none near locking. The sines of the nodes are kept, "
+    "because every cylinder and every turn needs the same ones."};
+
+/// Orders of force and torque: discrete Fourier transform whose length follows from the accuracy.
+inline constexpr MethodChoice orders_choice{
+    "inertia-moments",
+    "inertia-orders",
+    "transform-by-accuracy",
+    "1e-13",
+    1e-11,
+    "A balanced layout is a sum of orders that cancel; what is left must be rounding, so eleven "
+    "digits. No fixed number of points holds that for every λ and K: the order's decay is known "
+    "in closed form, and the number of points follows from it."};
+
+}  // namespace ravnoves::inertia_moments

@@ -1,0 +1,235 @@
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <map>
+
+#include "balance-shaft/best_range.h"
+#include "balance-shaft/method_choices.h"
+#include "methods/definition.h"
+#include "methods/torque_cycle.h"
+#include "numerics/constants.h"
+
+namespace ravnoves::methods {
+
+namespace {
+
+using balance_shaft::BasicCycleExtrema;
+using balance_shaft::CycleExtrema;
+
+/// The α with the least range. The range at an α is prepared as the scene prepares it.
+struct AngleCase : TorqueCycle {
+    std::size_t outputs() const { return 1; }
+    double evaluations() const { return 1.0; }
+    CycleExtrema extrema() const { return {interpolant<double>(), amplitude}; }
+    double range_operations() const {
+        const double knots = static_cast<double>(moment.size() - 1) / 2.0;
+        return 7.0 * knots + 4.0 * (cubic ? 600.0 : 40.0) + 40.0;
+    }
+};
+
+/// A search that counts how often it asks for a range.
+using Search = double (*)(const CycleExtrema& extrema, const Setting& setting, int& asked);
+
+double scan(const CycleExtrema& extrema, const Setting& setting, int& asked) {
+    const int steps = static_cast<int>(std::round(360.0 / setting.value));
+    double best = 0.0;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < steps; ++i) {
+        const double alpha = two_pi * i / steps;
+        const double range = extrema.range(alpha);
+        if (range < least) {
+            least = range;
+            best = alpha;
+        }
+    }
+    asked += steps;
+    return best;
+}
+
+double brent(const CycleExtrema& extrema, const Setting& setting, int& asked) {
+    const auto range = [&](double alpha) {
+        ++asked;
+        return extrema.range(alpha);
+    };
+    constexpr int bits = 40;
+    if (setting.value == 0.0) {
+        return boost::math::tools::brent_find_minima(range, 0.0, two_pi, bits).first;
+    }
+    const double start = scan(extrema, setting, asked);
+    const double step = setting.value * degree;
+    return boost::math::tools::brent_find_minima(range, start - step, start + step, bits).first;
+}
+
+/// Steepest descent from the best of a scan: the step is halved where it does not go down.
+double descent(const CycleExtrema& extrema, const Setting& setting, int& asked) {
+    constexpr double scan_step = 30.0;
+    const double amplitude = extrema.amplitude();
+    double alpha = scan(extrema, {"", scan_step}, asked);
+    double range = extrema.range(alpha);
+    double step = scan_step / 2.0 * degree;
+    ++asked;
+    for (int i = 0; i < static_cast<int>(setting.value); ++i) {
+        const auto found = extrema(alpha);
+        const double slope = amplitude * (std::cos(found.max.angle_deg * degree + alpha) -
+                                          std::cos(found.min.angle_deg * degree + alpha));
+        const double next = alpha - step * slope / (2.0 * amplitude);
+        const double there = extrema.range(next);
+        asked += 2;
+        if (there < range) {
+            alpha = next;
+            range = there;
+        } else {
+            step /= 2.0;
+        }
+    }
+    return alpha;
+}
+
+double cutting_planes(const CycleExtrema& extrema, const Setting&, int& asked) {
+    const auto best = balance_shaft::minimise_range(extrema);
+    asked += best.evaluations;
+    return best.shaft_angle;
+}
+
+Method<AngleCase> method_of(MethodInfo info, Search search) {
+    Method<AngleCase> method;
+    method.info = std::move(info);
+    method.prepare = [search](const AngleCase& cycle, const Setting& setting) -> Run {
+        return [search, setting, extrema = cycle.extrema()](std::span<double> out) {
+            int asked = 0;
+            out[0] = search(extrema, setting, asked);
+            return std::string();
+        };
+    };
+    method.operations = [search](const AngleCase& cycle, const Setting& setting) {
+        int asked = 0;
+        search(cycle.extrema(), setting, asked);
+        return asked * cycle.range_operations();
+    };
+    return method;
+}
+
+BasicCycleExtrema<Real50> exact_extrema(const AngleCase& cycle) {
+    return {cycle.interpolant<Real50>(), Real50(cycle.amplitude)};
+}
+
+std::vector<Expected> reference(const AngleCase& cycle) {
+    return {{0, balance_shaft::minimise_range(exact_extrema(cycle)).range, cycle.size()}};
+}
+
+/// By how much the range at the angle found exceeds the least one.
+double measure(const AngleCase& cycle, std::span<const double> out,
+               const std::vector<Expected>& reference) {
+    const Real50 range = exact_extrema(cycle).range(Real50(out[0]));
+    return static_cast<double>(abs(Real50(range - reference[0].value))) / reference[0].scale;
+}
+
+/// No angle of a fine scan of sampled moments lies below the reference, and the scan comes as near
+/// to it as its steps allow.
+std::optional<double> check(const AngleCase& cycle, const std::vector<Expected>& reference) {
+    const auto moment = cycle.interpolant<double>();
+    std::vector<double> phi;
+    std::vector<double> value;
+    const auto take = [&](double angle) {
+        phi.push_back(angle * degree);
+        value.push_back(moment(angle));
+    };
+    constexpr double step_deg = 0.25;
+    for (double a = 0.0; a < 720.0; a += step_deg) {
+        take(a);
+    }
+    for (const double a : cycle.angle_deg) {
+        take(a);
+    }
+    const auto range = [&](double alpha) {
+        double high = -1e300;
+        double low = 1e300;
+        for (std::size_t i = 0; i < phi.size(); ++i) {
+            const double m = value[i] + cycle.amplitude * std::sin(phi[i] + alpha);
+            high = std::max(high, m);
+            low = std::min(low, m);
+        }
+        return high - low;
+    };
+    double least = 1e300;
+    double best = 0.0;
+    for (int i = 0; i < 720; ++i) {
+        const double r = range(two_pi * i / 720.0);
+        if (r < least) {
+            least = r;
+            best = two_pi * i / 720.0;
+        }
+    }
+    const auto found =
+        boost::math::tools::brent_find_minima(range, best - 0.5 * degree, best + 0.5 * degree, 40);
+    least = std::min(least, found.second);
+    return std::abs(least - static_cast<double>(reference[0].value)) / reference[0].scale;
+}
+
+}  // namespace
+
+Kernel best_angle_kernel() {
+    Definition<AngleCase> definition;
+    Kernel& kernel = definition.kernel;
+    kernel.id = "best-angle";
+    kernel.title = "Best shaft angle";
+    kernel.quantity = "the α with the least range of M_ups";
+    kernel.error_measure = "range there less the least range, part of the largest torque + A";
+    kernel.evaluation = "one search over all α, the table being prepared";
+    kernel.check_text = "a scan of sampled moments, refined by Brent's method";
+    kernel.check_tolerance = 1e-5;  // what samples every 0.25° allow
+    kernel.choice = balance_shaft::best_angle_choice;
+    definition.methods = {
+        method_of({"scan",
+                   "scan",
+                   "as good as its step, whatever the table",
+                   {{"30°", 30}, {"5°", 5}, {"1°", 1}, {"0.1°", 0.1}},
+                   false},
+                  scan),
+        method_of({"brent",
+                   "Brent's method",
+                   "finds one of several minima, and on a kink its parabolas do not help",
+                   {{"one start", 0}, {"from a scan of 30°", 30}, {"from a scan of 10°", 10}},
+                   false},
+                  brent),
+        method_of({"descent",
+                   "steepest descent from a scan of 30°",
+                   "stalls at a kink, where the slope does not go to zero but changes sign",
+                   {{"10 steps", 10}, {"40 steps", 40}},
+                   false},
+                  descent),
+        method_of({"cutting-planes",
+                   "cutting planes",
+                   "exact: the bounds prove that no angle is better",
+                   {{"exact", 0}},
+                   false},
+                  cutting_planes),
+    };
+    const TorqueCycle paper = paper_cycle();
+    definition.sweeps = {
+        {{"amplitude", "amplitude of the shaft's moment, the paper's torque", "N·m", 1.0, 1e5,
+          Spacing::logarithmic, 0.0, 1.0, 1e5, paper.amplitude},
+         [paper](double amplitude) {
+             AngleCase cycle{paper};
+             cycle.amplitude = amplitude;
+             return cycle;
+         }},
+        {{"second-minimum", "how much better the best of two minima is", "", 1e-12, 1.0,
+          Spacing::logarithmic, 0.0, 1e-12, 1.0, 0.1},
+         [](double share) { return AngleCase{two_minima_cycle(share)}; }},
+        {{"peak-width", "width of the combustion peak", "°", 0.05, 60.0, Spacing::logarithmic, 0.0,
+          0.05, 60.0, 15.0},
+         [](double width) { return AngleCase{peak_cycle(width)}; }},
+        {{"spline-rows", "rows of a table read by the spline", "", 8.0, 160.0, Spacing::logarithmic,
+          0.0, 8.0, 160.0, 48.0},
+         [](double rows) { return AngleCase{spline_cycle(rows)}; }},
+        {{"irregular-rows", "rows of an irregular table", "", 6.0, 400.0, Spacing::logarithmic, 0.0,
+          6.0, 400.0, 48.0},
+         [](double rows) { return AngleCase{irregular_cycle(rows)}; }},
+    };
+    definition.reference = reference;
+    definition.measure = measure;
+    definition.check = check;
+    return make_kernel(std::move(definition));
+}
+
+}  // namespace ravnoves::methods

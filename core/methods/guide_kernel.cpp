@@ -1,0 +1,407 @@
+#include <array>
+#include <boost/numeric/odeint.hpp>
+#include <cmath>
+
+#include "case-file/input_error.h"
+#include "elastic-hinge/energy.h"
+#include "elastic-hinge/guide_formula.h"
+#include "elastic-hinge/method_choices.h"
+#include "elastic-hinge/solver.h"
+#include "methods/definition.h"
+#include "methods/hinge_mechanism.h"
+#include "methods/rosenbrock.h"
+#include "numerics/constants.h"
+
+namespace ravnoves::methods {
+
+namespace {
+
+using elastic_hinge::Branch;
+using elastic_hinge::EnergyRise;
+using elastic_hinge::GuideSpring;
+
+constexpr std::size_t intervals = 360;
+
+/// Radius of the crank's guide every degree of one turn.
+struct GuideCase {
+    elastic_hinge::Input input;
+    std::size_t hardest = 0;
+    double hardest_angle = 0.0;  ///< rad
+
+    std::size_t outputs() const { return intervals + 1; }
+    double evaluations() const { return static_cast<double>(outputs()); }
+    /// Whole degrees, but for the one next to the angle where most energy has been given out:
+    /// there the guide is hardest to compute, so that angle itself takes its place.
+    double angle(std::size_t i) const {
+        return i == hardest ? hardest_angle
+                            : two_pi * static_cast<double>(i) / static_cast<double>(intervals);
+    }
+
+    template <typename Scalar>
+    GuideSpring<Scalar> spring() const {
+        const elastic_hinge::Spring& given = input.spring.value();
+        return {Scalar(given.stiffness), Scalar(given.free_length),
+                Scalar(given.guide_radius_at_zero)};
+    }
+    template <typename Scalar>
+    EnergyRise<Scalar> rise(const Scalar& phi) const {
+        return energy_rise_at(mechanism_in<Scalar>(input), Scalar(input.angular_speed), phi);
+    }
+    template <typename Scalar>
+    Scalar given_out(const Scalar& phi) const {
+        return rise(phi).rise / (2 * Scalar(input.spring->stiffness));
+    }
+};
+
+constexpr double rise_operations = 170.0;
+
+std::string no_guide() {
+    return "the spring would have to give out more energy than it stores";
+}
+
+template <typename Radius>
+Method<GuideCase> closed_form(MethodInfo info, const Radius& radius, double operations) {
+    Method<GuideCase> method;
+    method.info = std::move(info);
+    method.prepare = [radius](const GuideCase& guide, const Setting&) -> Run {
+        return [&guide, radius](std::span<double> out) {
+            const auto spring = guide.spring<double>();
+            const double square = spring.preload() * spring.preload();
+            for (std::size_t i = 0; i < out.size(); ++i) {
+                const double q = guide.given_out(guide.angle(i));
+                if (!(q <= square)) {
+                    return no_guide();
+                }
+                out[i] = radius(spring, q);
+            }
+            return std::string();
+        };
+    };
+    method.operations = [operations](const GuideCase&, const Setting&) {
+        return rise_operations + operations;
+    };
+    return method;
+}
+
+/// Right-hand side of (2), dρ/dφ; not finite where the spring is unloaded.
+struct Slope {
+    const GuideCase& guide;
+    GuideSpring<double> spring;
+
+    double operator()(double rho, double phi) const {
+        return elastic_hinge::guide_slope_ode(spring, rho, guide.rise(phi).slope);
+    }
+};
+
+std::string singular() {
+    return "runs into the spring's free length, where the equation is singular";
+}
+
+/// Steps of a fixed size through the whole turn; `step(rho, phi, h)` returns the next radius.
+template <typename Step>
+Method<GuideCase> fixed_step(MethodInfo info, double slopes_per_step, const Step& step) {
+    Method<GuideCase> method;
+    method.info = std::move(info);
+    method.prepare = [step](const GuideCase& guide, const Setting& setting) -> Run {
+        return [&guide, step, steps = static_cast<int>(setting.value)](std::span<double> out) {
+            const Slope slope{guide, guide.spring<double>()};
+            const double half_length = slope.spring.free_length / 2.0;
+            const int parts = steps / static_cast<int>(intervals);
+            double rho = slope.spring.start_radius(Branch::compressed);
+            out[0] = rho;
+            for (std::size_t i = 0; i < intervals; ++i) {
+                const double h = (guide.angle(i + 1) - guide.angle(i)) / parts;
+                for (int part = 0; part < parts; ++part) {
+                    rho = step(slope, rho, guide.angle(i) + h * part, h);
+                }
+                if (!(rho < half_length)) {
+                    return singular();
+                }
+                out[i + 1] = rho;
+            }
+            return std::string();
+        };
+    };
+    method.operations = [slopes_per_step](const GuideCase&, const Setting& setting) {
+        return setting.value / static_cast<double>(intervals) * slopes_per_step *
+               (rise_operations + 15.0);
+    };
+    return method;
+}
+
+namespace odeint = boost::numeric::odeint;
+
+/// With step control by Odeint, read off every degree; counts the slopes asked for.
+std::string run_adaptive(const GuideCase& guide, double tolerance, std::span<double> out,
+                         int& asked) {
+    using State = std::array<double, 1>;
+    const Slope slope{guide, guide.spring<double>()};
+    const auto system = [&](const State& x, State& dx, double phi) {
+        ++asked;
+        dx[0] = slope(x[0], phi);
+    };
+    auto stepper = odeint::make_dense_output(tolerance * slope.spring.preload(), tolerance,
+                                             odeint::runge_kutta_dopri5<State>());
+    State x{slope.spring.start_radius(Branch::compressed)};
+    out[0] = x[0];
+    stepper.initialize(x, 0.0, two_pi / intervals);
+    constexpr int most_steps = 100'000;
+    constexpr double no_step = 1e-15;
+    int steps = 0;
+    for (std::size_t i = 1; i <= intervals; ++i) {
+        while (stepper.current_time() < guide.angle(i)) {
+            try {
+                stepper.do_step(system);
+            } catch (const odeint::step_adjustment_error&) {
+                return singular();
+            }
+            if (++steps > most_steps || !(stepper.current_time_step() > no_step) ||
+                !std::isfinite(stepper.current_state()[0])) {
+                return singular();
+            }
+        }
+        stepper.calc_state(guide.angle(i), x);
+        out[i] = x[0];
+    }
+    return {};
+}
+
+/// The same by an implicit method: Rosenbrock's of order 4 with its exact Jacobian.
+std::string run_implicit(const GuideCase& guide, double tolerance, std::span<double> out,
+                         int& asked) {
+    const Slope slope{guide, guide.spring<double>()};
+    ScalarEquation equation;
+    equation.slope = [&](double phi, double rho) {
+        ++asked;
+        return slope(rho, phi);
+    };
+    equation.by_y = [&](double phi, double rho) {
+        ++asked;
+        return slope(rho, phi) * 2.0 / (slope.spring.free_length - 2.0 * rho);
+    };
+    equation.by_x = [&](double phi, double rho) {
+        ++asked;
+        return elastic_hinge::guide_slope_ode(slope.spring, rho, guide.rise(phi).second);
+    };
+    out[0] = slope.spring.start_radius(Branch::compressed);
+    std::vector<double> angles;
+    for (std::size_t i = 0; i <= intervals; ++i) {
+        angles.push_back(guide.angle(i));
+    }
+    const bool done = integrate_rosenbrock(equation, angles, tolerance * slope.spring.preload(),
+                                           tolerance, out.data());
+    return done ? std::string() : singular();
+}
+
+using Adaptive = std::string (*)(const GuideCase&, double, std::span<double>, int&);
+
+Method<GuideCase> adaptive(MethodInfo info, Adaptive integrate) {
+    Method<GuideCase> method;
+    method.info = std::move(info);
+    method.prepare = [integrate](const GuideCase& guide, const Setting& setting) -> Run {
+        return [&guide, integrate, tolerance = setting.value](std::span<double> out) {
+            int asked = 0;
+            return integrate(guide, tolerance, out, asked);
+        };
+    };
+    method.operations = [integrate](const GuideCase& guide, const Setting& setting) {
+        std::vector<double> out(guide.outputs());
+        int asked = 0;
+        integrate(guide, setting.value, out, asked);
+        return asked * (rise_operations + 25.0) / guide.evaluations();
+    };
+    return method;
+}
+
+std::vector<Expected> reference(const GuideCase& guide) {
+    const auto spring = guide.spring<Real50>();
+    std::vector<Expected> list;
+    Real50 least = spring.radius_at_zero;
+    Real50 most = spring.radius_at_zero;
+    constexpr std::size_t every = 5;  // degrees: the error is as smooth as the guide
+    for (std::size_t i = 0; i <= intervals; ++i) {
+        if (i % every != 0 && i != guide.hardest) {
+            continue;
+        }
+        // At the double's own angle: the end is 2π's double, and so is every degree.
+        const Real50 q = guide.given_out(Real50(guide.angle(i)));
+        if (q > spring.preload() * spring.preload()) {
+            return {};
+        }
+        const Real50 radius = guide_radius(spring, Branch::compressed, q);
+        least = std::min(least, radius);
+        most = std::max(most, radius);
+        list.push_back({i, radius, 1.0});
+    }
+    const double relief = static_cast<double>(Real50(most - least));
+    for (Expected& expected : list) {
+        expected.scale = relief > 0.0 ? relief : 1.0;
+    }
+    return list;
+}
+
+/// The spring's energy against the energy of the moving bars, their speeds by differences of their
+/// positions.
+std::optional<double> check(const GuideCase& guide, const std::vector<Expected>& reference) {
+    const auto spring = guide.spring<Real50>();
+    const Real50 omega(guide.input.angular_speed);
+    const Real50 start = energy_of_bars(guide.input, Real50(0), omega);
+    const auto stored = [&](const Real50& rho) {
+        const Real50 change = spring.free_length - 2 * rho;
+        return Real50(spring.stiffness * change * change / 2);
+    };
+    const Real50 at_start = stored(spring.radius_at_zero);
+    Real50 worst(0);
+    for (std::size_t k = 0; k < reference.size(); k += 5) {
+        const Expected& expected = reference[k];
+        const Real50 taken_up =
+            energy_of_bars(guide.input, Real50(guide.angle(expected.index)), omega) - start;
+        const Real50 gap = abs(Real50(stored(expected.value) + taken_up - at_start));
+        worst = std::max(worst, Real50(gap / at_start));
+    }
+    return static_cast<double>(worst);
+}
+
+elastic_hinge::Guide scene_guide(const elastic_hinge::Input& input) {
+    elastic_hinge::SolveOptions options;
+    options.with_rod_guides = false;
+    return elastic_hinge::solve(input, options).crank_guide;
+}
+
+/// The paper's mechanism with one of its numbers changed.
+template <typename Change>
+std::function<GuideCase(double)> paper_with(const Change& change) {
+    return [change](double value) {
+        GuideCase guide{elastic_hinge::preset_zotov()};
+        change(guide.input, value);
+        try {
+            guide.hardest_angle = scene_guide(guide.input).worst_angle;
+            guide.hardest = static_cast<std::size_t>(
+                std::lround(guide.hardest_angle / two_pi * static_cast<double>(intervals)));
+            if (guide.hardest == intervals || guide.hardest == 0) {
+                guide.hardest = 0;  // the start, whose radius is given
+                guide.hardest_angle = 0.0;
+            }
+        } catch (const InputError&) {
+            // Refused by every method and by the scene; the whole degrees do.
+        }
+        return guide;
+    };
+}
+
+}  // namespace
+
+Kernel guide_kernel() {
+    using elastic_hinge::preset_zotov;
+    Definition<GuideCase> definition;
+    Kernel& kernel = definition.kernel;
+    kernel.id = "guide";
+    kernel.title = "Guide of the elastic hinge";
+    kernel.quantity = "radius ρ(φ) of the crank's guide over one turn";
+    kernel.error_measure = "part of the guide's relief";
+    kernel.evaluation = "ρ at one crank angle";
+    kernel.check_text =
+        "energy of the spring against that of the bars, speeds by differences of positions";
+    kernel.check_tolerance = 1e-15;
+    kernel.choice = elastic_hinge::guide_choice;
+    definition.methods = {
+        closed_form(
+            {"printed-form",
+             "closed form as printed",
+             "a difference of nearly equal squares: it loses the digits of a small relief "
+             "or a small preload",
+             {{"(3)", 0}},
+             false},
+            [](const GuideSpring<double>& spring, double q) {
+                return guide_radius_printed(spring, Branch::compressed, q);
+            },
+            15.0),
+        closed_form(
+            {"closed-form",
+             "closed form",
+             "half of the digits are left where the spring gives out all that it stores; "
+             "beyond there is no guide",
+             {{"free of cancellation", 0}},
+             false},
+            [](const GuideSpring<double>& spring, double q) {
+                return guide_radius(spring, Branch::compressed, q);
+            },
+            20.0),
+        fixed_step({"euler",
+                    "Euler's method",
+                    "order 1: the guide does not close after a turn",
+                    {{"360 steps", 360}, {"3600 steps", 3600}, {"36000 steps", 36000}},
+                    true},
+                   1.0,
+                   [](const Slope& slope, double rho, double phi, double h) {
+                       return rho + h * slope(rho, phi);
+                   }),
+        fixed_step({"rk4",
+                    "Runge-Kutta of order 4",
+                    "loses its order where ρ comes near ℓ₀/2: the slope is infinite there",
+                    {{"360 steps", 360}, {"720 steps", 720}, {"3600 steps", 3600}},
+                    true},
+                   4.0,
+                   [](const Slope& slope, double rho, double phi, double h) {
+                       const double a = slope(rho, phi);
+                       const double b = slope(rho + h / 2.0 * a, phi + h / 2.0);
+                       const double c = slope(rho + h / 2.0 * b, phi + h / 2.0);
+                       const double d = slope(rho + h * c, phi + h);
+                       return rho + h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
+                   }),
+        adaptive({"dormand-prince",
+                  "Dormand-Prince with step control",
+                  "its steps shrink to nothing where ρ comes near ℓ₀/2",
+                  {{"1e-6", 1e-6}, {"1e-8", 1e-8}, {"1e-10", 1e-10}, {"1e-12", 1e-12}},
+                  false},
+                 run_adaptive),
+        adaptive({"rosenbrock",
+                  "Rosenbrock 4, implicit, with step control",
+                  "the same place stops it: what is singular is not stiff",
+                  {{"1e-6", 1e-6}, {"1e-9", 1e-9}, {"1e-12", 1e-12}},
+                  false},
+                 run_implicit),
+    };
+    const GuideCase paper{preset_zotov()};
+    const double least_preload = scene_guide(paper.input).minimum_preload;
+    const double margin = paper.spring<double>().preload() / least_preload - 1.0;
+    definition.sweeps = {
+        {{"preload", "preload above the least one, part of it", "", 1e-12, 1e2,
+          Spacing::logarithmic, 0.0, 1e-12, 1e2, margin},
+         paper_with([least_preload](elastic_hinge::Input& input, double excess) {
+             input.spring->guide_radius_at_zero =
+                 input.spring->free_length / 2.0 - least_preload * (1.0 + excess);
+         })},
+        {{"stiffness", "stiffness c of the spring", "N/m", 1e4, 1e12, Spacing::logarithmic, 0.0,
+          1e5, 1e10, paper.input.spring->stiffness},
+         paper_with([](elastic_hinge::Input& input, double c) { input.spring->stiffness = c; })},
+        {{"stiffness-preloaded", "stiffness c, preload 1.1 times the least", "N/m", 1e7, 1e15,
+          Spacing::logarithmic, 0.0, 1e7, 1e15, paper.input.spring->stiffness},
+         paper_with([paper_least = least_preload](elastic_hinge::Input& input, double c) {
+             constexpr double reserve = 1.1;
+             elastic_hinge::Spring& spring = *input.spring;
+             spring.guide_radius_at_zero =
+                 spring.free_length / 2.0 - reserve * paper_least * std::sqrt(spring.stiffness / c);
+             spring.stiffness = c;
+         })},
+        {{"speed", "crank speed ω", "rad/s", 1.0, 1e4, Spacing::logarithmic, 0.0, 1.0, 1e3,
+          paper.input.angular_speed},
+         paper_with(
+             [](elastic_hinge::Input& input, double speed) { input.angular_speed = speed; })},
+        {{"lambda", "crank ratio λ", "", 0.01, 1.0, Spacing::towards_end, 1e-6, 0.01, 1.0 - 1e-6,
+          paper.input.lambda},
+         paper_with([](elastic_hinge::Input& input, double lambda) { input.lambda = lambda; })},
+    };
+    definition.reference = reference;
+    definition.refusal = [](const GuideCase& guide) {
+        try {
+            return scene_guide(guide.input).reason;
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+    };
+    definition.check = check;
+    return make_kernel(std::move(definition));
+}
+
+}  // namespace ravnoves::methods

@@ -1,0 +1,113 @@
+#include "methods/kernel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "methods/definition.h"
+
+namespace ravnoves::methods {
+
+namespace {
+
+template <typename List, typename Key>
+std::size_t index_of(const List& list, std::string_view wanted, const Key& key, const char* what) {
+    const auto found = std::find_if(list.begin(), list.end(),
+                                    [&](const auto& item) { return key(item) == wanted; });
+    if (found == list.end()) {
+        throw std::out_of_range(std::string("no ") + what + " '" + std::string(wanted) + "'");
+    }
+    return static_cast<std::size_t>(found - list.begin());
+}
+
+}  // namespace
+
+std::vector<double> SweepInfo::values(std::size_t n) const {
+    std::vector<double> list(std::max<std::size_t>(n, 2));
+    const double last = static_cast<double>(list.size() - 1);
+    // Half of the values are linear up to 0.9 of the span, the rest approach the end by ratios.
+    constexpr double linear_part = 0.9;
+    const auto approach = [&](double u) {
+        if (u <= 0.5) {
+            return 2.0 * u * linear_part;
+        }
+        return 1.0 - (1.0 - linear_part) * std::pow(end_gap / (1.0 - linear_part), 2.0 * u - 1.0);
+    };
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const double u = static_cast<double>(i) / last;
+        double part = u;
+        switch (spacing) {
+            case Spacing::linear:
+                break;
+            case Spacing::logarithmic:
+                list[i] = i == 0 ? from : i + 1 == list.size() ? to : from * std::pow(to / from, u);
+                continue;
+            case Spacing::towards_end:
+                part = approach(u);
+                break;
+            case Spacing::towards_start:
+                part = 1.0 - approach(1.0 - u);
+                break;
+        }
+        list[i] = std::lerp(from, to, part);
+    }
+    return list;
+}
+
+std::size_t Kernel::find_method(std::string_view wanted) const {
+    return index_of(
+        methods, wanted, [](const MethodInfo& m) { return m.id; }, "method");
+}
+
+std::size_t Kernel::find_setting(std::size_t method, std::string_view label) const {
+    return index_of(
+        methods.at(method).settings, label, [](const Setting& s) { return s.label; }, "setting");
+}
+
+std::size_t Kernel::find_sweep(std::string_view wanted) const {
+    return index_of(
+        sweeps, wanted, [](const SweepInfo& s) { return s.id; }, "sweep");
+}
+
+const std::vector<Kernel>& kernels() {
+    static const std::vector<Kernel> list = [] {
+        std::vector<Kernel> kernels;
+        kernels.push_back(slider_crank_kernel());
+        kernels.push_back(cycle_mean_kernel());
+        kernels.push_back(moment_range_kernel());
+        kernels.push_back(best_angle_kernel());
+        kernels.push_back(guide_kernel());
+        kernels.push_back(inertia_orders_kernel());
+        kernels.push_back(hinge_motion_kernel());
+        return kernels;
+    }();
+    return list;
+}
+
+const Kernel* find_kernel(std::string_view id) {
+    const auto& list = kernels();
+    const auto found =
+        std::find_if(list.begin(), list.end(), [&](const Kernel& k) { return k.id == id; });
+    return found == list.end() ? nullptr : &*found;
+}
+
+Result evaluate(const Problem& problem, std::size_t method, std::size_t setting) {
+    std::vector<double> out(problem.outputs(), 0.0);
+    Result result;
+    result.refusal = problem.prepare(method, setting)(out);
+    if (result.refused()) {
+        return result;
+    }
+    if (!std::all_of(out.begin(), out.end(), [](double x) { return std::isfinite(x); })) {
+        result.refusal = "gives no finite number";
+        return result;
+    }
+    result.error = problem.error(out);
+    if (!std::isfinite(result.error)) {
+        result.refusal = "is off by more than numbers can say";
+        result.error = 0.0;
+    }
+    return result;
+}
+
+}  // namespace ravnoves::methods

@@ -1,0 +1,133 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "numerics/method_choice.h"
+
+/// Speed against accuracy: every method that could compute a quantity of the scenes, with its
+/// error against 50 digits, its cost, and where it fails.
+namespace ravnoves::methods {
+
+/// One setting of a method: a number of nodes, a step, a tolerance…
+struct Setting {
+    std::string label;   ///< as the table shows it: "15°", "64 points", "float"
+    double value = 0.0;  ///< the number in it; what it means is the method's affair
+};
+
+/// What a method says of itself.
+struct MethodInfo {
+    std::string id;      ///< "trapezoid"
+    std::string title;   ///< "trapezoid rule"
+    std::string limits;  ///< where it stops being trustworthy and why, as a sentence
+    std::vector<Setting> settings;
+    /// True where Setting::value counts nodes, steps or terms, so that an order of convergence
+    /// −d log(error) / d log(value) can be found.
+    bool has_order = false;
+};
+
+/// How values are spread over a sweep.
+enum class Spacing {
+    linear,
+    logarithmic,
+    towards_end,    ///< linear at first, then the distance from `to` shrinks by equal ratios
+    towards_start,  ///< its mirror image
+};
+
+/// A hard parameter: one number that carries a kernel's problems from easy to hard.
+struct SweepInfo {
+    std::string id;     ///< "lambda"
+    std::string title;  ///< "crank ratio λ"
+    std::string unit;   ///< "°" or empty
+    double from = 0.0;
+    double to = 1.0;
+    Spacing spacing = Spacing::linear;
+    double end_gap = 1e-4;  ///< towards_end/start: smallest distance from the end, part of the span
+    /// The part of from…to in which the scene answers for its tolerance.
+    double scene_from = 0.0;
+    double scene_to = 1.0;
+    double present = 0.0;     ///< the value of the scene's preset
+    std::size_t points = 25;  ///< of a stability curve
+
+    /// n ≥ 2 values from `from` to `to`, spread by `spacing`; ends included (with towards_end the
+    /// last value is `to` less the smallest distance, likewise at the start).
+    std::vector<double> values(std::size_t n) const;
+    /// True where a value can stand on a logarithmic axis.
+    bool logarithmic() const { return spacing == Spacing::logarithmic; }
+};
+
+/// Runs a method on the problem it was prepared for and writes the outputs.
+/// @return empty, or why there are no numbers, as a clause ("the mechanism locks")
+using Run = std::function<std::string(std::span<double> out)>;
+
+/// One problem of a kernel. Const members may run in one thread at a time (the reference is made
+/// when it is first asked for).
+class Problem {
+  public:
+    virtual ~Problem() = default;
+    virtual std::size_t outputs() const = 0;
+    /// How many evaluations one run makes; times are given per evaluation.
+    virtual double evaluations() const = 0;
+    /// The method made ready for this problem: what the scene prepares once is prepared here. The
+    /// run lives no longer than the problem.
+    virtual Run prepare(std::size_t method, std::size_t setting) const = 0;
+    /// Arithmetic of one evaluation: additions and multiplications; a division or a square root
+    /// counts 5, a sine, logarithm or the like 15, a look-up in a table 4.
+    virtual double operations(std::size_t method, std::size_t setting) const = 0;
+    /// Largest error of the outputs against 50 digits, in the kernel's measure.
+    virtual double error(std::span<const double> out) const = 0;
+    /// What the scene says instead of numbers for this input, as a sentence; empty where it solves.
+    virtual std::string scene_refusal() const = 0;
+    /// Largest difference of the reference from the check that shares no code with it, in the
+    /// kernel's measure; empty where the check does not apply.
+    virtual std::optional<double> check() const = 0;
+};
+
+/// A quantity that scenes compute, with all the methods that could compute it.
+struct Kernel {
+    std::string id;             ///< "slider-crank"
+    std::string title;          ///< "Slider-crank kinematics"
+    std::string quantity;       ///< what is computed
+    std::string error_measure;  ///< what the error is relative to
+    std::string evaluation;     ///< what one evaluation is, for the time axis
+    std::string check_text;     ///< what the reference is checked by
+    double check_tolerance = 0.0;
+    MethodChoice choice;
+    std::vector<MethodInfo> methods;
+    std::vector<SweepInfo> sweeps;  ///< the first is the one that charts begin with
+    std::function<std::unique_ptr<Problem>(std::size_t sweep, double value)> problem;
+
+    std::size_t find_method(std::string_view id) const;  ///< @throws std::out_of_range
+    std::size_t find_setting(std::size_t method, std::string_view label) const;  ///< likewise
+    std::size_t find_sweep(std::string_view id) const;                           ///< likewise
+    std::size_t chosen_method() const { return find_method(choice.method); }
+    std::size_t chosen_setting() const { return find_setting(chosen_method(), choice.setting); }
+    /// The problem of a sweep's present value.
+    std::unique_ptr<Problem> present_problem(std::size_t sweep = 0) const {
+        return problem(sweep, sweeps[sweep].present);
+    }
+};
+
+/// All kernels: what the page, the command line, the benchmark and the tests read.
+const std::vector<Kernel>& kernels();
+/// @return null where there is none of that id
+const Kernel* find_kernel(std::string_view id);
+
+/// What became of one run.
+struct Result {
+    double error = 0.0;   ///< in the kernel's measure; meaningless where refused
+    std::string refusal;  ///< why there are no numbers; empty where there are
+    bool refused() const { return !refusal.empty(); }
+};
+
+/// Runs a method once and compares. Outputs that are not finite are a refusal too, so that nothing
+/// but numbers reaches a chart.
+Result evaluate(const Problem& problem, std::size_t method, std::size_t setting);
+
+}  // namespace ravnoves::methods

@@ -1,0 +1,195 @@
+#include "methods/measure.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "case-file/range.h"
+
+namespace ravnoves::methods {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_of(const Run& run, std::vector<double>& out, std::size_t repeats) {
+    const auto start = Clock::now();
+    for (std::size_t i = 0; i < repeats; ++i) {
+        run(out);
+    }
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void report(const Progress& progress, double part) {
+    if (progress && !progress(part)) {
+        throw Cancelled{};
+    }
+}
+
+/// The q-quantile of sorted values, between neighbours by proportion.
+double quantile(const std::vector<double>& sorted, double q) {
+    const double place = q * static_cast<double>(sorted.size() - 1);
+    const auto low = static_cast<std::size_t>(place);
+    const std::size_t high = std::min(low + 1, sorted.size() - 1);
+    return std::lerp(sorted[low], sorted[high], place - static_cast<double>(low));
+}
+
+}  // namespace
+
+Timing time_run(const Run& run, std::size_t outputs, double evaluations,
+                const MeasureOptions& options) {
+    std::vector<double> out(outputs, 0.0);
+    std::size_t repeats = 1;
+    double warm = seconds_of(run, out, repeats);
+    while (warm < options.batch_seconds) {
+        constexpr double most_growth = 64.0;
+        const double growth =
+            std::clamp(1.5 * options.batch_seconds / std::max(warm, 1e-9), 2.0, most_growth);
+        repeats = static_cast<std::size_t>(std::ceil(static_cast<double>(repeats) * growth));
+        warm = seconds_of(run, out, repeats);
+    }
+    constexpr int fewest = 3;
+    const int batches = std::clamp(static_cast<int>(options.most_seconds / warm), fewest,
+                                   std::max(options.batches, fewest));
+    std::vector<double> times;
+    for (int batch = 0; batch < batches; ++batch) {
+        times.push_back(1e9 * seconds_of(run, out, repeats) /
+                        (static_cast<double>(repeats) * evaluations));
+    }
+    std::sort(times.begin(), times.end());
+    return {quantile(times, 0.5), quantile(times, 0.25), quantile(times, 0.75), batches};
+}
+
+std::optional<double> WorkPrecision::order(std::size_t method) const {
+    const MethodInfo& info = kernel->methods[method];
+    if (!info.has_order) {
+        return std::nullopt;
+    }
+    // Slopes between settings whose errors are neither rounding nor of the size of the answer. A
+    // single one may be off by chance (an error that passes through zero), so the median counts.
+    constexpr double rounding = 1e-13;
+    constexpr double too_coarse = 0.05;
+    std::vector<double> slopes;
+    const WorkPoint* last = nullptr;
+    for (const WorkPoint& point : points) {
+        if (point.method != method || point.result.refused() || point.result.error < rounding ||
+            point.result.error > too_coarse) {
+            continue;
+        }
+        if (last != nullptr) {
+            const double step =
+                std::log(info.settings[point.setting].value / info.settings[last->setting].value);
+            slopes.push_back(-std::log(point.result.error / last->result.error) / step);
+        }
+        last = &point;
+    }
+    if (slopes.empty()) {
+        return std::nullopt;
+    }
+    std::sort(slopes.begin(), slopes.end());
+    return slopes[slopes.size() / 2];
+}
+
+WorkPrecision measure_work(const Kernel& kernel, std::size_t sweep, double value,
+                           const MeasureOptions& options, const Progress& progress) {
+    WorkPrecision work{&kernel, sweep, value, {}};
+    const auto problem = kernel.problem(sweep, value);
+    std::size_t total = 0;
+    for (const MethodInfo& method : kernel.methods) {
+        total += method.settings.size();
+    }
+    for (std::size_t method = 0; method < kernel.methods.size(); ++method) {
+        for (std::size_t setting = 0; setting < kernel.methods[method].settings.size(); ++setting) {
+            report(progress, static_cast<double>(work.points.size()) / static_cast<double>(total));
+            WorkPoint point{method, setting, {}, 0.0, evaluate(*problem, method, setting)};
+            point.operations = problem->operations(method, setting);
+            point.timing = time_run(problem->prepare(method, setting), problem->outputs(),
+                                    problem->evaluations(), options);
+            work.points.push_back(std::move(point));
+        }
+    }
+    report(progress, 1.0);
+    return work;
+}
+
+std::vector<StabilityCurve::Span> StabilityCurve::failing(double tolerance) const {
+    std::vector<Span> spans;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        if (!results[i].refused() && results[i].error <= tolerance) {
+            continue;
+        }
+        if (!spans.empty() && spans.back().last + 1 == i) {
+            spans.back().last = i;
+        } else {
+            spans.push_back({i, i});
+        }
+    }
+    return spans;
+}
+
+const StabilityCurve* StabilityMap::chosen() const {
+    const auto found = std::find_if(curves.begin(), curves.end(), [&](const StabilityCurve& c) {
+        return c.method == kernel->chosen_method() && c.setting == kernel->chosen_setting();
+    });
+    return found == curves.end() ? nullptr : &*found;
+}
+
+StabilityMap map_stability(const Kernel& kernel, std::size_t sweep, const MeasureOptions& options,
+                           const Progress& progress) {
+    StabilityMap map{&kernel, sweep, {}, {}};
+    const SweepInfo& info = kernel.sweeps.at(sweep);
+    map.values = info.values(options.sweep_points > 0 ? options.sweep_points : info.points);
+    for (std::size_t method = 0; method < kernel.methods.size(); ++method) {
+        const std::size_t last = kernel.methods[method].settings.size() - 1;
+        const bool chosen = method == kernel.chosen_method();
+        map.curves.push_back({method, chosen ? kernel.chosen_setting() : last, {}});
+    }
+    for (std::size_t i = 0; i < map.values.size(); ++i) {
+        report(progress, static_cast<double>(i) / static_cast<double>(map.values.size()));
+        const auto problem = kernel.problem(sweep, map.values[i]);
+        for (StabilityCurve& curve : map.curves) {
+            curve.results.push_back(evaluate(*problem, curve.method, curve.setting));
+        }
+    }
+    report(progress, 1.0);
+    return map;
+}
+
+std::string failing_text(const StabilityMap& map, const StabilityCurve& curve, double tolerance) {
+    const auto spans = curve.failing(tolerance);
+    if (spans.empty()) {
+        return "nowhere";
+    }
+    if (spans.front().first == 0 && spans.front().last + 1 == map.values.size()) {
+        return "everywhere";
+    }
+    const SweepInfo& sweep = map.kernel->sweeps[map.sweep];
+    const auto number = [&](std::size_t i) {
+        // Near an end that values crowd at, as many digits as tell them from it.
+        int digits = 3;
+        const double gap = std::abs(sweep.to - map.values[i]);
+        if (sweep.spacing == Spacing::towards_end && gap > 0.0) {
+            digits += std::max(0, static_cast<int>(std::ceil(-std::log10(gap / sweep.to))) - 1);
+        }
+        const bool apart = !sweep.unit.empty() && sweep.unit != "°";
+        return format_number(map.values[i], digits) + (apart ? " " : "") + sweep.unit;
+    };
+    std::string text;
+    constexpr std::size_t most = 3;
+    for (std::size_t k = 0; k < std::min(spans.size(), most); ++k) {
+        const auto& span = spans[k];
+        text += k == 0 ? "" : ", ";
+        if (span.first == span.last) {
+            text += "at " + number(span.first);
+        } else if (span.last + 1 == map.values.size()) {
+            text += "from " + number(span.first);
+        } else if (span.first == 0) {
+            text += "up to " + number(span.last);
+        } else {
+            text += number(span.first) + " to " + number(span.last);
+        }
+    }
+    return spans.size() > most ? text + " …" : text;
+}
+
+}  // namespace ravnoves::methods

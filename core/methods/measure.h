@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "methods/kernel.h"
+
+namespace ravnoves::methods {
+
+/// Called with the part done, 0…1; false cancels. Empty: never asked.
+using Progress = std::function<bool(double)>;
+
+/// Thrown out of a measurement that its Progress cancelled.
+struct Cancelled {};
+
+/// Time of one evaluation, ns, over repeated batches.
+struct Timing {
+    double median = 0.0;
+    double low = 0.0;   ///< lower quartile
+    double high = 0.0;  ///< upper quartile
+    int batches = 0;
+};
+
+struct MeasureOptions {
+    double batch_seconds = 2e-4;   ///< a batch lasts at least so long…
+    int batches = 15;              ///< …and is repeated so often
+    double most_seconds = 0.25;    ///< of one point; then there are fewer batches, at least 3
+    std::size_t sweep_points = 0;  ///< of a stability curve; 0: as many as its sweep says
+};
+
+/// Times a prepared run: as many runs per batch as a batch needs, one batch to warm up.
+Timing time_run(const Run& run, std::size_t outputs, double evaluations,
+                const MeasureOptions& options = {});
+
+/// One method with one setting on one problem.
+struct WorkPoint {
+    std::size_t method = 0;
+    std::size_t setting = 0;
+    Timing timing;            ///< ns per evaluation
+    double operations = 0.0;  ///< of one evaluation, see Problem::operations()
+    Result result;
+};
+
+/// A kernel's methods on the problem of one value of a sweep.
+struct WorkPrecision {
+    const Kernel* kernel = nullptr;
+    std::size_t sweep = 0;
+    double value = 0.0;
+    std::vector<WorkPoint> points;  ///< by method, then by setting
+
+    /// Order of convergence found for a method: the slope of log error over log value between its
+    /// settings, above rounding; empty where it has none.
+    std::optional<double> order(std::size_t method) const;
+};
+
+/// @throws Cancelled
+WorkPrecision measure_work(const Kernel& kernel, std::size_t sweep, double value,
+                           const MeasureOptions& options = {}, const Progress& progress = {});
+
+/// The error of one method and setting along a sweep.
+struct StabilityCurve {
+    std::size_t method = 0;
+    std::size_t setting = 0;
+    std::vector<Result> results;  ///< one for each value
+
+    /// Indices of values at which it fails a tolerance or refuses, as runs [first, last].
+    struct Span {
+        std::size_t first = 0;
+        std::size_t last = 0;
+    };
+    std::vector<Span> failing(double tolerance) const;
+};
+
+struct StabilityMap {
+    const Kernel* kernel = nullptr;
+    std::size_t sweep = 0;
+    std::vector<double> values;
+    std::vector<StabilityCurve> curves;  ///< the last setting of every method, and the chosen one
+    const StabilityCurve* chosen() const;
+};
+
+/// Errors of every method along a sweep: each with its finest setting, the scene's with its own.
+/// @throws Cancelled
+StabilityMap map_stability(const Kernel& kernel, std::size_t sweep,
+                           const MeasureOptions& options = {}, const Progress& progress = {});
+
+/// Where a method stops being trustworthy along a sweep, as a clause: "everywhere", "from λ = 0.2",
+/// "λ = 0.2 to 0.3" or "nowhere".
+std::string failing_text(const StabilityMap& map, const StabilityCurve& curve, double tolerance);
+
+}  // namespace ravnoves::methods

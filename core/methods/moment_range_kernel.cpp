@@ -1,0 +1,241 @@
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <limits>
+
+#include "balance-shaft/cycle_extrema.h"
+#include "balance-shaft/method_choices.h"
+#include "methods/definition.h"
+#include "methods/torque_cycle.h"
+#include "numerics/constants.h"
+
+namespace ravnoves::methods {
+
+namespace {
+
+constexpr double cycle_deg = 720.0;
+
+/// Range of M_ups at one α. What does not depend on α is prepared, as the scene prepares it.
+struct RangeCase : TorqueCycle {
+    std::size_t outputs() const { return 1; }
+    double evaluations() const { return 1.0; }
+};
+
+/// M_up and the sines at equally spaced nodes: two multiplications and additions per node and α.
+class Nodes {
+  public:
+    Nodes(const TorqueCycle& cycle, double step_deg)
+        : amplitude_(cycle.amplitude), alpha_(cycle.alpha) {
+        const auto moment = cycle.interpolant<double>();
+        const auto n = static_cast<Eigen::Index>(std::round(cycle_deg / step_deg));
+        moment_.resize(n);
+        cos_.resize(n);
+        sin_.resize(n);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const double angle = cycle_deg * static_cast<double>(i) / static_cast<double>(n);
+            moment_[i] = moment(angle);
+            cos_[i] = std::cos(angle * degree);
+            sin_[i] = std::sin(angle * degree);
+        }
+    }
+    double range() const {
+        const double x = amplitude_ * std::sin(alpha_);
+        const double y = amplitude_ * std::cos(alpha_);
+        double highest = -std::numeric_limits<double>::infinity();
+        double lowest = std::numeric_limits<double>::infinity();
+        for (Eigen::Index i = 0; i < moment_.size(); ++i) {
+            const double value = moment_[i] + x * cos_[i] + y * sin_[i];
+            highest = std::max(highest, value);
+            lowest = std::min(lowest, value);
+        }
+        return highest - lowest;
+    }
+
+  private:
+    double amplitude_;
+    double alpha_;
+    Eigen::ArrayXd moment_, cos_, sin_;
+};
+
+Method<RangeCase> nodes() {
+    Method<RangeCase> method;
+    method.info = {"nodes",
+                   "largest and smallest node",
+                   "an extremum between the nodes is cut off, and a narrow peak is not seen at all",
+                   {{"30°", 30}, {"15°", 15}, {"5°", 5}, {"1°", 1}, {"0.1°", 0.1}},
+                   false};
+    method.prepare = [](const RangeCase& cycle, const Setting& setting) -> Run {
+        return [nodes = Nodes(cycle, setting.value)](std::span<double> out) {
+            out[0] = nodes.range();
+            return std::string();
+        };
+    };
+    method.operations = [](const RangeCase&, const Setting& setting) {
+        return cycle_deg / setting.value * 6.0;
+    };
+    return method;
+}
+
+/// A golden section in one interval for the largest value of a function.
+template <typename Function>
+double golden_section_maximum(const Function& f, double a, double b, double tolerance) {
+    constexpr double ratio = 0.618033988749894848;
+    double left = b - ratio * (b - a);
+    double right = a + ratio * (b - a);
+    double f_left = f(left);
+    double f_right = f(right);
+    while (b - a > tolerance) {
+        if (f_left > f_right) {
+            b = right;
+            right = left;
+            f_right = f_left;
+            left = b - ratio * (b - a);
+            f_left = f(left);
+        } else {
+            a = left;
+            left = right;
+            f_left = f_right;
+            right = a + ratio * (b - a);
+            f_right = f(right);
+        }
+    }
+    return std::max({f(a), f(b), f_left, f_right});
+}
+
+Method<RangeCase> golden_section() {
+    Method<RangeCase> method;
+    method.info = {"golden-section",
+                   "golden section between the rows",
+                   "finds one of two extrema between two rows, which long straight pieces have",
+                   {{"to 1°", 1}, {"to 0.01°", 1e-2}, {"to 1e-6°", 1e-6}},
+                   false};
+    method.prepare = [](const RangeCase& cycle, const Setting& setting) -> Run {
+        return [&cycle, moment = cycle.interpolant<double>(),
+                tolerance = setting.value](std::span<double> out) {
+            double highest = -std::numeric_limits<double>::infinity();
+            double lowest = -std::numeric_limits<double>::infinity();
+            for (std::size_t i = 0; i < moment.size(); ++i) {
+                const double from = moment.knots()[i];
+                const auto value = [&](double t) {
+                    return moment.pieces()[i].value(t) +
+                           cycle.amplitude * std::sin((from + t) * degree + cycle.alpha);
+                };
+                const double h = moment.knots()[i + 1] - from;
+                highest = std::max(highest, golden_section_maximum(value, 0.0, h, tolerance));
+                lowest = std::max(
+                    lowest,
+                    golden_section_maximum([&](double t) { return -value(t); }, 0.0, h, tolerance));
+            }
+            out[0] = highest + lowest;
+            return std::string();
+        };
+    };
+    method.operations = [](const RangeCase& cycle, const Setting& setting) {
+        const double pieces = static_cast<double>(cycle.moment.size() - 1);
+        const double steps = std::log(cycle_deg / pieces / setting.value) / 0.4812;
+        return 2.0 * pieces * (std::max(steps, 0.0) + 4.0) * 24.0;
+    };
+    return method;
+}
+
+Method<RangeCase> exact() {
+    Method<RangeCase> method;
+    method.info = {"exact",
+                   "exact extrema of the pieces",
+                   "exact for the table as it is read",
+                   {{"pieces", 0}},
+                   false};
+    method.prepare = [](const RangeCase& cycle, const Setting&) -> Run {
+        return [extrema = balance_shaft::CycleExtrema(cycle.interpolant<double>(), cycle.amplitude),
+                alpha = cycle.alpha](std::span<double> out) {
+            out[0] = extrema.range(alpha);
+            return std::string();
+        };
+    };
+    method.operations = [](const RangeCase& cycle, const Setting&) {
+        // Every folded knot once, and about four intervals solved.
+        const double knots = static_cast<double>(cycle.moment.size() - 1) / 2.0;
+        return 7.0 * knots + 4.0 * (cycle.cubic ? 600.0 : 40.0) + 40.0;
+    };
+    return method;
+}
+
+std::vector<Expected> reference(const RangeCase& cycle) {
+    const balance_shaft::BasicCycleExtrema<Real50> extrema(cycle.interpolant<Real50>(),
+                                                           Real50(cycle.amplitude));
+    return {{0, extrema.range(Real50(cycle.alpha)), cycle.size()}};
+}
+
+/// Brent's method of Boost in every part of a degree of straight lines drawn from row to row.
+std::optional<double> check(const RangeCase& cycle, const std::vector<Expected>& reference) {
+    if (cycle.cubic) {
+        return std::nullopt;
+    }
+    double highest = -std::numeric_limits<double>::infinity();
+    double lowest = std::numeric_limits<double>::infinity();
+    for (std::size_t row = 0; row + 1 < cycle.moment.size(); ++row) {
+        const double from = cycle.angle_deg[row];
+        const double to = cycle.angle_deg[row + 1];
+        const auto value = [&](double a) {
+            return std::lerp(cycle.moment[row], cycle.moment[row + 1], (a - from) / (to - from)) +
+                   cycle.amplitude * std::sin(a * degree + cycle.alpha);
+        };
+        const int parts = static_cast<int>(std::ceil(to - from));
+        for (int k = 0; k < parts; ++k) {
+            const double a = std::lerp(from, to, static_cast<double>(k) / parts);
+            const double b = std::lerp(from, to, static_cast<double>(k + 1) / parts);
+            const auto top = boost::math::tools::brent_find_minima(
+                [&](double x) { return -value(x); }, a, b, 30);
+            const auto bottom = boost::math::tools::brent_find_minima(value, a, b, 30);
+            highest = std::max({highest, -top.second, value(a), value(b)});
+            lowest = std::min({lowest, bottom.second, value(a), value(b)});
+        }
+    }
+    return std::abs((highest - lowest) - static_cast<double>(reference[0].value)) / cycle.size();
+}
+
+}  // namespace
+
+Kernel moment_range_kernel() {
+    Definition<RangeCase> definition;
+    Kernel& kernel = definition.kernel;
+    kernel.id = "moment-range";
+    kernel.title = "Range of M_ups";
+    kernel.quantity = "ΔM_ups, largest less smallest moment over the cycle, at one α";
+    kernel.error_measure = "part of the largest torque of the table + A";
+    kernel.evaluation = "the range at one α, the table being prepared";
+    kernel.check_text = "Brent's method in every degree between the rows";
+    kernel.check_tolerance = 1e-13;
+    kernel.choice = balance_shaft::moment_range_choice;
+    definition.methods = {nodes(), golden_section(), exact()};
+    const TorqueCycle paper = paper_cycle();
+    definition.sweeps = {
+        {{"shaft-angle", "shaft angle α, the paper's engine", "°", 0.0, 360.0, Spacing::linear, 0.0,
+          0.0, 360.0, paper.alpha / degree},
+         [paper](double alpha) {
+             RangeCase cycle{paper};
+             cycle.alpha = alpha * degree;
+             return cycle;
+         }},
+        {{"peak-width", "width of the combustion peak", "°", 0.05, 60.0, Spacing::logarithmic, 0.0,
+          0.05, 60.0, 15.0},
+         [](double width) { return RangeCase{peak_cycle(width)}; }},
+        {{"amplitude", "amplitude of the shaft's moment, the paper's torque", "N·m", 1.0, 1e5,
+          Spacing::logarithmic, 0.0, 1.0, 1e5, paper.amplitude},
+         [paper](double amplitude) {
+             RangeCase cycle{paper};
+             cycle.amplitude = amplitude;
+             return cycle;
+         }},
+        {{"spline-rows", "rows of a table read by the spline", "", 8.0, 160.0, Spacing::logarithmic,
+          0.0, 8.0, 160.0, 48.0},
+         [](double rows) { return RangeCase{spline_cycle(rows)}; }},
+        {{"irregular-rows", "rows of an irregular table", "", 6.0, 400.0, Spacing::logarithmic, 0.0,
+          6.0, 400.0, 48.0},
+         [](double rows) { return RangeCase{irregular_cycle(rows)}; }},
+    };
+    definition.reference = reference;
+    definition.check = check;
+    return make_kernel(std::move(definition));
+}
+
+}  // namespace ravnoves::methods

@@ -1,0 +1,103 @@
+#include "methods/measure.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace ravnoves::methods {
+namespace {
+
+TEST(Measure, QuartilesLieAroundTheMedian) {
+    const auto problem = kernels().front().present_problem();
+    const Timing timing = time_run(problem->prepare(0, 0), problem->outputs(),
+                                   problem->evaluations(), {.batch_seconds = 1e-5});
+    EXPECT_GT(timing.low, 0.0);
+    EXPECT_LE(timing.low, timing.median);
+    EXPECT_LE(timing.median, timing.high);
+    EXPECT_GE(timing.batches, 3);
+}
+
+TEST(Measure, ALongRunGetsFewerBatches) {
+    int runs = 0;
+    const ravnoves::methods::Run busy = [&](std::span<double> out) {
+        ++runs;
+        for (int i = 0; i < 20'000; ++i) {
+            out[0] += std::sqrt(static_cast<double>(i));
+        }
+        return std::string();
+    };
+    const Timing timing =
+        time_run(busy, 1, 1.0, {.batch_seconds = 1e-6, .batches = 1000, .most_seconds = 1e-9});
+    EXPECT_EQ(timing.batches, 3);
+    EXPECT_GE(runs, 4);  // one to warm up
+}
+
+/// The orders of convergence that theory gives, found from the errors.
+TEST(Measure, FindsTheOrdersOfTheory) {
+    const MeasureOptions quick{.batch_seconds = 1e-9, .batches = 3, .most_seconds = 1e-9};
+    const auto order = [&](const char* kernel_id, const char* sweep, double value,
+                           const char* method) {
+        const Kernel& kernel = *find_kernel(kernel_id);
+        const auto work = measure_work(kernel, kernel.find_sweep(sweep), value, quick);
+        return work.order(kernel.find_method(method)).value_or(0.0);
+    };
+    // The error of the end counted twice falls as 1/nodes.
+    EXPECT_NEAR(order("cycle-mean", "pure-sine", 90.0, "nodes-end-twice"), 1.0, 0.1);
+    EXPECT_NEAR(order("guide", "preload", 1.0, "euler"), 1.0, 0.05);
+    EXPECT_NEAR(order("guide", "preload", 1.0, "rk4"), 4.0, 0.4);
+    EXPECT_NEAR(order("hinge-motion", "lambda", 0.3, "stoermer-verlet"), 2.0, 0.15);
+}
+
+TEST(Measure, CancelsAndTellsHowFarItIs) {
+    const Kernel& kernel = *find_kernel("slider-crank");
+    std::vector<double> parts;
+    const Progress until_half = [&](double part) {
+        parts.push_back(part);
+        return part < 0.5;
+    };
+    const MeasureOptions quick{.batch_seconds = 1e-9, .batches = 3, .most_seconds = 1e-9};
+    EXPECT_THROW(static_cast<void>(measure_work(kernel, 0, 0.3, quick, until_half)), Cancelled);
+    EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
+    EXPECT_GE(parts.back(), 0.5);
+    parts.clear();
+    EXPECT_THROW(static_cast<void>(map_stability(kernel, 0, quick, until_half)), Cancelled);
+    EXPECT_LT(parts.back(), 0.7);
+}
+
+TEST(Measure, TellsWhereAMethodFails) {
+    const Kernel& kernel = *find_kernel("slider-crank");
+    StabilityMap map{&kernel, 0, {0.1, 0.2, 0.3, 0.4}, {}};
+    const auto text = [&](std::vector<double> errors) {
+        StabilityCurve curve;
+        for (const double error : errors) {
+            curve.results.push_back({std::abs(error), error < 0.0 ? "refused" : ""});
+        }
+        return failing_text(map, curve, 1.0);
+    };
+    EXPECT_EQ(text({0, 0, 0, 0}), "nowhere");
+    EXPECT_EQ(text({2, 2, -1, 2}), "everywhere");
+    EXPECT_EQ(text({0, 0, 2, -1}), "from 0.3");
+    EXPECT_EQ(text({2, 2, 0, 0}), "up to 0.2");
+    EXPECT_EQ(text({0, 2, 2, 0}), "0.2 to 0.3");
+    EXPECT_EQ(text({2, 0, 2, 0}), "at 0.1, at 0.3");
+}
+
+TEST(Measure, SweepsCrowdWhereTheyGetHard) {
+    SweepInfo sweep;
+    sweep.from = 0.0;
+    sweep.to = 1.0;
+    sweep.spacing = Spacing::towards_end;
+    sweep.end_gap = 1e-6;
+    const auto values = sweep.values(21);
+    EXPECT_DOUBLE_EQ(values.front(), 0.0);
+    EXPECT_DOUBLE_EQ(values[10], 0.9);
+    EXPECT_NEAR(1.0 - values.back(), 1e-6, 1e-12);
+    sweep.spacing = Spacing::towards_start;
+    EXPECT_NEAR(sweep.values(21).front(), 1e-6, 1e-12);
+    sweep.spacing = Spacing::logarithmic;
+    sweep.from = 1e-3;
+    EXPECT_NEAR(sweep.values(4)[1], 1e-2, 1e-15);
+}
+
+}  // namespace
+}  // namespace ravnoves::methods

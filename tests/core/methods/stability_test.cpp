@@ -1,0 +1,379 @@
+/// Where methods fail, and that the program then says so instead of printing a number.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <numeric>
+
+#include "balance-shaft/best_range.h"
+#include "case-file/case_file.h"
+#include "case-file/input_error.h"
+#include "elastic-hinge/solver.h"
+#include "methods/hinge_mechanism.h"
+#include "methods/kernel.h"
+#include "methods/torque_cycle.h"
+#include "numerics/constants.h"
+
+namespace ravnoves::methods {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool slow = true;
+#else
+constexpr bool slow = false;
+#endif
+
+/// Error of a method and setting at a value of a sweep; infinite where it refuses.
+double error_of(const char* kernel_id, const char* sweep, double value, const char* method,
+                const char* setting) {
+    const Kernel& kernel = *find_kernel(kernel_id);
+    const std::size_t m = kernel.find_method(method);
+    const Result result = evaluate(*kernel.problem(kernel.find_sweep(sweep), value), m,
+                                   kernel.find_setting(m, setting));
+    return result.refused() ? std::numeric_limits<double>::infinity() : result.error;
+}
+
+std::string refusal_of(const char* kernel_id, const char* sweep, double value, const char* method,
+                       const char* setting) {
+    const Kernel& kernel = *find_kernel(kernel_id);
+    const std::size_t m = kernel.find_method(method);
+    return evaluate(*kernel.problem(kernel.find_sweep(sweep), value), m,
+                    kernel.find_setting(m, setting))
+        .refusal;
+}
+
+std::string scene_refusal(const char* kernel_id, const char* sweep, double value) {
+    const Kernel& kernel = *find_kernel(kernel_id);
+    return kernel.problem(kernel.find_sweep(sweep), value)->scene_refusal();
+}
+
+bool says(const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+}
+
+// ------------------------------------------------------------------------------- slider-crank
+
+TEST(SliderCrankStability, TheSeriesHasThreeDigitsAtOneHalfAndNoneNearLocking) {
+    EXPECT_LT(error_of("slider-crank", "lambda", 0.25, "series", "4 terms"), 2e-5);
+    EXPECT_GT(error_of("slider-crank", "lambda", 0.5, "series", "4 terms"), 1e-3);
+    EXPECT_GT(error_of("slider-crank", "lambda", 0.9999, "series", "10 terms"), 0.9);
+    // More terms help ever less: at 0.9999 ten of them are no better than four by a digit.
+    EXPECT_LT(error_of("slider-crank", "lambda", 0.9999, "series", "4 terms"),
+              1.1 * error_of("slider-crank", "lambda", 0.9999, "series", "10 terms"));
+}
+
+TEST(SliderCrankStability, TheExactFormHoldsUpToLocking) {
+    for (const double gap : {1e-1, 1e-2, 1e-4, 1e-6}) {
+        EXPECT_LT(error_of("slider-crank", "lambda", 1.0 - gap, "exact-table", "double"),
+                  1e-14 + 1e-17 / gap)
+            << gap;
+        const double limit = 1.0 / 0.265 - 1.0;
+        EXPECT_LT(error_of("slider-crank", "offset", limit * (1.0 - gap), "exact-table", "double"),
+                  1e-14 + 1e-17 / gap)
+            << gap;
+    }
+}
+
+TEST(SliderCrankStability, FloatLosesTheAngle) {
+    EXPECT_GT(error_of("slider-crank", "points", 720, "exact", "float"), 1e-8);
+    EXPECT_GT(error_of("slider-crank", "points", 7200, "exact-recurrence", "float, never fresh"),
+              1e-5);
+}
+
+/// A recurrence drifts in proportion to the points since its last fresh sine.
+TEST(SliderCrankStability, ARecurrenceDriftsOverManyPoints) {
+    const auto error = [](double points, const char* setting) {
+        return error_of("slider-crank", "points", points, "exact-recurrence", setting);
+    };
+    EXPECT_GT(error(720'000, "never fresh"), 20.0 * error(7'200, "never fresh"));
+    EXPECT_LT(error(720'000, "fresh every 16"), 1e-14);
+}
+
+TEST(SliderCrankStability, AtLockingTheSceneRefusesInWords) {
+    for (const double lambda : {1.0, 1.2, 1e3}) {
+        EXPECT_TRUE(says(scene_refusal("slider-crank", "lambda", lambda), "locks")) << lambda;
+        EXPECT_TRUE(says(refusal_of("slider-crank", "lambda", lambda, "exact", "double"), "locks"));
+        EXPECT_TRUE(
+            says(refusal_of("inertia-orders", "lambda", lambda, "transform-by-accuracy", "1e-13"),
+                 "locks"));
+    }
+    EXPECT_TRUE(says(scene_refusal("slider-crank", "offset", 1.0 / 0.265 - 1.0), "locks"));
+    EXPECT_EQ(scene_refusal("slider-crank", "lambda", 0.9999), "");
+    EXPECT_TRUE(says(scene_refusal("guide", "lambda", 1.0), "lambda"));
+    EXPECT_TRUE(says(scene_refusal("hinge-motion", "lambda", 1.0), "lambda"));
+}
+
+// ------------------------------------------------------------------------------------ orders
+
+TEST(OrderStability, AShortTransformFoldsHighOrdersOntoLowOnes) {
+    EXPECT_LT(error_of("inertia-orders", "lambda", 0.25, "transform", "32 points"), 1e-12);
+    EXPECT_GT(error_of("inertia-orders", "lambda", 0.9, "transform", "32 points"), 1e-4);
+    EXPECT_GT(error_of("inertia-orders", "lambda", 0.9999, "transform", "512 points"), 1e-3);
+    EXPECT_GT(error_of("inertia-orders", "offset", 2.76, "transform", "64 points"), 1e-3);
+    EXPECT_LT(error_of("inertia-orders", "lambda", 0.9999, "transform-by-accuracy", "1e-13"),
+              1e-12);
+}
+
+TEST(OrderStability, SaysWhenItIsTooNearLocking) {
+    EXPECT_TRUE(
+        says(refusal_of("inertia-orders", "lambda", 1.0 - 1e-9, "transform-by-accuracy", "1e-13"),
+             "too near locking"));
+}
+
+// --------------------------------------------------------------------------- balance shaft
+
+/// The paper's conclusion in one number: a pure sine whose mean is 0 gets 17.2 N·m.
+TEST(MeanStability, TheEndCountedTwiceGivesAPureSineAMean) {
+    const Kernel& kernel = *find_kernel("cycle-mean");
+    const auto problem = kernel.problem(kernel.find_sweep("pure-sine"), 90.0);
+    std::vector<double> out(problem->outputs());
+    const auto mean = [&](const char* method, const char* setting) {
+        const std::size_t m = kernel.find_method(method);
+        EXPECT_EQ(problem->prepare(m, kernel.find_setting(m, setting))(out), "");
+        return out[0];
+    };
+    EXPECT_NEAR(mean("nodes-end-twice", "24 steps"), 17.22, 0.005);  // printed 17.22
+    EXPECT_NEAR(mean("trapezoid", "24 steps"), 0.0, 1e-12);
+    EXPECT_NEAR(mean("exact", "pieces"), 0.0, 1e-12);
+    EXPECT_NEAR(problem->error(out), 0.0, 1e-12);
+}
+
+TEST(MeanStability, SimpsonIsWorseThanTheTrapezoidOnAPeriodicFunction) {
+    // Smooth and periodic: the trapezoid rule converges geometrically, Simpson's weights spoil it.
+    for (const char* steps : {"12 steps", "24 steps"}) {
+        EXPECT_GE(error_of("cycle-mean", "spline-rows", 24, "simpson", steps),
+                  error_of("cycle-mean", "spline-rows", 24, "trapezoid", steps))
+            << steps;
+    }
+}
+
+TEST(MeanStability, FewNodesMissANarrowPeak) {
+    EXPECT_GT(error_of("cycle-mean", "peak-width", 0.2, "trapezoid", "144 steps"), 1e-4);
+    EXPECT_LT(error_of("cycle-mean", "peak-width", 0.2, "exact", "pieces"), 1e-14);
+}
+
+TEST(RangeStability, APeakNarrowerThanTheNodesIsNotSeen) {
+    // A peak of 500 N·m and width 0.05° between nodes 1° apart.
+    EXPECT_GT(error_of("moment-range", "peak-width", 0.05, "nodes", "1°"), 0.1);
+    EXPECT_GT(error_of("moment-range", "peak-width", 0.05, "nodes", "5°"), 0.1);
+    EXPECT_LT(error_of("moment-range", "peak-width", 0.05, "exact", "pieces"), 1e-14);
+}
+
+/// Two equal minima, and kinks at both: any of the two is right, and its value is exact.
+TEST(AngleStability, FindsOneOfTwoEqualMinimaOnTheirKinks) {
+    for (const double share : {0.0, 1e-12, 1e-6, 1e-2}) {
+        const TorqueCycle cycle = two_minima_cycle(share);
+        const balance_shaft::CycleExtrema extrema(cycle.interpolant<double>(), cycle.amplitude);
+        const auto best = balance_shaft::minimise_range(extrema);
+        // The other minimum lies half a turn on and is higher by no more than the share.
+        const double other = extrema.range(best.shaft_angle + pi);
+        EXPECT_GE(other, best.range - 1e-12 * cycle.size());
+        EXPECT_LE(other, best.range + 4.0 * share * 600.0 + 1e-9);
+        EXPECT_LT(best.gap, 1e-9);
+    }
+    // A kink: the slopes on both sides do not go to zero.
+    const TorqueCycle paper = paper_cycle();
+    const balance_shaft::CycleExtrema extrema(paper.interpolant<double>(), paper.amplitude);
+    const auto best = balance_shaft::minimise_range(extrema);
+    const double step = 1e-4;
+    const double left = (best.range - extrema.range(best.shaft_angle - step)) / step;
+    const double right = (extrema.range(best.shaft_angle + step) - best.range) / step;
+    EXPECT_LT(left, -10.0);
+    EXPECT_GT(right, 10.0);
+    EXPECT_GT(error_of("best-angle", "amplitude", paper.amplitude, "brent", "one start"), 1e-2);
+}
+
+// -------------------------------------------------------------------------------------- guide
+
+TEST(GuideStability, WithTheSpringUnloadedAtTheStartThereIsNoGuide) {
+    // ρ₀ = ℓ₀/2: the preload is 0, 100 % below the least one.
+    const std::string reason = scene_refusal("guide", "preload", -1.0);
+    EXPECT_TRUE(says(reason, "preload")) << reason;
+    for (const auto& [method, setting] :
+         {std::pair{"closed-form", "free of cancellation"}, std::pair{"printed-form", "(3)"},
+          std::pair{"euler", "360 steps"}, std::pair{"rk4", "360 steps"},
+          std::pair{"dormand-prince", "1e-10"}, std::pair{"rosenbrock", "1e-9"}}) {
+        EXPECT_NE(refusal_of("guide", "preload", -1.0, method, setting), "") << method;
+    }
+}
+
+/// Where the spring gives out all that it stores, the guide exists, and a hair further it does not.
+TEST(GuideStability, ThePreloadTouchesTheLeastOne) {
+    elastic_hinge::Input input = elastic_hinge::preset_zotov();
+    const double least = elastic_hinge::solve(input).crank_guide.minimum_preload;
+    const auto guide_with = [&](double preload) {
+        input.spring->guide_radius_at_zero = input.spring->free_length / 2.0 - preload;
+        return elastic_hinge::solve(input).crank_guide;
+    };
+    const auto just = guide_with(least * (1.0 + 1e-13));
+    EXPECT_TRUE(just.feasible) << just.reason;
+    for (const double radius : just.radius_compressed) {
+        EXPECT_TRUE(std::isfinite(radius));
+    }
+    EXPECT_LT(just.smallest_deflection, 1e-6 * least);
+    const auto missing = guide_with(least * (1.0 - 1e-9));
+    EXPECT_FALSE(missing.feasible);
+    EXPECT_TRUE(says(missing.reason, "preload")) << missing.reason;
+}
+
+TEST(GuideStability, TheOdeIsSingularThereAndTheClosedFormIsNot) {
+    EXPECT_LT(error_of("guide", "preload", 1e-12, "closed-form", "free of cancellation"), 1e-8);
+    for (const auto& [method, setting] :
+         {std::pair{"rk4", "3600 steps"}, std::pair{"dormand-prince", "1e-12"},
+          std::pair{"rosenbrock", "1e-12"}}) {
+        EXPECT_GT(error_of("guide", "preload", 1e-12, method, setting), 1e-6) << method;
+        EXPECT_LT(error_of("guide", "preload", 1.0, method, setting), 1e-7) << method;
+    }
+}
+
+/// Eight decades: the printed form loses its digits with the relief, the other keeps them.
+TEST(GuideStability, SpringStiffnessOverEightDecades) {
+    for (double c = 1e7; c <= 1.1e15; c *= 10.0) {
+        EXPECT_LT(
+            error_of("guide", "stiffness-preloaded", c, "closed-form", "free of cancellation"),
+            1e-9)
+            << c;
+    }
+    EXPECT_LT(error_of("guide", "stiffness-preloaded", 1e7, "printed-form", "(3)"), 1e-10);
+    EXPECT_GT(error_of("guide", "stiffness-preloaded", 1e15, "printed-form", "(3)"), 1e-5);
+}
+
+TEST(GuideStability, CrankSpeedOverFourDecades) {
+    for (const double speed : {1.0, 10.0, 100.0, 1000.0}) {
+        EXPECT_LT(error_of("guide", "speed", speed, "closed-form", "free of cancellation"), 1e-10);
+    }
+    EXPECT_TRUE(says(scene_refusal("guide", "speed", 1e4), "preload"));
+}
+
+// ------------------------------------------------------------------------------------- motion
+
+/// Ten thousand turns: the symplectic method's energy does not drift, the others' grows in
+/// proportion to the turns, that of the scene's method by less than 1e-9 a turn.
+TEST(MotionStability, TenThousandTurns) {
+    const Kernel& kernel = *find_kernel("hinge-motion");
+    const std::size_t sweep = kernel.find_sweep("turns");
+    const auto mechanism = mechanism_in<double>(elastic_hinge::preset_zotov());
+    constexpr double start = 80.0;  // rad/s, of the kernel's motion; the design speed is 100
+    constexpr double design = 100.0;
+    // With the hinge (φ̇² − ω²) I is constant: by how much it has changed, whatever the time.
+    const auto drift = [&](double turns, const char* method, const char* setting) {
+        const auto problem = kernel.problem(sweep, turns);
+        const std::size_t m = kernel.find_method(method);
+        std::vector<double> out(problem->outputs());
+        EXPECT_EQ(problem->prepare(m, kernel.find_setting(m, setting))(out), "");
+        const double inertia = inertia_at(mechanism, std::sin(out[0]), std::cos(out[0])).value;
+        const double constant = (out[1] * out[1] - design * design) * inertia;
+        const double at_start =
+            (start * start - design * design) * reduced_inertia_at_zero(mechanism);
+        return std::abs(constant / at_start - 1.0);
+    };
+    const double many = slow ? 300.0 : 1e4;
+    EXPECT_LT(drift(many, "dormand-prince", "1e-11"), 1e-9 * many);
+    // Fixed steps of order 4 lose energy turn by turn; the symplectic method swings about it.
+    EXPECT_GT(drift(many, "rk4", "45 steps a turn"),
+              3.0 * drift(many / 10.0, "rk4", "45 steps a turn"));
+    EXPECT_LT(drift(many, "stoermer-verlet", "45 steps a turn"), 0.1);
+    EXPECT_LT(drift(many, "stoermer-verlet", "45 steps a turn"),
+              5.0 * drift(many / 10.0, "stoermer-verlet", "45 steps a turn") + 0.05);
+    EXPECT_TRUE(says(scene_refusal("hinge-motion", "turns", 1e4), "/input/motion/turns"));
+}
+
+TEST(MotionStability, AFixedStepIsLostNearLocking) {
+    EXPECT_GT(error_of("hinge-motion", "lambda", 0.99, "rk4", "180 steps a turn"), 1e-5);
+    EXPECT_LT(error_of("hinge-motion", "lambda", 0.99, "dormand-prince", "1e-11"), 1e-8);
+}
+
+// ----------------------------------------------------------------------------- extreme inputs
+
+/// A finite answer or a worded refusal, never a NaN: every method of every kernel.
+TEST(ExtremeInputs, EveryMethodAnswersInNumbersOrWords) {
+    constexpr double extremes[] = {5e-324, 1e-300, 1e300, 0.0, -1.0};
+    // Counts of rows, points and turns are no physical quantities: such problems would be empty or
+    // would not end.
+    const auto is_count = [](const SweepInfo& sweep) {
+        return sweep.id.ends_with("rows") || sweep.id == "points" || sweep.id == "turns";
+    };
+    for (const Kernel& kernel : kernels()) {
+        for (std::size_t sweep = 0; sweep < kernel.sweeps.size(); ++sweep) {
+            if (is_count(kernel.sweeps[sweep])) {
+                continue;
+            }
+            for (const double value : extremes) {
+                const auto problem = kernel.problem(sweep, value);
+                for (std::size_t method = 0; method < kernel.methods.size(); ++method) {
+                    Result result;
+                    EXPECT_NO_THROW(result = evaluate(*problem, method, 0))
+                        << kernel.id << " " << kernel.sweeps[sweep].id << " = " << value << " "
+                        << kernel.methods[method].id;
+                    EXPECT_TRUE(result.refused() || std::isfinite(result.error))
+                        << kernel.id << " " << kernel.sweeps[sweep].id << " = " << value << " "
+                        << kernel.methods[method].id;
+                }
+            }
+        }
+    }
+}
+
+/// The leaves of a JSON value that are numbers, by pointer.
+void collect_numbers(const Json& json, const std::string& path, std::vector<std::string>& list) {
+    if (json.is_number()) {
+        list.push_back(path);
+    } else if (json.is_structured()) {
+        for (const auto& [key, value] : json.items()) {
+            collect_numbers(value, path + "/" + key, list);
+        }
+    }
+}
+
+bool has_only_finite_numbers(const Json& json) {
+    if (json.is_number_float()) {
+        return std::isfinite(json.get<double>());
+    }
+    return !json.is_structured() || std::all_of(json.begin(), json.end(), [](const Json& v) {
+        return has_only_finite_numbers(v);
+    });
+}
+
+/// Every number of every example case, one after the other, made tiny, huge, zero or negative.
+TEST(ExtremeInputs, EverySceneAnswersInNumbersOrWords) {
+    int solved = 0;
+    int refused = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(RAVNOVES_EXAMPLES)) {
+        if (!entry.path().string().ends_with(".case.json")) {
+            continue;
+        }
+        const Json original = Json::parse(read_text_file(entry.path().string()));
+        std::vector<std::string> pointers;
+        collect_numbers(original.at("input"), "/input", pointers);
+        // Tables of a hundred numbers: the first of each list stands for the rest.
+        std::erase_if(pointers, [](const std::string& p) {
+            return p.find("/torque/") != std::string::npos && !p.ends_with("/1");
+        });
+        for (const std::string& pointer : pointers) {
+            for (const double value : {5e-324, 1e-300, 1e300, 0.0, -1.0}) {
+                Json changed = original;
+                changed[Json::json_pointer(pointer)] = value;
+                try {
+                    const Json result = solve_case(parse_case(changed.dump()),
+                                                   CaseContext{entry.path().parent_path()});
+                    EXPECT_TRUE(has_only_finite_numbers(result))
+                        << entry.path().filename() << " " << pointer << " = " << value;
+                    ++solved;
+                } catch (const InputError& error) {
+                    EXPECT_TRUE(says(error.what(), "/input")) << error.what();
+                    ++refused;
+                } catch (const std::exception& error) {
+                    ADD_FAILURE() << entry.path().filename() << " " << pointer << " = " << value
+                                  << ": " << error.what();
+                }
+            }
+        }
+    }
+    EXPECT_GT(solved, 50);
+    EXPECT_GT(refused, 50);
+}
+
+}  // namespace
+}  // namespace ravnoves::methods
