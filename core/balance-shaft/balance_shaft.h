@@ -64,6 +64,11 @@ inline constexpr FieldSpec shaft_swing_radius{"shaft_swing_radius_mm", "mm", Ran
 inline constexpr FieldSpec gear_tip_radius{"gear_tip_radius_mm", "mm", Range::greater_than(0),
                                            millimetre};
 inline constexpr FieldSpec wall{"wall_mm", "mm", Range::at_least(0), millimetre};
+/// Part of m_j r that an engine without a shaft balances on the crank.
+inline constexpr FieldSpec crank_share{"crank_share", "", Range::between(0, 1)};
+// Of the object "gears".
+inline constexpr FieldSpec backlash{"backlash_mm", "mm", Range::between(0, 10), millimetre};
+inline constexpr int most_teeth = 1000;
 // Of the objects "torque/pressure" and "torque/cycle".
 inline constexpr double bar = 1e5;  ///< Pa per bar
 inline constexpr FieldSpec bore{"bore_mm", "mm", Range::greater_than(0, 10000), millimetre};
@@ -135,6 +140,14 @@ struct EnvelopeSizes {
     bool operator==(const EnvelopeSizes&) const = default;
 };
 
+/// The gears between crank and shaft, 1:1.
+struct GearPair {
+    int teeth = 40;         ///< z of each gear, 6 to field::most_teeth
+    int shifted_teeth = 0;  ///< k: the shaft is assembled k teeth ahead of its right place, |k| < z
+    double backlash = 0.0;  ///< circumferential play at the pitch circle l/2, m
+    bool operator==(const GearPair&) const = default;
+};
+
 inline constexpr double default_lambda = 0.3;  ///< r/L where the rod's length is not given
 
 /// The input of the scene.
@@ -155,6 +168,8 @@ struct Input {
     /// L, m; default r / default_lambda. Needed where the torque is computed.
     std::optional<double> rod_length;
     EnvelopeSizes envelope;
+    double crank_share = 0.5;  ///< κ of the comparison without a shaft
+    GearPair gears;
 
     double reciprocating_mass() const;    ///< m_j, kg
     double effective_rod_length() const;  ///< L, m, given or by default
@@ -335,7 +350,7 @@ class Solver {
     double range(double shaft_angle) const;
     /// RMS of M_ups about its mean at α, N·m.
     double rms(double shaft_angle) const;
-    double counterweight_force() const;  ///< P₁, N
+    double counterweight_force() const;               ///< P₁, N
     const FrontView& front_view() const;
     Envelope envelope(double shaft_angle) const;
 

@@ -146,6 +146,16 @@ EnvelopeSizes read_envelope(ObjectReader reader) {
     return sizes;
 }
 
+GearPair read_gears(ObjectReader reader) {
+    GearPair gears;
+    gears.teeth = reader.integer("teeth", 6, field::most_teeth, gears.teeth);
+    gears.shifted_teeth =
+        reader.integer("shifted_teeth", 1 - gears.teeth, gears.teeth - 1, gears.shifted_teeth);
+    gears.backlash = reader.si(field::backlash, gears.backlash);
+    reader.finish();
+    return gears;
+}
+
 void put(Json& object, const FieldSpec& field, double si) {
     object[std::string(field.key)] = from_si(field, si);
 }
@@ -297,6 +307,10 @@ Input read_input(const Json& json, const CaseContext& context) {
     input.step_deg = reader.number(field::step.key, field::step.range, input.step_deg);
     input.rod_length = reader.optional_si(field::rod_length);
     input.rod_mass = reader.optional_si(field::rod_mass);
+    input.crank_share = reader.si(field::crank_share, input.crank_share);
+    if (reader.has("gears")) {
+        input.gears = read_gears(reader.object("gears"));
+    }
     if (reader.has("envelope")) {
         input.envelope = read_envelope(reader.object("envelope"));
     }
@@ -335,6 +349,15 @@ Json write_input(const Input& input) {
         put(json, field::rod_length, input.rod_length);
     }
     put(json, field::rod_mass, input.rod_mass);
+    const Input standard;
+    if (input.crank_share != standard.crank_share) {
+        put(json, field::crank_share, input.crank_share);
+    }
+    if (input.gears != standard.gears) {
+        json["gears"] = {{"teeth", input.gears.teeth},
+                         {"shifted_teeth", input.gears.shifted_teeth},
+                         {"backlash_mm", from_si(field::backlash, input.gears.backlash)}};
+    }
     if (input.envelope != EnvelopeSizes{}) {
         Json envelope = Json::object();
         put(envelope, field::cylinder_bore, input.envelope.cylinder_bore);
@@ -379,6 +402,15 @@ void check_input(const Input& input) {
     }
     check(field::rod_length, input.rod_length);
     check(field::rod_mass, input.rod_mass);
+    check(field::crank_share, input.crank_share);
+    check(field::backlash, input.gears.backlash, "/input/gears");
+    if (input.gears.teeth < 6 || input.gears.teeth > field::most_teeth ||
+        std::abs(input.gears.shifted_teeth) >= input.gears.teeth) {
+        throw InputError("/input/gears/shifted_teeth",
+                         "must be less than the teeth, which must be from 6 to " +
+                             std::to_string(field::most_teeth),
+                         std::to_string(input.gears.shifted_teeth));
+    }
     for (const NamedMass& part : input.reciprocating_masses) {
         if (part.name == "rod_small_end" && input.rod_mass && part.mass > *input.rod_mass) {
             throw InputError("/input/reciprocating_masses_kg/rod_small_end",

@@ -1,11 +1,46 @@
 #include "balance-shaft/scene.h"
 
-#include "balance-shaft/balance_shaft.h"
+#include "balance-shaft/crank_balance.h"
+#include "balance-shaft/gear_error.h"
 
 namespace ravnoves::balance_shaft {
 
+namespace {
+
+Json write_crank_balance(const CrankBalance& balance) {
+    return {{"share", balance.share},
+            {"first_order_N", balance.first_order},
+            {"along_cylinder_N", balance.along},
+            {"across_cylinder_N", balance.across},
+            {"largest_N", balance.largest},
+            {"counterweight_moment_kg_m", balance.counterweight_moment},
+            {"with_shaft_N", balance.with_shaft},
+            {"second_order_N", balance.second_order}};
+}
+
+Json write_gear_error(const GearError& error) {
+    return {{"phase_error_deg", error.phase_error / degree},
+            {"residual_force_N", error.residual_force},
+            {"range_Nm", error.range},
+            {"rms_Nm", error.rms},
+            {"play_deg", error.play / degree},
+            {"play_force_N", error.play_force},
+            {"play_range_low_Nm", error.play_range_low},
+            {"play_range_high_Nm", error.play_range_high}};
+}
+
+}  // namespace
+
+Json write_whole_result(const Solver& solver, const Result& result) {
+    Json json = write_result(result);
+    json["crank_only"] = write_crank_balance(crank_balance(solver));
+    json["gear_error"] = write_gear_error(gear_error(solver, result.shaft_angle));
+    return json;
+}
+
 Json solve_scene(const Json& input, const CaseContext& context) {
-    return write_result(solve(read_input(input, context)));
+    const Solver solver(read_input(input, context));
+    return write_whole_result(solver, solver.result());
 }
 
 }  // namespace ravnoves::balance_shaft

@@ -17,7 +17,9 @@
 
 #include "balance-shaft/balance_shaft_view_model.h"
 #include "balance-shaft/cycle_view.h"
+#include "balance-shaft/forces_view.h"
 #include "balance-shaft/mechanism_view.h"
+#include "balance-shaft/orders_view.h"
 #include "balance-shaft/torque_source_editor.h"
 #include "balance-shaft/torque_table_editor.h"
 #include "theme/icons.h"
@@ -250,6 +252,8 @@ QWidget* BalanceShaftPage::buildInputs() {
              [](Input& input) -> std::optional<double>& { return input.rod_mass; });
     massSum_ = masses->addResult(
         tr("Sum mⱼ"), tr("Reciprocating mass: the sum of the parts. TMZ-650D: 1.316 kg."));
+    massNote_ = captionLabel({}, masses);
+    masses->addWide(massNote_);
     column->addWidget(masses);
 
     auto* shaft = new FormSection(tr("Counterweights and shaft"), form);
@@ -367,6 +371,8 @@ QWidget* BalanceShaftPage::buildPlots() {
     };
     addView(buildMoments(), "moments", tr("Moments"));
     addView(cycle_, "cycle", tr("Cycle"));
+    addView(new OrdersView(model_, views_), "orders", tr("Orders"));
+    addView(new ForcesView(model_, views_), "forces", tr("Crank only, gears"));
     return holder;
 }
 
@@ -527,12 +533,10 @@ void BalanceShaftPage::showInput() {
         binding.field->setValue(binding.read());
     }
     const QLocale locale;
-    QString sum = fixedNumber(model_->input().reciprocating_mass(), 3, locale) + tr(" kg");
+    massSum_->setText(fixedNumber(model_->input().reciprocating_mass(), 3, locale) + tr(" kg"));
     const double other = otherMasses(model_->input());
-    if (other > 0.0) {
-        sum += tr(" (with %1 kg not listed)").arg(formNumber(other, locale, 6));
-    }
-    massSum_->setText(sum);
+    massNote_->setText(tr("%1 kg of it are not listed above.").arg(formNumber(other, locale, 6)));
+    massNote_->setVisible(other > 0.0);
     angularSpeed_->setText(fixedNumber(model_->input().angular_speed, 2, locale) + tr(" rad/s"));
     Input preset = balance_shaft::preset_tmz_650d();
     preset.shaft_angle = model_->input().shaft_angle;

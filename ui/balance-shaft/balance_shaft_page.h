@@ -73,6 +73,7 @@ class BalanceShaftPage : public ScenePage {
     QComboBox* preset_ = nullptr;
     QComboBox* interpolation_ = nullptr;
     QLabel* massSum_ = nullptr;
+    QLabel* massNote_ = nullptr;
     QLabel* angularSpeed_ = nullptr;
     TorqueSourceEditor* source_ = nullptr;
     QTabWidget* views_ = nullptr;

@@ -13,12 +13,14 @@
 #include <array>
 
 #include "balance-shaft/balance_shaft_view_model.h"
+#include "balance-shaft/inertia_check.h"
 #include "balance-shaft/torque_table_editor.h"
 #include "case-file/input_error.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
+#include "widgets/number_text.h"
 
 namespace ravnoves {
 
@@ -72,6 +74,7 @@ TorqueSourceEditor::TorqueSourceEditor(BalanceShaftViewModel* model, QWidget* pa
     trouble_->setContentsMargins(Theme::margin, 0, Theme::margin, 0);
     trouble_->hide();
     column->addWidget(trouble_);
+    column->addWidget(buildCheck());
     forms_ = new QStackedWidget(this);
     table_ = new TorqueTableEditor(model_, forms_);
     forms_->addWidget(table_);
@@ -120,6 +123,81 @@ void TorqueSourceEditor::addCylinder(FormSection* form) {
     add(tr("Crankcase &pressure"), field::crankcase_pressure,
         tr("Absolute pressure under the piston, p₀."),
         [](Input& input) -> double& { return input.torque.cylinder.crankcase_pressure; });
+}
+
+QWidget* TorqueSourceEditor::buildCheck() {
+    check_ = new QWidget(this);
+    auto* column = new QVBoxLayout(check_);
+    column->setContentsMargins(Theme::margin, 0, Theme::margin, Theme::gap);
+    column->setSpacing(Theme::gap);
+    checkText_ = captionLabel({}, check_);
+    column->addWidget(checkText_);
+    remedies_ = new QWidget(check_);
+    auto* row = new QHBoxLayout(remedies_);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(Theme::gap);
+    auto* speed = new QPushButton(tr("Use its speed"), remedies_);
+    speed->setObjectName(QStringLiteral("use_matching_speed"));
+    speed->setToolTip(
+        tr("Set the speed at which the masses entered have the inertia torque that "
+           "is in the table."));
+    auto* rebuild = new QPushButton(tr("Rebuild torque"), remedies_);
+    rebuild->setObjectName(QStringLiteral("rebuild_torque"));
+    rebuild->setToolTip(
+        tr("Take the fitted inertia torque out of the table and put that of the "
+           "masses and speed entered in."));
+    row->addWidget(speed);
+    row->addWidget(rebuild);
+    column->addWidget(remedies_);
+    connect(speed, &QPushButton::clicked, this, [this] {
+        model_->edit(tr("Use the torque's speed"), [this](Input& input) {
+            input = balance_shaft::with_matching_speed(input, model_->result().inertia_check);
+        });
+    });
+    connect(rebuild, &QPushButton::clicked, this, [this] {
+        model_->edit(tr("Rebuild torque"), [this](Input& input) {
+            input = balance_shaft::with_rebuilt_torque(input, model_->result().inertia_check);
+        });
+    });
+    return check_;
+}
+
+void TorqueSourceEditor::showCheck() {
+    const balance_shaft::InertiaCheck& check = model_->result().inertia_check;
+    const bool table = !model_->input().torque.is_computed();
+    check_->setVisible(table);
+    if (!table) {
+        return;
+    }
+    const QLocale locale;
+    const bool wrong = check.consistent && !*check.consistent;
+    remedies_->setVisible(wrong);
+    QString text;
+    if (!check.fitted || !check.consistent) {
+        text =
+            tr("No inertia torque can be read off this table, so it cannot be checked against "
+               "the masses and speed.");
+    } else if (wrong) {
+        text =
+            tr("This torque does not belong to the masses and speed entered. On its gas-exchange "
+               "stroke it holds mⱼ r² ω² = %1 N·m (λ %2); entered are %3 N·m. It would fit "
+               "%4 min⁻¹ with these masses, or %5 kg at this speed.")
+                .arg(fixedNumber(*check.fitted, 0, locale),
+                     fixedNumber(check.fitted_lambda, 3, locale),
+                     fixedNumber(check.entered, 0, locale),
+                     fixedNumber(check.matching_speed / rpm, 0, locale),
+                     fixedNumber(check.matching_mass, 3, locale));
+    } else {
+        text =
+            tr("The inertia torque in this table fits the masses and speed: mⱼ r² ω² = %1 N·m "
+               "against %2 N·m entered.")
+                .arg(fixedNumber(*check.fitted, 0, locale), fixedNumber(check.entered, 0, locale));
+    }
+    QPalette palette = checkText_->palette();
+    palette.setColor(QPalette::WindowText,
+                     wrong ? Theme::instance().warning() : Theme::instance().mutedText());
+    checkText_->setPalette(palette);
+    checkText_->setText(text);
 }
 
 QWidget* TorqueSourceEditor::buildPressure() {
@@ -264,6 +342,7 @@ void TorqueSourceEditor::showInput() {
     for (const Binding& binding : bindings_) {
         binding.field->setValue(binding.read());
     }
+    showCheck();
 }
 
 }  // namespace ravnoves

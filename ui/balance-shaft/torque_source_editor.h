@@ -40,6 +40,8 @@ class TorqueSourceEditor : public QWidget {
     QWidget* buildCycle();
     void addCylinder(FormSection* form);
     void showInput();
+    void showCheck();
+    QWidget* buildCheck();
 
     BalanceShaftViewModel* model_;
     QComboBox* choice_ = nullptr;
@@ -47,6 +49,9 @@ class TorqueSourceEditor : public QWidget {
     TorqueTableEditor* table_ = nullptr;
     QLabel* trace_ = nullptr;
     QLabel* trouble_ = nullptr;
+    QWidget* check_ = nullptr;
+    QLabel* checkText_ = nullptr;
+    QWidget* remedies_ = nullptr;
     std::vector<Binding> bindings_;
 };
 

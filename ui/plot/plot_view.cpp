@@ -71,6 +71,13 @@ namespace {
 
 constexpr int labelGap = 6;
 constexpr double zoomPerStep = 1.2;
+constexpr double columnPerTick = 56.0;  ///< pixels along x that a tick label needs
+constexpr double rowPerTick = 36.0;     ///< and along y
+
+double chooseStep(double span, double pixels, double pixelsPerTick, bool degrees) {
+    const int wanted = std::clamp(static_cast<int>(pixels / pixelsPerTick), 2, 16);
+    return degrees ? niceAngleStep(span, wanted) : niceStep(span, wanted);
+}
 
 }  // namespace
 
@@ -465,9 +472,7 @@ void PlotView::updateRanges() {
 void PlotView::updateTicks() {
     const QRectF area = plotArea();
     const auto apply = [&](AxisState& state, double pixels, double pixelsPerTick) {
-        const double span = state.high - state.low;
-        const int wanted = std::clamp(static_cast<int>(pixels / pixelsPerTick), 2, 16);
-        state.step = state.spec.degrees ? niceAngleStep(span, wanted) : niceStep(span, wanted);
+        state.step = chooseStep(state.high - state.low, pixels, pixelsPerTick, state.spec.degrees);
         if (auto* value = qobject_cast<QValueAxis*>(state.chartAxis)) {
             value->setTickType(QValueAxis::TicksDynamic);
             value->setTickAnchor(0.0);
@@ -538,11 +543,15 @@ void PlotView::layoutChart() {
     updateRanges();
 
     const QFontMetricsF metrics(Theme::font(Theme::smallSize));
+    const double bottom =
+        std::ceil(metrics.height() * (x_->spec.title.isEmpty() ? 1.0 : 2.0) + 2.5 * labelGap);
+    const double areaHeight = std::max(20.0, height() - top - labelGap - bottom);
     const auto labelWidth = [&](AxisState& state) {
         if (state.spec.logarithmic) {
             return metrics.horizontalAdvance(QStringLiteral("1e-00"));
         }
-        state.step = niceStep(state.high - state.low, 6);
+        // The ticks that updateTicks() will choose decide how many decimals the labels have.
+        state.step = chooseStep(state.high - state.low, areaHeight, rowPerTick, state.spec.degrees);
         return std::max(metrics.horizontalAdvance(axisNumber(state.low, state)),
                         metrics.horizontalAdvance(axisNumber(state.high, state)));
     };
@@ -553,8 +562,6 @@ void PlotView::layoutChart() {
     };
     const double left = sideMargin(Side::Left);
     const double right = sideUsed(Side::Right) ? sideMargin(Side::Right) : Theme::margin + 4.0;
-    const double bottom =
-        std::ceil(metrics.height() * (x_->spec.title.isEmpty() ? 1.0 : 2.0) + 2.5 * labelGap);
     const QRectF whole(0, 0, width(), height());
     QRectF area(left, top + labelGap, std::max(20.0, width() - left - right),
                 std::max(20.0, height() - top - labelGap - bottom));

@@ -1,0 +1,55 @@
+#include "balance-shaft/crank_balance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numerics/constants.h"
+
+namespace ravnoves::balance_shaft {
+
+namespace {
+
+/// Samples a force over one turn: x and y half-axes of the first order, second order along y.
+ForceLocus locus(double across, double along, double second, int points) {
+    ForceLocus curve;
+    points = std::max(points, 2);
+    for (int i = 0; i < points; ++i) {
+        const double angle = 360.0 * i / (points - 1);
+        const double phi = angle * degree;
+        curve.crank_angle_deg.push_back(angle);
+        curve.x.push_back(-across * std::sin(phi));
+        curve.y.push_back(along * std::cos(phi) + second * std::cos(2.0 * phi));
+    }
+    return curve;
+}
+
+}  // namespace
+
+CrankBalance crank_balance(const Solver& solver) {
+    const Input& input = solver.input();
+    const double omega2 = input.angular_speed * input.angular_speed;
+    CrankBalance balance;
+    balance.share = input.crank_share;
+    balance.first_order = input.reciprocating_mass() * input.crank_radius * omega2;
+    balance.along = (1.0 - balance.share) * balance.first_order;
+    balance.across = balance.share * balance.first_order;
+    balance.largest = std::max(balance.along, balance.across);
+    balance.counterweight_moment = balance.share * input.reciprocating_mass() * input.crank_radius;
+    balance.with_shaft = std::abs(balance.first_order - 2.0 * solver.counterweight_force());
+    balance.second_order = balance.first_order * input.crank_radius / input.effective_rod_length();
+    return balance;
+}
+
+ForceLocus crank_only_locus(const CrankBalance& balance, int points) {
+    return locus(balance.across, balance.along, 0.0, points);
+}
+
+ForceLocus crank_only_locus_with_second_order(const CrankBalance& balance, int points) {
+    return locus(balance.across, balance.along, balance.second_order, points);
+}
+
+ForceLocus shaft_locus(const CrankBalance& balance, int points) {
+    return locus(0.0, balance.with_shaft, balance.second_order, points);
+}
+
+}  // namespace ravnoves::balance_shaft

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "balance-shaft/balance_shaft.h"
+
+namespace ravnoves::balance_shaft {
+
+/// First-order force on the engine without a shaft when a share κ of m_j r is balanced on the crank
+/// alone, and what stays with the shaft.
+///
+/// The counterweight κ m_j r opposite the crankpin adds −κ P (sin φ, cos φ) to the inertia force
+/// P cos φ along the cylinder, P = m_j r ω²: the force (−κ P sin φ, (1 − κ) P cos φ) runs on an
+/// ellipse, a line at κ = 0 and 1, a circle at κ = ½. The shaft with two equal counterweights by
+/// equation (1) makes it a point. The second order P λ cos 2φ along the cylinder stays either way.
+/// Source: Gots and Klevtsov, the introduction of the method; text-book result.
+struct CrankBalance {
+    double share = 0.0;                 ///< κ
+    double first_order = 0.0;           ///< P = m_j r ω², N
+    double along = 0.0;                 ///< half-axis along the cylinder, (1 − κ) P, N
+    double across = 0.0;                ///< half-axis across it, κ P, N
+    double largest = 0.0;               ///< the larger of the two, N
+    double counterweight_moment = 0.0;  ///< κ m_j r, kg·m
+    double with_shaft = 0.0;            ///< first order that remains with the shaft, N
+    double second_order = 0.0;          ///< P λ, N; λ of the rod given or by default
+};
+
+/// @throws nothing: the solver's input is checked
+CrankBalance crank_balance(const Solver& solver);
+
+/// A closed curve of forces on the engine, N, x across and y along the cylinder.
+struct ForceLocus {
+    std::vector<double> crank_angle_deg;  ///< 0…360
+    std::vector<double> x;
+    std::vector<double> y;
+};
+
+/// The first-order force without a shaft at share κ, every step of the crank.
+ForceLocus crank_only_locus(const CrankBalance& balance, int points = 181);
+/// First and second order without a shaft.
+ForceLocus crank_only_locus_with_second_order(const CrankBalance& balance, int points = 181);
+/// What the shaft leaves: its own mismatch in the first order and the second order.
+ForceLocus shaft_locus(const CrankBalance& balance, int points = 181);
+
+}  // namespace ravnoves::balance_shaft

@@ -1,0 +1,74 @@
+#include "balance-shaft/gear_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numerics/constants.h"
+
+namespace ravnoves::balance_shaft {
+
+namespace {
+
+double residual(double force, double phase) {
+    return 2.0 * force * std::abs(std::sin(phase / 2));
+}
+
+/// Least and largest sin over [middle − half, middle + half].
+std::pair<double, double> sine_band(double middle, double half) {
+    if (half >= pi) {
+        return {-1.0, 1.0};
+    }
+    const double left = std::sin(middle - half);
+    const double right = std::sin(middle + half);
+    // A crest lies inside where the middle is within `half` of it.
+    const auto within = [&](double crest) {
+        return std::abs(std::remainder(middle - crest, two_pi)) <= half;
+    };
+    return {within(-pi / 2) ? -1.0 : std::min(left, right),
+            within(pi / 2) ? 1.0 : std::max(left, right)};
+}
+
+}  // namespace
+
+GearError gear_error(const Solver& solver, double shaft_angle) {
+    const Input& input = solver.input();
+    const double force = solver.counterweight_force();
+    const double distance = input.centre_distance;
+    GearError result;
+    result.phase_error = two_pi * input.gears.shifted_teeth / input.gears.teeth;
+    result.residual_force = residual(force, result.phase_error);
+    result.right_range = solver.range(shaft_angle);
+    result.right_rms = solver.rms(shaft_angle);
+    const double angle = shaft_angle + result.phase_error;
+    result.range = solver.range(angle);
+    result.rms = solver.rms(angle);
+    result.equivalent_angle = angle - two_pi * std::floor(angle / two_pi);
+
+    // The pitch radius is l/2, so half the play is the angle (b/2)/(l/2).
+    result.play = distance > 0.0 ? std::min(input.gears.backlash / distance, pi) : 0.0;
+    result.play_force = std::max(residual(force, result.phase_error - result.play),
+                                 residual(force, result.phase_error + result.play));
+    constexpr int places = 16;
+    result.play_range_low = result.range;
+    result.play_range_high = result.range;
+    for (int i = 0; i <= places && result.play > 0.0; ++i) {
+        const double range = solver.range(angle + result.play * (2.0 * i / places - 1.0));
+        result.play_range_low = std::min(result.play_range_low, range);
+        result.play_range_high = std::max(result.play_range_high, range);
+    }
+
+    constexpr int last = 720;
+    const double amplitude = force * distance;
+    for (int i = 0; i <= last; ++i) {
+        const double phi = i * degree;
+        const double tipping = solver.M_up(phi);
+        const auto [low, high] = sine_band(angle + phi, result.play);
+        result.crank_angle_deg.push_back(i);
+        result.M_ups.push_back(tipping + amplitude * std::sin(angle + phi));
+        result.M_ups_low.push_back(tipping + amplitude * low);
+        result.M_ups_high.push_back(tipping + amplitude * high);
+    }
+    return result;
+}
+
+}  // namespace ravnoves::balance_shaft

@@ -1,0 +1,126 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "balance-shaft/crank_balance.h"
+#include "balance-shaft/gear_error.h"
+#include "balance-shaft/scene.h"
+#include "case-file/input_error.h"
+
+namespace ravnoves::balance_shaft {
+namespace {
+
+class CrankShare : public ::testing::TestWithParam<double> {};
+
+TEST_P(CrankShare, LocusIsTheEllipseOfItsHalfAxes) {
+    Input input = preset_tmz_650d();
+    input.crank_share = GetParam();
+    const CrankBalance balance = crank_balance(Solver(input));
+    EXPECT_NEAR(balance.first_order, 8594.79473664, 1e-6);
+    const ForceLocus locus = crank_only_locus(balance);
+    for (std::size_t i = 0; i < locus.x.size(); ++i) {
+        // Against the sum of the two forces written out.
+        const double phi = locus.crank_angle_deg[i] * degree;
+        const double p = balance.first_order;
+        EXPECT_NEAR(locus.x[i], -GetParam() * p * std::sin(phi), 1e-9 * p);
+        EXPECT_NEAR(locus.y[i], p * std::cos(phi) - GetParam() * p * std::cos(phi), 1e-9 * p);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shares, CrankShare, ::testing::Values(0.0, 0.25, 0.5, 0.8, 1.0));
+
+TEST(CrankBalance, CircleAtHalfAndLineAtTheEnds) {
+    Input input = preset_tmz_650d();
+    const auto at = [&](double share) {
+        input.crank_share = share;
+        return crank_balance(Solver(input));
+    };
+    const ForceLocus circle = crank_only_locus(at(0.5));
+    for (std::size_t i = 0; i < circle.x.size(); ++i) {
+        EXPECT_NEAR(std::hypot(circle.x[i], circle.y[i]), 0.5 * at(0.5).first_order, 1e-6);
+    }
+    for (const double x : crank_only_locus(at(0.0)).x) {
+        EXPECT_NEAR(x, 0.0, 1e-9);
+    }
+    for (const double y : crank_only_locus(at(1.0)).y) {
+        EXPECT_NEAR(y, 0.0, 1e-9);
+    }
+    // The shaft makes the first order a point; the second order stays.
+    EXPECT_NEAR(at(0.5).with_shaft, 0.0, 1e-6);
+    for (const double x : shaft_locus(at(0.5)).x) {
+        EXPECT_NEAR(x, 0.0, 1e-9);
+    }
+}
+
+TEST(GearErrorTest, ResidualForceAgainstTheSumOfTheForces) {
+    Input input = preset_tmz_650d();
+    input.gears = {40, 1, 0.0};
+    const Solver solver(input);
+    const GearError error = gear_error(solver, input.shaft_angle);
+    EXPECT_NEAR(error.phase_error / degree, 9.0, 1e-12);
+    const double p1 = solver.counterweight_force();
+    for (int i = 0; i < 360; i += 7) {
+        const double phi = i * degree;
+        const double delta = error.phase_error;
+        // Inertia force, counterweight on the crank, counterweight on the shaft.
+        const double x = -p1 * std::sin(phi) + p1 * std::sin(phi + delta);
+        const double y = 2 * p1 * std::cos(phi) - p1 * std::cos(phi) - p1 * std::cos(phi + delta);
+        EXPECT_NEAR(std::hypot(x, y), error.residual_force, 1e-9 * p1);
+        // The shaft's force acts at its axis: moment about the crank axis, clockwise positive.
+        const double l = input.centre_distance;
+        const double axis_x = l * std::sin(input.shaft_angle);
+        const double axis_y = l * std::cos(input.shaft_angle);
+        const double moment =
+            axis_y * p1 * std::sin(phi + delta) + axis_x * p1 * std::cos(phi + delta);
+        EXPECT_NEAR(solver.M_up(phi) + moment, error.M_ups[static_cast<std::size_t>(i)], 1e-9 * p1);
+    }
+    EXPECT_NEAR(error.range, solver.range(input.shaft_angle + 9.0 * degree), 1e-9);
+}
+
+TEST(GearErrorTest, NoErrorAndNoPlayLeaveTheShaftAlone) {
+    const Input input = preset_tmz_650d();
+    const Solver solver(input);
+    const GearError error = gear_error(solver, input.shaft_angle);
+    EXPECT_EQ(error.residual_force, 0.0);
+    EXPECT_EQ(error.range, error.right_range);
+    EXPECT_EQ(error.M_ups_low, error.M_ups_high);
+}
+
+TEST(GearErrorTest, TheBandHoldsEveryPlaceOfTheShaft) {
+    Input input = preset_tmz_650d();
+    input.gears = {40, 0, 0.3e-3};
+    const Solver solver(input);
+    const GearError error = gear_error(solver, input.shaft_angle);
+    EXPECT_NEAR(error.play, 0.3e-3 / 0.10015, 1e-12);
+    for (std::size_t i = 0; i < error.M_ups.size(); i += 5) {
+        const double phi = error.crank_angle_deg[i] * degree;
+        for (const double place : {-1.0, -0.5, 0.0, 0.7, 1.0}) {
+            const double value =
+                solver.M_up(phi) + solver.M_s(phi, input.shaft_angle + place * error.play);
+            EXPECT_LE(error.M_ups_low[i], value + 1e-9);
+            EXPECT_GE(error.M_ups_high[i], value - 1e-9);
+        }
+    }
+    EXPECT_LE(error.play_range_low, error.range);
+    EXPECT_GE(error.play_range_high, error.range);
+}
+
+TEST(Gears, ReadWrittenAndRefused) {
+    Input input = preset_tmz_650d();
+    input.gears = {36, -2, 0.1e-3};
+    input.crank_share = 0.6;
+    EXPECT_EQ(read_input(write_input(input), {}).gears, input.gears);
+    EXPECT_EQ(read_input(write_input(input), {}).crank_share, 0.6);
+    Json json = write_input(input);
+    json["gears"]["shifted_teeth"] = 36;
+    EXPECT_THROW(read_input(json, {}), InputError);
+    json["gears"]["shifted_teeth"] = 1;
+    json["gears"]["teeth"] = 3;
+    EXPECT_THROW(read_input(json, {}), InputError);
+    json["gears"]["teeth"] = 40;
+    json["crank_share"] = 1.5;
+    EXPECT_THROW(read_input(json, {}), InputError);
+}
+
+}  // namespace
+}  // namespace ravnoves::balance_shaft

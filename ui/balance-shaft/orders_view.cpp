@@ -1,0 +1,87 @@
+#include "balance-shaft/orders_view.h"
+
+#include <QVBoxLayout>
+
+#include "balance-shaft/balance_shaft_view_model.h"
+#include "plot/plot_view.h"
+#include "theme/theme.h"
+#include "widgets/form_section.h"
+#include "widgets/number_text.h"
+#include "widgets/panel.h"
+#include "widgets/result_table.h"
+
+namespace ravnoves {
+
+OrdersView::OrdersView(BalanceShaftViewModel* model, QWidget* parent)
+    : QWidget(parent), model_(model) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, Theme::space, 0, 0);
+    column->setSpacing(Theme::space);
+    plot_ = new PlotView(tr("Order spectrum of the moment"), this);
+    plot_->setXAxis({tr("order (per turn of the crank)"), 0.0, 12.5});
+    plot_->setYAxis(PlotView::Side::Left, {tr("N·m")});
+    up_ = plot_->addCurve({.name = QStringLiteral("Mᵤₚ"),
+                           .colour = 0,
+                           .shape = PlotView::Shape::Bars,
+                           .toolTip = tr("Without a shaft"),
+                           .barWidth = 0.18,
+                           .barShift = -0.1});
+    ups_ = plot_->addCurve({.name = QStringLiteral("Mᵤₚₛ"),
+                            .colour = 2,
+                            .shape = PlotView::Shape::Bars,
+                            .toolTip = tr("With the shaft at the present α"),
+                            .barWidth = 0.18,
+                            .barShift = 0.1});
+    column->addWidget(plot_, 3);
+
+    auto* panel = new Panel(this);
+    auto* inside = new QVBoxLayout(panel);
+    inside->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
+    inside->addWidget(captionLabel(
+        tr("A four-stroke cycle has half orders. A shaft at crank speed changes order 1 alone; the "
+           "best RMS is where it opposes that order."),
+        panel));
+    table_ = new ResultTable(panel);
+    table_->setAccessibleName(tr("Order spectrum"));
+    table_->setColumns(
+        {tr("Order"), tr("Mᵤₚ, N·m"), tr("phase, °"), tr("Mᵤₚₛ, N·m"), tr("phase, °")});
+    table_->setMinimumHeight(120);
+    table_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+    inside->addWidget(table_);
+    column->addWidget(panel, 2);
+
+    connect(model_, &BalanceShaftViewModel::shaftMoved, this, &OrdersView::showResult);
+}
+
+void OrdersView::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    showResult();
+}
+
+void OrdersView::showResult() {
+    if (!isVisible()) {
+        return;
+    }
+    const balance_shaft::Result& result = model_->result();
+    std::vector<double> order;
+    std::vector<double> up;
+    std::vector<double> ups;
+    QVector<QStringList> rows;
+    const QLocale locale;
+    for (std::size_t i = 0; i < result.spectrum_M_up.size(); ++i) {
+        const balance_shaft::OrderLine& without = result.spectrum_M_up[i];
+        const balance_shaft::OrderLine& with = result.spectrum_M_ups[i];
+        order.push_back(without.order);
+        up.push_back(without.amplitude);
+        ups.push_back(with.amplitude);
+        rows.push_back(
+            {formNumber(without.order, locale), fixedNumber(without.amplitude, 2, locale),
+             fixedNumber(without.phase / degree, 1, locale), fixedNumber(with.amplitude, 2, locale),
+             fixedNumber(with.phase / degree, 1, locale)});
+    }
+    plot_->setCurve(up_, order, std::move(up));
+    plot_->setCurve(ups_, order, std::move(ups));
+    table_->setRows(rows);
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QWidget>
+
+namespace ravnoves {
+
+class BalanceShaftViewModel;
+class PlotView;
+class ResultTable;
+
+/// Order spectrum of M_up and M_ups with half orders, as bars and as a table.
+class OrdersView : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit OrdersView(BalanceShaftViewModel* model, QWidget* parent = nullptr);
+
+    PlotView* plot() const { return plot_; }
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+
+  private:
+    void showResult();
+
+    BalanceShaftViewModel* model_;
+    PlotView* plot_;
+    ResultTable* table_;
+    int up_ = 0;
+    int ups_ = 0;
+};
+
+}  // namespace ravnoves
