@@ -1,6 +1,7 @@
 #include "balance-shaft/scene.h"
 
 #include "balance-shaft/crank_balance.h"
+#include "balance-shaft/envelope_study.h"
 #include "balance-shaft/gear_error.h"
 
 namespace ravnoves::balance_shaft {
@@ -16,6 +17,19 @@ Json write_crank_balance(const CrankBalance& balance) {
             {"counterweight_moment_kg_m", balance.counterweight_moment},
             {"with_shaft_N", balance.with_shaft},
             {"second_order_N", balance.second_order}};
+}
+
+Json write_envelope_study(const EnvelopeStudy& study) {
+    Json efficient = Json::array();
+    for (std::size_t i = 0; i < study.efficient.size(); ++i) {
+        if (study.efficient[i]) {
+            efficient.push_back({{"shaft_angle_deg", study.shaft_angle_deg[i]},
+                                 {"width_mm", study.width[i] * 1e3},
+                                 {"height_mm", study.height[i] * 1e3},
+                                 {"range_Nm", study.range[i]}});
+        }
+    }
+    return {{"efficient", efficient}};
 }
 
 Json write_gear_error(const GearError& error) {
@@ -34,6 +48,7 @@ Json write_gear_error(const GearError& error) {
 Json write_whole_result(const Solver& solver, const Result& result) {
     Json json = write_result(result);
     json["crank_only"] = write_crank_balance(crank_balance(solver));
+    json["envelope_study"] = write_envelope_study(envelope_study(solver));
     json["gear_error"] = write_gear_error(gear_error(solver, result.shaft_angle));
     return json;
 }

@@ -17,6 +17,7 @@
 
 #include "balance-shaft/balance_shaft_view_model.h"
 #include "balance-shaft/cycle_view.h"
+#include "balance-shaft/envelope_view.h"
 #include "balance-shaft/forces_view.h"
 #include "balance-shaft/mechanism_view.h"
 #include "balance-shaft/orders_view.h"
@@ -292,9 +293,20 @@ QWidget* BalanceShaftPage::buildInputs() {
              tr("Circle swept by crank and counterweight. Empty: 1.3 times the larger of r and "
                 "ρ₁."),
              &balance_shaft::EnvelopeSizes::crank_swing_radius);
-    envelope(tr("Shaft s&wing radius"), field::shaft_swing_radius,
+    envelope(tr("Shaft swin&g radius"), field::shaft_swing_radius,
              tr("Circle swept by the balance shaft. Empty: 1.3 ρ₁."),
              &balance_shaft::EnvelopeSizes::shaft_swing_radius);
+    envelope(tr("Gear tip r&adius"), field::gear_tip_radius,
+             tr("Tip circle of each of the two gears. Empty: l/2, the pitch circle."),
+             &balance_shaft::EnvelopeSizes::gear_tip_radius);
+    auto* wall = sizes->addNumber(tr("Housing &wall and gap"), field::wall,
+                                  tr("Added around every circle."));
+    bind(
+        wall, tr("Wall"), [this] { return model_->input().envelope.wall / field::millimetre; },
+        [this](std::optional<double> value) {
+            model_->edit(tr("Wall"),
+                         [&](Input& input) { input.envelope.wall = *value * field::millimetre; });
+        });
     column->addWidget(sizes);
     interpolation_ = new QComboBox(form);
     interpolation_->addItems({tr("straight lines"), tr("periodic cubic spline")});
@@ -371,6 +383,7 @@ QWidget* BalanceShaftPage::buildPlots() {
     };
     addView(buildMoments(), "moments", tr("Moments"));
     addView(cycle_, "cycle", tr("Cycle"));
+    addView(new EnvelopeView(model_, views_), "envelope", tr("Size"));
     addView(new OrdersView(model_, views_), "orders", tr("Orders"));
     addView(new ForcesView(model_, views_), "forces", tr("Crank only, gears"));
     return holder;

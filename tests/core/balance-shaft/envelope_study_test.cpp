@@ -1,0 +1,61 @@
+#include "balance-shaft/envelope_study.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ravnoves::balance_shaft {
+namespace {
+
+TEST(EnvelopeStudyTest, MirrorsAboutTheCylinderAxis) {
+    const EnvelopeStudy study = envelope_study(Solver(preset_tmz_650d()), 360);
+    for (std::size_t i = 1; i < 360; ++i) {
+        EXPECT_NEAR(study.width[i], study.width[360 - i], 1e-12);
+        EXPECT_NEAR(study.height[i], study.height[360 - i], 1e-12);
+    }
+    // The shaft beside the crank makes the engine widest; below it, tallest.
+    const auto widest = std::max_element(study.width.begin(), study.width.end());
+    EXPECT_NEAR(study.shaft_angle_deg[static_cast<std::size_t>(widest - study.width.begin())], 90.0,
+                1e-9);
+    const auto tallest = std::max_element(study.height.begin(), study.height.end());
+    EXPECT_NEAR(study.shaft_angle_deg[static_cast<std::size_t>(tallest - study.height.begin())],
+                180.0, 1e-9);
+}
+
+TEST(EnvelopeStudyTest, TheBoxHoldsItsCircles) {
+    const Solver solver(preset_tmz_650d());
+    const FrontView& view = solver.front_view();
+    for (double angle = 0.0; angle < 360.0; angle += 7.0) {
+        const Envelope box = solver.envelope(angle * degree);
+        const double x = view.centre_distance * std::sin(angle * degree);
+        const double y = view.centre_distance * std::cos(angle * degree);
+        EXPECT_LE(box.left, x - view.shaft_swing_radius + 1e-12);
+        EXPECT_GE(box.right, x + view.shaft_swing_radius - 1e-12);
+        EXPECT_LE(box.bottom, y - view.shaft_swing_radius + 1e-12);
+        EXPECT_LE(box.bottom, -view.crank_swing_radius + 1e-12);
+        EXPECT_GE(box.top, view.cylinder_top - 1e-12);
+    }
+}
+
+TEST(EnvelopeStudyTest, EfficientAnglesAreThoseThatNothingBeats) {
+    const EnvelopeStudy study = envelope_study(Solver(preset_tmz_650d()), 240);
+    int efficient = 0;
+    for (std::size_t i = 0; i < 240; ++i) {
+        bool beaten = false;
+        for (std::size_t j = 0; j < 240; ++j) {
+            beaten = beaten || (study.area[j] < study.area[i] && study.range[j] < study.range[i]);
+        }
+        if (study.efficient[i]) {
+            EXPECT_FALSE(beaten) << study.shaft_angle_deg[i];
+            ++efficient;
+        }
+    }
+    EXPECT_GT(efficient, 1);
+    // The least range of all is always among them.
+    const auto least = std::min_element(study.range.begin(), study.range.end());
+    EXPECT_TRUE(study.efficient[static_cast<std::size_t>(least - study.range.begin())]);
+}
+
+}  // namespace
+}  // namespace ravnoves::balance_shaft

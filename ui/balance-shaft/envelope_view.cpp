@@ -1,0 +1,145 @@
+#include "balance-shaft/envelope_view.h"
+
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "balance-shaft/balance_shaft_view_model.h"
+#include "plot/plot_view.h"
+#include "theme/theme.h"
+#include "widgets/form_section.h"
+#include "widgets/number_text.h"
+
+namespace ravnoves {
+
+namespace {
+
+constexpr double squareCentimetre = 1e-4;  ///< m²
+constexpr double millimetre = 1e-3;        ///< m
+
+}  // namespace
+
+EnvelopeView::EnvelopeView(BalanceShaftViewModel* model, QWidget* parent)
+    : QWidget(parent), model_(model) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, Theme::space, 0, 0);
+    column->setSpacing(Theme::space);
+    sizes_ = new PlotView(tr("Overall size over α"), this);
+    sizes_->setXAxis({tr("α, °"), 0.0, 360.0, true});
+    sizes_->setYAxis(PlotView::Side::Left, {tr("mm")});
+    sizes_->setPickable(true);
+    width_ = sizes_->addCurve({.name = tr("width"), .colour = 2, .width = 1.8});
+    height_ = sizes_->addCurve({.name = tr("height"), .colour = 1, .width = 1.8});
+    connect(sizes_, &PlotView::picked, this,
+            [this](double x) { model_->setShaftAngleDeg(std::round(x * 10.0) / 10.0); });
+    column->addWidget(sizes_, 2);
+
+    pareto_ = new PlotView(tr("Range against overall size, α along the curve"), this);
+    pareto_->setYAxis(PlotView::Side::Left, {tr("ΔMᵤₚₛ, N·m")});
+    pareto_->setPickable(true);
+    all_ = pareto_->addCurve({.name = tr("every α"), .colour = 0, .width = 1.4});
+    efficient_ = pareto_->addCurve({.name = tr("nothing better"),
+                                    .colour = 3,
+                                    .shape = PlotView::Shape::Points,
+                                    .toolTip = tr("No other α has both a smaller box and a "
+                                                  "smaller range")});
+    present_ =
+        pareto_->addCurve({.name = tr("present α"), .colour = 7, .shape = PlotView::Shape::Points});
+    connect(pareto_, &PlotView::pickedAt, this, [this](double area, double range) {
+        // The angle whose point lies nearest on the screen.
+        const QPointF clicked = pareto_->toPixel(area, range);
+        double nearest = 1e300;
+        double angle = 0.0;
+        for (std::size_t i = 0; i < study_.area.size(); ++i) {
+            const QPointF d =
+                pareto_->toPixel(study_.area[i] / squareCentimetre, study_.range[i]) - clicked;
+            const double distance = d.x() * d.x() + d.y() * d.y();
+            if (distance < nearest) {
+                nearest = distance;
+                angle = study_.shaft_angle_deg[i];
+            }
+        }
+        model_->setShaftAngleDeg(angle);
+    });
+    column->addWidget(pareto_, 3);
+    column->addWidget(captionLabel(
+        tr("The box around cylinder, crank circle, shaft circle and gears, with the wall, in the "
+           "front view. It is not checked that the shaft clears cylinder and rod. Radii, bore and "
+           "wall are on the Inputs tab. Click either chart to set α."),
+        this));
+
+    connect(model_, &SceneViewModel::changed, this, [this] {
+        stale_ = true;
+        if (isVisible()) {
+            solve();
+        }
+    });
+    connect(model_, &BalanceShaftViewModel::shaftMoved, this, [this] {
+        if (isVisible()) {
+            showPresent();
+        }
+    });
+}
+
+void EnvelopeView::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    if (stale_) {
+        solve();
+    }
+    showPresent();
+}
+
+void EnvelopeView::solve() {
+    stale_ = false;
+    study_ = balance_shaft::envelope_study(model_->solver());
+    const auto scaled = [](std::vector<double> values, double unit) {
+        for (double& value : values) {
+            value /= unit;
+        }
+        return values;
+    };
+    // The curve is closed: its first point comes again.
+    const auto closed = [](std::vector<double> values, double last) {
+        values.push_back(last);
+        return values;
+    };
+    const std::vector<double> angle = closed(study_.shaft_angle_deg, 360.0);
+    const std::vector<double> width = scaled(study_.width, millimetre);
+    const std::vector<double> height = scaled(study_.height, millimetre);
+    const std::vector<double> area = scaled(study_.area, squareCentimetre);
+    sizes_->setCurve(width_, angle, closed(width, width.front()));
+    sizes_->setCurve(height_, angle, closed(height, height.front()));
+    const auto [least, most] = std::minmax_element(area.begin(), area.end());
+    const double pad = std::max(0.04 * (*most - *least), 1e-6);
+    pareto_->setXAxis({tr("width × height, cm²"), *least - pad, *most + pad});
+    pareto_->setCurve(all_, closed(area, area.front()), closed(study_.range, study_.range.front()));
+    std::vector<double> bestArea;
+    std::vector<double> bestRange;
+    std::vector<PlotView::Mark> marks;
+    const QLocale locale;
+    double lastMarked = -1e9;
+    for (std::size_t i = 0; i < area.size(); ++i) {
+        if (!study_.efficient[i]) {
+            continue;
+        }
+        bestArea.push_back(area[i]);
+        bestRange.push_back(study_.range[i]);
+        if (std::abs(study_.shaft_angle_deg[i] - lastMarked) >= 15.0) {
+            lastMarked = study_.shaft_angle_deg[i];
+            marks.push_back({area[i], study_.range[i],
+                             fixedNumber(lastMarked, 0, locale) + QStringLiteral("°"), 3});
+        }
+    }
+    pareto_->setCurve(efficient_, bestArea, bestRange);
+    pareto_->setMarks(marks);
+    showPresent();
+}
+
+void EnvelopeView::showPresent() {
+    sizes_->setPresentX(model_->shaftAngleDeg());
+    const balance_shaft::Envelope& box = model_->result().envelope;
+    pareto_->setCurve(present_, {box.width() * box.height() / squareCentimetre},
+                      {model_->result().M_ups.range});
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QWidget>
+
+#include "balance-shaft/balance_shaft.h"
+#include "balance-shaft/envelope_study.h"
+
+namespace ravnoves {
+
+class BalanceShaftViewModel;
+class PlotView;
+
+/// Overall size over α, and range of the moment against overall size with α along the curve.
+class EnvelopeView : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit EnvelopeView(BalanceShaftViewModel* model, QWidget* parent = nullptr);
+
+    PlotView* sizePlot() const { return sizes_; }
+    PlotView* paretoPlot() const { return pareto_; }
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+
+  private:
+    void solve();
+    void showPresent();
+
+    BalanceShaftViewModel* model_;
+    PlotView* sizes_;
+    PlotView* pareto_;
+    int width_ = 0;
+    int height_ = 0;
+    int all_ = 0;
+    int efficient_ = 0;
+    int present_ = 0;
+    bool stale_ = true;
+    balance_shaft::EnvelopeStudy study_;
+};
+
+}  // namespace ravnoves
