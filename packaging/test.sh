@@ -6,14 +6,15 @@ set -euo pipefail
 
 usage() {
     cat <<END
-usage: packaging/test.sh [--quick] [--no-install]
+usage: packaging/test.sh [--quick | --full] [--no-install]
 
   1. core-only    core and the command line with Qt hidden from CMake: build, tests
   2. release      the whole program, warnings are errors: build, tests (offscreen)
-  3. asan-ubsan   address and undefined-behaviour sanitizers: build, tests
+  3. asan-ubsan   core and the command line under the address and undefined-behaviour sanitizers
   4. lint         clang-tidy over core, ui and app; shellcheck over the scripts
 
   --quick        stages 1 and 2 only
+  --full         stage 3 with the window too, stage 4 with the static analyser too (slow)
   --no-install   take the packages as they are
   --help         show this text
 
@@ -21,10 +22,11 @@ Exits with 0 only if every stage passed.
 END
 }
 
-quick=no install=yes
+quick=no full=no install=yes
 while [ $# -gt 0 ]; do
     case $1 in
         --quick) quick=yes ;;
+        --full) full=yes ;;
         --no-install) install=no ;;
         -h | --help)
             usage
@@ -108,7 +110,12 @@ sections=(core ui run test)
 build_and_test core-only
 build_and_test release
 if [ $quick = no ]; then
-    build_and_test asan-ubsan
+    if [ $full = yes ]; then
+        build_and_test asan-ubsan -DRAVNOVES_BUILD_UI=ON
+    else
+        export RAVNOVES_TIDY_CHECKS=-clang-analyzer-*
+        build_and_test asan-ubsan -DRAVNOVES_BUILD_UI=OFF
+    fi
     stage "lint: scripts" lint_scripts || true
     lint_sources
 fi
