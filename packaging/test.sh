@@ -113,7 +113,7 @@ if [ $quick = no ]; then
     if [ $full = yes ]; then
         build_and_test asan-ubsan -DRAVNOVES_BUILD_UI=ON
     else
-        export RAVNOVES_TIDY_CHECKS=-clang-analyzer-*
+        export RAVNOVES_TIDY_CHECKS='-clang-analyzer-*'
         build_and_test asan-ubsan -DRAVNOVES_BUILD_UI=OFF
     fi
     stage "lint: scripts" lint_scripts || true
