@@ -92,6 +92,10 @@ inline constexpr FieldSpec combustion_start{"combustion_start_deg", "°", Range:
                                             degree};
 inline constexpr FieldSpec combustion_duration{"combustion_duration_deg", "°",
                                                Range::between(1, 180), degree};
+// Of the object "speed_band".
+inline constexpr FieldSpec band_from{"from_rpm", "min⁻¹", Range::greater_than(0), rpm};
+inline constexpr FieldSpec band_to{"to_rpm", "min⁻¹", Range::greater_than(0), rpm};
+inline constexpr int most_speeds = 1000;
 inline constexpr FieldSpec wiebe_m{"wiebe_m", "", Range::between(0, 10)};
 }  // namespace field
 
@@ -148,6 +152,15 @@ struct GearPair {
     bool operator==(const GearPair&) const = default;
 };
 
+/// A band of speeds to study, equally spaced, both ends included.
+struct SpeedBand {
+    double from = 0.0;  ///< rad/s
+    double to = 0.0;    ///< rad/s, ≥ from
+    int speeds = 60;
+    bool map = false;  ///< the command line prints the map over (α, speed) too
+    bool operator==(const SpeedBand&) const = default;
+};
+
 inline constexpr double default_lambda = 0.3;  ///< r/L where the rod's length is not given
 
 /// The input of the scene.
@@ -170,6 +183,7 @@ struct Input {
     EnvelopeSizes envelope;
     double crank_share = 0.5;  ///< κ of the comparison without a shaft
     GearPair gears;
+    std::optional<SpeedBand> speed_band;
 
     double reciprocating_mass() const;    ///< m_j, kg
     double effective_rod_length() const;  ///< L, m, given or by default
@@ -188,6 +202,8 @@ Json write_input(const Input& input);
 /// Checks the ranges and that the sizes taken together stay in the range of numbers.
 /// @throws InputError that names the JSON pointer, as read_input() would
 void check_input(const Input& input);
+/// @throws InputError that names the JSON pointer below /input/speed_band
+void check_speed_band(const SpeedBand& band);
 
 // --------------------------------------------------------------------------------------- result
 

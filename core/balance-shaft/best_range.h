@@ -1,5 +1,6 @@
 #pragma once
 
+#include "balance-shaft/angle_minimum.h"
 #include "balance-shaft/cycle_extrema.h"
 
 namespace ravnoves::balance_shaft {
@@ -16,14 +17,13 @@ struct BasicBestRange {
 
 using BestRange = BasicBestRange<double>;
 
-/// The global minimum of the range R(α) = max − min of M(φ) + A sin(φ + α), by cutting planes.
-///
-/// Where the extrema at some α lie at φ₊ and φ₋, the function
-/// h(α) = M(φ₊) − M(φ₋) + A sin(φ₊ + α) − A sin(φ₋ + α) touches R there and lies below it
-/// everywhere (a range is at least the difference of any two of its values). Between two
-/// evaluated angles the larger of their two sinusoids bounds R from below; the interval is split
-/// at that bound's minimum until no bound lies under the best value. Kinks and several minima need
-/// no care, since the bounds are global. Made for double and for Real50.
+/// The range R(α) = max − min of M(φ) + A sin(φ + α) with its bound: where the extrema at α lie at
+/// φ₊ and φ₋, h(α) = M(φ₊) − M(φ₋) + A sin(φ₊ + α) − A sin(φ₋ + α) touches R there and lies below
+/// it everywhere (a range is at least the difference of any two of its values).
+template <typename Scalar>
+Cut<Scalar> range_cut(const BasicCycleExtrema<Scalar>& extrema, const Scalar& alpha);
+
+/// The global minimum of the range over α by minimise_over_angle(). Made for double and for Real50.
 template <typename Scalar>
 BasicBestRange<Scalar> minimise_range(const BasicCycleExtrema<Scalar>& extrema);
 

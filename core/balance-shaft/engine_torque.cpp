@@ -52,6 +52,25 @@ TorqueParts torque_parts(const Input& input, const CylinderGas& gas) {
     return parts;
 }
 
+std::optional<TorqueParts> torque_parts(const Input& input, const InertiaCheck& check) {
+    if (input.torque.is_computed() || !check.fitted || !check.consistent.value_or(false)) {
+        return std::nullopt;
+    }
+    const TorqueTable& table = input.torque.table;
+    // m_j r² of the fit, on a crank of radius 1.
+    const double speed2 = input.angular_speed * input.angular_speed;
+    const SliderCrank<double> crank{1.0, 1.0 / check.fitted_lambda};
+    TorqueParts parts;
+    parts.crank_angle_deg = table.crank_angle_deg;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const double unit =
+            inertia_torque(crank, *check.fitted / speed2, 1.0, table.crank_angle_deg[i] * degree);
+        parts.unit_inertia.push_back(unit);
+        parts.gas.push_back(table.torque[i] - speed2 * unit);
+    }
+    return parts;
+}
+
 PeriodicPiecewise tipping_moment(const std::vector<double>& crank_angle_deg,
                                  const std::vector<double>& torque, Interpolation interpolation) {
     std::vector<double> angle = crank_angle_deg;

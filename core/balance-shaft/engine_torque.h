@@ -29,6 +29,10 @@ struct TorqueParts {
 /// The parts of a computed torque, every 0.5° (every 0.1° at the finest where a trace is finer).
 TorqueParts torque_parts(const Input& input, const CylinderGas& gas);
 
+/// The parts of a table that belongs to the masses and the speed entered: its fitted inertia torque
+/// and the rest. Nothing where it does not belong to them.
+std::optional<TorqueParts> torque_parts(const Input& input, const InertiaCheck& check);
+
 /// −M_id over the crank angle in degrees, by the interpolation asked for.
 PeriodicPiecewise tipping_moment(const std::vector<double>& crank_angle_deg,
                                  const std::vector<double>& torque, Interpolation interpolation);

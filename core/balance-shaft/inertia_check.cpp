@@ -1,8 +1,8 @@
 #include "balance-shaft/inertia_check.h"
 
+#include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <tuple>
 #include <vector>
 
 #include "balance-shaft/balance_shaft.h"
@@ -84,7 +84,12 @@ Fit fit_stroke(const TorqueTable& table, double begin_deg) {
         return fit;
     }
     // For each λ the other two are linear: C g(θ; λ) + d sin θ by the normal equations.
-    const auto solve_at = [&](double lambda) {
+    struct Linear {
+        double scale;
+        double gas;
+        double residual;
+    };
+    const auto solve_at = [&](double lambda) -> Linear {
         double gg = 0.0;
         double gs = 0.0;
         double ss = 0.0;
@@ -100,20 +105,14 @@ Fit fit_stroke(const TorqueTable& table, double begin_deg) {
             st += row.weight * s * row.torque;
         }
         const double determinant = gg * ss - gs * gs;
-        return std::pair((ss * gt - gs * st) / determinant, (gg * st - gs * gt) / determinant);
+        const double scale = (ss * gt - gs * st) / determinant;
+        const double gas = (gg * st - gs * gt) / determinant;
+        const double square = squares - scale * gt - gas * st;
+        return {scale, gas, std::sqrt(std::max(square, 0.0) / weights)};
     };
-    const auto residual_at = [&](double lambda) {
-        const auto [scale, gas] = solve_at(lambda);
-        double sum = 0.0;
-        for (const Row& row : rows) {
-            const double miss =
-                row.torque - scale * unit_torque(lambda, row.sine, row.cosine) - gas * row.sine;
-            sum += row.weight * miss * miss;
-        }
-        return std::sqrt(sum / weights);
-    };
+    const auto residual_at = [&](double lambda) { return solve_at(lambda).residual; };
     // A scan first: the residual may have more than one minimum over λ.
-    constexpr int scans = 30;
+    constexpr int scans = 16;
     const double step = (largest_lambda - least_lambda) / scans;
     int best = 0;
     double least = residual_at(least_lambda);
@@ -129,7 +128,8 @@ Fit fit_stroke(const TorqueTable& table, double begin_deg) {
         std::min(largest_lambda, least_lambda + (best + 1) * step), 30);
     fit.lambda = lambda;
     fit.residual = residual;
-    std::tie(fit.scale, fit.gas) = solve_at(lambda);
+    fit.scale = solve_at(lambda).scale;
+    fit.gas = solve_at(lambda).gas;
     fit.found = fit.scale > 0.0 && residual <= largest_residual * fit.size;
     return fit;
 }

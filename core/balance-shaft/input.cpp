@@ -314,6 +314,16 @@ Input read_input(const Json& json, const CaseContext& context) {
     if (reader.has("envelope")) {
         input.envelope = read_envelope(reader.object("envelope"));
     }
+    if (reader.has("speed_band")) {
+        ObjectReader inner = reader.object("speed_band");
+        SpeedBand band;
+        band.from = inner.si(field::band_from);
+        band.to = inner.si(field::band_to);
+        band.speeds = inner.integer("speeds", 2, field::most_speeds, band.speeds);
+        band.map = inner.boolean("map", band.map);
+        inner.finish();
+        input.speed_band = band;
+    }
     read_torque(reader.object("torque"), context, input);
     if (input.torque.is_computed() && reader.has(field::rod_length.key)) {
         throw InputError(reader.pointer_to(field::rod_length.key),
@@ -368,7 +378,37 @@ Json write_input(const Input& input) {
         put(envelope, field::wall, input.envelope.wall);
         json["envelope"] = std::move(envelope);
     }
+    if (input.speed_band) {
+        Json band = Json::object();
+        put(band, field::band_from, input.speed_band->from);
+        put(band, field::band_to, input.speed_band->to);
+        band["speeds"] = input.speed_band->speeds;
+        band["map"] = input.speed_band->map;
+        json["speed_band"] = std::move(band);
+    }
     return json;
+}
+
+void check_speed_band(const SpeedBand& band) {
+    const std::string parent = std::string(root) + "/speed_band";
+    check(field::band_from, band.from, parent.c_str());
+    check(field::band_to, band.to, parent.c_str());
+    if (band.to < band.from) {
+        throw InputError(
+            pointer(field::band_to, parent.c_str()),
+            "must be at least from_rpm, " + format_number(from_si(field::band_from, band.from)),
+            format_number(from_si(field::band_to, band.to)));
+    }
+    if (band.speeds < 2 || band.speeds > field::most_speeds) {
+        throw InputError(parent + "/speeds",
+                         "must be a whole number from 2 to " + std::to_string(field::most_speeds),
+                         std::to_string(band.speeds));
+    }
+    constexpr double largest_speed = 1e6;  // rad/s; far above any engine, its square is harmless
+    if (!(band.to <= largest_speed)) {
+        throw InputError(pointer(field::band_to, parent.c_str()), "must be at most 1e6 rad/s",
+                         format_number(band.to) + " rad/s");
+    }
 }
 
 void check_input(const Input& input) {
@@ -432,6 +472,10 @@ void check_input(const Input& input) {
     check(field::shaft_swing_radius, input.envelope.shaft_swing_radius, envelope);
     check(field::gear_tip_radius, input.envelope.gear_tip_radius, envelope);
     check(field::wall, input.envelope.wall, envelope);
+
+    if (input.speed_band) {
+        check_speed_band(*input.speed_band);
+    }
 
     // Each number alone may be fine and their products not.
     constexpr double largest = 1e100;

@@ -3,6 +3,7 @@
 #include "balance-shaft/crank_balance.h"
 #include "balance-shaft/envelope_study.h"
 #include "balance-shaft/gear_error.h"
+#include "balance-shaft/speed_study.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -50,6 +51,12 @@ Json write_whole_result(const Solver& solver, const Result& result) {
     json["crank_only"] = write_crank_balance(crank_balance(solver));
     json["envelope_study"] = write_envelope_study(envelope_study(solver));
     json["gear_error"] = write_gear_error(gear_error(solver, result.shaft_angle));
+    if (const auto& band = solver.input().speed_band) {
+        const SpeedStudy study(solver.input(), *band);
+        constexpr std::size_t map_angles = 360;
+        json["speed_band"] =
+            write_speed_study(study, band->map ? study.map(map_angles) : std::nullopt);
+    }
     return json;
 }
 

@@ -102,6 +102,24 @@ BasicPeriodicPiecewise<Scalar> BasicPeriodicPiecewise<Scalar>::cubic(std::span<c
 }
 
 template <typename Scalar>
+BasicPeriodicPiecewise<Scalar> BasicPeriodicPiecewise<Scalar>::sum(const BasicPeriodicPiecewise& f,
+                                                                   const BasicPeriodicPiecewise& g,
+                                                                   const Scalar& factor) {
+    assert(f.knots_ == g.knots_);
+    BasicPeriodicPiecewise result = f;
+    result.linear_ = f.linear_ && g.linear_;
+    for (std::size_t i = 0; i < f.pieces_.size(); ++i) {
+        Cubic& piece = result.pieces_[i];
+        const Cubic& other = g.pieces_[i];
+        piece.y += factor * other.y;
+        piece.c1 += factor * other.c1;
+        piece.c2 += factor * other.c2;
+        piece.c3 += factor * other.c3;
+    }
+    return result;
+}
+
+template <typename Scalar>
 typename BasicPeriodicPiecewise<Scalar>::Place BasicPeriodicPiecewise<Scalar>::find(
     Scalar x) const {
     const Scalar first = knots_.front();

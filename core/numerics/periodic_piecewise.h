@@ -55,6 +55,10 @@ class BasicPeriodicPiecewise {
     /// The periodic cubic spline (value, slope and curvature continuous, over the ends too).
     static BasicPeriodicPiecewise cubic(std::span<const Scalar> x, std::span<const Scalar> y);
 
+    /// f + factor × g, of two functions with the same knots; straight lines where both are.
+    static BasicPeriodicPiecewise sum(const BasicPeriodicPiecewise& f,
+                                      const BasicPeriodicPiecewise& g, const Scalar& factor);
+
     Scalar period() const { return knots_.back() - knots_.front(); }
     bool is_linear() const { return linear_; }
     std::size_t size() const { return pieces_.size(); }           ///< n

@@ -10,6 +10,7 @@
 #include "balance-shaft/balance_shaft.h"
 #include "balance-shaft/best_range.h"
 #include "balance-shaft/cycle_extrema.h"
+#include "balance-shaft/speed_study.h"
 #include "numerics/periodic_piecewise.h"
 
 namespace {
@@ -110,6 +111,55 @@ BENCHMARK(solve_anew)
     ->ArgsProduct({{49, 721}, {0, 1}})
     ->ArgNames({"rows", "cubic"})
     ->Unit(benchmark::kMicrosecond);
+
+/// The paper's engine with a computed diesel cycle.
+Input diesel(Interpolation interpolation) {
+    Input input = preset_tmz_650d();
+    input.interpolation = interpolation;
+    input.rod_length = 0.150;
+    input.torque = {};
+    input.torque.kind = TorqueSource::Kind::cycle;
+    input.torque.cylinder.bore = 0.0955;
+    input.torque.cycle.heat = 1300.0;
+    input.torque.cycle.combustion_start = 352.0 * degree;
+    input.torque.cycle.combustion_duration = 60.0 * degree;
+    return input;
+}
+
+/// What a change of speed or load costs where the torque is computed.
+void solve_computed(benchmark::State& state) {
+    Input input = diesel(Interpolation::linear);
+    if (state.range(0) != 0) {
+        input.torque.cycle.heat.reset();
+        input.torque.cycle.imep = 7e5;
+    }
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(solve(input).best_range.value);
+    }
+}
+BENCHMARK(solve_computed)->ArgName("imep")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+/// Range and RMS over 360 angles × 60 speeds, the torque rebuilt per speed, with the best angles of
+/// every speed.
+void speed_map(benchmark::State& state) {
+    const Input input =
+        diesel(state.range(0) == 0 ? Interpolation::linear : Interpolation::periodic_cubic);
+    for (auto _ : state) {
+        const SpeedStudy study(input, {1000.0 * rpm, 4000.0 * rpm, 60, false});
+        benchmark::DoNotOptimize(study.map(360)->range.data());
+    }
+}
+BENCHMARK(speed_map)->ArgName("cubic")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+void least_bad_angle(benchmark::State& state) {
+    const SpeedStudy study(diesel(Interpolation::linear), {1000.0 * rpm, 4000.0 * rpm, 60, false});
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(
+            study.least_bad_angle(SpeedStudy::Criterion::range, SpeedStudy::Measure::relative)
+                .shaft_angle);
+    }
+}
+BENCHMARK(least_bad_angle)->Unit(benchmark::kMillisecond);
 
 /// For comparison: one range by a plain loop over 721 samples, not exact.
 void plain_range_sweep(benchmark::State& state) {

@@ -13,23 +13,8 @@
 namespace ravnoves::balance_shaft {
 namespace {
 
+using test::diesel;
 using test::error_of;
-
-/// The paper's engine with a plain diesel cycle in place of its table.
-Input diesel() {
-    Input input = preset_tmz_650d();
-    input.rod_length = 0.150;
-    input.torque = {};
-    input.torque.kind = TorqueSource::Kind::cycle;
-    input.torque.cylinder.bore = 0.0955;
-    GasCycle& cycle = input.torque.cycle;
-    cycle.compression_ratio = 18.0;
-    cycle.heat = 1300.0;
-    cycle.combustion_start = 352.0 * degree;
-    cycle.combustion_duration = 60.0 * degree;
-    cycle.wiebe_m = 1.0;
-    return input;
-}
 
 /// Angles at which the cycle's pressure has a kink, a jump or no Taylor series, from 0 to 4π.
 std::vector<double> breaks(const Input& input) {

@@ -46,6 +46,22 @@ inline std::vector<std::vector<std::string>> read_csv(const std::filesystem::pat
     return rows;
 }
 
+/// The paper's engine with a plain diesel cycle in place of its table.
+inline Input diesel() {
+    Input input = preset_tmz_650d();
+    input.rod_length = 0.150;
+    input.torque = {};
+    input.torque.kind = TorqueSource::Kind::cycle;
+    input.torque.cylinder.bore = 0.0955;
+    GasCycle& cycle = input.torque.cycle;
+    cycle.compression_ratio = 18.0;
+    cycle.heat = 1300.0;
+    cycle.combustion_start = 352.0 * degree;
+    cycle.combustion_duration = 60.0 * degree;
+    cycle.wiebe_m = 1.0;
+    return input;
+}
+
 /// A torque table over 720° with n irregular rows, drawn by a fixed seed.
 inline TorqueTable random_table(unsigned seed, std::size_t rows, double size = 500.0) {
     std::mt19937 generator(seed);

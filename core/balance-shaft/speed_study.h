@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "balance-shaft/balance_shaft.h"
+#include "balance-shaft/cycle_extrema.h"
+#include "numerics/periodic_piecewise.h"
+
+namespace ravnoves::balance_shaft {
+
+/// Called with the part that is done, 0…1; false cancels.
+using Progress = std::function<bool(double)>;
+
+/// What the shaft's angle does over a band of speeds.
+///
+/// At the speed ω the engine torque is gas + ω² × unit inertia, with the gas torque of the input
+/// (the load stays), and the shaft's moment grows with ω² too. The torque must be computed
+/// (pressure, cycle), or be a table that belongs to the masses and the speed entered
+/// (InertiaCheck): then the fitted inertia torque is its part that follows the speed.
+class SpeedStudy {
+  public:
+    /// One speed of the band.
+    struct Point {
+        double angular_speed = 0.0;     ///< rad/s
+        double moment_amplitude = 0.0;  ///< of the shaft, N·m
+        double range_without = 0.0;     ///< ΔM_up, without a shaft, N·m
+        double rms_without = 0.0;       ///< N·m
+        double best_range_angle = 0.0;  ///< rad
+        double best_range = 0.0;        ///< N·m
+        double best_rms_angle = 0.0;    ///< rad
+        double best_rms = 0.0;          ///< N·m
+    };
+
+    /// Range and RMS over (α, speed): element speed × angles + angle.
+    struct Map {
+        std::vector<double> shaft_angle_deg;  ///< 0 ≤ α < 360, equally spaced
+        std::vector<double> range;            ///< N·m
+        std::vector<double> rms;              ///< N·m
+    };
+
+    enum class Criterion { range, rms };
+    enum class Measure {
+        absolute,  ///< the criterion in N·m
+        relative,  ///< the criterion over its value without a shaft at the same speed
+    };
+
+    /// The angle whose worst speed is the least bad.
+    struct LeastBad {
+        double shaft_angle = 0.0;  ///< rad, 0…2π
+        double value = 0.0;        ///< the measure at the worst speed
+        double worst_speed = 0.0;  ///< rad/s
+        double gap = 0.0;          ///< no angle is better by more than this
+    };
+
+    /// Solves every speed of the band; may be cancelled, then is_complete() is false.
+    /// @throws InputError as check_input() and where the band cannot be
+    SpeedStudy(const Input& input, const SpeedBand& band, const Progress& progress = {});
+
+    /// Empty where the study could be made; else a sentence that says why not.
+    const std::string& reason() const { return reason_; }
+    bool is_complete() const { return complete_; }
+    const std::vector<Point>& points() const { return points_; }
+
+    /// Nothing where cancelled.
+    /// @param angles  ≥ 1
+    std::optional<Map> map(std::size_t angles, const Progress& progress = {}) const;
+
+    /// Minimax over the band's speeds, proven by cutting planes. The study must be complete.
+    LeastBad least_bad_angle(Criterion criterion, Measure measure) const;
+
+  private:
+    struct Speed {
+        CycleExtrema extrema;
+        double variance;
+        FourierPair order_1;
+    };
+
+    std::string reason_;
+    bool complete_ = false;
+    std::vector<Point> points_;
+    std::vector<Speed> speeds_;
+};
+
+/// The object "speed_band" of a result; the map only where asked for.
+Json write_speed_study(const SpeedStudy& study, const std::optional<SpeedStudy::Map>& map);
+
+}  // namespace ravnoves::balance_shaft

@@ -1,0 +1,163 @@
+#include "balance-shaft/speed_study.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "test_cases.h"
+
+namespace ravnoves::balance_shaft {
+namespace {
+
+using test::diesel;
+using test::error_of;
+using Criterion = SpeedStudy::Criterion;
+using Measure = SpeedStudy::Measure;
+
+SpeedBand band(double from_rpm, double to_rpm, int speeds) {
+    return {from_rpm * rpm, to_rpm * rpm, speeds, false};
+}
+
+TEST(SpeedStudy, EverySpeedIsTheEngineSolvedAtThatSpeed) {
+    for (const Interpolation interpolation :
+         {Interpolation::linear, Interpolation::periodic_cubic}) {
+        Input input = diesel();
+        input.interpolation = interpolation;
+        const SpeedStudy study(input, band(1500, 4000, 5));
+        ASSERT_TRUE(study.is_complete());
+        EXPECT_EQ(study.reason(), "");
+        const auto map = study.map(24);
+        ASSERT_TRUE(map);
+        for (std::size_t k = 0; k < 5; ++k) {
+            const SpeedStudy::Point& point = study.points()[k];
+            EXPECT_NEAR(point.angular_speed / rpm, 1500.0 + 625.0 * static_cast<double>(k), 1e-9);
+            input.angular_speed = point.angular_speed;
+            const Solver solver(input);
+            const Result result = solver.result();
+            const double size = result.M_up.range;
+            EXPECT_NEAR(point.range_without, result.M_up.range, 1e-11 * size);
+            EXPECT_NEAR(point.rms_without, result.M_up.rms, 1e-11 * size);
+            EXPECT_NEAR(point.best_range, result.best_range.value, 1e-11 * size);
+            EXPECT_NEAR(point.best_range_angle, *result.best_range.shaft_angle, 1e-6);
+            EXPECT_NEAR(point.best_rms, result.best_rms.value, 1e-11 * size);
+            EXPECT_NEAR(point.best_rms_angle, *result.best_rms.shaft_angle, 1e-9);
+            for (std::size_t i = 0; i < 24; ++i) {
+                const double alpha = map->shaft_angle_deg[i] * degree;
+                EXPECT_NEAR(map->range[k * 24 + i], solver.range(alpha), 1e-11 * size);
+                EXPECT_NEAR(map->rms[k * 24 + i], solver.rms(alpha), 1e-11 * size);
+            }
+        }
+    }
+}
+
+TEST(SpeedStudy, TheLeastBadAngleIsTheMinimaxOfADenseMap) {
+    const Input input = diesel();
+    const SpeedStudy study(input, band(1500, 4200, 12));
+    constexpr std::size_t angles = 1800;
+    const auto map = study.map(angles);
+    for (const Criterion criterion : {Criterion::range, Criterion::rms}) {
+        for (const Measure measure : {Measure::absolute, Measure::relative}) {
+            double least = 1e300;
+            for (std::size_t i = 0; i < angles; ++i) {
+                double worst = 0.0;
+                for (std::size_t k = 0; k < study.points().size(); ++k) {
+                    const auto& point = study.points()[k];
+                    const bool by_range = criterion == Criterion::range;
+                    const double value = (by_range ? map->range : map->rms)[k * angles + i];
+                    const double without = by_range ? point.range_without : point.rms_without;
+                    worst = std::max(worst, measure == Measure::absolute ? value : value / without);
+                }
+                least = std::min(least, worst);
+            }
+            const auto found = study.least_bad_angle(criterion, measure);
+            EXPECT_LE(found.value, least * (1.0 + 1e-12));
+            EXPECT_GE(found.value, least * 0.995);
+            EXPECT_LE(found.gap, 1e-9 * found.value);
+            // The worst speed is one at which the value is reached.
+            Input at_worst = input;
+            at_worst.angular_speed = found.worst_speed;
+            const Solver solver(at_worst);
+            const double value = criterion == Criterion::range ? solver.range(found.shaft_angle)
+                                                               : solver.rms(found.shaft_angle);
+            const double without = criterion == Criterion::range ? solver.result().M_up.range
+                                                                 : solver.result().M_up.rms;
+            EXPECT_NEAR(measure == Measure::absolute ? value : value / without, found.value,
+                        1e-9 * found.value);
+        }
+    }
+}
+
+TEST(SpeedStudy, ABandOfOneSpeedHasThatSpeedsBestAngle) {
+    Input input = diesel();
+    input.angular_speed = 3000.0 * rpm;
+    const SpeedStudy study(input, band(3000, 3000, 2));
+    const Result result = solve(input);
+    EXPECT_NEAR(study.least_bad_angle(Criterion::range, Measure::absolute).value,
+                result.best_range.value, 1e-9);
+    EXPECT_NEAR(study.least_bad_angle(Criterion::rms, Measure::relative).shaft_angle,
+                *result.best_rms.shaft_angle, 1e-5);
+}
+
+TEST(SpeedStudy, CanBeCancelledAndReportsItsProgress) {
+    const Input input = diesel();
+    int calls = 0;
+    const SpeedStudy cancelled(input, band(1000, 4000, 10), [&](double) { return ++calls < 4; });
+    EXPECT_FALSE(cancelled.is_complete());
+    EXPECT_EQ(cancelled.points().size(), 3U);
+    double last = -1.0;
+    const auto rising = [&](double part) {
+        EXPECT_GT(part, last);
+        last = part;
+        return true;
+    };
+    const SpeedStudy study(input, band(1000, 4000, 10), rising);
+    EXPECT_EQ(last, 1.0);
+    last = -1.0;
+    EXPECT_TRUE(study.map(10, rising));
+    EXPECT_EQ(last, 1.0);
+    EXPECT_FALSE(study.map(10, [](double part) { return part < 0.5; }));
+}
+
+TEST(SpeedStudy, ATableIsTakenToOtherSpeedsOnlyWhereItBelongsToItsMasses) {
+    const Input paper = preset_tmz_650d();
+    const SpeedStudy refused(paper, band(2000, 4000, 5));
+    EXPECT_FALSE(refused.is_complete());
+    EXPECT_EQ(refused.reason().rfind("The torque does not belong to the masses", 0), 0U);
+    EXPECT_EQ(write_speed_study(refused, std::nullopt).at("feasible"), false);
+
+    const Input slower = with_matching_speed(paper, solve(paper).inertia_check);
+    const SpeedStudy study(slower, {slower.angular_speed, 1.2 * slower.angular_speed, 3, false});
+    ASSERT_TRUE(study.is_complete());
+    const Result result = solve(slower);
+    EXPECT_NEAR(study.points()[0].best_range, result.best_range.value, 1e-9);
+    EXPECT_NEAR(study.points()[0].range_without, result.M_up.range, 1e-9);
+    EXPECT_GT(study.points()[2].moment_amplitude, study.points()[0].moment_amplitude);
+}
+
+TEST(SpeedStudy, IsPrintedByACase) {
+    Json json = write_input(diesel());
+    json["speed_band"] = {{"from_rpm", 2000}, {"to_rpm", 3600}, {"speeds", 4}, {"map", true}};
+    EXPECT_EQ(write_input(read_input(json, {})).at("speed_band"), json.at("speed_band"));
+    const CaseFile file{"balance-shaft", "", json};
+    const Json result = solve_case(file, {}).at("result").at("speed_band");
+    EXPECT_EQ(result.at("speed_rpm").size(), 4U);
+    EXPECT_EQ(result.at("map").at("range_Nm").size(), 4U);
+    EXPECT_EQ(result.at("map").at("range_Nm").at(0).size(), 360U);
+    EXPECT_TRUE(result.at("least_bad").at("range").contains("worst_speed_rpm"));
+    const auto refusal = [&](const std::string& patch) {
+        Json changed = json;
+        changed["speed_band"].merge_patch(parse_json(patch));
+        return error_of([&] { read_input(changed, {}); });
+    };
+    EXPECT_EQ(refusal(R"({"from_rpm": 0})"),
+              "/input/speed_band/from_rpm: must be greater than 0, got 0");
+    EXPECT_EQ(refusal(R"({"to_rpm": 1000})"),
+              "/input/speed_band/to_rpm: must be at least from_rpm, 2000, got 1000");
+    EXPECT_EQ(refusal(R"({"speeds": 1})"),
+              "/input/speed_band/speeds: must be a whole number from 2 to 1000, got 1");
+    EXPECT_EQ(refusal(R"({"to_rpm": 1e300})").rfind("/input/speed_band/to_rpm: must be at most", 0),
+              0U);
+}
+
+}  // namespace
+}  // namespace ravnoves::balance_shaft
