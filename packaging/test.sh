@@ -22,7 +22,7 @@ Exits with 0 only if every stage passed.
 END
 }
 
-quick=no full=no install=yes
+quick=no full=no install=yes tidy_checks=""
 while [ $# -gt 0 ]; do
     case $1 in
         --quick) quick=yes ;;
@@ -91,7 +91,7 @@ build_and_test() {
 run_tidy() { (cd "$root" && cmake --build --preset tidy -j "$(build_jobs)" -- -k 0); }
 
 lint_sources() {
-    stage "lint: configure" configure tidy || return 0
+    stage "lint: configure" configure tidy "-DRAVNOVES_TIDY_CHECKS=$tidy_checks" || return 0
     stage "lint: clang-tidy" run_tidy || return 0
 }
 
@@ -113,7 +113,7 @@ if [ $quick = no ]; then
     if [ $full = yes ]; then
         build_and_test asan-ubsan -DRAVNOVES_BUILD_UI=ON
     else
-        export RAVNOVES_TIDY_CHECKS='-clang-analyzer-*'
+        tidy_checks='-clang-analyzer-*'
         build_and_test asan-ubsan -DRAVNOVES_BUILD_UI=OFF
     fi
     stage "lint: scripts" lint_scripts || true
