@@ -9,7 +9,6 @@
 #include <QGraphicsLayout>
 #include <QGraphicsScene>
 #include <QKeyEvent>
-#include <QLineSeries>
 #include <QLogValueAxis>
 #include <QMenu>
 #include <QMessageBox>
@@ -20,6 +19,7 @@
 #include <QValueAxis>
 #include <QWheelEvent>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "plot/legend_item.h"
@@ -56,7 +56,7 @@ struct PlotView::AxisState {
 
 struct PlotView::Curve {
     CurveStyle style;
-    QLineSeries* series = nullptr;  // owned by the chart
+    QPolygonF pixels;  ///< the line as drawn, thinned
     LegendItem* button = nullptr;
     std::vector<double> x;
     std::vector<double> y;
@@ -137,9 +137,6 @@ void PlotView::setXAxis(const Axis& spec) {
         x_->chartAxis = spec.logarithmic ? static_cast<QAbstractAxis*>(new QLogValueAxis)
                                          : static_cast<QAbstractAxis*>(new QValueAxis);
         chart_->addAxis(x_->chartAxis, Qt::AlignBottom);
-        for (const auto& curve : curves_) {
-            curve->series->attachAxis(x_->chartAxis);
-        }
         applyTheme();
     }
     seriesStale_ = true;
@@ -155,11 +152,6 @@ void PlotView::setYAxis(Side side, const Axis& spec) {
         state.chartAxis = spec.logarithmic ? static_cast<QAbstractAxis*>(new QLogValueAxis)
                                            : static_cast<QAbstractAxis*>(new QValueAxis);
         chart_->addAxis(state.chartAxis, side == Side::Left ? Qt::AlignLeft : Qt::AlignRight);
-        for (const auto& curve : curves_) {
-            if (curve->style.side == side) {
-                curve->series->attachAxis(state.chartAxis);
-            }
-        }
         applyTheme();
     }
     if (spec.logarithmic && !(state.low > 0.0)) {
@@ -187,12 +179,16 @@ void PlotView::setYRange(Side side, double min, double max) {
 }
 
 void PlotView::followData(Side side) {
+    if (!axis(side).fixed) {
+        return;
+    }
     axis(side).fixed.reset();
     chartChanged();
 }
 
 void PlotView::setEqualScale(bool equal) {
     equalScale_ = equal;
+    seriesStale_ = true;
     chartChanged();
 }
 
@@ -203,10 +199,6 @@ int PlotView::addCurve(const CurveStyle& style) {
     if (style.side == Side::Right && right_->chartAxis == nullptr) {
         setYAxis(Side::Right, {});
     }
-    curve->series = new QLineSeries;
-    chart_->addSeries(curve->series);
-    curve->series->attachAxis(x_->chartAxis);
-    curve->series->attachAxis(axis(style.side).chartAxis);
     const int number = static_cast<int>(curves_.size());
     if (style.inLegend) {
         curve->button = new LegendItem(this);
@@ -224,7 +216,6 @@ void PlotView::setCurveStyle(int number, const CurveStyle& style) {
     Curve& curve = *curves_.at(static_cast<std::size_t>(number));
     curve.style = style;
     const QColor colour = Theme::instance().curve(style.colour);
-    curve.series->setPen(QPen(colour, style.width, style.pen, Qt::RoundCap, Qt::RoundJoin));
     curve.stale = true;
     if (curve.button != nullptr) {
         curve.button->setText(style.name);
@@ -261,14 +252,14 @@ void PlotView::setCurve(int number, std::vector<double> x, std::vector<double> y
     curve.x = std::move(x);
     curve.y = std::move(y);
     curve.stale = true;
-    chartChanged();
+    curvesChanged();
 }
 
 void PlotView::setErrorBars(int number, std::vector<double> low, std::vector<double> high) {
     Curve& curve = *curves_.at(static_cast<std::size_t>(number));
     curve.low = std::move(low);
     curve.high = std::move(high);
-    chartChanged();
+    curvesChanged();
 }
 
 void PlotView::setCurveShown(int number, bool shown) {
@@ -281,7 +272,7 @@ void PlotView::setCurveShown(int number, bool shown) {
         curve.button->setChecked(shown);
     }
     curve.stale = true;
-    chartChanged();
+    curvesChanged();
     Q_EMIT curveToggled(number, shown);
 }
 
@@ -338,7 +329,13 @@ void PlotView::resetZoom() {
     chartChanged();
 }
 
+void PlotView::curvesChanged() {
+    pictureStale_ = true;
+    update();
+}
+
 void PlotView::chartChanged() {
+    axesStale_ = true;
     pictureStale_ = true;
     update();
 }
@@ -540,6 +537,11 @@ void PlotView::paintTitle(QPainter& painter) {
 void PlotView::layoutChart() {
     layoutHeader();
     const double top = headerHeight_;
+    const auto intervals = [this] {
+        return std::array{x_->low, x_->high, left_->low, left_->high, right_->low, right_->high};
+    };
+    const auto shown = intervals();
+    bool moved = seriesStale_;
     updateRanges();
 
     const QFontMetricsF metrics(Theme::font(Theme::smallSize));
@@ -569,7 +571,7 @@ void PlotView::layoutChart() {
     scene_->setSceneRect(whole);
     if (chart_->plotArea() != area) {
         chart_->setPlotArea(area);
-        seriesStale_ = true;
+        moved = true;
     }
     if (equalScale_) {
         // Widen the axis with room to spare until one unit is as long on both.
@@ -582,15 +584,18 @@ void PlotView::layoutChart() {
         };
         if (perX > perY * (1 + 1e-9)) {
             widen(*left_, perX * area.height());
-            seriesStale_ = true;
         } else if (perY > perX * (1 + 1e-9)) {
             widen(*x_, perY * area.width());
-            seriesStale_ = true;
         }
     }
-    updateTicks();
+    // What was widened above starts afresh each time: only where it ends counts.
+    seriesStale_ = moved || intervals() != shown;
+    axesStale_ = axesStale_ || seriesStale_;
+    if (axesStale_) {
+        updateTicks();
+        chart_->layout()->activate();
+    }
     updateSeries();
-    chart_->layout()->activate();
 }
 
 void PlotView::updateSeries() {
@@ -601,7 +606,7 @@ void PlotView::updateSeries() {
         curve->stale = false;
         const bool drawn = curve->shown && (curve->style.shape == Shape::Line ||
                                             curve->style.shape == Shape::LineAndPoints);
-        curve->series->setVisible(drawn);
+        curve->pixels.clear();
         if (!drawn) {
             continue;
         }
@@ -609,16 +614,14 @@ void PlotView::updateSeries() {
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             pixels[i] = toPixel(curve->x[i], curve->y[i], curve->style.side);
         }
-        QList<QPointF> points;
         for (const std::size_t i : thinPolylineIndices(pixels, 0.25)) {
-            points.append(QPointF(curve->x[i], curve->y[i]));
+            curve->pixels.append(pixels[i]);
         }
-        curve->series->replace(points);
     }
     seriesStale_ = false;
 }
 
-void PlotView::renderChart(QPainter& painter) {
+void PlotView::renderAxes(QPainter& painter) {
     const QRectF area = plotArea();
     painter.setRenderHint(QPainter::Antialiasing);
     paintTitle(painter);
@@ -648,7 +651,24 @@ void PlotView::renderChart(QPainter& painter) {
     }
     const QRectF whole(0, 0, width(), height());
     scene_->render(&painter, whole, whole);
+}
 
+void PlotView::renderCurves(QPainter& painter) {
+    const QRectF area = plotArea();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.save();
+    painter.setClipRect(area);
+    painter.setBrush(Qt::NoBrush);
+    for (const auto& curve : curves_) {
+        if (curve->shown && !curve->pixels.isEmpty()) {
+            // Round caps and joins are arcs to the stroker: three times the cost, and no pixel of
+            // a smooth curve.
+            painter.setPen(QPen(Theme::instance().curve(curve->style.colour), curve->style.width,
+                                curve->style.pen, Qt::FlatCap, Qt::BevelJoin));
+            painter.drawPolyline(curve->pixels);
+        }
+    }
+    painter.restore();
     painter.save();
     painter.setClipRect(area.adjusted(-4, -4, 4, 4));
     for (const auto& curve : curves_) {
@@ -699,13 +719,22 @@ void PlotView::paintEvent(QPaintEvent* /*event*/) {
         layoutChart();
         const qreal ratio = devicePixelRatioF();
         const QSize pixels = (QSizeF(size()) * ratio).toSize();
-        if (picture_.size() != pixels) {
-            picture_ = QPixmap(pixels);
+        if (picture_.size() != pixels || picture_.devicePixelRatio() != ratio) {
+            for (QPixmap* layer : {&axesPicture_, &picture_}) {
+                *layer = QPixmap(pixels);
+                layer->setDevicePixelRatio(ratio);
+            }
+            axesStale_ = true;
         }
-        picture_.setDevicePixelRatio(ratio);
-        picture_.fill(Theme::instance().panel());
+        if (axesStale_) {
+            axesPicture_.fill(Theme::instance().panel());
+            QPainter painter(&axesPicture_);
+            renderAxes(painter);
+            axesStale_ = false;
+        }
         QPainter painter(&picture_);
-        renderChart(painter);
+        painter.drawPixmap(0, 0, axesPicture_);
+        renderCurves(painter);
         pictureStale_ = false;
     }
     QPainter painter(this);
@@ -930,7 +959,8 @@ void PlotView::renderTo(QPainter& painter, const QRectF& target) {
     painter.translate(target.topLeft());
     painter.scale(target.width() / width(), target.height() / height());
     painter.fillRect(QRectF(rect()), Theme::instance().panel());
-    renderChart(painter);
+    renderAxes(painter);
+    renderCurves(painter);
     paintOverlay(painter);
     for (const auto& curve : curves_) {
         if (curve->button != nullptr && curve->shown) {

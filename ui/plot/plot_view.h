@@ -20,9 +20,10 @@ class LegendItem;
 /// One chart: a title, a legend whose entries switch curves, curves over a common x axis with one
 /// or two y axes, marks, a line at the present value, and a cursor that reads the curves.
 ///
-/// Wraps Qt Charts, so that no page knows it. The chart is drawn once into a picture and redrawn
-/// only when data, range, size or theme change; marks, present value and cursor are painted over
-/// it, so moving them costs next to nothing. Curves are thinned to what a pixel can show.
+/// Wraps Qt Charts, so that no page knows it. Axes and grid are drawn once into a picture and
+/// redrawn only when range, size or theme change, the curves into a second one over it; marks,
+/// present value and cursor are painted on top, so moving them costs next to nothing. Curves are
+/// thinned to what a pixel can show.
 ///
 /// Mouse: wheel zooms about the pointer (with Shift only y, with Ctrl only x), left drag pans,
 /// double click resets. In a pickable plot a left click or drag picks x instead, and the middle
@@ -186,6 +187,7 @@ class PlotView : public QWidget {
     AxisState& axis(Side side);
     const AxisState& axis(Side side) const;
     bool sideUsed(Side side) const;
+    void curvesChanged();
     void chartChanged();
     void layoutHeader();
     void paintTitle(QPainter& painter);
@@ -198,7 +200,8 @@ class PlotView : public QWidget {
     void pan(const QPointF& pixels);
     void moveCursor(const QPointF& position);
     void pick(const QPointF& position);
-    void renderChart(QPainter& painter);
+    void renderAxes(QPainter& painter);
+    void renderCurves(QPainter& painter);
     void paintOverlay(QPainter& painter);
     void paintMarks(QPainter& painter, const QRectF& area);
     void paintReadout(QPainter& painter, const QRectF& area);
@@ -229,7 +232,9 @@ class PlotView : public QWidget {
     std::optional<QPointF> panFrom_;
     int readoutDecimals_ = -1;
 
-    QPixmap picture_;
+    QPixmap axesPicture_;  ///< title, grid and axes, which rest while the curves move
+    QPixmap picture_;      ///< these with the curves
+    bool axesStale_ = true;
     bool pictureStale_ = true;
     bool seriesStale_ = true;
 };
