@@ -198,7 +198,7 @@ QString CylinderTableModel::pasteBlock(int row, int column, const QString& text)
         const QChar separator =
             words.contains(QLatin1Char('\t')) ? QLatin1Char('\t') : QLatin1Char(';');
         const QStringList cells = words.split(separator);
-        const auto target = static_cast<std::size_t>(row + line);
+        const auto target = static_cast<std::size_t>(row) + static_cast<std::size_t>(line);
         if (target >= static_cast<std::size_t>(inertia_moments::most_cylinders)) {
             return tr("At most %1 cylinders.").arg(inertia_moments::most_cylinders);
         }
@@ -206,7 +206,8 @@ QString CylinderTableModel::pasteBlock(int row, int column, const QString& text)
             cylinders.push_back(Cylinder{});
         }
         for (int cell = 0; cell < cells.size() && column + cell < Columns; ++cell) {
-            const ColumnInfo& info = columns().at(static_cast<std::size_t>(column + cell));
+            const ColumnInfo& info =
+                columns().at(static_cast<std::size_t>(column) + static_cast<std::size_t>(cell));
             const auto number = readFormNumber(cells[cell]);
             if (!number || !info.field->range.contains(*number)) {
                 return tr("Line %1, column %2: %3 is no number that fits here.")
@@ -220,7 +221,7 @@ QString CylinderTableModel::pasteBlock(int row, int column, const QString& text)
     if (line == 0) {
         return tr("The clipboard holds no numbers.");
     }
-    const QString why = model_->edit(tr("Paste cylinders"), [&](Input& input) {
+    QString why = model_->edit(tr("Paste cylinders"), [&](Input& input) {
         auto& own = ownTable(input, cylinders);
         if (own.size() != cylinders.size()) {
             input.firing_order.clear();

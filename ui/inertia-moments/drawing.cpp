@@ -2,6 +2,7 @@
 
 #include <QPainterPath>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "numerics/constants.h"
@@ -25,6 +26,20 @@ void drawArrow(QPainter& painter, const QPointF& from, const QPointF& to, const 
     painter.setBrush(colour);
     painter.drawPolygon(QPolygonF{to, to - along * head + across * head * 0.45,
                                   to - along * head - across * head * 0.45});
+}
+
+void drawBar(QPainter& painter, const QPointF& from, const QPointF& to, double width,
+             const QColor& fill, const QColor& line) {
+    const QPointF d = to - from;
+    const double length = std::hypot(d.x(), d.y());
+    if (length < 1e-6) {
+        return;
+    }
+    const QPointF across = QPointF(-d.y(), d.x()) * (0.5 * width / length);
+    painter.setPen(QPen(line, 1.0));
+    painter.setBrush(fill);
+    const std::array corners{from + across, to + across, to - across, from - across};
+    painter.drawConvexPolygon(corners.data(), static_cast<int>(corners.size()));
 }
 
 void drawWeight(QPainter& painter, const QPointF& axis, double angle, double radius,

@@ -22,6 +22,11 @@ struct Frame {
 void drawArrow(QPainter& painter, const QPointF& from, const QPointF& to, const QColor& colour,
                double width = 2.0);
 
+/// A straight bar of metal (rod, crank web) between two points; its ends are left to the joints.
+/// A polygon with a thin outline: wide round pens cost a page its frame.
+void drawBar(QPainter& painter, const QPointF& from, const QPointF& to, double width,
+             const QColor& fill, const QColor& line);
+
 /// A counterweight seen along its shaft: the sector of a disc towards an angle (rad, counter-
 /// clockwise from x).
 void drawWeight(QPainter& painter, const QPointF& axis, double angle, double radius,

@@ -154,18 +154,23 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
     crankPixel_ = frame.at({0.0, 0.0});
 
     // Axes of the banks, past the crank's centre by their offsets.
-    painter.setPen(QPen(theme.border(), 1.0, Qt::DashDotLine));
+    painter.setPen(QPen(theme.border(), 1.0));
     painter.drawLine(QPointF(area.left(), crankPixel_.y()), QPointF(area.right(), crankPixel_.y()));
     painter.drawLine(QPointF(crankPixel_.x(), area.top()), QPointF(crankPixel_.x(), area.bottom()));
+    int drawn = 0;
     for (std::size_t i = 0; i < poses.size(); ++i) {
+        if (banks[i] < drawn) {
+            continue;  // one behind the other
+        }
+        ++drawn;
         const CylinderPose& pose = poses[i];
         QColor line = drawing::bankColour(banks[i]);
         line.setAlphaF(0.5F);
-        painter.setPen(QPen(line, 1.0, Qt::DashLine));
+        painter.setPen(QPen(line, 1.0));
         painter.drawLine(frame.at(pose.axis_foot - pose.axis_direction * 0.3 * radius),
                          frame.at(pose.axis_foot + pose.axis_direction * (pose.top + crown)));
         // Cylinder walls.
-        painter.setPen(QPen(theme.mutedText(), 1.2));
+        painter.setPen(QPen(theme.mutedText(), 1.0));
         for (const double side : {-half, half}) {
             const Complex across = pose.axis_direction * Complex(0.0, side);
             painter.drawLine(
@@ -192,7 +197,7 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
         const QColor bank = drawing::bankColour(banks[i]);
         QColor body = drawing::metal();
         body.setAlphaF(0.86F);
-        painter.setPen(QPen(bank, 1.4));
+        painter.setPen(QPen(bank, 1.0));
         painter.setBrush(body);
         const Complex axial = pose.axis_direction;
         const Complex across = axial * Complex(0.0, 1.0);
@@ -205,10 +210,8 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
                       frame.at(pose.piston_pin - axial * skirt + across * 0.95 * half)});
         const QPointF pin = frame.at(pose.crankpin);
         const QPointF piston = frame.at(pose.piston_pin);
-        painter.setPen(QPen(theme.text(), thick + 1.8, Qt::SolidLine, Qt::RoundCap));
-        painter.drawLine(pin, piston);
-        painter.setPen(QPen(body, thick, Qt::SolidLine, Qt::RoundCap));
-        painter.drawLine(pin, piston);
+        drawing::drawBar(painter, pin, piston, thick, body, theme.text());
+        painter.drawEllipse(piston, 0.5 * thick, 0.5 * thick);
         const QPointF head1 = frame.at(pose.piston_pin + axial * 0.3 * radius);
         painter.setPen(theme.text());
         painter.drawText(QRectF(head1 - QPointF(12, 8), QSizeF(24, 16)), Qt::AlignCenter,
@@ -216,16 +219,14 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
     }
     // The crank star over all.
     for (const CylinderPose& pose : poses) {
-        painter.setPen(QPen(theme.text(), thick + 1.8, Qt::SolidLine, Qt::RoundCap));
-        painter.drawLine(crankPixel_, frame.at(pose.crankpin));
-        painter.setPen(QPen(drawing::metal(), thick, Qt::SolidLine, Qt::RoundCap));
-        painter.drawLine(crankPixel_, frame.at(pose.crankpin));
+        drawing::drawBar(painter, crankPixel_, frame.at(pose.crankpin), thick, drawing::metal(),
+                         theme.text());
     }
-    painter.setPen(QPen(theme.text(), 1.2));
+    painter.setPen(QPen(theme.text(), 1.0));
     painter.setBrush(theme.panel());
     painter.drawEllipse(crankPixel_, 0.6 * thick + 1.5, 0.6 * thick + 1.5);
     for (std::size_t i = 0; i < poses.size(); ++i) {
-        painter.setPen(QPen(theme.text(), 1.2));
+        painter.setPen(QPen(theme.text(), 1.0));
         painter.setBrush(drawing::bankColour(banks[i]));
         painter.drawEllipse(frame.at(poses[i].crankpin), 0.5 * thick + 1.0, 0.5 * thick + 1.0);
     }
@@ -261,7 +262,7 @@ void EngineView::paintSide(QPainter& painter, const QRectF& area) {
         return QPointF(area.center().x() - (z - middle) * scale, axisY - y * scale);
     };
 
-    painter.setPen(QPen(theme.border(), 1.0, Qt::DashDotLine));
+    painter.setPen(QPen(theme.border(), 1.0));
     painter.drawLine(at(high, 0), at(low, 0));
 
     const double direction = phi + engine.cylinders.front().bank_angle;
@@ -294,10 +295,10 @@ void EngineView::paintSide(QPainter& painter, const QRectF& area) {
         const Cylinder& cylinder = engine.cylinders[i];
         const double y = radius * heightOf(cylinder.crankpin_angle);
         const double z = cylinder.axial_position;
-        painter.setPen(QPen(theme.text(), 2.2, Qt::SolidLine, Qt::RoundCap));
+        painter.setPen(QPen(theme.text(), 2.0, Qt::SolidLine, Qt::FlatCap));
         painter.drawLine(at(z - pinHalf, 0), at(z - pinHalf, y));
         painter.drawLine(at(z + pinHalf, 0), at(z + pinHalf, y));
-        painter.setPen(QPen(drawing::bankColour(banks[i]), 4.0, Qt::SolidLine, Qt::RoundCap));
+        painter.setPen(QPen(drawing::bankColour(banks[i]), 4.0, Qt::SolidLine, Qt::FlatCap));
         painter.drawLine(at(z - pinHalf, y), at(z + pinHalf, y));
         labels[static_cast<int>(std::lround(at(z, 0).x()))] << QString::number(i + 1);
     }

@@ -513,14 +513,12 @@ QWidget* InertiaMomentsPage::buildPlots() {
         plot->setYAxis(PlotView::Side::Left, {tr("M, N·m")});
         plot->addCurve({.name = tr("My 2-term"),
                         .colour = 6,
-                        .width = 1.2,
-                        .pen = Qt::DashLine,
+                        .width = 1.0,
                         .toolTip = tr("Vertical plane, the paper's formulas (1) and (2), Fig. 6")});
         plot->addCurve(
             {.name = tr("Mx 2-term"),
              .colour = 5,
-             .width = 1.2,
-             .pen = Qt::DashLine,
+             .width = 1.0,
              .toolTip = tr("Horizontal plane, the paper's formulas (3) and (4), Fig. 6")});
         plot->addCurve({.name = tr("My"),
                         .colour = 2,
@@ -697,6 +695,13 @@ QWidget* InertiaMomentsPage::buildAnswer() {
     warning_ = captionLabel({}, panel);
     warning_->setContentsMargins(Theme::gap, 0, Theme::gap, 0);
     warning_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    const auto paintWarning = [this] {
+        QPalette palette = warning_->palette();
+        palette.setColor(QPalette::WindowText, Theme::instance().warning());
+        warning_->setPalette(palette);
+    };
+    paintWarning();
+    connect(&Theme::instance(), &Theme::changed, warning_, paintWarning);
     answerColumn->addWidget(warning_);
     column->addWidget(panel, 5);
     return holder;
@@ -806,9 +811,6 @@ void InertiaMomentsPage::showResult() {
     showCharts();
     showAnswer();
     warning_->setText(model_->warningText());
-    QPalette palette = warning_->palette();
-    palette.setColor(QPalette::WindowText, Theme::instance().warning());
-    warning_->setPalette(palette);
     warning_->setVisible(!warning_->text().isEmpty());
 }
 

@@ -220,7 +220,7 @@ QString InertiaMomentsViewModel::edit(const QString& name,
     try {
         probe_ = inertia_moments::solve(next);
     } catch (const InputError& error) {
-        const QString why = explain(next, QString::fromUtf8(error.what()));
+        QString why = explain(next, QString::fromUtf8(error.what()));
         Q_EMIT refused(why);
         return why;
     }
@@ -252,7 +252,7 @@ QStringList InertiaMomentsViewModel::layoutNames() {
 
 QString InertiaMomentsViewModel::layoutTitle(const QString& name) const {
     if (name == paperEngine) {
-        return tr("Volkswagen VR5 (paper)");
+        return tr("VW VR5 (paper)");
     }
     if (name == ownTable) {
         return tr("Own table");
@@ -270,7 +270,7 @@ QString InertiaMomentsViewModel::layoutName() const {
     if (!input_.layout) {
         return ownTable;
     }
-    const QString name = QString::fromStdString(input_.layout->name);
+    QString name = QString::fromStdString(input_.layout->name);
     if (name != QLatin1String("vr")) {
         return name;
     }

@@ -65,7 +65,8 @@ QRectF ShaftView::cell(int index) const {
     const int rows = (count + across - 1) / across;
     const double w = static_cast<double>(width()) / across;
     const double h = static_cast<double>(height()) / rows;
-    return QRectF((index % across) * w, (index / across) * h, w, h).adjusted(3, 3, -3, -3);
+    const int row = index / across;
+    return QRectF((index % across) * w, row * h, w, h).adjusted(3, 3, -3, -3);
 }
 
 void ShaftView::paintEvent(QPaintEvent* /*event*/) {
