@@ -8,10 +8,13 @@
 
 #include "balance-shaft/balance_shaft_page.h"
 #include "balance-shaft/balance_shaft_view_model.h"
+#include "balance-shaft/envelope_view.h"
 #include "balance-shaft/forces_view.h"
 #include "balance-shaft/orders_view.h"
+#include "balance-shaft/speed_view.h"
 #include "balance-shaft/torque_source_editor.h"
 #include "events.h"
+#include "widgets/background_job.h"
 #include "widgets/value_slider.h"
 
 namespace ravnoves {
@@ -68,6 +71,51 @@ TEST_F(BalanceShaftViewsTest, AToothOutShowsInTheMoment) {
     EXPECT_NEAR(wrong - right,
                 amplitude * (std::sin(alpha + 109.0 * degree) - std::sin(alpha + 100.0 * degree)),
                 1e-6 * amplitude);
+}
+
+TEST_F(BalanceShaftViewsTest, SpeedStudyIsSolvedInTheBackground) {
+    // The printed table does not belong to its masses: the page says so instead of a curve.
+    auto* view = open<SpeedView>();
+    QTRY_VERIFY_WITH_TIMEOUT(!view->job()->isRunning(), 20000);
+    EXPECT_TRUE(view->answer().contains(QStringLiteral("does not belong")))
+        << view->answer().toStdString();
+    // A computed cycle follows the speed.
+    model->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
+    QTRY_VERIFY_WITH_TIMEOUT(!view->job()->isRunning(), 20000);
+    EXPECT_TRUE(view->answer().contains(QStringLiteral("Least bad")))
+        << view->answer().toStdString();
+    const double speed = model->input().angular_speed / rpm;
+    const auto best = view->anglePlot()->valueAt(1, speed);
+    ASSERT_TRUE(best.has_value());
+    // Between the band's speeds the curve is a straight line; the optimum is flat.
+    EXPECT_NEAR(*best, *model->result().best_rms.shaft_angle / degree, 0.5);
+    // A click into the map sets the angle.
+    const QPoint at(view->mapPlot()->toPixel(200.0, speed).toPoint());
+    QTest::mouseClick(view->mapPlot(), Qt::LeftButton, {}, at);
+    EXPECT_NEAR(model->shaftAngleDeg(), 200.0, 3.0);
+}
+
+TEST_F(BalanceShaftViewsTest, ANewStudyReplacesTheOneThatRuns) {
+    model->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
+    auto* view = open<SpeedView>();
+    for (int i = 0; i < 20; ++i) {
+        model->edit(QStringLiteral("Speed"),
+                    [i](balance_shaft::Input& input) { input.angular_speed = (200.0 + i) * 1.0; });
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(!view->job()->isRunning(), 20000);
+    const auto [low, high] = view->anglePlot()->xInterval();
+    EXPECT_NEAR(high, 1.1 * 219.0 / rpm, 1.0);
+    EXPECT_LT(low, high);
+}
+
+TEST_F(BalanceShaftViewsTest, SizeFollowsTheShaft) {
+    auto* view = open<EnvelopeView>();
+    model->setShaftAngleDeg(90.0);
+    EXPECT_NEAR(*view->sizePlot()->valueAt(0, 90.0), 1e3 * model->result().envelope.width(), 1e-6);
+    QTest::mouseClick(view->sizePlot(), Qt::LeftButton, {},
+                      QPoint(view->sizePlot()->toPixel(180.0, 0.0).toPoint().x(),
+                             view->sizePlot()->plotArea().center().toPoint().y()));
+    EXPECT_NEAR(model->shaftAngleDeg(), 180.0, 1.0);
 }
 
 TEST_F(BalanceShaftViewsTest, RemediesMakeTheTorqueFit) {
