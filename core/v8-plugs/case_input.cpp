@@ -114,6 +114,9 @@ void check_engine(const Engine& engine, const std::string& pointer, const std::s
                                                   "\" does not give it");
         }
     }
+    if (completeness == Completeness::as_is) {
+        return;
+    }
     for (const EngineConflict& conflict : engine_conflicts(engine)) {
         throw InputError(pointer + "/" + std::string(conflict.key), conflict.allowed,
                          format_number(conflict.found));
@@ -229,7 +232,8 @@ PlugSheet read_plug(ObjectReader reader, Completeness completeness) {
             reader.pointer_to(sheet.bore_diameter ? bore_depth_field.key : bore_diameter_field.key),
             "is required where the bore's other size is given");
     }
-    if (const auto geometry = sheet.geometry()) {
+    if (const auto geometry = sheet.geometry();
+        geometry && completeness == Completeness::required) {
         if (const auto fault = geometry_fault(*geometry)) {
             throw InputError(reader.pointer(), "must be a plug that can exist: " + *fault);
         }

@@ -99,7 +99,8 @@ struct CaseInput {
 
 enum class Completeness {
     required,  ///< every value that a result needs must be there
-    as_is      ///< what is there is checked; what is missing stays empty, as in a form half filled
+    as_is      ///< each value that is there is checked; what is missing stays empty, and rules that
+               ///< join values are left to the page, as in a form half filled
 };
 
 /// Reads the case's "input" object.

@@ -15,7 +15,7 @@ inline constexpr FieldSpec grade_field{"grade_mm_s", "mm/s", Range::between(0.1,
 inline constexpr FieldSpec rotor_mass_field{"rotor_mass_kg", "kg", Range::between(0.1, 100'000),
                                             1.0};
 inline constexpr FieldSpec service_speed_field{
-    "service_speed_rpm", "1/min", Range::between(1, 100'000), 3.14159265358979323846 / 30.0};
+    "service_speed_rpm", "min⁻¹", Range::between(1, 100'000), 3.14159265358979323846 / 30.0};
 inline constexpr FieldSpec front_share_field{"front_share", "", Range::between(0.3, 0.7), 1.0};
 inline constexpr FieldSpec front_reading_field{"front_reading_g_mm", "g·mm", Range::between(0, 1e9),
                                                1e-6};

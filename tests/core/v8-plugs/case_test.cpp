@@ -197,10 +197,18 @@ TEST(RoundTrip, HalfFilledFormsKeepWhatIsThere) {
     EXPECT_EQ(written.at("engine"), "8.32 l");
     EXPECT_EQ(read_input(written, Completeness::as_is), input);
     EXPECT_THROW(read_input(written), InputError);
+    // So is a sheet on which two values do not go together yet.
+    input.plug->thread = Thread{22 * millimetre, 1.5 * millimetre};
+    input.plug->bore_diameter = 30 * millimetre;
+    input.plug->bore_depth = 5 * millimetre;
+    input.engine.steel_plug_mass = 3 * gram;
+    input.engine.max_steel_reduction = 4 * gram;
+    EXPECT_EQ(read_input(write_input(input), Completeness::as_is), input);
     // A preset value that was emptied cannot be an override: the engine is written out.
     input.engine.crank_radius.reset();
     EXPECT_FALSE(read_input(write_input(input), Completeness::as_is).engine.crank_radius);
     const Solution partial = solve(input);
+    EXPECT_FALSE(partial.steel_plug);
     EXPECT_FALSE(partial.advice);
     EXPECT_FALSE(partial.nominal);
 }
