@@ -148,10 +148,6 @@
         <translation>Сумма: груз</translation>
     </message>
     <message>
-        <source>Hang on each crankpin: %1</source>
-        <translation>Груз на каждую шейку: %1</translation>
-    </message>
-    <message>
         <source>Which set goes to which cylinder</source>
         <translation>Какой комплект в какой цилиндр</translation>
     </message>
@@ -525,6 +521,82 @@
         <comment>litre</comment>
         <translation>л</translation>
     </message>
+    <message>
+        <source>reciprocating m_j</source>
+        <translation>поступат. m_j</translation>
+    </message>
+    <message>
+        <source>piston Δm_pi</source>
+        <translation>поршень Δm_п</translation>
+    </message>
+    <message>
+        <source>rep. piston Δm_rp</source>
+        <translation>поршень Δm_рп</translation>
+    </message>
+    <message>
+        <source>rotating m_R</source>
+        <translation>вращ. m_R</translation>
+    </message>
+    <message>
+        <source>plug</source>
+        <translation>пробка</translation>
+    </message>
+    <message>
+        <source>big end Δm_be</source>
+        <translation>шатун Δm_шк</translation>
+    </message>
+    <message>
+        <source>rep. shells Δm_sh</source>
+        <translation>вкладыши Δm_шр</translation>
+    </message>
+    <message>
+        <source>oil m_m</source>
+        <translation>масло m_м</translation>
+    </message>
+    <message>
+        <source>steel</source>
+        <translation>сталь</translation>
+    </message>
+    <message>
+        <source>aluminium</source>
+        <translation>алюминий</translation>
+    </message>
+    <message>
+        <source>new shaft, steel</source>
+        <translation>новый вал, сталь</translation>
+    </message>
+    <message>
+        <source>new shaft, aluminium</source>
+        <translation>новый вал, алюм.</translation>
+    </message>
+    <message>
+        <source>Hang %1 on each crankpin.</source>
+        <translation>Груз на каждую шейку: %1.</translation>
+    </message>
+    <message>
+        <source>Bob weight with the nearest option: %1.</source>
+        <translation>Груз при ближайшем варианте: %1.</translation>
+    </message>
+    <message>
+        <source>kg</source>
+        <comment>unit</comment>
+        <translation>кг</translation>
+    </message>
+    <message>
+        <source>kg/m³</source>
+        <comment>unit</comment>
+        <translation>кг/м³</translation>
+    </message>
+    <message>
+        <source>mm/s</source>
+        <comment>unit</comment>
+        <translation>мм/с</translation>
+    </message>
+    <message>
+        <source>min⁻¹</source>
+        <comment>unit</comment>
+        <translation>мин⁻¹</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BalanceShaftPage</name>
@@ -621,6 +693,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>ω</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angular speed, n π / 30</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>&amp;Crank radius r</source>
         <translation type="unfinished"></translation>
     </message>
@@ -650,6 +730,22 @@
     </message>
     <message>
         <source>Reciprocating masses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whole rod with she&amp;lls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its small-end share above is a part of it; the rest turns with the crankpin and is balanced by the crank&apos;s own counterweights. TMZ-650D: 0.950 ± 0.015 kg. Source: Table 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rod mass</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -725,11 +821,31 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shaft s&amp;wing radius</source>
+        <source>Shaft swin&amp;g radius</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Circle swept by the balance shaft. Empty: 1.3 ρ₁.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gear tip r&amp;adius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tip circle of each of the two gears. Empty: l/2, the pitch circle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Housing &amp;wall and gap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Added around every circle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wall</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -761,7 +877,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Torque table</source>
+        <source>Torque</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -794,6 +910,26 @@
     </message>
     <message>
         <source>The mean of Mₛ over a cycle is 0 at every α. The paper averages 25 nodes and counts the end of the cycle twice; that alone makes its mean differ from 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cycle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Orders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crank only, gears</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -929,18 +1065,34 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source> (with %1 kg not listed)</source>
+        <source>%1 kg of it are not listed above.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> rad/s</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>ravnoves::BalanceShaftViewModel</name>
     <message>
-        <source>Open case</source>
+        <source>Every α is as good as any other.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Open case</source>
+        <translation type="unfinished">Открытие задачи</translation>
+    </message>
+    <message>
         <source>New case</source>
+        <translation type="unfinished">Новая задача</translation>
+    </message>
+    <message>
+        <source>Torque source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pressure trace</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -980,7 +1132,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>mean, nodes</source>
+        <source>nodes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1040,7 +1192,55 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Every α is as good as any other.</source>
+        <source>Indicated mean effective pressure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Indicated work per cycle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>J</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Indicated power</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kW</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean torque</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak pressure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at crank angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cm³</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clearance volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heat per cycle</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1067,6 +1267,603 @@
         <source>The counterweight given balances %1 % of the first-order inertia force; equation (1) asks for %2 kg.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The torque holds an inertia torque of mⱼ r² ω² = %1 N·m; the masses and the speed entered give %2 N·m. It fits these masses at %3 min⁻¹, or %4 kg at this speed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::CounterweightView</name>
+    <message>
+        <source>Rotating masses and counterweights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The crank from the front with crankpin 1 up; angles from crankpin 1, counter-clockwise, lags against the rotation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>force Σ e^{iκ} = %1 at %2; opposite: %3 against the rotation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moment Σ z e^{iκ} = %1 mm at %2; opposite: %3 against the rotation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 g at ρ %3 mm, %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>front web</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rear web</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(switched off)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No counterweights: switch them on under Balancing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::CycleView</name>
+    <message>
+        <source>The torque is a table.
+Choose “pressure trace” or “computed cycle” on the Torque tab to see gas and inertia torque, pressure and indicator diagram.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Engine torque and its parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>φ, °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>−(p − p₀) A s′</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inertia</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>−mⱼ ω² s′ s″</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>M_id</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Engine torque, gas plus inertia</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cylinder pressure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>p</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Indicator diagram, p–V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Work, pressures and power of the cycle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cycle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>V, cm³</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>V without clearance, cm³</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::CylinderEditor</name>
+    <message>
+        <source>Add a cylinder below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the selected cylinders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy (Ctrl+C)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E&amp;ven firing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sets the crankpins so that the cylinders fire at even intervals over 720° in the firing order: against the in-line engine they are shifted by γ + 2 φ_TDC (the paper prints γ + φ_TDC; its own angle, 21°40′, is the one with 2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cylinders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cylinders of the layout chosen. Editing one makes this a table of your own; Ctrl+V pastes from a spreadsheet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your own table. Double-click a cell to edit; Ctrl+V pastes from a spreadsheet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::CylinderTableModel</name>
+    <message>
+        <source>Cylinder %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cylinder %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>β, °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>e, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>κ, °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axial position, positive towards cylinder 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction of the cylinder&apos;s axis, counter-clockwise from up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of the cylinder&apos;s axis from the crank axis, positive on the counter-clockwise side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crankpin, counter-clockwise from crankpin 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add cylinder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An engine has at least one cylinder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove cylinder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At most %1 cylinders.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line %1, column %2: %3 is no number that fits here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The clipboard holds no numbers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paste cylinders</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::EngineView</name>
+    <message>
+        <source>Engine from the front and the crank from the side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To scale; the crank turns counter-clockwise. Drag to turn it, Space plays and pauses, the arrow keys step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>φ = %1°</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::EnvelopeView</name>
+    <message>
+        <source>Overall size over α</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α, °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation type="unfinished">мм</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Range against overall size, α along the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ΔMᵤₚₛ, N·m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every α</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing better</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No other α has both a smaller box and a smaller range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>present α</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The box around cylinder, crank circle, shaft circle and gears, with the wall, in the front view. It is not checked that the shaft clears cylinder and rod. Radii, bore and wall are on the Inputs tab. Click either chart to set α.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>width × height, cm²</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::FiringWheel</name>
+    <message>
+        <source>Firing order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One four-stroke cycle of 720°, counter-clockwise from the top: cylinders in the order of firing, the intervals between them, the present crank angle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No firing order given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The order %1 cannot be run through in two turns of this crank.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>even, every %1°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>uneven, %1° to %2°</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ForcesView</name>
+    <message>
+        <source>Share &amp;κ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of mⱼ r balanced on the crank alone, without a shaft. The force then runs on an ellipse: a line at 0 and 1, a circle at ½.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share κ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force on the engine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>across, kN</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>along the cylinder, kN</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crank only, 1st + 2nd</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First and second order without a shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crank only, 1st</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First order without a shaft: an ellipse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the shaft the first order is a point; the second order along the cylinder stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forces with and without a shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teeth z of each gear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teeth of each of the two equal gears.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teeth k by which the shaft is out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shaft is assembled k teeth ahead of its right place: a phase error of 360° k / z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Backlash, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circumferential play at the pitch circle, whose radius is l/2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;k</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>play, &amp;mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shifted teeth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Backlash</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mᵤₚₛ with gear error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>φ, °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>play, low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Band that the play of the gears leaves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shaft in its right place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>k teeth out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shaft k teeth out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Effect of gear error and play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gears</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1st order, P</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>along, (1 − κ) P</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>across, κ P</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1st with shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2nd order, λ P</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on crank, κ mⱼ r</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>g·mm</source>
+        <translation type="unfinished">г·мм</translation>
+    </message>
+    <message>
+        <source>First-order inertia force, mⱼ r ω²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half-axis of the ellipse along the cylinder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half-axis of the ellipse across the cylinder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First order that the shaft&apos;s two counterweights leave</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second order along the cylinder; stays with and without a shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Static moment of the counterweight on the crank</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phase error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>force left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>play, ±</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>range in play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>360° k / z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Constant force that turns against the crank, 2 P₁ |sin(δ/2)|</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ΔMᵤₚₛ, shaft in its right place → k teeth out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMS of Mᵤₚₛ, shaft in its right place → k teeth out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shaft wanders this far to either side: play / l</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least and largest ΔMᵤₚₛ while the shaft wanders</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::HelpWindow</name>
@@ -1076,6 +1873,868 @@
     </message>
     <message>
         <source>There is no help on this page yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::InertiaMomentsPage</name>
+    <message>
+        <source>&amp;Play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the crank</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Shafts on or off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch all balance shafts on, or off when all are on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All shafts off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All shafts on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play (Space)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Engine</source>
+        <translation type="unfinished">Двигатель</translation>
+    </message>
+    <message>
+        <source>Cylinders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Balancing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cylinder la&amp;yout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A layout of the library, the paper&apos;s engine, or your own table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Firing order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Numbers of the cylinders, for example 1-2-4-5-3. Layouts with crankpins for even firing follow it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Spacing a</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Between neighbouring crankpins (in V engines: throws) along the crank. Volkswagen VR5: 63 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sta&amp;gger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From bank 1&apos;s cylinder to bank 2&apos;s at the same throw, along the crank. 0 where the rods are forked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stagger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Position of cylinder 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axial position z of cylinder 1. Volkswagen VR5: 3 a + l_cm = 204.8 mm, with the centre of mass at z = 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position of cylinder 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crank gear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Crank radius R</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half the stroke (a little less with offset). Volkswagen VR5: 45 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crank radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;λ = R / L</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crank radius over rod length. Volkswagen VR5: 0.265. The crank turns where λ (1 + |e|/R) &lt; 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>λ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rod length L</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R / λ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>φ at TDC</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Top dead centre: arcsin(λK/(1 + λ)), from the cylinder&apos;s axis on the side of its offset. Volkswagen VR5: 3°20′.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re&amp;ciprocating mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of one cylinder: piston with pin and rings, and the rod&apos;s share unless the rod is a rigid body below. Volkswagen VR5: 0.622 kg.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reciprocating mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R&amp;otating mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of one throw, reduced to the crank radius: unbalanced part of the throw and the rod&apos;s share unless the rod is a rigid body.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotating mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Rod as a rigid body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off: the rod&apos;s two shares are in the masses above. On: mass, centre and inertia are given; its shares are added, and what its inertia differs from two masses acts on roll moment and torque.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rigid rod</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rod</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rod &amp;mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whole rod</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre from &amp;big end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre of mass, from the big end towards the small end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Inertia</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About its centre of mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Balance shafts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exact orders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two-term form</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Designed for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The paper designs its shafts for the two-term form; what they leave of the exact order is then what the two-term form leaves out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Design of the shafts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>k order, L distance of the weights (mm), ρ their radius (mm), δ error of phase (°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Add shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Counterweights on the end webs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two weights that cancel force and moment of the rotating masses, and a share of the forward part of the first order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counterweights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Front web at z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axial position of the front weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Front &amp;radius ρ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the front weight&apos;s centre of mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R&amp;ear web at z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axial position of the rear weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rear ra&amp;dius ρ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the rear weight&apos;s centre of mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Share of order 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the forward part of the reciprocating first order; 1 in a cross-plane V8 cancels it wholly, in a single it is the balance for half the reciprocating mass.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bank an&amp;gle γ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Between the banks, 0 to 180°. Crankpins for even firing follow it; those of a table stay, and its bank angles are scaled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>O&amp;ffset e</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation type="unfinished">мм</translation>
+    </message>
+    <message>
+        <source>Distance of the cylinder axes from the crank axis, as far as the mechanism does not lock. Of a table: the largest; the others are scaled with it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed &amp;n</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>min⁻¹</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crankshaft speed; forces and moments grow with its square.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre of mass &amp;z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axial position of the point that moments refer to, in the coordinates of the cylinders; positive towards cylinder 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>φ, °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>M, N·m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>My 2-term</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vertical plane, the paper&apos;s formulas (1) and (2), Fig. 6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mx 2-term</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Horizontal plane, the paper&apos;s formulas (3) and (4), Fig. 6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>My</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the vertical plane, exact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mx</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the horizontal plane, exact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>My left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vertical plane, with rotating masses and with the counterweights and shafts that are on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mx left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Horizontal plane, likewise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fx, N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mx, N·m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fy, N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>My, N·m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1st</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exact first order (Fig. 5)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2nd</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exact second order (Fig. 5)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All orders of the reciprocating parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All orders with rotating masses, and with the counterweights and shafts that are on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hodographs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;logarithmic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Six decades, so that the high orders can be seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Orders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roll moment on the engine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roll moment on the engine: the sum of the two</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of offsets and rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moment of the inertia forces about the crank axis: −Σ e F and the couples of rigid rods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reaction torque</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reaction of the inertia torque on the crank, −Σ F ds/dφ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shafts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Firing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play or pause the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;φ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crank angle of the picture, from cylinder 1&apos;s axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Amplitudes and phases by order and plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>±kω</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forward and backward rotating parts by order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotating masses and counterweights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is left over, by order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::InertiaMomentsViewModel</name>
+    <message>
+        <source>Single</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In-line 2, 180°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In-line 2, 360°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In-line 3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In-line 4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In-line 5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In-line 6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>V-twin 45°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>V-twin 60°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>V-twin 90°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>V6 60°, split pins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>V6 90°, split pins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>V8, cross-plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>V8, flat-plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flat twin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flat 4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flat 6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>VR5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>VR6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>W12</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open case</source>
+        <translation type="unfinished">Открытие задачи</translation>
+    </message>
+    <message>
+        <source>New case</source>
+        <translation type="unfinished">Новая задача</translation>
+    </message>
+    <message>
+        <source>Cylinder %1 cannot be joined: its rod reaches the piston at no crank angle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mechanism of cylinder %1 locks with its crank at %2° turning forward and at %3° turning back, from the cylinder&apos;s axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volkswagen VR5 (paper)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Own table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>VR%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Even firing needs a firing order.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Even firing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The firing order must name each cylinder from 1 to %1 once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Firing order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bank angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre of mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shaft on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shaft off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N; N·m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phase, °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two-term</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>diff., %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>+kω</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at, °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>−kω</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cancels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mρ, g·mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotating masses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angle, °</source>
+        <translation type="unfinished">угол, °</translation>
+    </message>
+    <message>
+        <source>lag, °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force, N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moment, N·m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>against the force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>against the moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, g·mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, g</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Front web</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rear web</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation type="unfinished">до</translation>
+    </message>
+    <message>
+        <source>left, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A mechanism is so near locking that the exact orders are less accurate than usual.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 left out (%2 % of the largest)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 % off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two-term is not enough: order %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1164,6 +2823,117 @@
     <message>
         <source>%1 could not be written.</source>
         <translation>Не удалось записать %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::JournalDialog</name>
+    <message>
+        <source>“%1” is no date; write it like 2024-05-31.</source>
+        <translation>«%1» — не дата; пишите так: 2024-05-31.</translation>
+    </message>
+    <message>
+        <source>nothing needed</source>
+        <translation>ничего не требуется</translation>
+    </message>
+    <message>
+        <source>Journal of jobs</source>
+        <translation>Журнал работ</translation>
+    </message>
+    <message>
+        <source>engine number, customer, technician</source>
+        <translation>номер двигателя, заказчик, исполнитель</translation>
+    </message>
+    <message>
+        <source>&amp;Search</source>
+        <translation>&amp;Поиск</translation>
+    </message>
+    <message>
+        <source>any day</source>
+        <translation>любой день</translation>
+    </message>
+    <message>
+        <source>&amp;from</source>
+        <translation>&amp;с</translation>
+    </message>
+    <message>
+        <source>&amp;to</source>
+        <translation>п&amp;о</translation>
+    </message>
+    <message>
+        <source>Jobs found</source>
+        <translation>Найденные работы</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Дата</translation>
+    </message>
+    <message>
+        <source>Engine number</source>
+        <translation>Номер двигателя</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>Заказчик</translation>
+    </message>
+    <message>
+        <source>Engine</source>
+        <translation>Двигатель</translation>
+    </message>
+    <message>
+        <source>Technician</source>
+        <translation>Исполнитель</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Итог</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Открыть</translation>
+    </message>
+    <message>
+        <source>&amp;Copy as new job</source>
+        <translation>&amp;Копировать как новую</translation>
+    </message>
+    <message>
+        <source>&amp;Remove…</source>
+        <translation>&amp;Удалить…</translation>
+    </message>
+    <message>
+        <source>&amp;Export list as CSV…</source>
+        <translation>&amp;Выгрузить список в CSV…</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>&amp;Закрыть</translation>
+    </message>
+    <message>
+        <source>No job found.</source>
+        <translation>Работ не найдено.</translation>
+    </message>
+    <message>
+        <source>Jobs found: %1</source>
+        <translation>Найдено работ: %1</translation>
+    </message>
+    <message>
+        <source>Remove job</source>
+        <translation>Удаление работы</translation>
+    </message>
+    <message>
+        <source>Remove the job of engine %1 from the journal for good?</source>
+        <translation>Удалить работу по двигателю %1 из журнала насовсем?</translation>
+    </message>
+    <message>
+        <source>Export list</source>
+        <translation>Выгрузка списка</translation>
+    </message>
+    <message>
+        <source>CSV table (*.csv)</source>
+        <translation>Таблица CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Записано: %1</translation>
     </message>
 </context>
 <context>
@@ -1314,7 +3084,7 @@
     </message>
     <message>
         <source>Open case</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Открытие задачи</translation>
     </message>
     <message>
         <source>Ravnoves cases (*.case.json *.json);;All files (*)</source>
@@ -1392,18 +3162,108 @@
     <name>ravnoves::NumberField</name>
     <message>
         <source>A value is needed: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Нужно значение: %1.</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» — не число.</translation>
     </message>
     <message>
         <source>The value %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Значение %1.</translation>
     </message>
     <message>
         <source>Value %1.</source>
+        <translation>Значение %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::OrderBars</name>
+    <message>
+        <source>Amplitudes by order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two-term</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F, N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>M, N·m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mz, N·m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing in any order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order %1: exact %2, two-term %3, left over %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::OrdersView</name>
+    <message>
+        <source>Order spectrum of the moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>order (per turn of the crank)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without a shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the shaft at the present α</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A four-stroke cycle has half orders. A shaft at crank speed changes order 1 alone; the best RMS is where it opposes that order.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order spectrum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mᵤₚ, N·m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phase, °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mᵤₚₛ, N·m</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1447,34 +3307,49 @@
     </message>
 </context>
 <context>
+    <name>ravnoves::PlugView</name>
+    <message>
+        <source>Plug in section</source>
+        <translation>Пробка в разрезе</translation>
+    </message>
+    <message>
+        <source>Plug</source>
+        <translation>Пробка</translation>
+    </message>
+    <message>
+        <source>not to scale: sizes on the sheet “Plug”</source>
+        <translation>без масштаба: размеры — на листе «Пробка»</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::Range</name>
     <message>
         <source>must be greater than %1 and less than %2</source>
-        <translation type="unfinished"></translation>
+        <translation>должно быть больше %1 и меньше %2</translation>
     </message>
     <message>
         <source>must be greater than %1 and at most %2</source>
-        <translation type="unfinished"></translation>
+        <translation>должно быть больше %1 и не больше %2</translation>
     </message>
     <message>
         <source>must be at least %1 and less than %2</source>
-        <translation type="unfinished"></translation>
+        <translation>должно быть не меньше %1 и меньше %2</translation>
     </message>
     <message>
         <source>must be greater than %1</source>
-        <translation type="unfinished"></translation>
+        <translation>должно быть больше %1</translation>
     </message>
     <message>
         <source>must be at least %1</source>
-        <translation type="unfinished"></translation>
+        <translation>должно быть не меньше %1</translation>
     </message>
     <message>
         <source>must be less than %1</source>
-        <translation type="unfinished"></translation>
+        <translation>должно быть меньше %1</translation>
     </message>
     <message>
         <source>must be at most %1</source>
-        <translation type="unfinished"></translation>
+        <translation>должно быть не больше %1</translation>
     </message>
 </context>
 <context>
@@ -1490,6 +3365,438 @@
     <message>
         <source>Copy table as CSV</source>
         <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::SceneList</name>
+    <message>
+        <source>Balance shaft</source>
+        <translation>Урав. вал</translation>
+    </message>
+    <message>
+        <source>Where the balance shaft of a single-cylinder engine goes</source>
+        <translation>Где поставить уравновешивающий вал одноцилиндрового двигателя</translation>
+    </message>
+    <message>
+        <source>Elastic hinges</source>
+        <translation>Шарниры</translation>
+    </message>
+    <message>
+        <source>Spring guides that hold the crank speed constant</source>
+        <translation>Пружинные направляющие, удерживающие частоту вращения постоянной</translation>
+    </message>
+    <message>
+        <source>V-8 workshop</source>
+        <translation>Ремонт V-8</translation>
+    </message>
+    <message>
+        <source>Crankpin plugs and bob weights of a V-8 under repair</source>
+        <translation>Пробки шатунных шеек и балансировочные грузы при ремонте V-8</translation>
+    </message>
+    <message>
+        <source>Inertia moments</source>
+        <translation>Моменты</translation>
+    </message>
+    <message>
+        <source>Forces and moments of VR5 and any other cylinder layout</source>
+        <translation>Силы и моменты VR5 и любой другой компоновки</translation>
+    </message>
+    <message>
+        <source>Methods</source>
+        <translation>Методы</translation>
+    </message>
+    <message>
+        <source>Speed against accuracy, and where methods fail</source>
+        <translation>Скорость против точности и где методы отказывают</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ShaftRow</name>
+    <message>
+        <source>Shaft %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switched on, the shaft counts in what is left over.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>k </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order that the shaft cancels; it turns k times as fast as the crank. 1 to %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order of the shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>+kω</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>−kω</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the crank (+kω) or against it (−kω)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction of the shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Task of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two opposite weights against a moment, one against a force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Task of the shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove this shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;L</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of the weights of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;ρ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius of the weights of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius of the weights&apos; centres of mass; gives their mass. Empty: only mρ is given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;δ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error of phase of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error of the shaft&apos;s phase, ahead in its own direction: 0 when it is timed right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place of the shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius of the shaft&apos;s weights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Phase of the shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>c. m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance between the two weights along the shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axial position of the weight; empty: at the point that moments refer to</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ShaftView</name>
+    <message>
+        <source>Balance shafts: arrangement and phases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each shaft seen from the front at the present crank angle. Red: what it cancels; the weights lie opposite. Dashed: cylinder 1&apos;s axis and crankpin 1. Click a shaft to switch it; arrow keys and Space do the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No balance shafts. “Add shaft” under Balancing makes one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mρ %1 g·mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>m %1 g</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 → %2 %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing to cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::TorqueSourceEditor</name>
+    <message>
+        <source>table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pressure trace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>computed cycle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tor&amp;que from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A table is taken as it is. From a pressure trace or a computed cycle the torque is gas torque plus inertia torque of the masses and speed entered, so it follows both.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Bore</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter of the cylinder. TMZ-650D: 95.5 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>O&amp;ffset e</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of the cylinder axis from the crank axis, positive on the side to which the crankpin moves first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crankcase &amp;pressure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Absolute pressure under the piston, p₀.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use its speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the speed at which the masses entered have the inertia torque that is in the table.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rebuild torque</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the fitted inertia torque out of the table and put that of the masses and speed entered in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use the torque&apos;s speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No inertia torque can be read off this table, so it cannot be checked against the masses and speed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This torque does not belong to the masses and speed entered. On its gas-exchange stroke it holds mⱼ r² ω² = %1 N·m (λ %2); entered are %3 N·m. It would fit %4 min⁻¹ with these masses, or %5 kg at this speed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The inertia torque in this table fits the masses and speed: mⱼ r² ω² = %1 N·m against %2 N·m entered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured cylinder pressure over 720° as a CSV file: crank angle from top dead centre before intake, absolute pressure (bar unless the heading says kPa, MPa, Pa or psi).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Read CSV file…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation type="unfinished">Цилиндр</translation>
+    </message>
+    <message>
+        <source>The rod length is on the Inputs tab.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read pressure trace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt *.tsv);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A plain four-stroke cycle: constant pressures for gas exchange, polytropic compression, one Wiebe heat release, polytropic expansion.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gas exchange and compression</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compression &amp;ratio ε</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest over smallest volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Intake pressure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Absolute, constant over intake.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E&amp;xhaust pressure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Absolute, constant over exhaust.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exponent, &amp;compression</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Polytropic exponent until combustion begins; about 1.32 to 1.38.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exponent, ex&amp;pansion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Polytropic exponent of combustion and expansion; about 1.22 to 1.32.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Combustion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>I&amp;MEP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Indicated mean effective pressure over 720°; the heat that gives it is found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Heat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heat released per cycle; instead of the IMEP.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Start of combustion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crank angle; 360° is the firing top dead centre.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Duration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crank angle from the start to the end of heat release.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Wiebe exponent m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Form exponent of Wiebe&apos;s law; 0.5 to 1.5 for diesels, 2 to 4 for petrol engines.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation type="unfinished">%1: %2.</translation>
     </message>
 </context>
 <context>
@@ -1576,6 +3883,871 @@
     <message>
         <source>M_id, N·m</source>
         <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::V8PlugsPage</name>
+    <message>
+        <source>Continue it</source>
+        <translation>Продолжить</translation>
+    </message>
+    <message>
+        <source>Throw it away</source>
+        <translation>Выбросить</translation>
+    </message>
+    <message>
+        <source>Understood</source>
+        <translation>Понятно</translation>
+    </message>
+    <message>
+        <source>The unfinished job is on the sheet again.</source>
+        <translation>Незаконченная работа снова на листе.</translation>
+    </message>
+    <message>
+        <source>Unfinished job</source>
+        <translation>Незаконченная работа</translation>
+    </message>
+    <message>
+        <source>&amp;3 Weigh-in</source>
+        <translation>&amp;3 Весы</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>Работа</translation>
+    </message>
+    <message>
+        <source>Engine &amp;number</source>
+        <translation>&amp;Номер двигателя</translation>
+    </message>
+    <message>
+        <source>The journal finds the job by it.</source>
+        <translation>По нему журнал находит работу.</translation>
+    </message>
+    <message>
+        <source>Crankshaft num&amp;ber</source>
+        <translation>Номер &amp;вала</translation>
+    </message>
+    <message>
+        <source>As stamped on the crankshaft.</source>
+        <translation>Как выбито на валу.</translation>
+    </message>
+    <message>
+        <source>C&amp;ustomer</source>
+        <translation>&amp;Заказчик</translation>
+    </message>
+    <message>
+        <source>Who brought the engine; the journal finds the job by it.</source>
+        <translation>Кто привёз двигатель; по нему журнал находит работу.</translation>
+    </message>
+    <message>
+        <source>“%1” is no date; write it like 2024-05-31.</source>
+        <translation>«%1» — не дата; пишите так: 2024-05-31.</translation>
+    </message>
+    <message>
+        <source>&amp;Date</source>
+        <translation>&amp;Дата</translation>
+    </message>
+    <message>
+        <source>Year-month-day or day.month.year.</source>
+        <translation>Год-месяц-день или день.месяц.год.</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Дата</translation>
+    </message>
+    <message>
+        <source>&amp;Technician</source>
+        <translation>&amp;Исполнитель</translation>
+    </message>
+    <message>
+        <source>Who does the work.</source>
+        <translation>Кто выполняет работу.</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Вид работы</translation>
+    </message>
+    <message>
+        <source>&amp;Engine</source>
+        <translation>Дви&amp;гатель</translation>
+    </message>
+    <message>
+        <source>Engines of the paper by displacement, then your own.</source>
+        <translation>Двигатели статьи по рабочему объёму, затем свои.</translation>
+    </message>
+    <message>
+        <source>&amp;Work</source>
+        <translation>Вид &amp;работы</translation>
+    </message>
+    <message>
+        <source>In manufacture repair pistons and repair shells are not counted.</source>
+        <translation>При изготовлении ремонтные поршни и вкладыши не учитываются.</translation>
+    </message>
+    <message>
+        <source>Cran&amp;kshaft</source>
+        <translation>&amp;Коленчатый вал</translation>
+    </message>
+    <message>
+        <source>Which plugs the counterweights of the crankshaft were made for.</source>
+        <translation>Под какие пробки сделаны противовесы вала.</translation>
+    </message>
+    <message>
+        <source>Crankshaft</source>
+        <translation>Коленчатый вал</translation>
+    </message>
+    <message>
+        <source>Heavier than nominal by (negative: lighter)</source>
+        <translation>Тяжелее номинала на (минус: легче)</translation>
+    </message>
+    <message>
+        <source>&amp;Improved piston</source>
+        <translation>&amp;Поршень</translation>
+    </message>
+    <message>
+        <source>&amp;Rod big end</source>
+        <translation>Н&amp;ижняя головка шатуна</translation>
+    </message>
+    <message>
+        <source>Re&amp;pair piston and rings</source>
+        <translation>Рем. пор&amp;шень с кольцами</translation>
+    </message>
+    <message>
+        <source>Repair &amp;shells</source>
+        <translation>Рем. вкл&amp;адыши</translation>
+    </message>
+    <message>
+        <source>Δm_pi: one piston against nominal.</source>
+        <translation>Δm_п: один поршень против номинала.</translation>
+    </message>
+    <message>
+        <source>Δm_be: one big end against nominal.</source>
+        <translation>Δm_шк: одна нижняя головка против номинала.</translation>
+    </message>
+    <message>
+        <source>Δm_rp: one repair piston with its rings against nominal.</source>
+        <translation>Δm_рп: один ремонтный поршень с кольцами против номинала.</translation>
+    </message>
+    <message>
+        <source>Δm_sh: the repair shells of one crankpin against nominal.</source>
+        <translation>Δm_шр: ремонтные вкладыши одной шейки против номинала.</translation>
+    </message>
+    <message>
+        <source>Taken from the weigh-in sheet.</source>
+        <translation>Взято с листа взвешивания.</translation>
+    </message>
+    <message>
+        <source>Residual unbalance &amp;allowed</source>
+        <translation>Допустимый дис&amp;баланс</translation>
+    </message>
+    <message>
+        <source>In each correction plane. The paper accepts 5 g·mm.</source>
+        <translation>В каждой плоскости коррекции. В статье 5 г·мм.</translation>
+    </message>
+    <message>
+        <source>&amp;1 Job</source>
+        <translation>&amp;1 Работа</translation>
+    </message>
+    <message>
+        <source>Crankshaft and today&apos;s plugs</source>
+        <translation>Вал и существующие пробки</translation>
+    </message>
+    <message>
+        <source>Nominal masses, for the bob weight</source>
+        <translation>Номинальные массы, для груза</translation>
+    </message>
+    <message>
+        <source>There are &amp;aluminium plugs</source>
+        <translation>Есть &amp;алюминиевые пробки</translation>
+    </message>
+    <message>
+        <source>There are plugs of the new &amp;design</source>
+        <translation>Есть пробки &amp;новой конструкции</translation>
+    </message>
+    <message>
+        <source>needed</source>
+        <translation>нужно</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as own engine…</source>
+        <translation>&amp;Запомнить двигатель…</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve own engine</source>
+        <translation>&amp;Удалить свой двигатель</translation>
+    </message>
+    <message>
+        <source>Remove engine</source>
+        <translation>Удаление двигателя</translation>
+    </message>
+    <message>
+        <source>Remove “%1” from your own engines?</source>
+        <translation>Удалить «%1» из своих двигателей?</translation>
+    </message>
+    <message>
+        <source>&amp;2 Engine</source>
+        <translation>&amp;2 Двигатель</translation>
+    </message>
+    <message>
+        <source>Plug</source>
+        <translation>Пробка</translation>
+    </message>
+    <message>
+        <source>“%1” is no metric thread with its pitch, like M22x1.5.</source>
+        <translation>«%1» — не метрическая резьба с шагом, как M22x1.5.</translation>
+    </message>
+    <message>
+        <source>&amp;Thread</source>
+        <translation>&amp;Резьба</translation>
+    </message>
+    <message>
+        <source>Metric thread with its pitch, like M22x1.5.</source>
+        <translation>Метрическая резьба с шагом, например M22x1.5.</translation>
+    </message>
+    <message>
+        <source>Thread</source>
+        <translation>Резьба</translation>
+    </message>
+    <message>
+        <source>&amp;Height h</source>
+        <translation>&amp;Высота h</translation>
+    </message>
+    <message>
+        <source>Of the whole plug.</source>
+        <translation>Всей пробки.</translation>
+    </message>
+    <message>
+        <source>&amp;Bore diameter</source>
+        <translation>&amp;Диаметр полости</translation>
+    </message>
+    <message>
+        <source>Of the bore that is there. Empty: a solid plug.</source>
+        <translation>Имеющейся полости. Пусто: сплошная пробка.</translation>
+    </message>
+    <message>
+        <source>Bore de&amp;pth</source>
+        <translation>&amp;Глубина полости</translation>
+    </message>
+    <message>
+        <source>From the outer face. Empty: a solid plug.</source>
+        <translation>От наружного торца. Пусто: сплошная пробка.</translation>
+    </message>
+    <message>
+        <source>Boring</source>
+        <translation>Расточка</translation>
+    </message>
+    <message>
+        <source>&amp;Cutter diameter</source>
+        <translation>Диаметр &amp;фрезы</translation>
+    </message>
+    <message>
+        <source>Empty: no boring is planned.</source>
+        <translation>Пусто: расточка не считается.</translation>
+    </message>
+    <message>
+        <source>&amp;Wall that must stay</source>
+        <translation>&amp;Стенка не меньше</translation>
+    </message>
+    <message>
+        <source>Between the bore and the root of the thread. Empty: no limit.</source>
+        <translation>Между полостью и впадиной резьбы. Пусто: без предела.</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom that must stay</source>
+        <translation>Д&amp;но не меньше</translation>
+    </message>
+    <message>
+        <source>Between the bore and the inner face. Empty: no limit.</source>
+        <translation>Между полостью и внутренним торцом. Пусто: без предела.</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Плотность</translation>
+    </message>
+    <message>
+        <source>&amp;Steel</source>
+        <translation>С&amp;таль</translation>
+    </message>
+    <message>
+        <source>Carbon steel 7850 kg/m³.</source>
+        <translation>Углеродистая сталь 7850 кг/м³.</translation>
+    </message>
+    <message>
+        <source>&amp;Aluminium</source>
+        <translation>&amp;Алюминий</translation>
+    </message>
+    <message>
+        <source>Wrought alloys 2640 to 2850 kg/m³.</source>
+        <translation>Деформируемые сплавы 2640–2850 кг/м³.</translation>
+    </message>
+    <message>
+        <source>&amp;4 Plug</source>
+        <translation>&amp;4 Пробка</translation>
+    </message>
+    <message>
+        <source>Permissible residual unbalance, ISO 21940-11</source>
+        <translation>Допустимый остаточный дисбаланс, ИСО 21940-11</translation>
+    </message>
+    <message>
+        <source>&amp;Grade G</source>
+        <translation>&amp;Класс G</translation>
+    </message>
+    <message>
+        <source>Balance quality grade. The standard&apos;s table has 0.4, 1, 2.5, 6.3, 16, 40, 100, 250, 630, 1600, 4000 mm/s; crankshaft drives of car, truck and locomotive engines G 100, inherently balanced crankshafts better.</source>
+        <translation>Класс точности балансировки. В стандарте 0,4; 1; 2,5; 6,3; 16; 40; 100; 250; 630; 1600; 4000 мм/с; для кривошипных механизмов автомобильных и тепловозных двигателей G 100, для уравновешенных валов точнее.</translation>
+    </message>
+    <message>
+        <source>&amp;Mass of the crankshaft</source>
+        <translation>&amp;Масса вала</translation>
+    </message>
+    <message>
+        <source>As it lies on the machine, with the bob weights.</source>
+        <translation>Как лежит на станке, с грузами.</translation>
+    </message>
+    <message>
+        <source>Service s&amp;peed</source>
+        <translation>&amp;Частота вращения</translation>
+    </message>
+    <message>
+        <source>The highest speed in service, not that of the machine.</source>
+        <translation>Наибольшая рабочая, а не станка.</translation>
+    </message>
+    <message>
+        <source>&amp;Share of the front plane</source>
+        <translation>&amp;Доля передней плоскости</translation>
+    </message>
+    <message>
+        <source>Half for a crankshaft whose mass lies midway between the planes; the standard allows 0.3 to 0.7.</source>
+        <translation>Половина, если центр масс посередине между плоскостями; стандарт допускает 0,3–0,7.</translation>
+    </message>
+    <message>
+        <source>What the machine reads</source>
+        <translation>Показания станка</translation>
+    </message>
+    <message>
+        <source>&amp;Front plane (pulley)</source>
+        <translation>&amp;Передняя плоскость (шкив)</translation>
+    </message>
+    <message>
+        <source>Residual unbalance after correction.</source>
+        <translation>Остаточный дисбаланс после исправления.</translation>
+    </message>
+    <message>
+        <source>&amp;Rear plane (flywheel)</source>
+        <translation>&amp;Задняя плоскость (маховик)</translation>
+    </message>
+    <message>
+        <source>Correction planes</source>
+        <translation>Плоскости коррекции</translation>
+    </message>
+    <message>
+        <source>Notes on the job card</source>
+        <translation>Примечания для карты</translation>
+    </message>
+    <message>
+        <source>&amp;Notes</source>
+        <translation>П&amp;римечания</translation>
+    </message>
+    <message>
+        <source>Printed on the job card.</source>
+        <translation>Печатается на карте.</translation>
+    </message>
+    <message>
+        <source>&amp;5 Machine</source>
+        <translation>&amp;5 Станок</translation>
+    </message>
+    <message>
+        <source>The four options</source>
+        <translation>Четыре варианта</translation>
+    </message>
+    <message>
+        <source>Bob weight on each crankpin</source>
+        <translation>Балансировочный груз на шейку</translation>
+    </message>
+    <message>
+        <source>Bob weight on each crankpin, line by line</source>
+        <translation>Балансировочный груз на шейку по строкам</translation>
+    </message>
+    <message>
+        <source>Excess compensated</source>
+        <translation>Компенсируемая масса</translation>
+    </message>
+    <message>
+        <source>Excess compensated over the lightening of one plug</source>
+        <translation>Компенсируемая масса от облегчения одной пробки</translation>
+    </message>
+    <message>
+        <source>Δm_y, g</source>
+        <translation>Δm_у, г</translation>
+    </message>
+    <message>
+        <source>Shift of the plug&apos;s centre of mass</source>
+        <translation>Смещение центра масс пробки</translation>
+    </message>
+    <message>
+        <source>Coefficient Δk over the shift Δr for five crank radii</source>
+        <translation>Коэффициент Δk от смещения Δr для пяти радиусов кривошипа</translation>
+    </message>
+    <message>
+        <source>Δr, mm</source>
+        <translation>Δr, мм</translation>
+    </message>
+    <message>
+        <source>Δk</source>
+        <translation>Δk</translation>
+    </message>
+    <message>
+        <source>r = %1: %2</source>
+        <translation>r = %1: %2</translation>
+    </message>
+    <message>
+        <source>this engine</source>
+        <translation>этот двигатель</translation>
+    </message>
+    <message>
+        <source>neglected</source>
+        <translation>не учтено</translation>
+    </message>
+    <message>
+        <source>&amp;Save job in the journal</source>
+        <translation>&amp;Сохранить работу в журнале</translation>
+    </message>
+    <message>
+        <source>Save the job in the journal</source>
+        <translation>Сохранить работу в журнале</translation>
+    </message>
+    <message>
+        <source>&amp;Next job</source>
+        <translation>С&amp;ледующая работа</translation>
+    </message>
+    <message>
+        <source>Next job: the engine&apos;s values stay, the rest is empty</source>
+        <translation>Следующая работа: данные двигателя остаются, остальное пусто</translation>
+    </message>
+    <message>
+        <source>&amp;Journal…</source>
+        <translation>&amp;Журнал…</translation>
+    </message>
+    <message>
+        <source>Find, open and copy jobs</source>
+        <translation>Найти, открыть, скопировать работы</translation>
+    </message>
+    <message>
+        <source>Job card, &amp;preview…</source>
+        <translation>&amp;Просмотр карты…</translation>
+    </message>
+    <message>
+        <source>Look at the job card</source>
+        <translation>Посмотреть карту</translation>
+    </message>
+    <message>
+        <source>&amp;Print job card…</source>
+        <translation>П&amp;ечать карты…</translation>
+    </message>
+    <message>
+        <source>Print the job card</source>
+        <translation>Напечатать карту</translation>
+    </message>
+    <message>
+        <source>Job card as P&amp;DF…</source>
+        <translation>Карта в P&amp;DF…</translation>
+    </message>
+    <message>
+        <source>Write the job card as PDF</source>
+        <translation>Записать карту в PDF</translation>
+    </message>
+    <message>
+        <source>&amp;Language of the job card</source>
+        <translation>&amp;Язык карты</translation>
+    </message>
+    <message>
+        <source>As the program</source>
+        <translation>Как в программе</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>другой</translation>
+    </message>
+    <message>
+        <source>today %1</source>
+        <translation>сейчас %1</translation>
+    </message>
+    <message>
+        <source>lightening of one plug Δm, g</source>
+        <translation>облегчение одной пробки Δm, г</translation>
+    </message>
+    <message>
+        <source>The program ended unexpectedly on %1 with an unfinished job (engine number: %2).</source>
+        <translation>Программа неожиданно прервалась %1, осталась незаконченная работа (номер двигателя: %2).</translation>
+    </message>
+    <message>
+        <source>Unsaved job</source>
+        <translation>Несохранённая работа</translation>
+    </message>
+    <message>
+        <source>Save the job on the sheet in the journal?</source>
+        <translation>Сохранить работу с листа в журнале?</translation>
+    </message>
+    <message>
+        <source>Journal</source>
+        <translation>Журнал</translation>
+    </message>
+    <message>
+        <source>Keep as own engine</source>
+        <translation>Запомнить двигатель</translation>
+    </message>
+    <message>
+        <source>Name of the engine:</source>
+        <translation>Название двигателя:</translation>
+    </message>
+    <message>
+        <source>Engine %1 kept.</source>
+        <translation>Двигатель %1 запомнен.</translation>
+    </message>
+    <message>
+        <source>Job card</source>
+        <translation>Карта</translation>
+    </message>
+    <message>
+        <source>The printer cannot be used.</source>
+        <translation>Принтер недоступен.</translation>
+    </message>
+    <message>
+        <source>Job card as PDF</source>
+        <translation>Карта в PDF</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Записано: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::V8PlugsViewModel</name>
+    <message>
+        <source>Open case</source>
+        <translation>Открытие задачи</translation>
+    </message>
+    <message>
+        <source>New case</source>
+        <translation>Новая задача</translation>
+    </message>
+    <message>
+        <source>Engine</source>
+        <translation>Двигатель</translation>
+    </message>
+    <message>
+        <source>Crankshaft</source>
+        <translation>Коленчатый вал</translation>
+    </message>
+    <message>
+        <source>The engine needs a name.</source>
+        <translation>Двигателю нужно название.</translation>
+    </message>
+    <message>
+        <source>“%1” is the name of a preset; choose another.</source>
+        <translation>«%1» — название встроенного двигателя; выберите другое.</translation>
+    </message>
+    <message>
+        <source>Save engine</source>
+        <translation>Запомнить двигатель</translation>
+    </message>
+    <message>
+        <source>The paper gives only the crank radius of this engine; the rest has to be measured.</source>
+        <translation>Для этого двигателя статья даёт только радиус кривошипа; остальное нужно измерить.</translation>
+    </message>
+    <message>
+        <source>Plug masses as the paper prints them. They look too small for the threads it prints: weigh the plugs and type what the scale says.</source>
+        <translation>Массы пробок — как напечатано в статье. Для напечатанных резьб они слишком малы: взвесьте пробки и введите показания весов.</translation>
+    </message>
+    <message>
+        <source>The values do not go together.</source>
+        <translation>Значения не согласуются.</translation>
+    </message>
+    <message>
+        <source>Still needed: %1.</source>
+        <translation>Ещё нужны: %1.</translation>
+    </message>
+    <message>
+        <source>Excess Δm_y: not known yet</source>
+        <translation>Δm_у: пока неизвестна</translation>
+    </message>
+    <message>
+        <source>Excess Δm_y: %1, %2</source>
+        <translation>Δm_у: %1, %2</translation>
+    </message>
+    <message>
+        <source>%1: must be less than the plug&apos;s mass, %2.</source>
+        <translation>%1: должно быть меньше массы пробки, %2.</translation>
+    </message>
+    <message>
+        <source>The bore is as deep as the plug is high: there is no bottom.</source>
+        <translation>Полость глубиной с пробку: дна нет.</translation>
+    </message>
+    <message>
+        <source>The bore is wider than the root of the thread, %1: there is no wall.</source>
+        <translation>Полость шире впадины резьбы, %1: стенки нет.</translation>
+    </message>
+    <message>
+        <source>A bore needs both its diameter and its depth.</source>
+        <translation>У полости нужны и диаметр, и глубина.</translation>
+    </message>
+    <message>
+        <source>%1: spread %2, permitted %3 (heaviest: cylinder %4, lightest: %5).</source>
+        <translation>%1: разброс %2, допустимо %3 (тяжелее всех: цилиндр %4, легче всех: %5).</translation>
+    </message>
+    <message>
+        <source>The bob weight still needs: %1.</source>
+        <translation>Для груза ещё нужны: %1.</translation>
+    </message>
+    <message>
+        <source>ISO 21940-11 needs grade, mass and speed.</source>
+        <translation>Для ИСО 21940-11 нужны класс, масса и частота вращения.</translation>
+    </message>
+    <message>
+        <source>ISO 21940-11: U_per = 1000 m G / ω = %1 for the whole crankshaft; the method&apos;s own limit is %2 in each plane.</source>
+        <translation>ИСО 21940-11: U_доп = 1000 m G / ω = %1 на весь вал; предел самого метода — %2 в каждой плоскости.</translation>
+    </message>
+    <message>
+        <source>With thread and height the sheet says what the plug would weigh.</source>
+        <translation>По резьбе и высоте лист скажет, сколько весила бы пробка.</translation>
+    </message>
+    <message>
+        <source>A plug of these dimensions weighs %1 in steel, %2 in aluminium.</source>
+        <translation>Пробка таких размеров весит %1 из стали, %2 из алюминия.</translation>
+    </message>
+    <message>
+        <source>Option</source>
+        <translation>Вариант</translation>
+    </message>
+    <message>
+        <source>const., g</source>
+        <translation>пост., г</translation>
+    </message>
+    <message>
+        <source>reach, g</source>
+        <translation>предел, г</translation>
+    </message>
+    <message>
+        <source>needed, g</source>
+        <translation>снять, г</translation>
+    </message>
+    <message>
+        <source>left, g·mm</source>
+        <translation>остаток, г·мм</translation>
+    </message>
+    <message>
+        <source>The engine has no such plug, or its data are missing.</source>
+        <translation>Такой пробки у двигателя нет или нет её данных.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>At most %1 may come off a plug; slope k_y = %2, %3°.</source>
+        <translation>С пробки можно снять не больше %1; наклон k_у = %2, %3°.</translation>
+    </message>
+    <message>
+        <source>factor × mass, g</source>
+        <translation>коэфф. × масса, г</translation>
+    </message>
+    <message>
+        <source>nominal</source>
+        <translation>номинал</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>до</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>после</translation>
+    </message>
+    <message>
+        <source>Bob weight</source>
+        <translation>Груз</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Плоскость</translation>
+    </message>
+    <message>
+        <source>allowed, g·mm</source>
+        <translation>допустимо, г·мм</translation>
+    </message>
+    <message>
+        <source>reading, g·mm</source>
+        <translation>показание, г·мм</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>вывод</translation>
+    </message>
+    <message>
+        <source>✓ passes</source>
+        <translation>✓ годен</translation>
+    </message>
+    <message>
+        <source>✗ fails</source>
+        <translation>✗ не годен</translation>
+    </message>
+    <message>
+        <source>Front (pulley)</source>
+        <translation>Передняя (шкив)</translation>
+    </message>
+    <message>
+        <source>Rear (flywheel)</source>
+        <translation>Задняя (маховик)</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Цилиндр</translation>
+    </message>
+    <message>
+        <source>Piston from</source>
+        <translation>Поршень из</translation>
+    </message>
+    <message>
+        <source>Rod from</source>
+        <translation>Шатун из</translation>
+    </message>
+    <message>
+        <source>Crankpin</source>
+        <translation>Шейка</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>разброс</translation>
+    </message>
+    <message>
+        <source>as weighed, g</source>
+        <translation>как есть, г</translation>
+    </message>
+    <message>
+        <source>after moving, g</source>
+        <translation>после, г</translation>
+    </message>
+    <message>
+        <source>%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.</source>
+        <translation>%1: взвешено %2; тяжелее всех в цилиндре %3, легче всех в цилиндре %4.</translation>
+    </message>
+    <message>
+        <source>There is no journal.</source>
+        <translation>Журнала нет.</translation>
+    </message>
+    <message>
+        <source>without an engine number</source>
+        <translation>без номера двигателя</translation>
+    </message>
+    <message>
+        <source>Job %1 had been changed elsewhere meanwhile: saved as a new job.</source>
+        <translation>Работу %1 тем временем изменили в другом месте: сохранено как новая работа.</translation>
+    </message>
+    <message>
+        <source>Job %1 saved in the journal.</source>
+        <translation>Работа %1 сохранена в журнале.</translation>
+    </message>
+    <message>
+        <source>The job&apos;s sheet cannot be read: %1</source>
+        <translation>Лист работы не читается: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::WeighInSheet</name>
+    <message>
+        <source>Take the mass changes &amp;from this sheet</source>
+        <translation>Брать изменения масс с &amp;этого листа</translation>
+    </message>
+    <message>
+        <source>Off: the changes typed on the sheet “Job” count.</source>
+        <translation>Выключено: действуют изменения, введённые на листе «Работа».</translation>
+    </message>
+    <message>
+        <source>C&amp;ylinders of a crankpin</source>
+        <translation>&amp;Цилиндры одной шейки</translation>
+    </message>
+    <message>
+        <source>1 and 5, 2 and 6, … (bank by bank)</source>
+        <translation>1 и 5, 2 и 6, … (по рядам)</translation>
+    </message>
+    <message>
+        <source>1 and 2, 3 and 4, …</source>
+        <translation>1 и 2, 3 и 4, …</translation>
+    </message>
+    <message>
+        <source>Which two cylinders share a crankpin.</source>
+        <translation>Какие два цилиндра сидят на одной шатунной шейке.</translation>
+    </message>
+    <message>
+        <source>Cylinders of a crankpin</source>
+        <translation>Цилиндры одной шейки</translation>
+    </message>
+    <message>
+        <source>nominal, g</source>
+        <translation>номинал, г</translation>
+    </message>
+    <message>
+        <source>permitted spread, g</source>
+        <translation>допустимый разброс, г</translation>
+    </message>
+    <message>
+        <source>mean, g</source>
+        <translation>среднее, г</translation>
+    </message>
+    <message>
+        <source>spread, g</source>
+        <translation>разброс, г</translation>
+    </message>
+    <message>
+        <source>%1, nominal mass, g</source>
+        <translation>%1, номинальная масса, г</translation>
+    </message>
+    <message>
+        <source>%1: mass by the drawing.</source>
+        <translation>%1: масса по чертежу.</translation>
+    </message>
+    <message>
+        <source>%1, permitted spread, g</source>
+        <translation>%1, допустимый разброс, г</translation>
+    </message>
+    <message>
+        <source>%1: heaviest less lightest that the works manual permits. Empty: no limit.</source>
+        <translation>%1: наибольшая минус наименьшая масса по руководству. Пусто: без предела.</translation>
+    </message>
+    <message>
+        <source>%1 of cylinder %2, g</source>
+        <translation>%1, цилиндр %2, г</translation>
+    </message>
+    <message>
+        <source>%1 of cylinder %2 as the scale says.</source>
+        <translation>%1, цилиндр %2, по весам.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1, nominal</source>
+        <translation>%1, номинал</translation>
+    </message>
+    <message>
+        <source>%1, spread</source>
+        <translation>%1, разброс</translation>
+    </message>
+    <message>
+        <source>Excess on each crankpin, as weighed and after moving</source>
+        <translation>Лишняя масса на каждой шейке: как взвешено и после перестановки</translation>
+    </message>
+    <message>
+        <source>Which set goes to which cylinder</source>
+        <translation>Какой комплект в какой цилиндр</translation>
+    </message>
+    <message>
+        <source>Source of the mass changes</source>
+        <translation>Источник изменений масс</translation>
     </message>
 </context>
 </TS>
