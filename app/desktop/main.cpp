@@ -10,6 +10,7 @@
 #include "shell/main_window.h"
 #include "shell/screenshot.h"
 #include "theme/theme.h"
+#include "v8-plugs/journal.h"
 
 namespace {
 
@@ -81,6 +82,7 @@ int main(int argc, char** argv) {
     if (screenshot) {
         // Nothing of the user's settings may change the picture.
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, noSettings.path());
+        ravnoves::Journal::setKept(false);
     }
     ravnoves::installLanguage(parser.isSet(languageOption) ? parser.value(languageOption)
                               : screenshot                 ? u"en"_s

@@ -4,6 +4,7 @@
 
 #include "balance-shaft/balance_shaft_page.h"
 #include "inertia-moments/inertia_moments_page.h"
+#include "v8-plugs/v8_plugs_page.h"
 
 namespace ravnoves {
 
@@ -14,7 +15,7 @@ ScenePage* makePage(QWidget* parent) {
     return new Page(parent);
 }
 
-QString tr(const char* text) {
+QString translated(const char* text) {
     return QCoreApplication::translate("ravnoves::SceneList", text);
 }
 
@@ -23,29 +24,29 @@ QString tr(const char* text) {
 std::vector<SceneInfo> sceneList() {
     return {
         {QStringLiteral("balance-shaft"),
-         tr(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Balance shaft")),
-         tr(QT_TRANSLATE_NOOP("ravnoves::SceneList",
-                              "Where the balance shaft of a single-cylinder engine goes")),
+         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Balance shaft")),
+         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList",
+                                      "Where the balance shaft of a single-cylinder engine goes")),
          makePage<BalanceShaftPage>},
         {QStringLiteral("elastic-hinge"),
-         tr(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Elastic hinges")),
-         tr(QT_TRANSLATE_NOOP("ravnoves::SceneList",
-                              "Spring guides that hold the crank speed constant")),
+         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Elastic hinges")),
+         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList",
+                                      "Spring guides that hold the crank speed constant")),
          {}},
         {QStringLiteral("v8-plugs"),
-         tr(QT_TRANSLATE_NOOP("ravnoves::SceneList", "V-8 workshop")),
-         tr(QT_TRANSLATE_NOOP("ravnoves::SceneList",
-                              "Crankpin plugs and bob weights of a V-8 under repair")),
-         {}},
+         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList", "V-8 workshop")),
+         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList",
+                                      "Crankpin plugs and bob weights of a V-8 under repair")),
+         makePage<V8PlugsPage>},
         {QStringLiteral("inertia-moments"),
-         tr(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Inertia moments")),
-         tr(QT_TRANSLATE_NOOP("ravnoves::SceneList",
-                              "Forces and moments of VR5 and any other cylinder layout")),
+         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Inertia moments")),
+         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList",
+                                      "Forces and moments of VR5 and any other cylinder layout")),
          makePage<InertiaMomentsPage>},
         {QStringLiteral("methods"),
-         tr(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Methods")),
-         tr(QT_TRANSLATE_NOOP("ravnoves::SceneList",
-                              "Speed against accuracy, and where methods fail")),
+         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Methods")),
+         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList",
+                                      "Speed against accuracy, and where methods fail")),
          {}},
     };
 }

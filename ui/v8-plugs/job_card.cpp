@@ -247,7 +247,6 @@ class CardPainter {
         return mass ? words_.plain(*mass / gram, decimals) : missing;
     }
     QString unitGram() const { return words_.translate("V8", "g", "unit"); }
-    QString unitMillimetre() const { return words_.translate("V8", "mm", "unit"); }
     QString unitUnbalance() const { return words_.translate("V8", "g·mm", "unit"); }
 
     QString engineName() const {
@@ -350,9 +349,7 @@ class CardPainter {
             }
             const EngineField& field = fields[i];
             const auto& value = input_.engine.*field.member;
-            const QString unit = field.spec.unit == "mm"  ? unitMillimetre()
-                                 : field.spec.unit == "g" ? unitGram()
-                                                          : QString();
+            const QString unit = v8_text::unitName(words_, field.spec.unit);
             return {v8_text::fieldName(words_, field.spec.key),
                     value ? words_.plain(in_unit(*value, field.spec), 4) : missing, unit};
         };
@@ -499,11 +496,8 @@ class CardPainter {
                    true,
                    true});
         double height = table.draw(sheet_, left, y);
-        const double hang = after != nullptr ? after->sum() : before.sum();
-        sheet_.text(left, y + height + 0.8, 112,
-                    words_.translate("JobCard", "Hang on each crankpin: %1")
-                        .arg(v8_text::grams(words_, hang, 1)),
-                    10, Qt::AlignLeft, true);
+        sheet_.text(left, y + height + 0.8, 112, v8_text::hang(words_, solution_), 10,
+                    Qt::AlignLeft, true);
         return height + 5.5;
     }
 
@@ -656,8 +650,10 @@ void JobCard::paint(QPainter& painter, const QRectF& page) const {
 }
 
 void JobCard::setPage(QPagedPaintDevice& device) {
-    device.setPageLayout(QPageLayout(QPageSize(QPageSize::A4), QPageLayout::Portrait,
-                                     QMarginsF(0, 0, 0, 0), QPageLayout::Millimeter));
+    QPageLayout layout(QPageSize(QPageSize::A4), QPageLayout::Portrait, QMarginsF(0, 0, 0, 0),
+                       QPageLayout::Millimeter);
+    layout.setMode(QPageLayout::FullPageMode);
+    device.setPageLayout(layout);
 }
 
 bool JobCard::print(QPagedPaintDevice& device) const {
@@ -665,10 +661,13 @@ bool JobCard::print(QPagedPaintDevice& device) const {
     if (!painter.begin(&device)) {
         return false;
     }
-    // The sheet in device pixels; a printer that keeps margins of its own begins inside it.
+    // The sheet in device pixels. A printer that keeps margins of its own and was not set to the
+    // full page begins inside it.
     const double perMillimetre = device.logicalDpiX() / 25.4;
     const QPageLayout layout = device.pageLayout();
-    const QMarginsF margins = layout.margins(QPageLayout::Millimeter);
+    const QMarginsF margins = layout.mode() == QPageLayout::FullPageMode
+                                  ? QMarginsF()
+                                  : layout.margins(QPageLayout::Millimeter);
     const QRectF page(-margins.left() * perMillimetre, -margins.top() * perMillimetre,
                       pageWidth * perMillimetre, pageHeight * perMillimetre);
     paint(painter, page);

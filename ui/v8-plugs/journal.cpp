@@ -140,7 +140,18 @@ Journal::~Journal() {
     closeDatabase();
 }
 
+namespace {
+bool journalKept = true;
+}
+
+void Journal::setKept(bool kept) {
+    journalKept = kept;
+}
+
 QString Journal::defaultPath() {
+    if (!journalKept) {
+        return {};
+    }
     return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation))
         .filePath(QStringLiteral("journal.sqlite"));
 }

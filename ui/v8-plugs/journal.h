@@ -79,8 +79,10 @@ class Journal : public QObject {
     explicit Journal(const QString& path = defaultPath(), QObject* parent = nullptr);
     ~Journal() override;
 
-    /// journal.sqlite in the user's data folder.
+    /// journal.sqlite in the user's data folder; empty where no journal is kept.
     static QString defaultPath();
+    /// Switches the journal off for this run (pictures of the program must not touch it).
+    static void setKept(bool kept);
 
     /// Opens or creates the database. False where the journal cannot be used: lastError().
     bool open();

@@ -50,6 +50,12 @@ class Sketch {
         return drawing.cutterDiameter && drawing.cutDepth > 0.0;
     }
 
+    /// A cutter as wide as the bore shares its dimension.
+    static bool cutsAnotherWidth(const PlugDrawing& drawing) {
+        return cuts(drawing) && (drawing.plug.bore_depth <= 0.0 ||
+                                 *drawing.cutterDiameter != drawing.plug.bore_diameter);
+    }
+
     void layout(const QRectF& target, const PlugDrawing& drawing, const Labels& labels) {
         const v8_plugs::PlugGeometry& plug = drawing.plug;
         // Room for the dimensions around the section.
@@ -58,7 +64,7 @@ class Sketch {
             std::max({width(labels.boreDepth), width(labels.cutDepth), width(labels.bottom)}) +
             (cuts(drawing) ? 4.6 : 2.6) * em_;
         const bool hasBore = plug.bore_diameter > 0.0 && plug.bore_depth > 0.0;
-        const double top = ((hasBore ? 1.9 : 0.3) + (cuts(drawing) ? 1.9 : 0.0)) * em_;
+        const double top = ((hasBore ? 1.9 : 0.3) + (cutsAnotherWidth(drawing) ? 1.9 : 0.0)) * em_;
         const double bottom = 2.2 * em_;
         const QRectF room = target.adjusted(left, top, -right, -bottom);
         scale_ = std::max(
@@ -205,7 +211,9 @@ class Sketch {
         }
         if (cuts(drawing)) {
             const double half = *drawing.cutterDiameter / 2.0;
-            across(x(-half), x(half), y(0), above, labels.cutDiameter, style_.cut);
+            if (cutsAnotherWidth(drawing)) {
+                across(x(-half), x(half), y(0), above, labels.cutDiameter, style_.cut);
+            }
             const double depth = std::min(drawing.cutDepth, plug.height);
             if (deepest > 0.0) {
                 beside += std::max(width(labels.boreDepth), 1.0 * em_) + 1.1 * em_;

@@ -72,6 +72,31 @@ QString millimetres(const Words& words, double metres, int decimals) {
                     words.translate("V8", "mm", "unit"));
 }
 
+QString unitName(const Words& words, std::string_view unit) {
+    if (unit == "g") {
+        return words.translate("V8", "g", "unit");
+    }
+    if (unit == "mm") {
+        return words.translate("V8", "mm", "unit");
+    }
+    if (unit == "g·mm") {
+        return words.translate("V8", "g·mm", "unit");
+    }
+    if (unit == "kg") {
+        return words.translate("V8", "kg", "unit");
+    }
+    if (unit == "kg/m³") {
+        return words.translate("V8", "kg/m³", "unit");
+    }
+    if (unit == "mm/s") {
+        return words.translate("V8", "mm/s", "unit");
+    }
+    if (unit == "min⁻¹") {
+        return words.translate("V8", "min⁻¹", "unit");
+    }
+    return QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
+}
+
 QString engineName(const Words& words, const std::string& name) {
     QString text = QString::fromStdString(name);
     if (find_preset(name) == nullptr || !text.endsWith(QLatin1String(" l"))) {
@@ -174,6 +199,51 @@ QString lineName(const Words& words, BobWeightLine::Part part) {
             return words.translate("V8", "Repair shells Δm_sh");
         case BobWeightLine::Part::oil:
             return words.translate("V8", "Oil m_m");
+    }
+    return {};
+}
+
+QString shortLine(const Words& words, const BobWeightLine& line) {
+    QString name;
+    switch (line.part) {
+        case BobWeightLine::Part::reciprocating:
+            name = words.translate("V8", "reciprocating m_j");
+            break;
+        case BobWeightLine::Part::piston:
+            name = words.translate("V8", "piston Δm_pi");
+            break;
+        case BobWeightLine::Part::repair_piston_and_rings:
+            name = words.translate("V8", "rep. piston Δm_rp");
+            break;
+        case BobWeightLine::Part::rotating:
+            name = words.translate("V8", "rotating m_R");
+            break;
+        case BobWeightLine::Part::plugs:
+            name = words.translate("V8", "plug");
+            break;
+        case BobWeightLine::Part::rod_big_end:
+            name = words.translate("V8", "big end Δm_be");
+            break;
+        case BobWeightLine::Part::repair_bearing:
+            name = words.translate("V8", "rep. shells Δm_sh");
+            break;
+        case BobWeightLine::Part::oil:
+            name = words.translate("V8", "oil m_m");
+            break;
+    }
+    return words.plain(line.factor, 3) + QStringLiteral(" × ") + name;
+}
+
+QString shortOption(const Words& words, OptionId option) {
+    switch (option) {
+        case OptionId::steel_machined:
+            return words.translate("V8", "steel");
+        case OptionId::steel_to_aluminium:
+            return words.translate("V8", "aluminium");
+        case OptionId::new_steel_to_steel:
+            return words.translate("V8", "new shaft, steel");
+        case OptionId::new_steel_to_aluminium:
+            return words.translate("V8", "new shaft, aluminium");
     }
     return {};
 }
@@ -352,6 +422,23 @@ QString shiftText(const Words& words, const CaseInput& input, const Option& opti
 
 std::optional<Option> chosenOption(const Solution& solution) {
     return solution.advice ? solution.advice->option : std::nullopt;
+}
+
+bool works(const Solution& solution) {
+    return solution.advice && (solution.advice->kind == Advice::Kind::option ||
+                               solution.advice->kind == Advice::Kind::none_needed);
+}
+
+QString hang(const Words& words, const Solution& solution) {
+    if (!solution.before) {
+        return {};
+    }
+    const auto option = chosenOption(solution);
+    const double weight =
+        option ? solution.bob_weights[index(option->id)]->after.sum() : solution.before->sum();
+    return (works(solution) ? words.translate("V8", "Hang %1 on each crankpin.")
+                            : words.translate("V8", "Bob weight with the nearest option: %1."))
+        .arg(grams(words, weight, 1));
 }
 
 QString bobWeightCheck(const Words& words, const CaseInput& input, const Solution& solution) {

@@ -15,12 +15,18 @@ QString grams(const Words& words, double kilograms, int decimals = 2);
 QString gramMillimetres(const Words& words, double kilogramMetres, int decimals = 1);
 QString millimetres(const Words& words, double metres, int decimals = 2);
 
+/// A unit of a FieldSpec in the language; empty for pure numbers.
+QString unitName(const Words& words, std::string_view unit);
 /// An engine's name; a preset's with the language's decimal sign and litre ("4,25 л").
 QString engineName(const Words& words, const std::string& name);
 /// Name of a value of the engine, without its unit: "Crank radius r".
 QString fieldName(const Words& words, std::string_view key);
 QString optionName(const Words& words, v8_plugs::OptionId option);
 QString lineName(const Words& words, v8_plugs::BobWeightLine::Part part);
+/// A line with its factor, for narrow tables: "2.445 × big end Δm_be".
+QString shortLine(const Words& words, const v8_plugs::BobWeightLine& line);
+/// An option in the fewest words, for legends.
+QString shortOption(const Words& words, v8_plugs::OptionId option);
 QString partName(const Words& words, v8_plugs::Part part);
 QString processName(const Words& words, v8_plugs::Process process);
 QString crankshaftName(const Words& words, v8_plugs::Crankshaft crankshaft);
@@ -44,6 +50,10 @@ QString shiftText(const Words& words, const v8_plugs::CaseInput& input,
 /// The option that the answer is about: the recommended one, else the one that leaves least;
 /// nothing where nothing is needed or known.
 std::optional<v8_plugs::Option> chosenOption(const v8_plugs::Solution& solution);
+/// True where the advice is something that works.
+bool works(const v8_plugs::Solution& solution);
+/// What to hang on the crankpins, to 0.1 g; empty while it is not known.
+QString hang(const Words& words, const v8_plugs::Solution& solution);
 /// "The bob weight after is that of the nominal engine" or by how much it is not.
 QString bobWeightCheck(const Words& words, const v8_plugs::CaseInput& input,
                        const v8_plugs::Solution& solution);

@@ -97,7 +97,7 @@ class JobCardTest : public ::testing::Test {
         return {{u"Machine today's steel plugs"_s, u"Aluminium plugs"_s,
                  u"New crankshaft, today's steel plugs"_s, u"New crankshaft, aluminium plugs"_s},
                 u"Sum: bob weight"_s,
-                u"Hang on each crankpin:"_s,
+                u"Hang"_s,
                 u"Excess on each crankpin Δm_y ="_s,
                 u"Front (pulley)"_s,
                 u"Rear (flywheel)"_s,

@@ -1,0 +1,433 @@
+#include "v8-plugs/v8_plugs_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QDir>
+#include <QFile>
+#include <QInputMethodEvent>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPrinter>
+#include <QProcess>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTabWidget>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTimer>
+
+#include "events.h"
+#include "plot/plot_view.h"
+#include "v8-plugs/checked_field.h"
+#include "v8-plugs/job_card.h"
+#include "v8-plugs/journal_dialog.h"
+#include "v8-plugs/v8_plugs_view_model.h"
+#include "widgets/number_field.h"
+#include "widgets/result_table.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+using namespace v8_plugs;
+
+constexpr double gram = 1e-3;
+
+class V8PageTest : public ::testing::Test {
+  protected:
+    V8PageTest() : page(QDir(folder.path()).filePath(u"journal.sqlite"_s), nullptr) {
+        test::showAt(page, {1187, 712});
+        page.activateWindow();
+        model = page.viewModel();
+        page.openJournal();
+    }
+
+    template <typename Widget>
+    Widget* find(const char* name) {
+        auto* found = page.findChild<Widget*>(QString::fromLatin1(name));
+        EXPECT_NE(found, nullptr) << name;
+        return found;
+    }
+    NumberField* field(const char* name) { return find<NumberField>(name); }
+    QString label(const char* name) { return find<QLabel>(name)->text(); }
+
+    /// Types as a person does: goes to the field, types over what is there, presses Enter.
+    void type(QWidget* target, const QString& text) {
+        for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
+            if (page.fieldsOf(sheet).contains(target)) {
+                page.sheets()->setCurrentIndex(sheet);
+            }
+        }
+        target->setFocus();
+        QTest::keyClick(target, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClicks(target, text);
+        QTest::keyClick(target, Qt::Key_Return);
+    }
+    void type(const char* name, const QString& text) { type(find<QWidget>(name), text); }
+
+    /// A key that is an action's, wherever the focus is.
+    void press(Qt::Key key) {
+        page.activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
+        QTest::keyClick(&page, key);
+    }
+
+    /// Answers the next message box with a button.
+    static void answer(QMessageBox::StandardButton button) {
+        whenModal<QMessageBox>(
+            [button](QMessageBox* box) { QTest::mouseClick(box->button(button), Qt::LeftButton); });
+    }
+
+    /// Acts on the next modal dialog as soon as it is there.
+    template <typename Dialog, typename Act>
+    static void whenModal(Act act) {
+        QTimer::singleShot(10, qApp, [act] {
+            if (auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget())) {
+                act(dialog);
+            } else {
+                whenModal<Dialog>(act);
+            }
+        });
+    }
+
+    QTemporaryDir folder;
+    V8PlugsPage page;
+    V8PlugsViewModel* model = nullptr;
+};
+
+TEST_F(V8PageTest, AnswerFollowsTyping) {
+    type("rod_big_end", u"0,5"_s);
+    type("repair_piston_and_rings", u"2"_s);
+    type("repair_bearing", u"1.1"_s);
+    EXPECT_EQ(label("advice"), u"Machine all 8 steel plugs by 1.83\u00A0g each."_s);
+    EXPECT_TRUE(label("hang").startsWith(u"The bob weight still needs"_s));
+    type("reciprocating_mass_g", u"1000"_s);
+    type("rotating_mass_g", u"650"_s);
+    type("oil_mass_g", u"20"_s);
+    type("oil_coefficient", u"1"_s);
+    EXPECT_EQ(label("hang"), u"Hang 2326.6\u00A0g on each crankpin."_s);
+    // At every key, not only at Enter.
+    page.sheets()->setCurrentIndex(0);
+    NumberField* shells = field("repair_bearing");
+    shells->setFocus();
+    shells->selectAll();
+    QTest::keyClicks(shells, u"2"_s);
+    EXPECT_EQ(label("advice"),
+              u"Replace all 8 plugs by aluminium ones lightened by 0.38\u00A0g each."_s);
+    EXPECT_TRUE(page.resultsAsText().contains(u"5.222"_s)) << qPrintable(page.resultsAsText());
+}
+
+TEST_F(V8PageTest, EnterGoesDownTheSheetsAndOn) {
+    page.sheets()->setCurrentIndex(0);
+    page.fieldsOf(0).constFirst()->setFocus();
+    QList<QWidget*> visited;
+    for (int step = 0;
+         step < 200 && (visited.isEmpty() || page.sheets()->currentIndex() != 0 ||
+                        visited.size() < 5 || QApplication::focusWidget() != visited.constFirst());
+         ++step) {
+        visited << QApplication::focusWidget();
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    }
+    QList<QWidget*> expected;
+    for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
+        for (QWidget* each : page.fieldsOf(sheet)) {
+            if (each->isEnabled()) {
+                expected << each;
+            }
+        }
+    }
+    EXPECT_EQ(visited, expected);
+    EXPECT_GT(visited.size(), 90);
+}
+
+TEST_F(V8PageTest, TabGoesTheSameWayDownASheet) {
+    for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
+        page.sheets()->setCurrentIndex(sheet);
+        QList<QWidget*> expected;
+        for (QWidget* each : page.fieldsOf(sheet)) {
+            if (each->isEnabled()) {
+                expected << each;
+            }
+        }
+        expected.constFirst()->setFocus();
+        for (QWidget* each : expected) {
+            EXPECT_EQ(QApplication::focusWidget(), each)
+                << sheet << " " << qPrintable(each->objectName());
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        }
+    }
+}
+
+TEST_F(V8PageTest, EveryFieldIsLargeNamedAndExplained) {
+    for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
+        for (QWidget* each : page.fieldsOf(sheet)) {
+            const QString name = each->objectName();
+            EXPECT_FALSE(name.isEmpty());
+            EXPECT_GE(each->minimumHeight(), qobject_cast<QCheckBox*>(each) != nullptr ? 0
+                                             : sheet == 2                              ? 26
+                                                                                       : 32)
+                << qPrintable(name);
+            if (qobject_cast<QCheckBox*>(each) == nullptr) {
+                EXPECT_FALSE(each->accessibleName().isEmpty()) << qPrintable(name);
+                EXPECT_FALSE(each->toolTip().isEmpty()) << qPrintable(name);
+            }
+        }
+    }
+    // Units stand in the accessible name of every quantity.
+    EXPECT_EQ(field("crank_radius_mm")->accessibleName(), u"Crank radius r, mm"_s);
+    EXPECT_EQ(field("mass_piston_3")->accessibleName(), u"Piston of cylinder 3, g"_s);
+}
+
+TEST_F(V8PageTest, MnemonicsOfASheetDiffer) {
+    for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
+        page.sheets()->setCurrentIndex(sheet);
+        QMap<QChar, QString> used;
+        const auto note = [&](const QString& text) {
+            const qsizetype at = text.indexOf(u'&');
+            if (at < 0 || at + 1 >= text.size()) {
+                return;
+            }
+            const QChar key = text.at(at + 1).toLower();
+            EXPECT_FALSE(used.contains(key))
+                << qPrintable(text) << " and " << qPrintable(used.value(key));
+            used[key] = text;
+        };
+        for (QLabel* each : page.sheets()->currentWidget()->findChildren<QLabel*>()) {
+            if (each->buddy() != nullptr) {
+                note(each->text());
+            }
+        }
+        for (QAbstractButton* each :
+             page.sheets()->currentWidget()->findChildren<QAbstractButton*>()) {
+            note(each->text());
+        }
+    }
+}
+
+TEST_F(V8PageTest, ImpossibleEntriesAreRefusedInWords) {
+    const Json before = model->inputJson();
+    for (const char* name :
+         {"crank_radius_mm", "steel_plug_mass_g", "oil_mass_g", "height_mm", "cutter_diameter_mm",
+          "grade_mm_s", "rotor_mass_kg", "front_reading_g_mm", "mass_piston_1", "nominal_rings",
+          "tolerance_g_mm"}) {
+        for (const QString& text : {u"-5"_s, u"1e300"_s, u"abc"_s, u"1.2.3"_s, u"nan"_s}) {
+            type(name, text);
+            EXPECT_FALSE(field(name)->trouble().isEmpty()) << name << " " << qPrintable(text);
+            QTest::keyClick(field(name), Qt::Key_Escape);
+        }
+    }
+    for (const char* name : {"piston", "rod_big_end"}) {
+        type(name, u"1e9"_s);
+        EXPECT_FALSE(field(name)->trouble().isEmpty()) << name;
+        QTest::keyClick(field(name), Qt::Key_Escape);
+    }
+    auto* date = find<CheckedField>("date");
+    type(date, u"31.02.2024"_s);
+    EXPECT_TRUE(date->trouble().contains(u"no date"_s));
+    auto* thread = find<CheckedField>("thread");
+    type(thread, u"22"_s);
+    EXPECT_TRUE(thread->trouble().contains(u"M22x1.5"_s));
+    // What was valid on the way ("1" of "1e300") is undone.
+    while (model->history()->canUndo()) {
+        model->history()->undo();
+    }
+    EXPECT_EQ(model->inputJson(), before);
+    type(date, u"31.5.24"_s);
+    EXPECT_EQ(model->input().job.date, "2024-05-31");
+    type(thread, u"m30×1,5"_s);
+    EXPECT_NEAR(model->input().plug->thread->diameter, 0.03, 1e-12);
+}
+
+TEST_F(V8PageTest, WeighInSheetByKeyboard) {
+    page.sheets()->setCurrentIndex(2);
+    type("nominal_piston", u"600"_s);
+    type("spread_piston", u"2"_s);
+    // From here Enter goes down the column.
+    EXPECT_EQ(QApplication::focusWidget(), field("mass_piston_1"));
+    for (int cylinder = 0; cylinder < 8; ++cylinder) {
+        QTest::keyClicks(QApplication::focusWidget(), QString::number(600 + cylinder));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    }
+    EXPECT_EQ(QApplication::focusWidget(), field("nominal_pin"));
+    EXPECT_NEAR(*(*model->input().weigh_in)[Part::piston].mass[7], 607 * gram, 1e-12);
+    EXPECT_TRUE(label("troubles").contains(u"Piston: spread 7.00"_s));
+    EXPECT_NEAR(model->solution().changes.repair_piston_and_rings, 0.0, 1e-12);
+    auto* use = find<QCheckBox>("changes_from_weigh_in");
+    use->setFocus();
+    QTest::keyClick(use, Qt::Key_Space);
+    EXPECT_NEAR(model->solution().changes.repair_piston_and_rings, 3.5 * gram, 1e-12);
+    EXPECT_FALSE(field("repair_piston_and_rings")->isEnabled());
+    EXPECT_EQ(field("repair_piston_and_rings")->value(), 3.5);
+    QTest::keyClick(use, Qt::Key_Space);
+    EXPECT_TRUE(field("repair_piston_and_rings")->isEnabled());
+}
+
+TEST_F(V8PageTest, EngineChoiceAndFlags) {
+    auto* engine = find<QComboBox>("engine");
+    engine->setFocus();
+    QTest::keyClick(engine, Qt::Key_Down);
+    EXPECT_EQ(model->input().preset, "6 l");
+    EXPECT_EQ(field("crank_radius_mm")->value(), 47.5);
+    auto* flag = find<QCheckBox>("has_new_plug");
+    page.sheets()->setCurrentIndex(1);
+    QTest::mouseClick(flag, Qt::LeftButton, {}, QPoint(10, flag->height() / 2));
+    EXPECT_FALSE(model->input().engine.has_new_plug);
+    EXPECT_FALSE(field("new_plug_radius_mm")->isEnabled());
+    EXPECT_FALSE(find<QComboBox>("crankshaft")->isEnabled());
+    EXPECT_TRUE(model->solution().advice);
+    EXPECT_FALSE(model->solution().option(OptionId::new_steel_to_steel));
+    QTest::mouseClick(flag, Qt::LeftButton, {}, QPoint(10, flag->height() / 2));
+    EXPECT_TRUE(model->adviceText().startsWith(u"Still needed: New plug radius"_s));
+}
+
+TEST_F(V8PageTest, PlotsShowLinesLimitsAndToday) {
+    type("rod_big_end", u"1"_s);
+    const PlotView* plot = page.compensationPlot();
+    for (const OptionId id : all_options) {
+        const auto& option = model->solution().option(id);
+        const int curve = static_cast<int>(id);
+        EXPECT_NEAR(*plot->valueAt(curve, 0.0), option->constant / gram, 1e-9);
+        EXPECT_NEAR(*plot->valueAt(curve, option->max_reduction / gram), option->maximum / gram,
+                    1e-9);
+        EXPECT_FALSE(plot->valueAt(curve, option->max_reduction / gram + 0.01));
+    }
+    // Fig. 2: Δk = Δr / r.
+    for (std::size_t i = 0; i < shift_curves.size(); ++i) {
+        EXPECT_NEAR(*page.shiftPlot()->valueAt(static_cast<int>(i), 1.2),
+                    1.2e-3 / shift_curves[i].crank_radius, 1e-9);
+    }
+}
+
+TEST_F(V8PageTest, JobGoesToTheJournalByKeyAndComesBack) {
+    type("engine_number", u"53-11"_s);
+    type("rod_big_end", u"1"_s);
+    QSignalSpy status(&page, &ScenePage::status);
+    press(Qt::Key_F2);
+    ASSERT_EQ(status.count(), 1);
+    EXPECT_TRUE(status.at(0).at(0).toString().contains(u"53-11"_s));
+    const qint64 id = model->jobId();
+    EXPECT_GT(id, 0);
+    press(Qt::Key_F4);
+    EXPECT_EQ(model->jobId(), 0);
+    EXPECT_EQ(QApplication::focusWidget(), find<QWidget>("engine_number"));
+    // F3: search, Enter to the list, Enter opens.
+    bool seen = false;
+    whenModal<JournalDialog>([&](JournalDialog* dialog) {
+        auto* search = dialog->findChild<QLineEdit*>(u"journal_search"_s);
+        auto* table = dialog->findChild<QTableWidget*>(u"journal_table"_s);
+        QTest::keyClicks(search, u"nothing like it"_s);
+        EXPECT_EQ(table->rowCount(), 0);
+        search->clear();
+        QTest::keyClicks(search, u"53"_s);
+        EXPECT_EQ(table->rowCount(), 1);
+        QTest::keyClick(search, Qt::Key_Return);
+        QTest::keyClick(table, Qt::Key_Return);
+        seen = true;
+        if (dialog->isVisible()) {
+            QTest::mouseClick(dialog->findChild<QPushButton*>(u"journal_open"_s), Qt::LeftButton);
+        }
+    });
+    press(Qt::Key_F3);
+    EXPECT_TRUE(seen);
+    EXPECT_EQ(model->jobId(), id);
+    EXPECT_NEAR(model->input().typed_changes.rod_big_end, 1 * gram, 1e-12);
+}
+
+TEST_F(V8PageTest, UnsavedJobIsAskedAbout) {
+    type("engine_number", u"7"_s);
+    answer(QMessageBox::Cancel);
+    press(Qt::Key_F4);
+    EXPECT_EQ(model->input().job.engine_number, "7");
+    answer(QMessageBox::Save);
+    press(Qt::Key_F4);
+    EXPECT_TRUE(model->input().job.engine_number.empty());
+    EXPECT_EQ(model->journal()->search({}).size(), 1);
+    type("engine_number", u"8"_s);
+    answer(QMessageBox::Discard);
+    press(Qt::Key_F4);
+    EXPECT_EQ(model->journal()->search({}).size(), 1);
+}
+
+TEST_F(V8PageTest, CrashedDraftIsOffered) {
+    JournalDraft draft;
+    draft.session = u"crashed"_s;
+    draft.engineNumber = u"99"_s;
+    CaseInput lost;
+    lost.preset = "6 l";
+    lost.engine = *find_preset("6 l");
+    lost.job.engine_number = "99";
+    draft.form = QByteArray::fromStdString(write_case({"v8-plugs", "", write_input(lost)}).dump());
+    ASSERT_TRUE(model->journal()->saveDraft(draft));
+    V8PlugsPage next(model->journal()->path(), nullptr);
+    test::showAt(next, {1187, 712});
+    auto* banner = next.findChild<QLabel*>(u"banner"_s);
+    ASSERT_TRUE(banner->isVisible());
+    EXPECT_TRUE(banner->text().contains(u"99"_s));
+    QTest::mouseClick(next.findChild<QPushButton*>(u"draft_continue"_s), Qt::LeftButton);
+    EXPECT_FALSE(banner->isVisible());
+    EXPECT_EQ(next.viewModel()->input().job.engine_number, "99");
+    EXPECT_EQ(next.viewModel()->input().preset, "6 l");
+    // It is not offered twice.
+    V8PlugsPage third(model->journal()->path(), nullptr);
+    test::showAt(third, {1187, 712});
+    EXPECT_FALSE(third.findChild<QLabel*>(u"banner"_s)->isVisible());
+}
+
+TEST_F(V8PageTest, CardIsPrintedOnOnePageAsThePdfIs) {
+    type("engine_number", u"card"_s);
+    type("rod_big_end", u"1"_s);
+    const auto textOf = [](const QString& file) {
+        QProcess reader;
+        reader.start(QStringLiteral(PDFTOTEXT), {u"-layout"_s, file, u"-"_s});
+        EXPECT_TRUE(reader.waitForFinished());
+        return QString::fromUtf8(reader.readAllStandardOutput()).simplified();
+    };
+    const QString exported = QDir(folder.path()).filePath(u"exported.pdf"_s);
+    ASSERT_EQ(page.writeCard(exported), QString());
+    // A printer that prints into a file.
+    const QString printed = QDir(folder.path()).filePath(u"printed.pdf"_s);
+    QPrinter printer(QPrinter::HighResolution);
+    printer.setOutputFormat(QPrinter::PdfFormat);
+    printer.setOutputFileName(printed);
+    JobCard::setPage(printer);
+    ASSERT_TRUE(JobCard(model->input(), model->cardWords()).print(printer));
+    EXPECT_TRUE(textOf(exported).contains(u"card"_s));
+    EXPECT_EQ(textOf(exported), textOf(printed));
+    model->setCardLanguage(u"ru"_s);
+    ASSERT_EQ(page.writeCard(exported), QString());
+    EXPECT_TRUE(textOf(exported).contains(u"Номер двигателя"_s));
+}
+
+TEST_F(V8PageTest, JournalDialogExportsWhatItLists) {
+    for (const QString& number : {u"A-1"_s, u"B-2"_s}) {
+        model->newJob();
+        type("engine_number", number);
+        press(Qt::Key_F2);
+    }
+    JournalDialog dialog(model->journal());
+    dialog.findChild<QLineEdit*>(u"journal_search"_s)->setText(u"b-"_s);
+    const QString file = QDir(folder.path()).filePath(u"list.csv"_s);
+    EXPECT_EQ(dialog.exportTo(file), QString());
+    QFile csv(file);
+    ASSERT_TRUE(csv.open(QIODevice::ReadOnly));
+    const QByteArray text = csv.readAll();
+    EXPECT_TRUE(text.contains("B-2"));
+    EXPECT_FALSE(text.contains("A-1"));
+    EXPECT_FALSE(dialog.exportTo(QDir(folder.path()).filePath(u"no/list.csv"_s)).isEmpty());
+    // Remove asks first.
+    answer(QMessageBox::Yes);
+    QTest::mouseClick(dialog.findChild<QPushButton*>(u"journal_remove"_s), Qt::LeftButton);
+    EXPECT_EQ(model->journal()->search({}).size(), 1);
+    // Days.
+    EXPECT_EQ(readDay(u"2024-05-31"_s), QDate(2024, 5, 31));
+    EXPECT_EQ(readDay(u" 1.2.24 "_s), QDate(2024, 2, 1));
+    EXPECT_EQ(readDay(u"31.05.2024"_s), QDate(2024, 5, 31));
+    EXPECT_FALSE(readDay(u"32.05.2024"_s).isValid());
+}
+
+}  // namespace
+}  // namespace ravnoves

@@ -1,0 +1,239 @@
+#include "v8-plugs/journal_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include "theme/theme.h"
+#include "v8-plugs/checked_field.h"
+#include "v8-plugs/v8_text.h"
+
+namespace ravnoves {
+
+namespace {
+
+constexpr int buttonHeight = 36;
+
+QString dayTrouble(const QString& text) {
+    return readDay(text).isValid()
+               ? QString()
+               : JournalDialog::tr("“%1” is no date; write it like 2024-05-31.").arg(text);
+}
+
+QString resultText(const Words& words, const JournalJob& job) {
+    if (job.recommended.isEmpty()) {
+        return QStringLiteral("–");
+    }
+    if (job.recommended == QLatin1String("none-needed")) {
+        return JournalDialog::tr("nothing needed");
+    }
+    for (const v8_plugs::OptionId id : v8_plugs::all_options) {
+        const std::string_view name = v8_plugs::option_name(id);
+        if (job.recommended == QLatin1String(name.data(), static_cast<qsizetype>(name.size()))) {
+            const QString option = v8_text::optionName(words, id);
+            return job.reduction ? option + QStringLiteral(", ") +
+                                       v8_text::grams(words, *job.reduction * 1e-3)
+                                 : option;
+        }
+    }
+    return job.recommended;
+}
+
+}  // namespace
+
+QDate readDay(const QString& text) {
+    for (const char* format : {"yyyy-MM-dd", "dd.MM.yyyy", "d.M.yyyy", "d.M.yy", "dd/MM/yyyy"}) {
+        QDate day = QDate::fromString(text.trimmed(), QLatin1String(format));
+        if (day.isValid()) {
+            if (day.year() < 2000 && qstrcmp(format, "d.M.yy") == 0) {
+                day = day.addYears(100);
+            }
+            return day;
+        }
+    }
+    return {};
+}
+
+JournalDialog::JournalDialog(Journal* journal, QWidget* parent)
+    : QDialog(parent), journal_(journal) {
+    setWindowTitle(tr("Journal of jobs"));
+    resize(900, 560);
+    auto* column = new QVBoxLayout(this);
+    column->setSpacing(Theme::space);
+
+    auto* row = new QHBoxLayout;
+    row->setSpacing(Theme::space);
+    const auto add = [&](const QString& label, QWidget* field, int stretch) {
+        auto* name = new QLabel(label, this);
+        name->setBuddy(field);
+        QString spoken = label;
+        field->setAccessibleName(spoken.remove(QLatin1Char('&')));
+        field->setMinimumHeight(buttonHeight - 4);
+        row->addWidget(name);
+        row->addWidget(field, stretch);
+    };
+    text_ = new QLineEdit(this);
+    text_->setObjectName(QStringLiteral("journal_search"));
+    text_->setPlaceholderText(tr("engine number, customer, technician"));
+    text_->setClearButtonEnabled(true);
+    add(tr("&Search"), text_, 1);
+    from_ = new CheckedField(dayTrouble, this);
+    from_->setObjectName(QStringLiteral("journal_from"));
+    from_->setPlaceholderText(tr("any day"));
+    from_->setMaximumWidth(110);
+    add(tr("&from"), from_, 0);
+    to_ = new CheckedField(dayTrouble, this);
+    to_->setObjectName(QStringLiteral("journal_to"));
+    to_->setPlaceholderText(tr("any day"));
+    to_->setMaximumWidth(110);
+    add(tr("&to"), to_, 0);
+    column->addLayout(row);
+
+    table_ = new QTableWidget(this);
+    table_->setObjectName(QStringLiteral("journal_table"));
+    table_->setAccessibleName(tr("Jobs found"));
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setSelectionMode(QAbstractItemView::SingleSelection);
+    table_->setAlternatingRowColors(true);
+    table_->setShowGrid(false);
+    table_->setTabKeyNavigation(false);
+    table_->verticalHeader()->hide();
+    table_->verticalHeader()->setDefaultSectionSize(30);
+    table_->setColumnCount(6);
+    table_->setHorizontalHeaderLabels({tr("Date"), tr("Engine number"), tr("Customer"),
+                                       tr("Engine"), tr("Technician"), tr("Result")});
+    table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    table_->horizontalHeader()->setStretchLastSection(true);
+    const int widths[] = {92, 150, 170, 84, 130};
+    for (int i = 0; i < 5; ++i) {
+        table_->setColumnWidth(i, widths[i]);
+    }
+    column->addWidget(table_, 1);
+
+    message_ = new QLabel(this);
+    message_->setWordWrap(true);
+    column->addWidget(message_);
+
+    auto* buttons = new QHBoxLayout;
+    const auto button = [&](const QString& name, const QString& text) {
+        auto* made = new QPushButton(text, this);
+        made->setObjectName(name);
+        made->setMinimumHeight(buttonHeight);
+        made->setAutoDefault(false);
+        buttons->addWidget(made);
+        return made;
+    };
+    open_ = button(QStringLiteral("journal_open"), tr("&Open"));
+    copy_ = button(QStringLiteral("journal_copy"), tr("&Copy as new job"));
+    remove_ = button(QStringLiteral("journal_remove"), tr("&Remove…"));
+    buttons->addStretch();
+    export_ = button(QStringLiteral("journal_export"), tr("&Export list as CSV…"));
+    auto* close = button(QStringLiteral("journal_close"), tr("C&lose"));
+    column->addLayout(buttons);
+
+    connect(text_, &QLineEdit::textChanged, this, &JournalDialog::search);
+    connect(from_, &CheckedField::valueEdited, this, &JournalDialog::search);
+    connect(to_, &CheckedField::valueEdited, this, &JournalDialog::search);
+    for (CheckedField* day : {from_, to_}) {
+        connect(day, &CheckedField::troubleChanged, message_, &QLabel::setText);
+    }
+    // Enter in the search goes to the list, Enter in the list opens.
+    connect(text_, &QLineEdit::returnPressed, this, [this] {
+        if (table_->rowCount() > 0) {
+            table_->setFocus();
+        }
+    });
+    connect(table_, &QTableWidget::activated, this, [this] { choose(Choice::Open); });
+    connect(open_, &QPushButton::clicked, this, [this] { choose(Choice::Open); });
+    connect(copy_, &QPushButton::clicked, this, [this] { choose(Choice::Copy); });
+    connect(remove_, &QPushButton::clicked, this, &JournalDialog::removeSelected);
+    connect(export_, &QPushButton::clicked, this, &JournalDialog::exportWithDialog);
+    connect(close, &QPushButton::clicked, this, &QDialog::reject);
+    search();
+    text_->setFocus();
+}
+
+void JournalDialog::search() {
+    JournalQuery query;
+    query.text = text_->text();
+    query.from = readDay(from_->text());
+    query.to = readDay(to_->text());
+    jobs_ = journal_->search(query);
+    const Words words;
+    table_->setRowCount(static_cast<int>(jobs_.size()));
+    for (int row = 0; row < table_->rowCount(); ++row) {
+        const JournalJob& job = jobs_.at(row);
+        const QStringList cells{job.date.toString(Qt::ISODate),
+                                job.engineNumber,
+                                job.customer,
+                                v8_text::engineName(words, job.engine.toStdString()),
+                                job.technician,
+                                resultText(words, job)};
+        for (int column = 0; column < cells.size(); ++column) {
+            auto* cell = new QTableWidgetItem(cells.at(column));
+            cell->setToolTip(cells.at(column));
+            table_->setItem(row, column, cell);
+        }
+    }
+    if (table_->rowCount() > 0) {
+        table_->setCurrentCell(0, 0);
+    }
+    for (QPushButton* button : {open_, copy_, remove_, export_}) {
+        button->setEnabled(table_->rowCount() > 0);
+    }
+    message_->setText(!journal_->lastError().isEmpty() ? journal_->lastError()
+                      : jobs_.isEmpty()                ? tr("No job found.")
+                                                       : tr("Jobs found: %1").arg(jobs_.size()));
+}
+
+qint64 JournalDialog::selectedId() const {
+    const int row = table_->currentRow();
+    return row >= 0 && row < jobs_.size() ? jobs_.at(row).id : 0;
+}
+
+void JournalDialog::choose(Choice choice) {
+    chosen_ = selectedId();
+    if (chosen_ != 0) {
+        choice_ = choice;
+        accept();
+    }
+}
+
+void JournalDialog::removeSelected() {
+    const qint64 id = selectedId();
+    if (id == 0) {
+        return;
+    }
+    const QString number = jobs_.at(table_->currentRow()).engineNumber;
+    if (QMessageBox::question(this, tr("Remove job"),
+                              tr("Remove the job of engine %1 from the journal for good?")
+                                  .arg(number.isEmpty() ? QStringLiteral("–") : number)) ==
+        QMessageBox::Yes) {
+        journal_->remove(id);
+        search();
+    }
+}
+
+QString JournalDialog::exportTo(const QString& file) {
+    return journal_->exportCsv(file, jobs_) ? QString() : journal_->lastError();
+}
+
+void JournalDialog::exportWithDialog() {
+    const QString file = QFileDialog::getSaveFileName(
+        this, tr("Export list"), QStringLiteral("journal.csv"), tr("CSV table (*.csv)"));
+    if (file.isEmpty()) {
+        return;
+    }
+    const QString trouble = exportTo(file);
+    message_->setText(trouble.isEmpty() ? tr("Written: %1").arg(file) : trouble);
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QDialog>
+#include <QList>
+
+#include "v8-plugs/journal.h"
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTableWidget;
+
+namespace ravnoves {
+
+class CheckedField;
+
+/// The jobs in the journal: search by engine number, customer or date, open, copy, remove, export.
+class JournalDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    enum class Choice { None, Open, Copy };
+
+    explicit JournalDialog(Journal* journal, QWidget* parent = nullptr);
+
+    /// What the user wants with chosenId(); None where the dialog was only closed.
+    Choice choice() const { return choice_; }
+    qint64 chosenId() const { return chosen_; }
+    /// Writes the jobs listed to a CSV file. @return an empty string, or what went wrong
+    QString exportTo(const QString& file);
+
+  private:
+    void search();
+    void choose(Choice choice);
+    void removeSelected();
+    void exportWithDialog();
+    qint64 selectedId() const;
+
+    Journal* journal_;
+    QList<JournalJob> jobs_;
+    Choice choice_ = Choice::None;
+    qint64 chosen_ = 0;
+    QLineEdit* text_;
+    CheckedField* from_;
+    CheckedField* to_;
+    QTableWidget* table_;
+    QLabel* message_;
+    QPushButton* open_;
+    QPushButton* copy_;
+    QPushButton* remove_;
+    QPushButton* export_;
+};
+
+/// Reads a day as people type it: 2024-05-31, 31.05.2024, 31.5.24. Invalid where it is none.
+QDate readDay(const QString& text);
+
+}  // namespace ravnoves

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <vector>
+
+#include "v8-plugs/weigh_in.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+
+namespace ravnoves {
+
+class NumberField;
+class ResultTable;
+class V8PlugsViewModel;
+
+/// The weigh-in sheet: a column for each kind of part, a row for each cylinder, nominal mass and
+/// permitted spread above, mean and spread below; then what the parts make of the crankpins and the
+/// best assignment. The order of the fields goes down the columns, as one weighs.
+class WeighInSheet : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit WeighInSheet(V8PlugsViewModel* model, QWidget* parent = nullptr);
+
+    /// Every field in the order in which one fills them.
+    QList<QWidget*> order() const { return order_; }
+
+  private:
+    struct Column {
+        NumberField* nominal;
+        NumberField* permitted;
+        std::array<NumberField*, v8_plugs::cylinder_count> mass;
+        QLabel* mean;
+        QLabel* spread;
+    };
+
+    NumberField* addField(const QString& name, const QString& accessible, const FieldSpec& spec,
+                          const QString& hint);
+    void showInput();
+
+    V8PlugsViewModel* model_;
+    std::vector<Column> columns_;
+    QCheckBox* use_;
+    QComboBox* numbering_;
+    QLabel* trouble_;
+    QLabel* summary_;
+    ResultTable* assignment_;
+    ResultTable* crankpins_;
+    QList<QWidget*> order_;
+};
+
+}  // namespace ravnoves
