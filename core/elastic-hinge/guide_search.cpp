@@ -32,17 +32,21 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
                            const GuideWish& wish) {
     GuideProposal proposal;
     proposal.branch = branch;
-    const auto refuse = [&](std::string reason) {
+    proposal.smallest_spring_length = wish.smallest_spring_length.value_or(0.4 * free_length);
+    const auto refuse = [&](SearchProblem problem, std::string reason) {
+        proposal.problem = problem;
         proposal.reason = std::move(reason);
         return proposal;
     };
     if (!design->has_exact_kinematics()) {
-        return refuse("at lambda = 1 the mechanism locks: there is no guide");
+        return refuse(SearchProblem::mechanism_locks,
+                      "at lambda = 1 the mechanism locks: there is no guide");
     }
     const DemandRange range = design->range(hinge);
     const double span = range.span();
     if (!(span > 0.0)) {
-        return refuse("the hinge has no energy to give out: its guide is a circle");
+        return refuse(SearchProblem::no_energy,
+                      "the hinge has no energy to give out: its guide is a circle");
     }
     const bool reversed = sign == GuideSign::as_printed && hinge != Hinge::rod;
     const double greatest = reversed ? -range.min : range.max;
@@ -58,22 +62,32 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
     if (branch == Branch::compressed) {
         low = std::max(low, half - limit);
         high = 0.5 * (free_length - shortest) - relief;
+        if (high < 0.1 * relief) {
+            return refuse(SearchProblem::spring_too_short,
+                          "a spring of " + millimetres(free_length) +
+                              " that gets no shorter than " + millimetres(shortest) +
+                              " leaves no room for a relief of " + millimetres(relief) +
+                              "; it must be at least " + millimetres(shortest + 2.2 * relief) +
+                              " long");
+        }
+        proposal.needed_outer_diameter = 2.0 * (half - high + roller_radius);
         if (low > high) {
-            return refuse("a spring of " + millimetres(free_length) +
-                          " that gets no shorter than " + millimetres(shortest) +
-                          " leaves no room for a relief of " + millimetres(relief) +
-                          " within an outer diameter of " + millimetres(wish.outer_diameter) +
-                          "; the outer diameter must be at least " +
-                          millimetres(2.0 * (half - std::max(high, 0.0) + roller_radius)) +
-                          (high < 0.1 * relief ? " and the spring longer" : ""));
+            return refuse(SearchProblem::diameter_too_small,
+                          "a compressed spring of " + millimetres(free_length) +
+                              " that gets no shorter than " + millimetres(shortest) +
+                              " needs an outer diameter of at least " +
+                              millimetres(proposal.needed_outer_diameter) + " for a relief of " +
+                              millimetres(relief));
         }
     } else {
         high = limit - half - relief;
+        proposal.needed_outer_diameter = 2.0 * (half + 1.1 * relief + roller_radius);
         if (low > high) {
-            return refuse("a stretched spring of " + millimetres(free_length) +
-                          " with a relief of " + millimetres(relief) +
-                          " needs an outer diameter of at least " +
-                          millimetres(2.0 * (half + 1.1 * relief + roller_radius)));
+            return refuse(SearchProblem::diameter_too_small,
+                          "a stretched spring of " + millimetres(free_length) +
+                              " with a relief of " + millimetres(relief) +
+                              " needs an outer diameter of at least " +
+                              millimetres(proposal.needed_outer_diameter));
         }
     }
 
@@ -100,9 +114,10 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
         ++first;
     }
     if (first > looks) {
-        return refuse("a roller of radius " + millimetres(roller_radius) +
-                      " undercuts every guide with a relief of " + millimetres(relief) +
-                      "; a smaller roller or less relief is needed");
+        return refuse(SearchProblem::undercut, "a roller of radius " + millimetres(roller_radius) +
+                                                   " undercuts every guide with a relief of " +
+                                                   millimetres(relief) +
+                                                   "; a smaller roller or less relief is needed");
     }
     double least = look(first);
     for (double bad = first == 0 ? least : look(first - 1); least - bad > 1e-9 * free_length;) {
@@ -114,8 +129,9 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
     if (!field::stiffness.range.contains(proposal.spring.stiffness) ||
         !field::guide_radius.range.contains(proposal.spring.guide_radius_at_zero /
                                             field::millimetre)) {
-        return refuse("the stiffness that would be needed, " +
-                      format_number(proposal.spring.stiffness) + " N/m, is out of range");
+        return refuse(SearchProblem::stiffness_out_of_range,
+                      "the stiffness that would be needed, " +
+                          format_number(proposal.spring.stiffness) + " N/m, is out of range");
     }
     const double most = least + relief;
     proposal.found = true;

@@ -10,15 +10,28 @@
 
 namespace ravnoves::elastic_hinge {
 
+/// Why no guide was found.
+enum class SearchProblem {
+    none,
+    mechanism_locks,     ///< λ = 1
+    no_energy,           ///< the hinge has nothing to give out
+    spring_too_short,    ///< a compressed spring would get shorter than it may at any diameter
+    diameter_too_small,  ///< see needed_outer_diameter
+    undercut,            ///< the roller is too large for every guide of that relief
+    stiffness_out_of_range,
+};
+
 /// A spring whose guide has the wanted relief and fits, or why there is none.
 struct GuideProposal {
     bool found = false;
-    std::string reason;  ///< why not, as a sentence; empty where found
+    SearchProblem problem = SearchProblem::none;
+    std::string reason;                  ///< why not, as a sentence; empty where found
+    double needed_outer_diameter = 0.0;  ///< m, where the diameter is too small
     Branch branch = Branch::compressed;
     Spring spring;                        ///< the free length that was given, with new c and ρ₀
     double relief = 0.0;                  ///< m
     double outer_diameter = 0.0;          ///< of profile and rollers together, m
-    double smallest_spring_length = 0.0;  ///< m
+    double smallest_spring_length = 0.0;  ///< of the proposal, or that was allowed, m
     double largest_spring_force = 0.0;    ///< N
     double largest_spring_energy = 0.0;   ///< J
 };

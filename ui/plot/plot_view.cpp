@@ -219,6 +219,7 @@ void PlotView::setCurveStyle(int number, const CurveStyle& style) {
     curve.stale = true;
     if (curve.button != nullptr) {
         curve.button->setText(style.name);
+        curve.button->setVisible(!style.name.isEmpty());
         curve.button->setAccessibleName(tr("Show %1").arg(style.name));
         curve.button->setToolTip(style.toolTip.isEmpty() ? tr("Show or hide %1").arg(style.name)
                                                          : style.toolTip);
@@ -278,6 +279,10 @@ void PlotView::setCurveShown(int number, bool shown) {
 
 bool PlotView::isCurveShown(int number) const {
     return curves_.at(static_cast<std::size_t>(number))->shown;
+}
+
+QString PlotView::curveName(int number) const {
+    return curves_.at(static_cast<std::size_t>(number))->style.name;
 }
 
 int PlotView::curveCount() const {
@@ -499,7 +504,9 @@ void PlotView::layoutHeader() {
     const double titleWidth = metrics.horizontalAdvance(title_) + 2 * Theme::margin;
     double legendWidth = 0.0;
     for (const auto& curve : curves_) {
-        legendWidth += curve->button != nullptr ? curve->button->sizeHint().width() : 0;
+        if (curve->button != nullptr && !curve->button->isHidden()) {
+            legendWidth += curve->button->sizeHint().width();
+        }
     }
     const double right = width() - Theme::space;
     const bool oneRow = titleWidth + legendWidth <= right;
@@ -507,7 +514,7 @@ void PlotView::layoutHeader() {
     double y = Theme::gap + (oneRow ? 0.0 : row);
     headerHeight_ = y + row;
     for (const auto& curve : curves_) {
-        if (curve->button == nullptr) {
+        if (curve->button == nullptr || curve->button->isHidden()) {
             continue;
         }
         const int itemWidth = curve->button->sizeHint().width();
@@ -963,7 +970,7 @@ void PlotView::renderTo(QPainter& painter, const QRectF& target) {
     renderCurves(painter);
     paintOverlay(painter);
     for (const auto& curve : curves_) {
-        if (curve->button != nullptr && curve->shown) {
+        if (curve->button != nullptr && curve->shown && !curve->button->isHidden()) {
             curve->button->draw(painter, QRectF(curve->button->geometry()));
         }
     }

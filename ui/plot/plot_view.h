@@ -110,6 +110,8 @@ class PlotView : public QWidget {
     void setCurveStyle(int curve, const CurveStyle& style);
     void setCurveShown(int curve, bool shown);
     bool isCurveShown(int curve) const;
+    /// Its name in the legend; a curve without a name has no entry there.
+    QString curveName(int curve) const;
     int curveCount() const;
     /// Vertical error bars from low to high at each point of the curve; empty spans remove them.
     void setErrorBars(int curve, std::vector<double> low, std::vector<double> high);

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include "balance-shaft/balance_shaft_page.h"
+#include "elastic-hinge/elastic_hinge_page.h"
 #include "inertia-moments/inertia_moments_page.h"
 #include "v8-plugs/v8_plugs_page.h"
 
@@ -32,7 +33,7 @@ std::vector<SceneInfo> sceneList() {
          translated(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Elastic hinges")),
          translated(QT_TRANSLATE_NOOP("ravnoves::SceneList",
                                       "Spring guides that hold the crank speed constant")),
-         {}},
+         makePage<ElasticHingePage>},
         {QStringLiteral("v8-plugs"),
          translated(QT_TRANSLATE_NOOP("ravnoves::SceneList", "V-8 workshop")),
          translated(QT_TRANSLATE_NOOP("ravnoves::SceneList",

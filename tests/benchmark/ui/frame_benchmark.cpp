@@ -16,6 +16,8 @@
 
 #include "balance-shaft/balance_shaft_page.h"
 #include "balance-shaft/balance_shaft_view_model.h"
+#include "elastic-hinge/elastic_hinge_page.h"
+#include "elastic-hinge/elastic_hinge_view_model.h"
 #include "inertia-moments/inertia_moments_page.h"
 #include "inertia-moments/inertia_moments_view_model.h"
 #include "shell/language.h"
@@ -38,6 +40,24 @@ std::map<std::string, std::function<Drag()>> drags() {
              auto* page = new BalanceShaftPage;
              return Drag{page, [page](int step, int steps) {
                              page->viewModel()->setShaftAngleDeg(360.0 * step / steps);
+                         }};
+         }},
+        {"elastic-hinge, speed",
+         [] {
+             auto* page = new ElasticHingePage;
+             return Drag{page, [page](int step, int steps) {
+                             page->viewModel()->edit(QStringLiteral("speed"), [&](auto& input) {
+                                 input.angular_speed = 50.0 + 450.0 * step / steps;
+                             });
+                         }};
+         }},
+        {"elastic-hinge, lambda",
+         [] {
+             auto* page = new ElasticHingePage;
+             return Drag{page, [page](int step, int steps) {
+                             page->viewModel()->edit(QStringLiteral("lambda"), [&](auto& input) {
+                                 input.lambda = 0.1 + 0.8 * step / steps;
+                             });
                          }};
          }},
         {"inertia-moments",
@@ -75,7 +95,7 @@ void run(const std::string& name, const std::function<Drag()>& make, int steps, 
         return sorted[static_cast<std::size_t>(share * static_cast<double>(steps - 1))];
     };
     std::printf(
-        "%-16s %4d steps %4dx%-4d  wall: median %6.2f p95 %6.2f max %6.2f ms  "
+        "%-21s %4d steps %4dx%-4d  wall: median %6.2f p95 %6.2f max %6.2f ms  "
         "processor: median %6.2f p95 %6.2f ms\n",
         name.c_str(), steps, size.width(), size.height(), at(wall, 0.5), at(wall, 0.95),
         at(wall, 1.0), at(processor, 0.5), at(processor, 0.95));
@@ -106,7 +126,7 @@ int main(int argc, char** argv) {
         }
     }
     for (const auto& [name, make] : drags()) {
-        if (only.empty() || only == name) {
+        if (only.empty() || name.starts_with(only)) {
             run(name, make, steps, size);
         }
     }

@@ -56,6 +56,15 @@ TEST(ElasticHingeSearchLimits, TheImpossibleIsRefusedWithASize) {
         search_guide(result.design, Hinge::crank, GuideSign::energy, Branch::compressed, 0.2, 0.0,
                      GuideWish{1e-3, 0.05, {}});
     EXPECT_FALSE(tight.found);
+    EXPECT_EQ(tight.problem, SearchProblem::diameter_too_small);
+    EXPECT_TRUE(search_guide(result.design, Hinge::crank, GuideSign::energy, Branch::compressed,
+                             0.2, 0.0,
+                             GuideWish{1e-3, tight.needed_outer_diameter * (1 + 1e-9), {}})
+                    .found);
+    const GuideProposal bulky =
+        search_guide(result.design, Hinge::crank, GuideSign::energy, Branch::compressed, 0.2, 0.0,
+                     GuideWish{1e-3, 0.5, 0.1985});
+    EXPECT_EQ(bulky.problem, SearchProblem::spring_too_short);
     EXPECT_NE(tight.reason.find("at least"), std::string::npos) << tight.reason;
     const GuideProposal stretched =
         search_guide(result.design, Hinge::crank, GuideSign::energy, Branch::stretched, 0.2, 0.01,

@@ -180,6 +180,16 @@ TEST_F(PlotViewTest, LegendSwitchesCurves) {
     EXPECT_TRUE(plot.isCurveShown(curve));
 }
 
+TEST_F(PlotViewTest, ACurveWithoutANameHasNoLegendEntry) {
+    EXPECT_FALSE(plot.curveName(curve).isEmpty());
+    plot.setCurveStyle(curve, {.name = QString()});
+    auto* button = plot.findChild<LegendItem*>();
+    ASSERT_NE(button, nullptr);
+    EXPECT_TRUE(button->isHidden());
+    plot.setCurveStyle(curve, {.name = QStringLiteral("back")});
+    EXPECT_FALSE(button->isHidden());
+}
+
 TEST_F(PlotViewTest, TellsWhichCurveIsSwitched) {
     QSignalSpy toggled(&plot, &PlotView::curveToggled);
     plot.setCurveShown(0, false);

@@ -1,0 +1,456 @@
+#include "elastic-hinge/elastic_hinge_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTabWidget>
+#include <QTemporaryDir>
+
+#include "case-file/case_file.h"
+#include "elastic-hinge/guide_export_form.h"
+#include "elastic-hinge/hinge_mechanism_view.h"
+#include "elastic-hinge/hinge_plots.h"
+#include "elastic-hinge/number_list_field.h"
+#include "events.h"
+#include "theme/theme.h"
+#include "widgets/decimal_spin_box.h"
+#include "widgets/number_field.h"
+#include "widgets/result_table.h"
+
+namespace ravnoves {
+namespace {
+
+using elastic_hinge::CounterweightInertia;
+using elastic_hinge::Hinge;
+using elastic_hinge::Kinematics;
+
+class ElasticHingePageTest : public ::testing::Test {
+  protected:
+    ElasticHingePageTest() {
+        test::showAt(page, {1176, 712});
+        page.activateWindow();
+        model = page.viewModel();
+    }
+
+    template <typename Widget>
+    Widget* find(const char* name) {
+        auto* found = page.findChild<Widget*>(QString::fromLatin1(name));
+        EXPECT_NE(found, nullptr) << name;
+        return found;
+    }
+    void type(QLineEdit* target, const QString& text) {
+        target->setFocus();
+        target->selectAll();
+        QTest::keyClicks(target, text);
+        QTest::keyClick(target, Qt::Key_Return);
+    }
+    void typeInBox(const char* name, const QString& text) {
+        auto* box = find<QDoubleSpinBox>(name);
+        box->setFocus();
+        box->selectAll();
+        QTest::keyClicks(box, text);
+        QTest::keyClick(box, Qt::Key_Return);
+    }
+    void choose(const char* name, int index) {
+        auto* combo = find<QComboBox>(name);
+        combo->setFocus();
+        combo->setCurrentIndex(index);
+        Q_EMIT combo->activated(index);
+    }
+    void bringForm(const char* name) {
+        QTabWidget* forms = page.forms();
+        for (int i = 0; i < forms->count(); ++i) {
+            if (forms->widget(i)->objectName() == QLatin1String(name)) {
+                QTest::mouseClick(forms->tabBar(), Qt::LeftButton, {},
+                                  forms->tabBar()->tabRect(i).center());
+            }
+        }
+        QApplication::processEvents();
+    }
+    void bringPlots(const char* name) {
+        HingePlots* plots = page.plots();
+        for (int i = 0; i < plots->count(); ++i) {
+            if (plots->widget(i)->objectName() == QLatin1String(name)) {
+                QTest::mouseClick(plots->tabBar(), Qt::LeftButton, {},
+                                  plots->tabBar()->tabRect(i).center());
+            }
+        }
+        QApplication::processEvents();
+        ASSERT_EQ(page.plots()->currentWidget()->objectName(), QLatin1String(name));
+    }
+    void waitForMotions() {
+        QSignalSpy running(model->runner(), &MotionRunner::runningChanged);
+        while (model->runner()->isRunning()) {
+            ASSERT_TRUE(running.wait(20000));
+        }
+    }
+
+    ElasticHingePage page;
+    ElasticHingeViewModel* model = nullptr;
+};
+
+TEST_F(ElasticHingePageTest, SliderDragMovesEverythingLive) {
+    auto* slider = find<QSlider>("angular_speed_rad_s_slider");
+    const QString before = page.resultsAsText();
+    const double relief = *page.plots()->reliefPlot()->valueAt(0, 60.0);
+    const int y = slider->height() / 2;
+    const int x = static_cast<int>(slider->width() * slider->value() / 600.0);
+    QTest::mousePress(slider, Qt::LeftButton, {}, QPoint(x, y));
+    for (int step = 1; step <= 40; ++step) {
+        const QPoint p(x + step, y);
+        QMouseEvent move(QEvent::MouseMove, p, slider->mapToGlobal(p), Qt::NoButton, Qt::LeftButton,
+                         Qt::NoModifier);
+        QApplication::sendEvent(slider, &move);
+    }
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, QPoint(x + 40, y));
+    EXPECT_GT(model->input().angular_speed, 150.0);
+    EXPECT_EQ(model->history()->count(), 1);
+    EXPECT_NE(page.resultsAsText(), before);
+    EXPECT_EQ(find<QDoubleSpinBox>("angular_speed_rad_s")->value(), model->input().angular_speed);
+    EXPECT_GT(*page.plots()->reliefPlot()->valueAt(0, 60.0), 2 * relief);
+}
+
+TEST_F(ElasticHingePageTest, EverySliderSetsItsQuantity) {
+    typeInBox("angular_speed_rad_s", QStringLiteral("300"));
+    EXPECT_EQ(model->input().angular_speed, 300.0);
+    typeInBox("lambda", QStringLiteral("0,45"));
+    EXPECT_EQ(model->input().lambda, 0.45);
+    typeInBox("stiffness_kN_m", QStringLiteral("6001.6"));
+    EXPECT_NEAR(model->input().spring->stiffness, 6001600.0, 1e-6);
+    typeInBox("guide_radius_at_zero_mm", QStringLiteral("112.5"));
+    EXPECT_NEAR(model->input().spring->guide_radius_at_zero, 0.1125, 1e-15);
+    typeInBox("profile_error_um", QStringLiteral("2.5"));
+    EXPECT_NEAR(model->input().profile_error, 2.5e-6, 1e-18);
+    // ℓ₂ belongs to the counterweight.
+    auto* distance = find<QDoubleSpinBox>("counterweight_distance_mm");
+    EXPECT_FALSE(distance->isEnabled());
+    QTest::mouseClick(find<QCheckBox>("rod_counterweight"), Qt::LeftButton, {}, QPoint(8, 8));
+    ASSERT_TRUE(model->input().rod_counterweight.has_value());
+    EXPECT_EQ(model->input().rod_counterweight->inertia, CounterweightInertia::newton_euler);
+    EXPECT_TRUE(distance->isEnabled());
+    typeInBox("counterweight_distance_mm", QStringLiteral("50"));
+    EXPECT_NEAR(model->input().rod_counterweight->distance, 0.05, 1e-15);
+    while (model->history()->canUndo()) {
+        model->history()->undo();
+    }
+    EXPECT_EQ(model->input(), elastic_hinge::preset_zotov());
+    EXPECT_EQ(find<QDoubleSpinBox>("guide_radius_at_zero_mm")->value(), 90.0);
+}
+
+TEST_F(ElasticHingePageTest, KeysAndWheelMoveTheSliders) {
+    auto* slider = find<QSlider>("lambda_slider");
+    QTest::keyClick(slider, Qt::Key_Right);
+    EXPECT_NEAR(model->input().lambda, 0.31, 1e-12);
+    QTest::keyClick(slider, Qt::Key_PageUp);
+    EXPECT_NEAR(model->input().lambda, 0.41, 1e-12);
+    test::turnWheel(slider, QPoint(20, 8), -1);
+    EXPECT_LT(model->input().lambda, 0.41);
+    auto* stiffness = find<QSlider>("stiffness_kN_m_slider");
+    QTest::keyClick(stiffness, Qt::Key_PageDown);
+    EXPECT_NEAR(model->input().spring->stiffness, 2e6, 5e4);
+}
+
+TEST_F(ElasticHingePageTest, ACaseBeyondTheSlidersWidensThem) {
+    model->setByKey(QStringLiteral("angular_speed_rad_s"), QStringLiteral("5000"));
+    EXPECT_EQ(find<QDoubleSpinBox>("angular_speed_rad_s")->value(), 5000.0);
+    model->setByKey(QStringLiteral("spring/guide_radius_at_zero_mm"), QStringLiteral("350"));
+    EXPECT_EQ(find<QDoubleSpinBox>("guide_radius_at_zero_mm")->value(), 350.0);
+    EXPECT_NEAR(model->input().spring->guide_radius_at_zero, 0.35, 1e-15);
+}
+
+TEST_F(ElasticHingePageTest, FieldsEditTheCase) {
+    type(find<NumberField>("slider_weight"), QStringLiteral("7,5"));
+    EXPECT_NEAR(model->input().slider_mass * 9.82, 7.5, 1e-12);
+    type(find<NumberField>("crank_radius_mm"), QStringLiteral("60"));
+    EXPECT_NEAR(model->input().crank_radius, 0.06, 1e-15);
+    type(find<NumberField>("free_length_mm"), QStringLiteral("210"));
+    EXPECT_NEAR(model->input().spring->free_length, 0.21, 1e-15);
+    type(find<NumberField>("roller_radius_mm"), QStringLiteral("8"));
+    EXPECT_NEAR(model->input().roller_radius, 0.008, 1e-15);
+    type(find<NumberField>("profile_error_waves"), QStringLiteral("3"));
+    EXPECT_EQ(model->input().profile_error_waves, 3);
+    type(find<NumberField>("turns"), QStringLiteral("7"));
+    EXPECT_EQ(model->input().motion->turns, 7.0);
+    type(find<NumberField>("start_speed_rad_s"), QStringLiteral("80"));
+    EXPECT_EQ(model->input().motion->start_speed, 80.0);
+    type(find<NumberField>("start_speed_rad_s"), QString());
+    QTest::keyClick(find<NumberField>("start_speed_rad_s"), Qt::Key_Backspace);
+    EXPECT_FALSE(model->input().motion->start_speed.has_value());
+    // Gravity changes masses, not weights.
+    type(find<NumberField>("gravity_m_s2"), QStringLiteral("9.80665"));
+    EXPECT_NEAR(model->input().slider_mass, 7.5 / 9.80665, 1e-12);
+    EXPECT_EQ(find<NumberField>("slider_weight")->text(), QStringLiteral("7.5"));
+}
+
+TEST_F(ElasticHingePageTest, MassesMayBeGivenForWeights) {
+    EXPECT_TRUE(find<NumberField>("rod_weight")->isVisible());
+    choose("masses_given_as", 1);
+    EXPECT_FALSE(model->input().masses_as_weights);
+    EXPECT_FALSE(find<NumberField>("rod_weight")->isVisible());
+    ASSERT_TRUE(find<NumberField>("rod_mass")->isVisible());
+    type(find<NumberField>("rod_mass"), QStringLiteral("0.7"));
+    EXPECT_EQ(model->input().rod_mass, 0.7);
+    type(find<NumberField>("gravity_with_masses"), QStringLiteral("0"));
+    EXPECT_EQ(model->input().gravity, 0.0);
+    EXPECT_TRUE(model->inputJson().contains("masses_kg"));
+    // Weights without gravity are refused, and the choice shows it.
+    QSignalSpy status(&page, &ScenePage::status);
+    choose("masses_given_as", 0);
+    EXPECT_EQ(status.size(), 1);
+    EXPECT_EQ(find<QComboBox>("masses_given_as")->currentIndex(), 1);
+}
+
+TEST_F(ElasticHingePageTest, BadFieldsAreRefusedInWords) {
+    for (const char* name : {"crank_weight", "crank_radius_mm", "free_length_mm",
+                             "roller_radius_mm", "turns", "gravity_m_s2"}) {
+        const Json before = model->inputJson();
+        type(find<NumberField>(name), QStringLiteral("-5"));
+        EXPECT_FALSE(find<NumberField>(name)->trouble().isEmpty()) << name;
+        type(find<NumberField>(name), QStringLiteral("1e300"));
+        EXPECT_FALSE(find<NumberField>(name)->trouble().isEmpty()) << name;
+        EXPECT_EQ(model->inputJson(), before) << name;
+    }
+    auto* speeds = find<NumberListField>("compare_speeds");
+    type(speeds, QStringLiteral("100 x"));
+    EXPECT_FALSE(speeds->trouble().isEmpty());
+    EXPECT_EQ(model->compareSpeeds().size(), 3U);
+    type(speeds, QStringLiteral("50; 150 250,5"));
+    EXPECT_TRUE(speeds->trouble().isEmpty());
+    EXPECT_EQ(model->compareSpeeds(), (std::vector<double>{50.0, 150.0, 250.5}));
+    type(find<NumberListField>("compare_lambdas"), QStringLiteral("1.5"));
+    EXPECT_FALSE(find<NumberListField>("compare_lambdas")->trouble().isEmpty());
+}
+
+TEST_F(ElasticHingePageTest, LambdaOneIsDrawnBySeriesOnly) {
+    auto* box = find<QDoubleSpinBox>("lambda");
+    EXPECT_LT(box->maximum(), 1.0);
+    choose("kinematics", 1);
+    EXPECT_EQ(model->input().kinematics, Kinematics::series);
+    EXPECT_EQ(box->maximum(), 1.0);
+    typeInBox("lambda", QStringLiteral("1"));
+    EXPECT_EQ(model->input().lambda, 1.0);
+    EXPECT_TRUE(find<QLabel>("verdict")->text().contains(QStringLiteral("locks")));
+    bringPlots("rod-hinge");
+    EXPECT_TRUE(page.plots()->rodMomentPlot()->valueAt(0, 90.0).has_value());
+    bringPlots("crank-moment");
+    EXPECT_FALSE(page.plots()->crankMomentPlot()->valueAt(0, 90.0).has_value());
+    // Back to the exact kinematics is refused at λ = 1, and the choice shows it.
+    choose("kinematics", 0);
+    EXPECT_EQ(find<QComboBox>("kinematics")->currentIndex(), 1);
+}
+
+TEST_F(ElasticHingePageTest, PlotsHoldThePapersFigures) {
+    // Fig. 2: the guide, here enlarged: at φ = 0 on the circle of ρ₀.
+    ASSERT_TRUE(page.plots()->guidePlot()->title().contains(QStringLiteral("500")));
+    EXPECT_NEAR(*page.plots()->reliefPlot()->valueAt(0, 90.0), 16.8, 0.05);  // µm
+    bringPlots("rod-hinge");
+    EXPECT_NEAR(*page.plots()->rodMomentPlot()->valueAt(0, 30.0), -14.849, 1e-3);
+    EXPECT_NEAR(*page.plots()->rodMomentPlot()->valueAt(1, 30.0), -14.849 - 9.46481 / two_pi, 1e-3);
+    EXPECT_NEAR(*page.plots()->rodMomentPlot()->valueAt(2, 30.0), -14.782, 1e-3);  // the series
+    EXPECT_EQ(page.plots()->rodSpeedsPlot()->curveName(2), QStringLiteral("500 rad/s"));
+    EXPECT_TRUE(page.plots()->rodSpeedsPlot()->isCurveShown(2));
+    EXPECT_FALSE(page.plots()->rodSpeedsPlot()->isCurveShown(3));
+    bringPlots("side-force");
+    EXPECT_NEAR(*page.plots()->sideLambdasPlot()->valueAt(0, 90.0), -9.4746, 1e-3);
+    EXPECT_NEAR(*page.plots()->sideSpeedsPlot()->valueAt(0, 90.0), -94.746, 1e-2);
+    EXPECT_NEAR(*page.plots()->sideSpeedsPlot()->valueAt(1, 60.0), 85.128, 1e-3);
+    bringPlots("crank-moment");
+    EXPECT_NEAR(*page.plots()->crankMomentPlot()->valueAt(0, 30.0), 16.5966, 1e-3);
+    EXPECT_NEAR(*page.plots()->crankMomentPlot()->valueAt(1, 30.0), -4.0567, 1e-3);
+    bringPlots("motion");
+    waitForMotions();
+    EXPECT_NEAR(*page.plots()->speedPlot()->valueAt(1, 2.5), 100.0, 1e-6);
+    EXPECT_LT(*page.plots()->speedPlot()->valueAt(0, 0.25), 60.0);
+    // With a counterweight the moment is M₁*.
+    QTest::mouseClick(find<QCheckBox>("rod_counterweight"), Qt::LeftButton, {}, QPoint(8, 8));
+    bringPlots("crank-moment");
+    EXPECT_EQ(page.plots()->crankMomentPlot()->curveName(1), QStringLiteral("M₁*"));
+}
+
+TEST_F(ElasticHingePageTest, AMissingGuideIsShownAsAGapAndMended) {
+    typeInBox("guide_radius_at_zero_mm", QStringLiteral("99.5"));
+    PlotView* relief = page.plots()->reliefPlot();
+    EXPECT_TRUE(relief->valueAt(0, 20.0).has_value());
+    EXPECT_FALSE(relief->valueAt(0, 76.0).has_value());
+    EXPECT_TRUE(relief->valueAt(1, 180.0).has_value());  // the second piece of the same curve
+    auto* preload = find<QPushButton>("take_preload");
+    auto* stiffness = find<QPushButton>("take_stiffness");
+    ASSERT_TRUE(preload->isVisible());
+    ASSERT_TRUE(stiffness->isVisible());
+    QTest::mouseClick(preload, Qt::LeftButton);
+    EXPECT_TRUE(model->result().crank_guide.feasible);
+    EXPECT_FALSE(preload->isVisible());
+    EXPECT_TRUE(relief->valueAt(0, 76.0).has_value());
+    model->history()->undo();
+    QTest::mouseClick(stiffness, Qt::LeftButton);
+    EXPECT_TRUE(model->result().crank_guide.feasible);
+}
+
+TEST_F(ElasticHingePageTest, GuideChoiceAndExaggerationFollowTheMouse) {
+    choose("guide_shown", 2);
+    EXPECT_EQ(model->shownHinge(), Hinge::rod);
+    EXPECT_TRUE(model->hasAutomaticExaggeration());
+    auto* automatic = find<QCheckBox>("exaggeration_auto");
+    QTest::mouseClick(automatic, Qt::LeftButton, {}, QPoint(8, automatic->height() / 2));
+    EXPECT_FALSE(model->hasAutomaticExaggeration());
+    QTest::keyClick(find<QSlider>("exaggeration_slider"), Qt::Key_Home);
+    EXPECT_EQ(model->exaggeration(), 1.0);
+    EXPECT_TRUE(page.plots()->guidePlot()->title().contains(QStringLiteral("to scale")));
+    QTest::mouseClick(automatic, Qt::LeftButton, {}, QPoint(8, automatic->height() / 2));
+    EXPECT_GT(model->exaggeration(), 1.0);
+}
+
+TEST_F(ElasticHingePageTest, MouseOverAPlotTurnsTheCrank) {
+    PlotView* plot = page.plots()->reliefPlot();
+    const QPoint p(plot->toPixel(200.0, 0.0).toPoint().x(),
+                   plot->plotArea().center().toPoint().y());
+    QMouseEvent move(QEvent::MouseMove, p, plot->mapToGlobal(p), Qt::NoButton, Qt::NoButton,
+                     Qt::NoModifier);
+    QApplication::sendEvent(plot, &move);
+    EXPECT_NEAR(model->crankAngleDeg(), 200.0, 2.0);
+}
+
+TEST_F(ElasticHingePageTest, PicturePlaysPausesAndTurns) {
+    waitForMotions();
+    page.picture()->setFocus();
+    const double before = model->crankAngleDeg();
+    QTest::keyClick(page.picture(), Qt::Key_Space);
+    EXPECT_TRUE(page.picture()->isPlaying());
+    QTest::qWait(150);
+    EXPECT_NE(model->crankAngleDeg(), before);
+    EXPECT_TRUE(model->motionTime().has_value());
+    QTest::keyClick(page.picture(), Qt::Key_Space);
+    EXPECT_FALSE(page.picture()->isPlaying());
+    // A drag straight above the crank's axis turns it to 90°.
+    page.picture()->setPlaying(true);
+    const QSize size = page.picture()->size();
+    QTest::mouseClick(page.picture(), Qt::LeftButton, {}, QPoint(95, size.height() / 2 - 60));
+    EXPECT_FALSE(page.picture()->isPlaying());
+    EXPECT_NEAR(model->crankAngleDeg(), 90.0, 10.0);
+    QTest::keyClick(page.picture(), Qt::Key_Left);
+    EXPECT_FALSE(model->motionTime().has_value());
+    page.picture()->setPlaying(true);
+    page.setActive(false);
+    EXPECT_FALSE(page.picture()->isPlaying());
+}
+
+TEST_F(ElasticHingePageTest, SearchTakesOverWhatItFound) {
+    bringForm("search");
+    auto* answer = find<QLabel>("search_answer");
+    EXPECT_TRUE(answer->text().contains(QStringLiteral("1.000 mm")))
+        << answer->text().toStdString();
+    type(find<NumberField>("relief_mm"), QStringLiteral("2"));
+    EXPECT_TRUE(answer->text().contains(QStringLiteral("2.000 mm")))
+        << answer->text().toStdString();
+    QTest::mouseClick(find<QPushButton>("take_proposal"), Qt::LeftButton);
+    EXPECT_NEAR(model->result().crank_guide.relief, 2e-3, 1e-9);
+    type(find<NumberField>("outer_diameter_mm"), QStringLiteral("50"));
+    EXPECT_FALSE(find<QPushButton>("take_proposal")->isEnabled());
+    EXPECT_TRUE(answer->text().startsWith(QStringLiteral("None")));
+}
+
+TEST_F(ElasticHingePageTest, ExportsAsTheFormIsSet) {
+    bringForm("export");
+    const QTemporaryDir folder;
+    choose("export_hinge", 2);
+    choose("export_turns", 1);
+    type(find<NumberField>("step_deg"), QStringLiteral("90"));
+    const QString csv = folder.filePath(QStringLiteral("rod.csv"));
+    EXPECT_EQ(page.exportForm()->exportTo(csv), QString());
+    const std::string text = read_text_file(csv.toStdString());
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 5);
+    EXPECT_NE(text.find("\n90,107.4576"), std::string::npos) << text;  // θ = 90° + asin 0.3
+    EXPECT_TRUE(find<QPushButton>("export_dxf")->isEnabled());
+    model->edit(QStringLiteral("rho"),
+                [](auto& input) { input.spring->guide_radius_at_zero = 0.09999; });
+    EXPECT_FALSE(find<QPushButton>("export_dxf")->isEnabled());
+    EXPECT_FALSE(page.exportForm()->exportTo(csv).isEmpty());
+    EXPECT_EQ(read_text_file(csv.toStdString()), text);  // what was there stays
+}
+
+TEST_F(ElasticHingePageTest, MotionIsCancelledByItsButton) {
+    bringPlots("motion");
+    waitForMotions();
+    EXPECT_FALSE(page.plots()->cancelButton()->isVisible());
+    type(find<NumberField>("turns"), QStringLiteral("1000"));
+    ASSERT_TRUE(model->runner()->isRunning());
+    EXPECT_TRUE(page.plots()->cancelButton()->isVisible());
+    QTest::mouseClick(page.plots()->cancelButton(), Qt::LeftButton);
+    waitForMotions();
+    EXPECT_FALSE(page.plots()->cancelButton()->isVisible());
+    EXPECT_LT(model->motions()->without->crank_angle.back(), 10 * two_pi);  // the old one
+}
+
+TEST_F(ElasticHingePageTest, NothingOnThePageIsCutOff) {
+    for (const QSize size : {QSize(1176, 712), QSize(1816, 992)}) {
+        page.resize(size);
+        QApplication::processEvents();
+        for (QWidget* widget : page.findChildren<QWidget*>()) {
+            if (!widget->isVisible() || widget->parentWidget() == nullptr) {
+                continue;
+            }
+            if (const auto* label = qobject_cast<QLabel*>(widget);
+                label != nullptr && !label->wordWrap()) {
+                EXPECT_GE(label->width(), label->sizeHint().width()) << label->text().toStdString();
+            }
+            if (const auto* button = qobject_cast<QPushButton*>(widget)) {
+                EXPECT_GE(button->width(), button->minimumSizeHint().width())
+                    << button->text().toStdString();
+            }
+            if (const auto* box = qobject_cast<QDoubleSpinBox*>(widget)) {
+                const int needed = box->fontMetrics().horizontalAdvance(box->text());
+                EXPECT_GE(box->width(), needed + 24) << box->text().toStdString();
+            }
+        }
+        auto* table = page.findChild<ResultTable*>();
+        for (int row = 0; row < table->rowCount(); ++row) {
+            EXPECT_GE(table->columnWidth(0),
+                      table->fontMetrics().horizontalAdvance(table->item(row, 0)->text()))
+                << table->item(row, 0)->text().toStdString();
+        }
+    }
+}
+
+TEST_F(ElasticHingePageTest, EveryInputIsNamedAndExplained) {
+    for (NumberField* input : page.findChildren<NumberField*>()) {
+        EXPECT_FALSE(input->accessibleName().isEmpty()) << input->objectName().toStdString();
+        EXPECT_TRUE(input->toolTip().contains(QStringLiteral("must be")))
+            << input->objectName().toStdString();
+        bool buddy = false;
+        for (const QLabel* label : page.findChildren<QLabel*>()) {
+            buddy = buddy || (label->buddy() == input && label->text().contains(QLatin1Char('&')));
+        }
+        EXPECT_TRUE(buddy) << input->objectName().toStdString();
+    }
+    for (const QComboBox* input : page.findChildren<QComboBox*>()) {
+        EXPECT_FALSE(input->accessibleName().isEmpty()) << input->objectName().toStdString();
+        EXPECT_FALSE(input->toolTip().isEmpty()) << input->objectName().toStdString();
+    }
+    for (const QSlider* input : page.findChildren<QSlider*>()) {
+        EXPECT_FALSE(input->accessibleName().isEmpty()) << input->objectName().toStdString();
+        EXPECT_FALSE(input->toolTip().isEmpty()) << input->objectName().toStdString();
+    }
+    for (const QCheckBox* input : page.findChildren<QCheckBox*>()) {
+        EXPECT_FALSE(input->toolTip().isEmpty()) << input->objectName().toStdString();
+    }
+}
+
+TEST_F(ElasticHingePageTest, ThemeChangesAndLeavesNothingBehind) {
+    Theme::instance().setMode(Theme::Mode::Dark);
+    QApplication::processEvents();
+    const QImage dark = page.grab().toImage();
+    Theme::instance().setMode(Theme::Mode::Light);
+    QApplication::processEvents();
+    const QImage light = page.grab().toImage();
+    EXPECT_LT(dark.pixelColor(2, 2).lightness(), 80);
+    EXPECT_GT(light.pixelColor(2, 2).lightness(), 200);
+}
+
+}  // namespace
+}  // namespace ravnoves

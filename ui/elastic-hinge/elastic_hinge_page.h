@@ -1,0 +1,75 @@
+#pragma once
+
+#include "elastic-hinge/elastic_hinge_view_model.h"
+#include "shell/scene_page.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTabWidget;
+class QToolButton;
+
+namespace ravnoves {
+
+class GuideExportForm;
+class HingeMechanismView;
+class HingePlots;
+class ResultTable;
+class ValueSlider;
+
+/// The elastic-hinge page: sliders, inputs, search and export, plots, picture, answer.
+class ElasticHingePage : public ScenePage {
+    Q_OBJECT
+
+  public:
+    explicit ElasticHingePage(QWidget* parent = nullptr);
+
+    SceneViewModel* model() override;
+    ElasticHingeViewModel* viewModel() { return model_; }
+    QList<QAction*> sceneActions() override;
+    QString resultsAsText() const override;
+    QString resultsAsCsv() const override;
+    void setActive(bool active) override;
+    void resetZoom() override;
+
+    // For tests and for the frame benchmark.
+    HingePlots* plots() const { return plots_; }
+    HingeMechanismView* picture() const { return picture_; }
+    GuideExportForm* exportForm() const { return export_; }
+    QTabWidget* forms() const { return forms_; }
+
+  private:
+    QWidget* buildInputs();
+    QWidget* buildSliders();
+    QWidget* buildAnswer();
+    ValueSlider* addSlider(QWidget* parent, const QString& name, const QString& label, double min,
+                           double max, double step, double page, int decimals, const QString& unit,
+                           const QString& stepName, const QString& hint,
+                           std::function<void(elastic_hinge::Input&, double)> write);
+    void showInput();
+    void showAnswer();
+    void showCrank();
+
+    ElasticHingeViewModel* model_;
+    ValueSlider* omega_ = nullptr;
+    ValueSlider* lambda_ = nullptr;
+    ValueSlider* stiffness_ = nullptr;
+    ValueSlider* radius_ = nullptr;
+    ValueSlider* distance_ = nullptr;
+    ValueSlider* error_ = nullptr;
+    QTabWidget* forms_ = nullptr;
+    GuideExportForm* export_ = nullptr;
+    HingePlots* plots_ = nullptr;
+    HingeMechanismView* picture_ = nullptr;
+    QToolButton* playButton_ = nullptr;
+    ValueSlider* crank_ = nullptr;
+    QComboBox* animated_ = nullptr;
+    QLabel* verdict_ = nullptr;
+    QPushButton* takePreload_ = nullptr;
+    QPushButton* takeStiffness_ = nullptr;
+    ResultTable* quantities_ = nullptr;
+    QLabel* notes_ = nullptr;
+    QAction* playAction_ = nullptr;
+};
+
+}  // namespace ravnoves

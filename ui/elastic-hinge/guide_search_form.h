@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QWidget>
+
+#include "elastic-hinge/elastic_hinge_view_model.h"
+
+class QLabel;
+class QPushButton;
+
+namespace ravnoves {
+
+class NumberField;
+
+/// Search for a spring whose guide has a wanted relief within a wanted size.
+class GuideSearchForm : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit GuideSearchForm(ElasticHingeViewModel* model, QWidget* parent = nullptr);
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+
+  private:
+    void show();
+
+    ElasticHingeViewModel* model_;
+    NumberField* relief_;
+    NumberField* diameter_;
+    NumberField* shortest_;
+    QLabel* answer_;
+    QPushButton* take_;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,341 @@
+#include "elastic-hinge/hinge_mechanism_view.h"
+
+#include <QKeyEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+#include "elastic-hinge/elastic_hinge_view_model.h"
+#include "numerics/constants.h"
+#include "theme/theme.h"
+#include "widgets/number_text.h"
+
+namespace ravnoves {
+
+using elastic_hinge::Branch;
+using elastic_hinge::Guide;
+using elastic_hinge::GuidePoint;
+using elastic_hinge::MechanismPose;
+using elastic_hinge::Motion;
+using elastic_hinge::PlanePoint;
+
+namespace {
+
+constexpr int frameMs = 16;
+constexpr double shownTurnsPerSecond = 0.4;  ///< at the design speed: slow enough for the eye
+/// The spring stands still across the slider line.
+constexpr double springAngle = 0.5 * pi;
+
+/// A spring between two points: straight ends, a zigzag between.
+QPainterPath springPath(const QPointF& from, const QPointF& to, double width) {
+    constexpr int coils = 14;
+    const QPointF along = to - from;
+    const double length = std::hypot(along.x(), along.y());
+    QPainterPath path(from);
+    if (length < 1.0) {
+        return path;
+    }
+    const QPointF across(-along.y() / length * width, along.x() / length * width);
+    path.lineTo(from + 0.08 * along);
+    for (int i = 0; i < coils; ++i) {
+        const double at = 0.08 + 0.84 * (i + 0.5) / coils;
+        path.lineTo(from + at * along + (i % 2 == 0 ? across : -across));
+    }
+    path.lineTo(from + 0.92 * along);
+    path.lineTo(to);
+    return path;
+}
+
+}  // namespace
+
+/// The mapping of metres to this widget's pixels; it rests while the crank turns.
+struct HingeMechanismView::Scale {
+    double pixelsPerMetre = 1.0;
+    QPointF origin;
+
+    QPointF at(const PlanePoint& p) const { return at(p.x, p.y); }
+    QPointF at(double x, double y) const {
+        return origin + QPointF(x * pixelsPerMetre, -y * pixelsPerMetre);
+    }
+};
+
+HingeMechanismView::HingeMechanismView(ElasticHingeViewModel* model, QWidget* parent)
+    : QWidget(parent), model_(model) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Picture of the mechanism with its hinges"));
+    setToolTip(
+        tr("The mechanism to scale, the guide's relief enlarged as in the plot. The guide turns "
+           "with the crank, the spring stands still. Space plays the computed motion in slow "
+           "motion, dragging turns the crank."));
+    timer_.setInterval(frameMs);
+    timer_.setTimerType(Qt::PreciseTimer);
+    connect(&timer_, &QTimer::timeout, this, &HingeMechanismView::step);
+    connect(model_, &SceneViewModel::changed, this, qOverload<>(&QWidget::update));
+    connect(model_, &ElasticHingeViewModel::viewChanged, this, qOverload<>(&QWidget::update));
+    connect(model_, &ElasticHingeViewModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
+    connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+}
+
+void HingeMechanismView::setPlaying(bool playing) {
+    if (playing == isPlaying()) {
+        return;
+    }
+    if (playing) {
+        sinceStep_.start();
+        timer_.start();
+    } else {
+        timer_.stop();
+    }
+    Q_EMIT playingChanged(playing);
+}
+
+double HingeMechanismView::slowness() const {
+    const double speed = std::abs(model_->input().angular_speed);
+    return speed > 0.0 ? shownTurnsPerSecond * two_pi / speed : 1.0;
+}
+
+void HingeMechanismView::step() {
+    const double seconds = 1e-3 * static_cast<double>(std::min<qint64>(sinceStep_.restart(), 100));
+    const Motion* motion = model_->animatedMotion();
+    if (motion == nullptr || motion->time.back() <= 0.0) {
+        model_->setCrankAngleDeg(model_->crankAngleDeg() + 360.0 * shownTurnsPerSecond * seconds);
+        return;
+    }
+    double time = model_->motionTime().value_or(0.0) + seconds * slowness();
+    if (time > motion->time.back()) {
+        time = 0.0;  // from the start again
+    }
+    model_->setMotionTime(time);
+}
+
+HingeMechanismView::Scale HingeMechanismView::scale() const {
+    const auto& mechanism = model_->result().design->mechanism();
+    const Guide& guide = model_->result().crank_guide;
+    const double r = mechanism.crank_radius;
+    const double rod = mechanism.rod_length();
+    double ring = r;
+    if (guide.shape) {
+        // Room for the relief as it is drawn.
+        const double start = guide.shape->spring().start_radius(guide.branch);
+        const double rise = guide.feasible ? model_->exaggeration() * guide.relief : 0.0;
+        ring = std::max(r, start + rise + model_->input().roller_radius);
+    }
+    const double block = 0.5 * r;
+    const double left = std::max(ring, r + mechanism.counterweight_distance);
+    const double right = std::max(ring, r + rod + block);
+    const double tall =
+        std::max({ring, r + mechanism.counterweight_distance * mechanism.lambda + 0.2 * r, block});
+    const double margin = 12.0;
+    const double header = 16.0;
+    Scale scale;
+    scale.pixelsPerMetre = std::max(1e-9, std::min((width() - 2 * margin) / (left + right),
+                                                   (height() - 2 * margin - header) / (2 * tall)));
+    const double used = (left + right) * scale.pixelsPerMetre;
+    scale.origin =
+        QPointF(0.5 * (width() - used) + left * scale.pixelsPerMetre, 0.5 * (height() + header));
+    return scale;
+}
+
+void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
+    const Theme& theme = Theme::instance();
+    const auto& result = model_->result();
+    const auto& mechanism = result.design->mechanism();
+    const Guide& guide = result.crank_guide;
+    const double phi = model_->crankAngleDeg() * degree;
+    const MechanismPose pose = elastic_hinge::mechanism_pose(result, phi);
+    const Scale map = scale();
+    const double k = map.pixelsPerMetre;
+    const double r = mechanism.crank_radius;
+
+    QPainter painter(this);
+    painter.fillRect(rect(), theme.panel());
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QColor line = theme.text();
+    const QColor metal = theme.isDark() ? QColor(0x4a525c) : QColor(0xd9dee4);
+    const QColor weight = theme.isDark() ? QColor(0x6b5a3a) : QColor(0xf2d9ae);
+    const QColor block = theme.isDark() ? QColor(0x5a636e) : QColor(0xeef1f4);
+    const QPointF axis = map.at(0, 0);
+    const QPointF pin = map.at(pose.crankpin);
+    const QPointF slider = map.at(pose.slider);
+
+    // Slider line with its ways.
+    const double half = 0.26 * r;
+    const double farthest = r + mechanism.rod_length() + 0.5 * r;
+    const double nearest = std::max(0.0, mechanism.rod_length() - r - 0.5 * r);
+    painter.setPen(QPen(theme.border(), 1.0, Qt::DashDotLine));
+    painter.drawLine(map.at(-r, 0), map.at(farthest, 0));
+    painter.setPen(QPen(line, 1.4));
+    for (const double side : {-1.0, 1.0}) {
+        painter.drawLine(map.at(nearest, side * half), map.at(farthest, side * half));
+    }
+
+    // The guide turns with the crank; at the polar angle b of its own axes it has ρ(a), where a is
+    // the crank angle at which the still spring meets that place.
+    double rollerRadius = 0.0;
+    if (guide.shape) {
+        const double factor =
+            model_->shownHinge() == elastic_hinge::Hinge::crank ? model_->exaggeration() : 1.0;
+        const double start = guide.shape->spring().start_radius(guide.branch);
+        const double roller = std::max(model_->input().roller_radius, 0.045 * start);
+        const double side = guide.branch == Branch::compressed ? 1.0 : -1.0;
+        const auto drawn = [&](double radius) { return start + factor * (radius - start); };
+        const std::size_t n = guide.radius_compressed.size();
+        const auto& radii =
+            guide.branch == Branch::compressed ? guide.radius_compressed : guide.radius_stretched;
+        // Each end of the spring has a track of its own, half a turn apart.
+        const QColor colour = theme.curve(guide.branch == Branch::compressed ? 2 : 1);
+        for (const bool second : {true, false}) {
+            QPainterPath path;
+            bool open = false;
+            for (std::size_t i = 0; i < n; i += 2) {
+                const double radius = drawn(radii[i]) + side * roller;
+                if (!std::isfinite(radius)) {
+                    open = false;
+                    continue;
+                }
+                const double angle = springAngle - guide.polar_angle[i] + phi + (second ? pi : 0.0);
+                const QPointF p = map.at(radius * std::cos(angle), radius * std::sin(angle));
+                open ? path.lineTo(p) : path.moveTo(p);
+                open = true;
+            }
+            QColor shade = colour;
+            shade.setAlphaF(second ? 0.3F : 1.0F);
+            painter.setBrush(Qt::NoBrush);
+            painter.setPen(QPen(shade, second || !guide.feasible ? 1.4 : 2.6,
+                                guide.feasible ? Qt::SolidLine : Qt::DotLine));
+            painter.drawPath(path);
+        }
+
+        const GuidePoint here = guide.shape->at(guide.branch, phi);
+        const double reach = std::isfinite(here.radius) ? drawn(here.radius) : start;
+        const QPointF up = map.at(0, reach);
+        const QPointF down = map.at(0, -reach);
+        painter.setPen(QPen(theme.mutedText(), 1.3));
+        painter.drawPath(springPath(up, down, 0.11 * start * k));
+        rollerRadius = std::max(roller * k, 2.5);
+        painter.setPen(QPen(line, 1.2));
+        painter.setBrush(std::isfinite(here.radius) ? block : theme.error());
+        for (const QPointF& p : {up, down}) {
+            painter.drawEllipse(p, rollerRadius, rollerRadius);
+        }
+    }
+
+    // Slider, rod with its counterweight, crank.
+    painter.setPen(QPen(line, 1.4));
+    painter.setBrush(block);
+    painter.drawRoundedRect(
+        QRectF(map.at(pose.slider.x - 0.36 * r, half), map.at(pose.slider.x + 0.36 * r, -half)), 3,
+        3);
+    const double thick = std::clamp(0.22 * r * k, 5.0, 16.0);
+    const auto bar = [&](const QPointF& from, const QPointF& to, double width) {
+        painter.setPen(QPen(line, width + 2.4, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(from, to);
+        painter.setPen(QPen(metal, width, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(from, to);
+    };
+    if (result.has_counterweight) {
+        const QPointF at = map.at(pose.counterweight);
+        bar(pin, at, 0.4 * thick);
+        // A disc whose area goes with the weight, against that of the crank's circle.
+        const double share = mechanism.counterweight_mass /
+                             std::max(mechanism.slider_mass + mechanism.rod_mass, 1e-12);
+        const double radius = std::clamp(0.22 * r * std::sqrt(share), 0.1 * r, 0.5 * r) * k;
+        painter.setPen(QPen(line, 1.2));
+        painter.setBrush(weight);
+        painter.drawEllipse(at, radius, radius);
+        painter.setPen(line);
+        painter.setFont(Theme::font(Theme::smallSize));
+        painter.drawText(QRectF(at - QPointF(14, 9), QSizeF(28, 18)), Qt::AlignCenter,
+                         QStringLiteral("P₄"));
+    }
+    bar(pin, slider, 0.55 * thick);
+    bar(axis, pin, thick);
+
+    // The rod's hinge: a spiral at the crankpin, where there is one to build.
+    if (result.rod_guide.feasible) {
+        QPainterPath spiral;
+        for (int i = 0; i <= 80; ++i) {
+            const double turn = 2.25 * two_pi * i / 80.0;
+            const double radius = (0.28 + 0.6 * i / 80.0) * thick;
+            const QPointF p = pin + radius * QPointF(std::cos(turn + pose.rod_angle),
+                                                     -std::sin(turn + pose.rod_angle));
+            i == 0 ? spiral.moveTo(p) : spiral.lineTo(p);
+        }
+        painter.setPen(QPen(theme.curve(4), 1.4));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawPath(spiral);
+    }
+    painter.setPen(QPen(line, 1.2));
+    painter.setBrush(theme.panel());
+    for (const QPointF& joint : {axis, pin, slider}) {
+        painter.drawEllipse(joint, 0.2 * thick + 1.2, 0.2 * thick + 1.2);
+    }
+
+    // φ, and what moves.
+    const double arc = std::min(0.5 * r * k, 34.0);
+    painter.setPen(QPen(theme.accent(), 1.6));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawArc(QRectF(axis - QPointF(arc, arc), QSizeF(2 * arc, 2 * arc)), 0,
+                    static_cast<int>(std::lround(model_->crankAngleDeg() * 16)));
+    painter.setFont(Theme::font(Theme::smallSize));
+    painter.setPen(theme.mutedText());
+    const QRectF inside = QRectF(rect()).adjusted(8, 5, -8, -5);
+    painter.drawText(inside, Qt::AlignTop | Qt::AlignLeft,
+                     tr("φ = %1°").arg(QLocale().toString(model_->crankAngleDeg(), 'f', 0)));
+    painter.drawText(inside, Qt::AlignTop | Qt::AlignRight,
+                     tr("ω = %1 rad/s").arg(fixedNumber(model_->shownSpeed(), 2, QLocale())));
+    if (model_->shownHinge() == elastic_hinge::Hinge::crank && guide.feasible &&
+        model_->exaggeration() > 1.0) {
+        painter.drawText(inside, Qt::AlignBottom | Qt::AlignLeft,
+                         tr("relief × %1").arg(formNumber(model_->exaggeration(), QLocale(), 6)));
+    }
+    if (isPlaying() && model_->animatedMotion() != nullptr) {
+        painter.drawText(inside, Qt::AlignBottom | Qt::AlignRight,
+                         tr("%1 times slower").arg(formNumber(1.0 / slowness(), QLocale(), 2)));
+    }
+    if (hasFocus()) {
+        painter.setPen(QPen(theme.accent(), 1.0));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+    }
+}
+
+void HingeMechanismView::mousePressEvent(QMouseEvent* event) {
+    mouseMoveEvent(event);
+}
+
+void HingeMechanismView::mouseMoveEvent(QMouseEvent* event) {
+    if (!(event->buttons() & Qt::LeftButton)) {
+        return;
+    }
+    const QPointF p = event->position() - scale().origin;
+    setPlaying(false);
+    model_->setMotionTime(std::nullopt);
+    model_->setCrankAngleDeg(std::atan2(-p.y(), p.x()) / degree);
+}
+
+void HingeMechanismView::keyPressEvent(QKeyEvent* event) {
+    const auto turn = [this](double by) {
+        setPlaying(false);
+        model_->setMotionTime(std::nullopt);
+        model_->setCrankAngleDeg(model_->crankAngleDeg() + by);
+    };
+    switch (event->key()) {
+        case Qt::Key_Space:
+            setPlaying(!isPlaying());
+            return;
+        case Qt::Key_Left:
+            turn(1.0);  // counter-clockwise
+            return;
+        case Qt::Key_Right:
+            turn(-1.0);
+            return;
+        default:
+            QWidget::keyPressEvent(event);
+    }
+}
+
+}  // namespace ravnoves
