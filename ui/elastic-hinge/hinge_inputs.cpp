@@ -9,6 +9,7 @@
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
+#include "widgets/number_text.h"
 
 namespace ravnoves {
 
@@ -26,6 +27,11 @@ namespace {
 /// A field's range under another key or label.
 constexpr FieldSpec withKey(const FieldSpec& spec, std::string_view key) {
     return {key, spec.unit, spec.range, spec.to_si};
+}
+
+/// The weight as it was typed: without what the division by g has left in the last digits.
+double roundedWeight(double mass, double gravity) {
+    return readFormNumber(formNumber(mass * gravity, QLocale::c(), 12)).value_or(mass * gravity);
 }
 
 Spring rodSpring(const Input& input) {
@@ -179,12 +185,14 @@ FormSection* HingeInputs::massSection(bool weights) {
         model_->edit(tr("Gravity"), [&](Input& input) {
             if (weights) {
                 // The weights stay, the masses follow.
-                const double factor = input.gravity / *value;
-                input.crank_mass *= factor;
-                input.rod_mass *= factor;
-                input.slider_mass *= factor;
+                const auto follow = [&](double& mass) {
+                    mass = roundedWeight(mass, input.gravity) / *value;
+                };
+                follow(input.crank_mass);
+                follow(input.rod_mass);
+                follow(input.slider_mass);
                 if (input.rod_counterweight && input.rod_counterweight->mass) {
-                    *input.rod_counterweight->mass *= factor;
+                    follow(*input.rod_counterweight->mass);
                 }
             }
             input.gravity = *value;

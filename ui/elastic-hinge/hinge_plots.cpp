@@ -217,9 +217,9 @@ QWidget* HingePlots::buildGuides() {
     guide_->setXAxis({tr("x, mm"), -130.0, 130.0});
     guide_->setYAxis(PlotView::Side::Left, {tr("y, mm")});
     circleCompressed_ = guide_->addCurve(
-        {.name = tr("ρ₀"), .colour = 0, .width = 1.0, .pen = Qt::DashLine, .inLegend = false});
+        {.name = tr("ρ₀"), .colour = 0, .width = 1.0, .inLegend = false});
     circleStretched_ = guide_->addCurve(
-        {.name = tr("ℓ₀ − ρ₀"), .colour = 0, .width = 1.0, .pen = Qt::DashLine, .inLegend = false});
+        {.name = tr("ℓ₀ − ρ₀"), .colour = 0, .width = 1.0, .inLegend = false});
     profile_ = addPieces(guide_, profileStyle({}));
     guideCompressed_ =
         addPieces(guide_, {.name = tr("compressed"),

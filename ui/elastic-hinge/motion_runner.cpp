@@ -15,12 +15,17 @@ using elastic_hinge::Result;
 namespace {
 
 constexpr int patienceMs = 150;  ///< a run older than that makes room for a newer one
+constexpr int pauseMs = 30;      ///< so that a drag's frames have most of the machine
 constexpr double offFactor = 1.2;
 
 }  // namespace
 
 MotionRunner::MotionRunner(QObject* parent) : QObject(parent) {
     pool_.setMaxThreadCount(1);
+    pool_.setThreadPriority(QThread::LowPriority);
+    pause_.setSingleShot(true);
+    pause_.setInterval(pauseMs);
+    connect(&pause_, &QTimer::timeout, this, &MotionRunner::launch);
 }
 
 MotionRunner::~MotionRunner() {
@@ -41,26 +46,36 @@ void MotionRunner::start(const Input& input, std::shared_ptr<const Result> resul
     auto job = std::make_shared<Job>();
     job->input = input;
     job->result = std::move(result);
+    const bool was = isRunning();
+    pending_ = std::move(job);
     if (job_) {
-        pending_ = std::move(job);
         if (clock_.elapsed() > patienceMs) {
             job_->cancelled = true;
         }
-        return;
+    } else if (!pause_.isActive()) {
+        pause_.start();
     }
-    launch(std::move(job));
+    if (!was) {
+        Q_EMIT runningChanged(true);
+    }
 }
 
 void MotionRunner::cancel() {
+    const bool waiting = !job_ && pending_;
     pending_.reset();
+    pause_.stop();
     if (job_) {
         job_->cancelled = true;
+    } else if (waiting) {
+        Q_EMIT runningChanged(false);
     }
 }
 
-void MotionRunner::launch(std::shared_ptr<Job> job) {
-    const bool was = isRunning();
-    job_ = std::move(job);
+void MotionRunner::launch() {
+    job_ = std::exchange(pending_, nullptr);
+    if (!job_) {
+        return;
+    }
     clock_.start();
     pool_.start([this, job = job_] {
         auto motions = compute(*job);
@@ -68,9 +83,6 @@ void MotionRunner::launch(std::shared_ptr<Job> job) {
         QMetaObject::invokeMethod(
             this, [this, job, motions] { done(job, motions); }, Qt::QueuedConnection);
     });
-    if (!was) {
-        Q_EMIT runningChanged(true);
-    }
 }
 
 void MotionRunner::done(const std::shared_ptr<Job>& job,
@@ -81,8 +93,8 @@ void MotionRunner::done(const std::shared_ptr<Job>& job,
         Q_EMIT finished(std::move(motions));
     }
     if (pending_) {
-        launch(std::exchange(pending_, nullptr));
-    } else {
+        pause_.start();
+    } else if (!job_) {
         Q_EMIT runningChanged(false);
     }
 }

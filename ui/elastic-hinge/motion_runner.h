@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QString>
 #include <QThreadPool>
+#include <QTimer>
 #include <atomic>
 #include <memory>
 #include <optional>
@@ -35,7 +36,7 @@ class MotionRunner : public QObject {
                std::shared_ptr<const elastic_hinge::Result> result);
     /// Stops a run that is under way; what it has is thrown away.
     void cancel();
-    bool isRunning() const { return job_ != nullptr; }
+    bool isRunning() const { return job_ != nullptr || pending_ != nullptr; }
 
     /// The speed of the run that starts away from the design speed.
     static double offSpeed(const elastic_hinge::Input& input);
@@ -53,12 +54,13 @@ class MotionRunner : public QObject {
         std::atomic<bool> cancelled{false};
     };
 
-    void launch(std::shared_ptr<Job> job);
+    void launch();
     void done(const std::shared_ptr<Job>& job, std::shared_ptr<const HingeMotions> motions);
     std::shared_ptr<const HingeMotions> compute(Job& job);
 
     QThreadPool pool_;
-    QElapsedTimer clock_;
+    QTimer pause_;                  ///< gathers the steps of a drag into one run
+    QElapsedTimer clock_;           ///< of the run under way
     std::shared_ptr<Job> job_;      ///< under way
     std::shared_ptr<Job> pending_;  ///< to follow
 };
