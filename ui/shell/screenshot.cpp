@@ -1,12 +1,15 @@
 #include "shell/screenshot.h"
 
 #include <QApplication>
+#include <QElapsedTimer>
 #include <QRegularExpression>
 #include <QTabWidget>
+#include <algorithm>
 
 #include "case-file/input_error.h"
 #include "shell/main_window.h"
 #include "shell/scene_page.h"
+#include "widgets/background_job.h"
 
 namespace ravnoves {
 
@@ -52,6 +55,19 @@ QString writeScreenshot(MainWindow& window, const QString& path, const QString& 
     for (int turn = 0; turn < 3; ++turn) {
         QApplication::processEvents();
     }
+    // What is computed in the background belongs in the picture.
+    QElapsedTimer waited;
+    waited.start();
+    const auto busy = [&window] {
+        const auto jobs = window.findChildren<BackgroundJob*>();
+        return std::any_of(jobs.begin(), jobs.end(),
+                           [](const BackgroundJob* job) { return job->isRunning(); });
+    };
+    constexpr int patience = 60'000;  // ms
+    while (busy() && waited.elapsed() < patience) {
+        QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+    }
+    QApplication::processEvents();
     if (QWidget* focus = QApplication::focusWidget()) {
         focus->clearFocus();  // no blinking text cursor in the picture
     }
