@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "balance-shaft/inertia_check.h"
+#include "balance-shaft/relieved_shaft.h"
 #include "balance-shaft/torque_table.h"
 #include "case-file/case_file.h"
 #include "case-file/json.h"
@@ -184,6 +185,7 @@ struct Input {
     double crank_share = 0.5;  ///< κ of the comparison without a shaft
     GearPair gears;
     std::optional<SpeedBand> speed_band;
+    std::optional<RelievedShaftSizes> relieved_shaft;
 
     double reciprocating_mass() const;    ///< m_j, kg
     double effective_rod_length() const;  ///< L, m, given or by default
@@ -366,7 +368,7 @@ class Solver {
     double range(double shaft_angle) const;
     /// RMS of M_ups about its mean at α, N·m.
     double rms(double shaft_angle) const;
-    double counterweight_force() const;               ///< P₁, N
+    double counterweight_force() const;  ///< P₁, N
     const FrontView& front_view() const;
     Envelope envelope(double shaft_angle) const;
 

@@ -134,6 +134,17 @@ void read_torque(ObjectReader reader, const CaseContext& context, Input& input) 
     }
 }
 
+RelievedShaftSizes read_relieved_shaft(ObjectReader reader) {
+    RelievedShaftSizes sizes;
+    sizes.diameter = reader.optional_si(field::bar_diameter);
+    sizes.depth = reader.optional_si(field::relief_depth);
+    sizes.length = reader.optional_si(field::relief_length);
+    sizes.density = reader.si(field::density, sizes.density);
+    sizes.elastic_modulus = reader.si(field::elastic_modulus, sizes.elastic_modulus);
+    reader.finish();
+    return sizes;
+}
+
 EnvelopeSizes read_envelope(ObjectReader reader) {
     EnvelopeSizes sizes;
     sizes.cylinder_bore = reader.optional_si(field::cylinder_bore);
@@ -324,6 +335,9 @@ Input read_input(const Json& json, const CaseContext& context) {
         inner.finish();
         input.speed_band = band;
     }
+    if (reader.has("relieved_shaft")) {
+        input.relieved_shaft = read_relieved_shaft(reader.object("relieved_shaft"));
+    }
     read_torque(reader.object("torque"), context, input);
     if (input.torque.is_computed() && reader.has(field::rod_length.key)) {
         throw InputError(reader.pointer_to(field::rod_length.key),
@@ -377,6 +391,15 @@ Json write_input(const Input& input) {
         put(envelope, field::gear_tip_radius, input.envelope.gear_tip_radius);
         put(envelope, field::wall, input.envelope.wall);
         json["envelope"] = std::move(envelope);
+    }
+    if (input.relieved_shaft) {
+        Json shaft = Json::object();
+        put(shaft, field::bar_diameter, input.relieved_shaft->diameter);
+        put(shaft, field::relief_depth, input.relieved_shaft->depth);
+        put(shaft, field::relief_length, input.relieved_shaft->length);
+        put(shaft, field::density, input.relieved_shaft->density);
+        put(shaft, field::elastic_modulus, input.relieved_shaft->elastic_modulus);
+        json["relieved_shaft"] = std::move(shaft);
     }
     if (input.speed_band) {
         Json band = Json::object();
@@ -475,6 +498,9 @@ void check_input(const Input& input) {
 
     if (input.speed_band) {
         check_speed_band(*input.speed_band);
+    }
+    if (input.relieved_shaft) {
+        check_relieved_shaft(*input.relieved_shaft);
     }
 
     // Each number alone may be fine and their products not.

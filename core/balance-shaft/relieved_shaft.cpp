@@ -1,0 +1,218 @@
+#include "balance-shaft/relieved_shaft.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "case-file/input_error.h"
+#include "drawing/dxf_document.h"
+#include "numerics/constants.h"
+
+namespace ravnoves::balance_shaft {
+
+namespace {
+
+constexpr double millimetre = 1e-3;
+constexpr const char* root = "/input/relieved_shaft";
+
+void check(const FieldSpec& field, double si) {
+    const double value = from_si(field, si);
+    if (!field.range.contains(value)) {
+        throw InputError(std::string(root) + "/" + std::string(field.key), field.range.describe(),
+                         format_number(value));
+    }
+}
+
+std::string in_mm(double metres) {
+    return format_number(metres / millimetre, 4) + " mm";
+}
+
+/// The relieved section about the bar's axis, y towards the flat.
+struct Section {
+    double area = 0.0;           ///< m²
+    double removed_area = 0.0;   ///< m²
+    double centroid = 0.0;       ///< y, m, below the axis: negative
+    double second_moment = 0.0;  ///< about the axis through the centroid along the flat, m⁴
+    double outermost = 0.0;      ///< largest distance from that axis, m
+
+    Section(double radius, double depth) {
+        const double flat = radius - depth;  // y of the flat
+        const double angle = std::acos(std::clamp(flat / radius, -1.0, 1.0));
+        const double r2 = radius * radius;
+        removed_area = r2 * (angle - std::sin(2.0 * angle) / 2.0);
+        area = pi * r2 - removed_area;
+        const double half_width = radius * std::sin(angle);
+        const double first_moment = -2.0 / 3.0 * half_width * half_width * half_width;
+        centroid = first_moment / area;
+        // ∫ y² dA of the segment.
+        const double removed_second = r2 * r2 * (angle / 4.0 - std::sin(4.0 * angle) / 16.0);
+        second_moment = pi * r2 * r2 / 4.0 - removed_second - area * centroid * centroid;
+        outermost = std::max(flat - centroid, radius + centroid);
+    }
+};
+
+}  // namespace
+
+void check_relieved_shaft(const RelievedShaftSizes& sizes) {
+    int given = 0;
+    const auto check_size = [&](const FieldSpec& field, const std::optional<double>& size) {
+        if (size) {
+            ++given;
+            check(field, *size);
+        }
+    };
+    check_size(field::bar_diameter, sizes.diameter);
+    check_size(field::relief_depth, sizes.depth);
+    check_size(field::relief_length, sizes.length);
+    check(field::density, sizes.density);
+    check(field::elastic_modulus, sizes.elastic_modulus);
+    if (given < 2) {
+        throw InputError(root, "must hold two of diameter_mm, depth_mm and length_mm",
+                         std::to_string(given));
+    }
+    if (sizes.diameter && sizes.depth && !(*sizes.depth < *sizes.diameter)) {
+        throw InputError(std::string(root) + "/depth_mm",
+                         "must be less than the diameter, " +
+                             format_number(from_si(field::bar_diameter, *sizes.diameter)),
+                         format_number(from_si(field::relief_depth, *sizes.depth)));
+    }
+}
+
+RelievedShaft design_relieved_shaft(const RelievedShaftSizes& sizes, double required,
+                                    double angular_speed) {
+    check_relieved_shaft(sizes);
+    RelievedShaft shaft;
+    shaft.required = required;
+    shaft.diameter = sizes.diameter.value_or(0.0);
+    shaft.depth = sizes.depth.value_or(0.0);
+    shaft.length = sizes.length.value_or(0.0);
+    const double per_volume = 2.0 / 3.0 * sizes.density;  // U = per_volume b a³
+    if (!(required > 0.0)) {
+        shaft.reason = "No unbalance is needed, so there is nothing to mill away.";
+        return shaft;
+    }
+    if (sizes.length) {
+        shaft.critical_radius = std::cbrt(required / (per_volume * shaft.length));
+    }
+    if (sizes.diameter) {
+        shaft.critical_length = required / (per_volume * std::pow(shaft.diameter / 2.0, 3));
+    }
+    if (!sizes.depth) {
+        const double radius = shaft.diameter / 2.0;
+        const double a = shaft.critical_radius;
+        if (a > radius) {
+            shaft.reason = "The bar is too thin: over a length of " + in_mm(shaft.length) +
+                           " its diameter must be at least " + in_mm(2.0 * a) +
+                           "; with this diameter the relieved length must be at least " +
+                           in_mm(shaft.critical_length) + ".";
+            return shaft;
+        }
+        // The smaller root of h (D − h) = a², without cancellation.
+        shaft.depth = a * a / (radius + std::sqrt((radius - a) * (radius + a)));
+    } else if (!sizes.diameter) {
+        const double a = shaft.critical_radius;
+        shaft.diameter = shaft.depth + a * a / shaft.depth;
+        shaft.critical_length = required / (per_volume * std::pow(shaft.diameter / 2.0, 3));
+    }
+    const double width_square = shaft.depth * (shaft.diameter - shaft.depth);
+    shaft.half_width = std::sqrt(width_square);
+    const double per_length = per_volume * width_square * shaft.half_width;
+    if (!sizes.length) {
+        shaft.length = required / per_length;
+        shaft.critical_radius = std::cbrt(required / (per_volume * shaft.length));
+    }
+    shaft.unbalance = per_length * shaft.length;
+
+    const Section section(shaft.diameter / 2.0, shaft.depth);
+    shaft.mass = sizes.density * shaft.length * section.area;
+    shaft.removed_mass = sizes.density * shaft.length * section.removed_area;
+    shaft.centre_of_mass_radius = shaft.unbalance / shaft.mass;
+    // Uniform load q = U ω²/b on a beam of the length b on two supports.
+    const double load = shaft.unbalance * angular_speed * angular_speed / shaft.length;
+    const double length2 = shaft.length * shaft.length;
+    shaft.sag =
+        5.0 / 384.0 * load * length2 * length2 / (sizes.elastic_modulus * section.second_moment);
+    shaft.bending_stress = load * length2 / 8.0 * section.outermost / section.second_moment;
+
+    if (!std::isfinite(shaft.mass) || !std::isfinite(shaft.diameter) ||
+        !std::isfinite(shaft.length) || !std::isfinite(shaft.sag) ||
+        !std::isfinite(shaft.bending_stress) || !std::isfinite(shaft.centre_of_mass_radius) ||
+        !std::isfinite(shaft.critical_radius) || !std::isfinite(shaft.critical_length)) {
+        RelievedShaft none;
+        none.required = required;
+        none.reason = "The unbalance needed is beyond any shaft of such sizes.";
+        return none;
+    }
+    const double ratio = shaft.unbalance / required;
+    if (std::abs(ratio - 1.0) > relieved_shaft_tolerance) {
+        shaft.reason = "These sizes give " + format_number(100.0 * ratio, 4) +
+                       " % of the unbalance that is needed.";
+        return shaft;
+    }
+    shaft.feasible = true;
+    constexpr double half = 0.5 * (1.0 + 1e-12);
+    if (shaft.depth > half * shaft.diameter) {
+        shaft.note = "More than half of the bar is milled away: the depth " +
+                     in_mm(shaft.diameter - shaft.depth) +
+                     " gives the same unbalance and a stiffer shaft.";
+    }
+    return shaft;
+}
+
+std::string relieved_shaft_dxf(const RelievedShaft& shaft, const std::string& title) {
+    if (!shaft.feasible) {
+        throw InputError("", "there is no shaft to draw: " + shaft.reason);
+    }
+    DxfDocument drawing({{"SHAFT", DxfDocument::white},
+                         {"REMOVED", DxfDocument::cyan},
+                         {"AXIS", DxfDocument::red},
+                         {"NOTE", DxfDocument::grey}});
+    const double radius = shaft.diameter / 2.0 / millimetre;
+    const double flat = radius - shaft.depth / millimetre;
+    const double half_width = shaft.half_width / millimetre;
+    const double angle = std::atan2(flat, half_width) / degree;
+    // Section at the origin, the flat above: the rest goes round below it.
+    drawing.arc({0.0, 0.0}, radius, 180.0 - angle, 360.0 + angle, "SHAFT");
+    drawing.line({-half_width, flat}, {half_width, flat}, "SHAFT");
+    drawing.arc({0.0, 0.0}, radius, angle, 180.0 - angle, "REMOVED");
+    const double arm = 1.2 * radius;
+    drawing.line({-arm, 0.0}, {arm, 0.0}, "AXIS");
+    drawing.line({0.0, -arm}, {0.0, arm}, "AXIS");
+    // Side view to the right, the bar whole for half a diameter on both sides.
+    const double length = shaft.length / millimetre;
+    const double stub = radius;
+    const double left = 2.0 * radius;
+    const double begin = left + stub;
+    const double end = begin + length;
+    const double right = end + stub;
+    drawing.polyline({{left, -radius},
+                      {right, -radius},
+                      {right, radius},
+                      {end, radius},
+                      {end, flat},
+                      {begin, flat},
+                      {begin, radius},
+                      {left, radius}},
+                     true, "SHAFT");
+    drawing.line({begin, radius}, {end, radius}, "REMOVED");
+    drawing.line({left - 0.2 * radius, 0.0}, {right + 0.2 * radius, 0.0}, "AXIS");
+
+    const double height = std::max(0.12 * radius, 0.5);
+    double y = -arm - 2.0 * height;
+    const auto note = [&](const std::string& words) {
+        drawing.text({-radius, y}, height, words, "NOTE");
+        y -= 1.6 * height;
+    };
+    const auto mm = [](double metres) { return format_number(metres / millimetre, 6); };
+    if (!title.empty()) {
+        note(title);
+    }
+    note("Balance shaft with a relieved middle; dimensions in mm, scale 1:1");
+    note("Diameter " + mm(shaft.diameter) + ", depth " + mm(shaft.depth) + ", length " +
+         mm(shaft.length) + ", width of the flat " + mm(2.0 * shaft.half_width));
+    note("Unbalance " + format_number(shaft.unbalance * 1e6, 6) +
+         " g mm on the side away from the flat; relieved part " + format_number(shaft.mass, 4) +
+         " kg");
+    return drawing.write();
+}
+
+}  // namespace ravnoves::balance_shaft

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "case-file/range.h"
+
+namespace ravnoves::balance_shaft {
+
+namespace field {
+// Of the object "relieved_shaft".
+inline constexpr FieldSpec bar_diameter{"diameter_mm", "mm", Range::greater_than(0, 1e5), 1e-3};
+inline constexpr FieldSpec relief_depth{"depth_mm", "mm", Range::greater_than(0, 1e5), 1e-3};
+inline constexpr FieldSpec relief_length{"length_mm", "mm", Range::greater_than(0, 1e5), 1e-3};
+inline constexpr FieldSpec density{"density_kg_m3", "kg/m³", Range::between(100, 30000)};
+inline constexpr FieldSpec elastic_modulus{"elastic_modulus_GPa", "GPa", Range::between(1, 1000),
+                                           1e9};
+}  // namespace field
+
+/// What is known of a balance shaft with a relieved middle. Of diameter, depth and length two are
+/// given and the third is sized; with all three given the shaft is only checked.
+struct RelievedShaftSizes {
+    std::optional<double> diameter;  ///< D, m
+    std::optional<double> depth;     ///< h, m
+    std::optional<double> length;    ///< b, m
+    double density = 7850.0;         ///< ρ, kg/m³; steel
+    double elastic_modulus = 210e9;  ///< Pa; steel
+    bool operator==(const RelievedShaftSizes&) const = default;
+};
+
+/// A balance shaft as on the VAZ-11113 (Gots and Klevtsov, Fig. 5): a round bar of diameter D with
+/// a segment of depth h milled away over the length b.
+///
+/// The removed segment has the first moment ∫ y dA = (2/3) a³ about the bar's axis, a² = h (D − h)
+/// a half the width of the flat; so the rest has the unbalance U = ρ b (2/3) a³, its centre
+/// of mass on the other side. It is largest at h = D/2.
+struct RelievedShaft {
+    bool feasible = false;
+    std::string reason;                  ///< why not, as a sentence; empty where feasible
+    double required = 0.0;               ///< m₁ ρ₁, kg·m
+    double unbalance = 0.0;              ///< U, kg·m
+    double diameter = 0.0;               ///< m
+    double depth = 0.0;                  ///< m
+    double length = 0.0;                 ///< m
+    double half_width = 0.0;             ///< a, m
+    double removed_mass = 0.0;           ///< kg
+    double mass = 0.0;                   ///< of the relieved part, kg
+    double centre_of_mass_radius = 0.0;  ///< U / mass, m
+    /// The smallest bar radius that can have the unbalance at this length, (3 U / 2 ρ b)^⅓, m.
+    double critical_radius = 0.0;
+    /// The smallest relieved length that can have it with this bar, m.
+    double critical_length = 0.0;
+    /// Bending of the relieved part, simply supported, under its own centrifugal load U ω²: sag, m,
+    /// and largest stress, Pa.
+    double sag = 0.0;
+    double bending_stress = 0.0;
+    std::string note;  ///< what a designer should know of a feasible shaft; may be empty
+};
+
+inline constexpr double relieved_shaft_tolerance = 0.01;  ///< of U, where all sizes are given
+
+/// @param required       m₁ ρ₁, kg·m, ≥ 0
+/// @param angular_speed  ω, rad/s
+/// @throws InputError below /input/relieved_shaft where sizes are out of range or less than two
+RelievedShaft design_relieved_shaft(const RelievedShaftSizes& sizes, double required,
+                                    double angular_speed);
+
+/// @throws InputError
+void check_relieved_shaft(const RelievedShaftSizes& sizes);
+
+/// Section and side view as a DXF text, real size, mm: outline on the layer SHAFT, what is milled
+/// away on REMOVED, axes on AXIS, sizes on NOTE.
+/// @throws InputError where the shaft is not feasible
+std::string relieved_shaft_dxf(const RelievedShaft& shaft, const std::string& title);
+
+}  // namespace ravnoves::balance_shaft

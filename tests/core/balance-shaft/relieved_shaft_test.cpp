@@ -1,0 +1,207 @@
+#include "balance-shaft/relieved_shaft.h"
+
+#include <dxflib/dl_creationadapter.h>
+#include <dxflib/dl_dxf.h>
+#include <gtest/gtest.h>
+
+#include <boost/math/quadrature/tanh_sinh.hpp>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "balance-shaft/scene.h"
+#include "test_cases.h"
+
+namespace ravnoves::balance_shaft {
+namespace {
+
+using test::error_of;
+
+constexpr double needed = 0.658 * 0.046;  // the paper's m₁ ρ₁, kg·m
+constexpr double speed = 376.8;
+
+/// Moments of the section below the flat by quadrature over y.
+double section_integral(const RelievedShaft& shaft, const auto& weight) {
+    const double radius = shaft.diameter / 2.0;
+    boost::math::quadrature::tanh_sinh<double> rule;
+    return rule.integrate(
+        [&](double y) {
+            return weight(y) * 2.0 * std::sqrt(std::max((radius - y) * (radius + y), 0.0));
+        },
+        -radius, radius - shaft.depth);
+}
+
+TEST(RelievedShaft, UnbalanceAndStiffnessAgreeWithQuadrature) {
+    for (const double depth : {0.002, 0.011, 0.025, 0.031}) {
+        const RelievedShaftSizes sizes{0.050, depth, 0.3, 7850.0, 210e9};
+        const RelievedShaft shaft = design_relieved_shaft(sizes, needed, speed);
+        const double area = section_integral(shaft, [](double) { return 1.0; });
+        const double first = section_integral(shaft, [](double y) { return y; });
+        const double second = section_integral(shaft, [](double y) { return y * y; });
+        EXPECT_NEAR(shaft.unbalance, -7850.0 * 0.3 * first, 1e-9 * shaft.unbalance) << depth;
+        EXPECT_NEAR(shaft.mass, 7850.0 * 0.3 * area, 1e-9 * shaft.mass);
+        EXPECT_NEAR(shaft.mass + shaft.removed_mass, 7850.0 * 0.3 * pi * 0.025 * 0.025, 1e-9);
+        EXPECT_NEAR(shaft.centre_of_mass_radius, -first / area, 1e-9);
+        const double inertia = second - first * first / area;
+        const double load = shaft.unbalance * speed * speed / 0.3;
+        EXPECT_NEAR(shaft.sag, 5.0 * load * std::pow(0.3, 4) / (384.0 * 210e9 * inertia),
+                    1e-8 * shaft.sag);
+        const double centroid = first / area;
+        const double outermost = std::max(0.025 - depth - centroid, 0.025 + centroid);
+        EXPECT_NEAR(shaft.bending_stress, load * 0.09 / 8.0 * outermost / inertia,
+                    1e-8 * shaft.bending_stress);
+    }
+}
+
+TEST(RelievedShaft, SizesWhatIsMissing) {
+    const RelievedShaft by_depth =
+        design_relieved_shaft({0.050, std::nullopt, 0.45}, needed, speed);
+    ASSERT_TRUE(by_depth.feasible) << by_depth.reason;
+    EXPECT_NEAR(by_depth.unbalance, needed, 1e-12 * needed);
+    EXPECT_LT(by_depth.depth, 0.025);
+    const RelievedShaft by_length =
+        design_relieved_shaft({0.050, by_depth.depth, std::nullopt}, needed, speed);
+    EXPECT_NEAR(by_length.length, 0.45, 1e-12);
+    const RelievedShaft by_diameter =
+        design_relieved_shaft({std::nullopt, by_depth.depth, 0.45}, needed, speed);
+    EXPECT_NEAR(by_diameter.diameter, 0.050, 1e-12);
+    const RelievedShaft checked =
+        design_relieved_shaft({0.050, by_depth.depth, 0.45}, needed, speed);
+    EXPECT_TRUE(checked.feasible);
+    const RelievedShaft weak = design_relieved_shaft({0.050, 0.005, 0.45}, needed, speed);
+    EXPECT_FALSE(weak.feasible);
+    EXPECT_NE(weak.reason.find("% of the unbalance"), std::string::npos);
+}
+
+TEST(RelievedShaft, TheCriticalSizesAreThoseOfHalfABar) {
+    const RelievedShaft shaft = design_relieved_shaft({0.060, std::nullopt, 0.3}, needed, speed);
+    ASSERT_TRUE(shaft.feasible);
+    // Just at the critical radius the depth is half the bar; below it nothing helps.
+    const double critical = 2.0 * shaft.critical_radius;
+    const RelievedShaft at =
+        design_relieved_shaft({critical * (1.0 + 1e-9), std::nullopt, 0.3}, needed, speed);
+    ASSERT_TRUE(at.feasible);
+    EXPECT_NEAR(at.depth / at.diameter, 0.5, 1e-4);
+    const RelievedShaft below =
+        design_relieved_shaft({critical * (1.0 - 1e-9), std::nullopt, 0.3}, needed, speed);
+    EXPECT_FALSE(below.feasible);
+    EXPECT_EQ(below.reason.rfind("The bar is too thin", 0), 0U);
+    // And the critical length of that bar is the length asked for.
+    EXPECT_NEAR(below.critical_length, 0.3, 1e-6);
+    const RelievedShaft longer = design_relieved_shaft(
+        {below.diameter, std::nullopt, below.critical_length * 1.0001}, needed, speed);
+    EXPECT_TRUE(longer.feasible);
+    // Twice the depth beyond the axis: the same unbalance, and a word about it.
+    const RelievedShaft beyond =
+        design_relieved_shaft({0.060, 0.060 - shaft.depth, 0.3}, needed, speed);
+    EXPECT_TRUE(beyond.feasible);
+    EXPECT_NE(beyond.note.find("More than half"), std::string::npos);
+    EXPECT_GT(beyond.sag, shaft.sag);
+}
+
+TEST(RelievedShaft, BadSizesAreRefusedAndImpossibleOnesAreAResult) {
+    const auto refusal = [](const RelievedShaftSizes& sizes) {
+        return error_of([&] { design_relieved_shaft(sizes, needed, speed); });
+    };
+    EXPECT_EQ(refusal({0.05, std::nullopt, std::nullopt}),
+              "/input/relieved_shaft: must hold two of diameter_mm, depth_mm and length_mm, got 1");
+    EXPECT_EQ(refusal({0.05, 0.05, std::nullopt}),
+              "/input/relieved_shaft/depth_mm: must be less than the diameter, 50, got 50");
+    EXPECT_EQ(refusal({-0.05, 0.01, std::nullopt})
+                  .rfind("/input/relieved_shaft/diameter_mm: must be greater than 0", 0),
+              0U);
+    EXPECT_EQ(refusal({std::nan(""), 0.01, std::nullopt}).rfind("/input/relieved_shaft/", 0), 0U);
+    EXPECT_FALSE(design_relieved_shaft({0.05, 0.01, std::nullopt}, 0.0, speed).feasible);
+    for (const double required : {5e-324, 1e-200, 1e99}) {
+        for (const RelievedShaftSizes& sizes :
+             {RelievedShaftSizes{0.05, std::nullopt, 0.3}, RelievedShaftSizes{0.05, 1e-9, {}},
+              RelievedShaftSizes{std::nullopt, 1e-9, 0.3}}) {
+            const RelievedShaft shaft = design_relieved_shaft(sizes, required, 1e20);
+            for (const double value :
+                 {shaft.mass, shaft.diameter, shaft.depth, shaft.length, shaft.sag,
+                  shaft.bending_stress, shaft.critical_radius, shaft.critical_length}) {
+                EXPECT_TRUE(std::isfinite(value)) << required;
+            }
+            EXPECT_EQ(shaft.feasible, shaft.reason.empty());
+        }
+    }
+}
+
+TEST(RelievedShaft, IsPrintedByACase) {
+    Json json = write_input(preset_tmz_650d());
+    json["relieved_shaft"] = {{"diameter_mm", 52}, {"length_mm", 430}, {"density_kg_m3", 7800}};
+    const Input input = read_input(json, {});
+    EXPECT_EQ(read_input(write_input(input), {}), input);
+    const Json result = solve_scene(json, {}).at("relieved_shaft");
+    EXPECT_EQ(result.at("feasible"), true);
+    EXPECT_NEAR(result.at("required_unbalance_g_mm").get<double>(), 658.0 * 46.0, 1e-6);
+    EXPECT_NEAR(result.at("unbalance_g_mm").get<double>(), 658.0 * 46.0, 1e-6);
+    json["relieved_shaft"]["diameter_mm"] = 20;
+    const Json thin = solve_scene(json, {}).at("relieved_shaft");
+    EXPECT_EQ(thin.at("feasible"), false);
+    EXPECT_TRUE(thin.contains("critical_radius_mm"));
+    EXPECT_EQ(relieved_shaft(Solver(preset_tmz_650d())).feasible, true);
+}
+
+/// What dxflib reads back.
+class Reader : public DL_CreationAdapter {
+  public:
+    void addLayer(const DL_LayerData& layer) override { layers.push_back(layer.name); }
+    void addArc(const DL_ArcData& arc) override { arcs.emplace(attributes.getLayer(), arc); }
+    void addLine(const DL_LineData& line) override { lines.emplace(attributes.getLayer(), line); }
+    void addVertex(const DL_VertexData& vertex) override { vertices.push_back(vertex); }
+    void addText(const DL_TextData& text) override { notes.push_back(text.text); }
+
+    std::vector<std::string> layers;
+    std::multimap<std::string, DL_ArcData> arcs;
+    std::multimap<std::string, DL_LineData> lines;
+    std::vector<DL_VertexData> vertices;
+    std::vector<std::string> notes;
+};
+
+TEST(RelievedShaftDxf, ReadsBackAsTheSectionThatWasDesigned) {
+    const RelievedShaft shaft = design_relieved_shaft({0.056, std::nullopt, 0.35}, needed, speed);
+    ASSERT_TRUE(shaft.feasible);
+    const std::string text = relieved_shaft_dxf(shaft, "Вал TMZ");
+    Reader reader;
+    std::stringstream stream(text);
+    DL_Dxf dxf;
+    ASSERT_TRUE(dxf.in(stream, &reader));
+    for (const char* layer : {"SHAFT", "REMOVED", "AXIS", "NOTE"}) {
+        EXPECT_NE(std::find(reader.layers.begin(), reader.layers.end(), layer),
+                  reader.layers.end());
+    }
+    ASSERT_EQ(reader.arcs.count("SHAFT"), 1U);
+    const DL_ArcData arc = reader.arcs.find("SHAFT")->second;
+    EXPECT_NEAR(arc.radius, 28.0, 1e-9);
+    // The outline closes: the arc's ends are the flat's ends.
+    const DL_LineData flat = reader.lines.find("SHAFT")->second;
+    const auto on_arc = [&](double angle) {
+        return std::pair(arc.radius * std::cos(angle * degree),
+                         arc.radius * std::sin(angle * degree));
+    };
+    EXPECT_NEAR(on_arc(arc.angle1).first, flat.x1, 1e-6);
+    EXPECT_NEAR(on_arc(arc.angle1).second, flat.y1, 1e-6);
+    EXPECT_NEAR(on_arc(arc.angle2).first, flat.x2, 1e-6);
+    EXPECT_NEAR(flat.y1, 28.0 - shaft.depth * 1e3, 1e-6);
+    EXPECT_NEAR(flat.x2 - flat.x1, 2e3 * shaft.half_width, 1e-6);
+    // The section's own unbalance, by Green's theorem on the drawing, is the one asked for.
+    double moment = 0.0;  // ∫ y dA = −∮ y²/2 dx, counter-clockwise, mm³
+    constexpr int steps = 20'000;
+    double from = arc.angle1;
+    double to = arc.angle2 < arc.angle1 ? arc.angle2 + 360.0 : arc.angle2;
+    for (int i = 0; i < steps; ++i) {
+        const auto [x1, y1] = on_arc(from + (to - from) * i / steps);
+        const auto [x2, y2] = on_arc(from + (to - from) * (i + 1) / steps);
+        moment -= (y1 * y1 + y1 * y2 + y2 * y2) / 6.0 * (x2 - x1);
+    }
+    moment -= flat.y1 * flat.y1 / 2.0 * (flat.x1 - flat.x2);
+    EXPECT_NEAR(-moment * 1e-9 * shaft.length * 7850.0, needed, 1e-6 * needed);
+    EXPECT_EQ(reader.vertices.size(), 8U);
+    EXPECT_EQ(reader.notes.front(), " TMZ");
+    EXPECT_EQ(text.find(','), text.find(',', text.find("NOTE")));  // commas in notes alone
+    EXPECT_NE(error_of([] { relieved_shaft_dxf({}, ""); }), "no error");
+}
+
+}  // namespace
+}  // namespace ravnoves::balance_shaft
