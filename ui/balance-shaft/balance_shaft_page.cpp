@@ -21,6 +21,7 @@
 #include "balance-shaft/forces_view.h"
 #include "balance-shaft/mechanism_view.h"
 #include "balance-shaft/orders_view.h"
+#include "balance-shaft/relieved_shaft_view.h"
 #include "balance-shaft/speed_view.h"
 #include "balance-shaft/torque_source_editor.h"
 #include "balance-shaft/torque_table_editor.h"
@@ -387,7 +388,8 @@ QWidget* BalanceShaftPage::buildPlots() {
     addView(new SpeedView(model_, views_), "speed", tr("Speed"));
     addView(new EnvelopeView(model_, views_), "envelope", tr("Size"));
     addView(new OrdersView(model_, views_), "orders", tr("Orders"));
-    addView(new ForcesView(model_, views_), "forces", tr("Crank only, gears"));
+    addView(new ForcesView(model_, views_), "forces", tr("Forces"));
+    addView(new RelievedShaftView(model_, views_), "relieved", tr("Relief"));
     return holder;
 }
 

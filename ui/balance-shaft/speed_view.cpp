@@ -356,9 +356,13 @@ void SpeedView::showMap() {
     const double to = points.back().angular_speed / rpm;
     map_->setImage(image, QRectF(0.0, from, 360.0, to - from));
     const QLocale locale;
-    map_->setTitle(tr("%1 with / without shaft: %2 (dark) … %3 (light)")
+    map_->setTitle(tr("%1 ÷ without: %2…%3")
                        .arg(byRange ? tr("Range") : tr("RMS"), fixedNumber(*least, 2, locale),
                             fixedNumber(*most, 2, locale)));
+    map_->setToolTip(
+        tr("The criterion with the shaft over that without it at the same speed; dark "
+           "is small, light is large. Click to set α and, with a computed torque, the "
+           "speed."));
 }
 
 QString SpeedView::answer() const {
