@@ -55,8 +55,8 @@ Bound<Scalar> least_of_larger(const Cut<Scalar>& left, const Cut<Scalar>& right)
     using std::acos;
     using std::atan2;
     using std::sqrt;
-    const Scalar pi = boost::math::constants::pi<Scalar>();
-    const Scalar two_pi = boost::math::constants::two_pi<Scalar>();
+    const Scalar& pi = boost::math::constants::pi<Scalar>();
+    const Scalar& two_pi = boost::math::constants::two_pi<Scalar>();
     const auto larger = [&](const Scalar& alpha) {
         return std::max(left.bound(alpha), right.bound(alpha));
     };
@@ -105,7 +105,7 @@ Bound<Scalar> least_of_larger(const Cut<Scalar>& left, const Cut<Scalar>& right)
 template <typename Scalar, typename Evaluate>
 AngleMinimum<Scalar> minimise_over_angle(const Evaluate& evaluate, const Scalar& steepest,
                                          const Scalar& size) {
-    const Scalar two_pi = boost::math::constants::two_pi<Scalar>();
+    const Scalar& two_pi = boost::math::constants::two_pi<Scalar>();
     constexpr int first_angles = 36;
     AngleMinimum<Scalar> best;
     std::vector<Cut<Scalar>> cuts;

@@ -10,7 +10,7 @@ template <typename Scalar>
 Cut<Scalar> range_cut(const BasicCycleExtrema<Scalar>& extrema, const Scalar& alpha) {
     using std::cos;
     using std::sin;
-    const Scalar degree = boost::math::constants::degree<Scalar>();
+    const Scalar& degree = boost::math::constants::degree<Scalar>();
     const BasicExtrema<Scalar> found = extrema(alpha);
     const Scalar amplitude = extrema.amplitude();
     const Scalar high = found.max.angle_deg * degree;
