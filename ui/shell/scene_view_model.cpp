@@ -20,7 +20,7 @@ void SceneViewModel::setByKey(const QString& key, const QString& value) {
     if (setViewOption(key, value)) {
         return;
     }
-    const std::string path = "/" + key.toStdString();
+    const std::string path = (QLatin1Char('/') + key).toStdString();
     Json input = inputJson();
     Json parsed;
     try {
