@@ -1,17 +1,13 @@
 #include "elastic-hinge/guide_export.h"
 
-#include <dxflib/dl_dxf.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <filesystem>
 #include <functional>
-#include <memory>
+#include <utility>
 
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
+#include "drawing/dxf_document.h"
 
 namespace ravnoves::elastic_hinge {
 
@@ -106,64 +102,19 @@ class ClosedPolyline {
     std::vector<PlanePoint> result_;
 };
 
-std::string ascii(const std::string& text) {
-    std::string kept;
-    for (const char c : text) {
-        if (c >= ' ' && c <= '~') {
-            kept += c;
-        }
-    }
-    return kept;
-}
-
-/// A file that is gone when the object is.
-class TemporaryFile {
-  public:
-    TemporaryFile() {
-        path_ = (std::filesystem::temp_directory_path() / "ravnoves-XXXXXX").string();
-        const int handle = ::mkstemp(path_.data());
-        if (handle < 0) {
-            throw std::runtime_error("no temporary file can be made in " +
-                                     std::filesystem::temp_directory_path().string());
-        }
-        ::close(handle);
-    }
-    ~TemporaryFile() { std::remove(path_.c_str()); }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-    const std::string& path() const { return path_; }
-
-  private:
-    std::string path_;
-};
-
-constexpr int colour_white = 7;
-constexpr int colour_red = 1;
-constexpr int colour_cyan = 4;
-constexpr int colour_grey = 8;
-constexpr int by_layer = 256;
-
-DL_Attributes on_layer(const std::string& layer) {
-    return {layer, by_layer, 0, -1, "BYLAYER"};
-}
-
-void write_polyline(DL_Dxf& dxf, DL_WriterA& out, const std::vector<PlanePoint>& points,
-                    const std::string& layer) {
-    constexpr int closed = 1;
-    dxf.writePolyline(out, DL_PolylineData(static_cast<int>(points.size()), 0, 0, closed),
-                      on_layer(layer));
+std::vector<DxfDocument::Point> in_millimetres(const std::vector<PlanePoint>& points) {
+    std::vector<DxfDocument::Point> result;
+    result.reserve(points.size());
     for (const PlanePoint& point : points) {
-        dxf.writeVertex(
-            out, DL_VertexData(point.x / field::millimetre, point.y / field::millimetre, 0.0, 0.0));
+        result.push_back({point.x / field::millimetre, point.y / field::millimetre});
     }
-    dxf.writePolylineEnd(out);
+    return result;
 }
 
 std::vector<std::string> note_lines(const Guide& guide, const GuideDrawing& drawing) {
     std::vector<std::string> lines;
-    if (const std::string title = ascii(drawing.title); !title.empty()) {
-        lines.push_back(title);
+    if (!drawing.title.empty()) {
+        lines.push_back(drawing.title);
     }
     lines.emplace_back(guide.hinge == Hinge::rod
                            ? "Guide of the elastic hinge between crank and rod"
@@ -209,88 +160,30 @@ GuideOutline guide_outline(const Guide& guide, const GuideDrawing& drawing) {
 
 std::string guide_dxf(const Guide& guide, const GuideDrawing& drawing) {
     const GuideOutline outline = guide_outline(guide, drawing);
-    const TemporaryFile file;
-    {
-        DL_Dxf dxf;
-        const std::unique_ptr<DL_WriterA> writer(dxf.out(file.path().c_str(), DL_VERSION_2000));
-        if (!writer) {
-            throw std::runtime_error("the temporary file " + file.path() + " cannot be written");
+    DxfDocument dxf({{"PROFILE", DxfDocument::white},
+                     {"ROLLER_PATH", DxfDocument::cyan},
+                     {"AXIS", DxfDocument::red},
+                     {"NOTE", DxfDocument::grey}});
+    constexpr bool closed = true;
+    double reach = 0.0;
+    for (const auto& [points, layer] :
+         {std::pair{&outline.profile, "PROFILE"}, std::pair{&outline.roller_path, "ROLLER_PATH"}}) {
+        std::vector<DxfDocument::Point> line = in_millimetres(*points);
+        for (const DxfDocument::Point& point : line) {
+            reach = std::max(reach, std::hypot(point.x, point.y));
         }
-        DL_WriterA& out = *writer;
-        dxf.writeHeader(out);
-        constexpr int millimetres = 4;
-        out.dxfString(9, "$INSUNITS");
-        out.dxfInt(70, millimetres);
-        out.dxfString(9, "$MEASUREMENT");
-        out.dxfInt(70, 1);
-        out.sectionEnd();
-
-        out.sectionTables();
-        dxf.writeVPort(out);
-        out.tableLinetypes(3);
-        dxf.writeLinetype(out, DL_LinetypeData("BYBLOCK", "BYBLOCK", 0, 0, 0.0));
-        dxf.writeLinetype(out, DL_LinetypeData("BYLAYER", "BYLAYER", 0, 0, 0.0));
-        dxf.writeLinetype(out, DL_LinetypeData("CONTINUOUS", "Continuous", 0, 0, 0.0));
-        out.tableEnd();
-        const std::pair<const char*, int> layers[] = {{"0", colour_white},
-                                                      {"PROFILE", colour_white},
-                                                      {"ROLLER_PATH", colour_cyan},
-                                                      {"AXIS", colour_red},
-                                                      {"NOTE", colour_grey}};
-        out.tableLayers(static_cast<int>(std::size(layers)));
-        for (const auto& [name, colour] : layers) {
-            dxf.writeLayer(out, DL_LayerData(name, 0),
-                           DL_Attributes("", colour, 0, 25, "CONTINUOUS"));
-        }
-        out.tableEnd();
-        out.tableStyle(1);
-        dxf.writeStyle(out, DL_StyleData("Standard", 0, 0.0, 1.0, 0.0, 0, 2.5, "txt", ""));
-        out.tableEnd();
-        dxf.writeView(out);
-        dxf.writeUcs(out);
-        out.tableAppid(1);
-        dxf.writeAppid(out, "ACAD");
-        out.tableEnd();
-        dxf.writeDimStyle(out, 2.5, 0.625, 0.625, 0.625, 2.5);
-        dxf.writeBlockRecord(out);
-        out.tableEnd();
-        out.sectionEnd();
-
-        out.sectionBlocks();
-        for (const char* block : {"*Model_Space", "*Paper_Space", "*Paper_Space0"}) {
-            dxf.writeBlock(out, DL_BlockData(block, 0, 0.0, 0.0, 0.0));
-            dxf.writeEndBlock(out, block);
-        }
-        out.sectionEnd();
-
-        out.sectionEntities();
-        write_polyline(dxf, out, outline.profile, "PROFILE");
-        write_polyline(dxf, out, outline.roller_path, "ROLLER_PATH");
-        double reach = 0.0;
-        for (const auto* list : {&outline.profile, &outline.roller_path}) {
-            for (const PlanePoint& point : *list) {
-                reach = std::max(reach, std::hypot(point.x, point.y) / field::millimetre);
-            }
-        }
-        const double arm = 1.1 * reach;
-        dxf.writeLine(out, DL_LineData(-arm, 0.0, 0.0, arm, 0.0, 0.0), on_layer("AXIS"));
-        dxf.writeLine(out, DL_LineData(0.0, -arm, 0.0, 0.0, arm, 0.0), on_layer("AXIS"));
-        const double height = 0.03 * reach;
-        double y = -arm - 2.0 * height;
-        for (const std::string& line : note_lines(guide, drawing)) {
-            dxf.writeText(out,
-                          DL_TextData(-arm, y, 0.0, -arm, y, 0.0, height, 1.0, 0, 0, 0, line,
-                                      "Standard", 0.0),
-                          on_layer("NOTE"));
-            y -= 1.6 * height;
-        }
-        out.sectionEnd();
-        dxf.writeObjects(out);
-        dxf.writeObjectsEnd(out);
-        out.dxfEOF();
-        out.close();
+        dxf.polyline(std::move(line), closed, layer);
     }
-    return read_text_file(file.path());
+    const double arm = 1.1 * reach;
+    dxf.line({-arm, 0.0}, {arm, 0.0}, "AXIS");
+    dxf.line({0.0, -arm}, {0.0, arm}, "AXIS");
+    const double height = 0.03 * reach;
+    double y = -arm - 2.0 * height;
+    for (const std::string& line : note_lines(guide, drawing)) {
+        dxf.text({-arm, y}, height, line, "NOTE");
+        y -= 1.6 * height;
+    }
+    return dxf.write();
 }
 
 std::string guide_csv(const Guide& guide, const GuideDrawing& drawing, double step_deg) {
