@@ -57,7 +57,7 @@ Scalar guide_deflection(const GuideSpring<Scalar>& spring, const Scalar& q) {
 /// @param q  as above
 template <typename Scalar>
 Scalar guide_radius(const GuideSpring<Scalar>& spring, Branch branch, const Scalar& q) {
-    const Scalar start = spring.start_radius(branch);
+    Scalar start = spring.start_radius(branch);
     if (q == 0) {
         return start;
     }

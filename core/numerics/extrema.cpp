@@ -84,7 +84,7 @@ BasicPlaces<Scalar> stationary_points(const PiecewiseCubic<Scalar>& p, const Sca
     using std::cos;
     using std::floor;
     using std::sin;
-    const Scalar two_pi = boost::math::constants::two_pi<Scalar>();
+    const Scalar& two_pi = boost::math::constants::two_pi<Scalar>();
     const Scalar& w = angular_frequency;
     const auto first = [&](const Scalar& t) {
         const Scalar angle = w * t + phase;

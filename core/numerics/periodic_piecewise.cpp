@@ -93,8 +93,8 @@ BasicPeriodicPiecewise<Scalar> BasicPeriodicPiecewise<Scalar>::cubic(std::span<c
     f.pieces_.reserve(n);
     for (std::size_t i = 0; i < n; ++i) {
         const Scalar h = x[i + 1] - x[i];
-        const Scalar left = curvature[static_cast<Index>(i)];
-        const Scalar next = curvature[static_cast<Index>((i + 1) % n)];
+        const Scalar& left = curvature[static_cast<Index>(i)];
+        const Scalar& next = curvature[static_cast<Index>((i + 1) % n)];
         f.pieces_.push_back({y[i], (y[i + 1] - y[i]) / h - h * (2 * left + next) / 6, left / 2,
                              (next - left) / (6 * h)});
     }

@@ -126,7 +126,7 @@ struct SliderCrank {
         const Scalar root = sqrt((rod_length - y) * (rod_length + y));
         const Scalar t = y / root;  // tangent of the rod's angle
         // root' = −y y'/root with y' = x; root'' by differentiating once more, y'' = −R sin θ.
-        const Scalar dy = x;
+        const Scalar& dy = x;
         const Scalar d2y = -crank_radius * sin_theta;
         const Scalar droot = -t * dy;
         const Scalar d2root = -(dy * dy * (Scalar(1) + t * t) / root + t * d2y);
