@@ -342,4 +342,8 @@ void ElasticHingePage::resetZoom() {
     plots_->resetZoom();
 }
 
+bool ElasticHingePage::isBusy() const {
+    return ScenePage::isBusy() || model_->runner()->isRunning();
+}
+
 }  // namespace ravnoves

@@ -31,6 +31,7 @@ class ElasticHingePage : public ScenePage {
     QString resultsAsCsv() const override;
     void setActive(bool active) override;
     void resetZoom() override;
+    bool isBusy() const override;
 
     // For tests and for the frame benchmark.
     HingePlots* plots() const { return plots_; }

@@ -24,6 +24,8 @@ class ScenePage : public QWidget {
     /// Called when the page comes to the front or leaves it (animations stop).
     virtual void setActive(bool /*active*/) {}
     virtual void resetZoom() {}
+    /// True while something that the page shows is still computed in the background.
+    virtual bool isBusy() const;
 
   Q_SIGNALS:
     /// A line for the status bar.

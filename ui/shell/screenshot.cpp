@@ -4,12 +4,10 @@
 #include <QElapsedTimer>
 #include <QRegularExpression>
 #include <QTabWidget>
-#include <algorithm>
 
 #include "case-file/input_error.h"
 #include "shell/main_window.h"
 #include "shell/scene_page.h"
-#include "widgets/background_job.h"
 
 namespace ravnoves {
 
@@ -25,15 +23,21 @@ QString applySetting(MainWindow& window, const QString& pair) {
     if (pair.startsWith(QLatin1String("tab="))) {
         // Any tab of the page by its object name, so that a picture can show it.
         const QString wanted = pair.mid(4);
+        QStringList names;
         for (QTabWidget* tabs : page->findChildren<QTabWidget*>()) {
             for (int i = 0; i < tabs->count(); ++i) {
-                if (tabs->widget(i)->objectName() == wanted) {
+                const QString name = tabs->widget(i)->objectName();
+                if (name == wanted) {
                     tabs->setCurrentIndex(i);
                     return {};
                 }
+                if (!name.isEmpty()) {
+                    names << name;
+                }
             }
         }
-        return QStringLiteral("--set: this page has no tab %1").arg(wanted);
+        return QStringLiteral("--set: tab must be one of %1, got %2")
+            .arg(names.join(QLatin1String(", ")), wanted);
     }
     try {
         page->model()->setByKey(pair.left(equals), pair.mid(equals + 1));
@@ -59,9 +63,8 @@ QString writeScreenshot(MainWindow& window, const QString& path, const QString& 
     QElapsedTimer waited;
     waited.start();
     const auto busy = [&window] {
-        const auto jobs = window.findChildren<BackgroundJob*>();
-        return std::any_of(jobs.begin(), jobs.end(),
-                           [](const BackgroundJob* job) { return job->isRunning(); });
+        const ScenePage* page = window.currentPage();
+        return page != nullptr && page->isBusy();
     };
     constexpr int patience = 60'000;  // ms
     while (busy() && waited.elapsed() < patience) {

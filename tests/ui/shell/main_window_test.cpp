@@ -145,9 +145,24 @@ TEST_F(MainWindowTest, PicturesAreTheSameEveryTime) {
     EXPECT_EQ(a.size(), QSize(1280, 800));
     EXPECT_EQ(a, QImage(second));
     EXPECT_NE(writeScreenshot(other, second, QStringLiteral("big")), QString());
-    EXPECT_NE(
-        writeScreenshot(other, QStringLiteral("/dev/null/a.png"), QStringLiteral("1280x800")),
-        QString());
+    EXPECT_NE(writeScreenshot(other, QStringLiteral("/dev/null/a.png"), QStringLiteral("1280x800")),
+              QString());
+}
+
+TEST_F(MainWindowTest, PicturesWaitForWhatIsComputedInTheBackground) {
+    ASSERT_TRUE(window.showScene(QStringLiteral("elastic-hinge")));
+    ASSERT_EQ(applySetting(window, QStringLiteral("tab=motion")), QString());
+    ASSERT_EQ(applySetting(window, QStringLiteral("lambda=0.35")), QString());
+    EXPECT_TRUE(window.currentPage()->isBusy());
+    ASSERT_EQ(writeScreenshot(window, file("motion.png"), QStringLiteral("1280x800")), QString());
+    EXPECT_FALSE(window.currentPage()->isBusy());
+}
+
+TEST_F(MainWindowTest, AnUnknownTabIsAnsweredWithTheTabsThatThereAre) {
+    ASSERT_TRUE(window.showScene(QStringLiteral("elastic-hinge")));
+    const QString answer = applySetting(window, QStringLiteral("tab=motions"));
+    EXPECT_TRUE(answer.contains(QStringLiteral("side-force"))) << answer.toStdString();
+    EXPECT_TRUE(answer.contains(QStringLiteral("got motions"))) << answer.toStdString();
 }
 
 TEST_F(MainWindowTest, DarkAndLightDiffer) {
