@@ -595,7 +595,7 @@ QString ElasticHingeViewModel::motionsText() const {
                 lines << tr("%1: %2…%3 rad/s, drift %4")
                              .arg(name, significant(motion->min_speed, 5),
                                   significant(motion->max_speed, 5),
-                                  QLocale().toString(motion->energy_drift, 'e', 0));
+                                  powerNumber(motion->energy_drift, QLocale()));
                 break;
             case MotionEnd::reversed:
                 lines << tr("%1: the crank stops after %2 turns and would turn back")

@@ -216,10 +216,10 @@ QWidget* HingePlots::buildGuides() {
     guide_->setEqualScale(true);
     guide_->setXAxis({tr("x, mm"), -130.0, 130.0});
     guide_->setYAxis(PlotView::Side::Left, {tr("y, mm")});
-    circleCompressed_ = guide_->addCurve(
-        {.name = tr("ρ₀"), .colour = 0, .width = 1.0, .inLegend = false});
-    circleStretched_ = guide_->addCurve(
-        {.name = tr("ℓ₀ − ρ₀"), .colour = 0, .width = 1.0, .inLegend = false});
+    circleCompressed_ =
+        guide_->addCurve({.name = tr("ρ₀"), .colour = 0, .width = 1.0, .inLegend = false});
+    circleStretched_ =
+        guide_->addCurve({.name = tr("ℓ₀ − ρ₀"), .colour = 0, .width = 1.0, .inLegend = false});
     profile_ = addPieces(guide_, profileStyle({}));
     guideCompressed_ =
         addPieces(guide_, {.name = tr("compressed"),
@@ -567,6 +567,14 @@ void HingePlots::showSideForce() {
          [](const MechanismCurves& curves) -> const std::vector<double>& {
              return curves.side_force_with_hinge;
          });
+    // A counterweight by (10) leaves rounding only: a flat line at 0, not its noise enlarged.
+    const bool nothingLeft =
+        result.largest_side_force_with <= 1e-9 * result.largest_side_force_without;
+    if (nothingLeft) {
+        sideLambdas_->setYRange(PlotView::Side::Left, -1.0, 1.0);
+    } else {
+        sideLambdas_->followData(PlotView::Side::Left);
+    }
     fill(sideSpeeds_, withoutSpeeds_.curves, result.by_speed, phi, tr("%1 rad/s"),
          [](const MechanismCurves& curves) -> const std::vector<double>& {
              return curves.side_force_without_hinge;

@@ -276,6 +276,11 @@ TEST_F(ElasticHingePageTest, PlotsHoldThePapersFigures) {
     QTest::mouseClick(find<QCheckBox>("rod_counterweight"), Qt::LeftButton, {}, QPoint(8, 8));
     bringPlots("crank-moment");
     EXPECT_EQ(page.plots()->crankMomentPlot()->curveName(1), QStringLiteral("M₁*"));
+    // Nothing is left of the side force, and the axis does not enlarge the rounding.
+    bringPlots("side-force");
+    const auto [low, high] = page.plots()->sideLambdasPlot()->yInterval(PlotView::Side::Left);
+    EXPECT_LT(low, -0.9);
+    EXPECT_GT(high, 0.9);
 }
 
 TEST_F(ElasticHingePageTest, AMissingGuideIsShownAsAGapAndMended) {
