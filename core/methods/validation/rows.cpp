@@ -1,0 +1,132 @@
+#include "methods/validation/rows.h"
+
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+namespace ravnoves::methods {
+
+namespace {
+
+constexpr std::string_view degree_sign = "°";
+constexpr std::string_view minute_sign = "′";
+
+double number(std::string_view text) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) {
+        throw std::invalid_argument("not a printed number: " + std::string(text));
+    }
+    return value;
+}
+
+Printed read_angle(std::string_view text, std::size_t degrees_end) {
+    const double degrees = number(text.substr(0, degrees_end));
+    const std::string_view rest = text.substr(degrees_end + degree_sign.size());
+    if (rest.empty()) {
+        return {degrees, 1.0};
+    }
+    if (!rest.ends_with(minute_sign)) {
+        throw std::invalid_argument("not a printed angle: " + std::string(text));
+    }
+    const double minutes = number(rest.substr(0, rest.size() - minute_sign.size()));
+    return {degrees + std::copysign(minutes / 60.0, degrees), 1.0 / 60.0};
+}
+
+}  // namespace
+
+Printed read_printed(std::string_view text) {
+    if (const std::size_t angle = text.find(degree_sign); angle != std::string_view::npos) {
+        return read_angle(text, angle);
+    }
+    const std::size_t point = text.find('.');
+    const std::size_t decimals = point == std::string_view::npos ? 0 : text.size() - point - 1;
+    return {number(text), std::pow(10.0, -static_cast<double>(decimals))};
+}
+
+Verdict decide(Claim claim, double printed, double tolerance, std::optional<double> ours,
+               std::optional<double> by_slip) {
+    // The printed digits are decimal, so a difference of exactly half a digit carries rounding.
+    const double limit = tolerance * (1.0 + 1e-9) + 1e-12 * std::abs(printed);
+    const auto agrees = [&](const std::optional<double>& value) {
+        return value && std::abs(*value - printed) <= limit;
+    };
+    if ((ours && !std::isfinite(*ours)) || (by_slip && !std::isfinite(*by_slip))) {
+        return Verdict::differs;
+    }
+    switch (claim) {
+        case Claim::reproduced:
+            return agrees(ours) ? Verdict::reproduced : Verdict::differs;
+        case Claim::artefact:
+        case Claim::slip:
+            if (!agrees(by_slip)) {
+                return Verdict::differs;
+            }
+            if (agrees(ours)) {
+                return Verdict::reproduced;
+            }
+            return claim == Claim::slip ? Verdict::slip : Verdict::artefact;
+        case Claim::not_derivable:
+            break;
+    }
+    return Verdict::not_derivable;
+}
+
+double rounded_to(double value, int decimals) {
+    const double unit = std::pow(10.0, decimals);
+    return std::round(value * unit) / unit;
+}
+
+ValidationRow PaperRows::row(std::string quantity, std::string unit, std::string reason) const {
+    ValidationRow row;
+    row.scene = scene_;
+    row.place = place_;
+    row.quantity = std::move(quantity);
+    row.unit = std::move(unit);
+    row.reason = std::move(reason);
+    return row;
+}
+
+void PaperRows::add(Claim claim, ValidationRow row, std::string_view printed, double tolerance) {
+    const Printed number = read_printed(printed);
+    row.printed_text = printed;
+    row.printed = number.value;
+    row.last_digit = number.last_digit;
+    row.tolerance = tolerance > 0.0 ? tolerance : 0.5 * number.last_digit;
+    row.verdict = decide(claim, row.printed, row.tolerance, row.ours, row.by_slip);
+    rows_.push_back(std::move(row));
+}
+
+void PaperRows::reproduced(std::string quantity, std::string unit, std::string_view printed,
+                           double ours, std::string reason, double tolerance) {
+    ValidationRow added = row(std::move(quantity), std::move(unit), std::move(reason));
+    added.ours = ours;
+    add(Claim::reproduced, std::move(added), printed, tolerance);
+}
+
+void PaperRows::artefact(std::string quantity, std::string unit, std::string_view printed,
+                         std::optional<double> ours, double by_slip, std::string reason,
+                         double tolerance) {
+    ValidationRow added = row(std::move(quantity), std::move(unit), std::move(reason));
+    added.ours = ours;
+    added.by_slip = by_slip;
+    add(Claim::artefact, std::move(added), printed, tolerance);
+}
+
+void PaperRows::slip(std::string quantity, std::string unit, std::string_view printed,
+                     std::optional<double> ours, double by_slip, std::string reason,
+                     double tolerance) {
+    ValidationRow added = row(std::move(quantity), std::move(unit), std::move(reason));
+    added.ours = ours;
+    added.by_slip = by_slip;
+    add(Claim::slip, std::move(added), printed, tolerance);
+}
+
+void PaperRows::not_derivable(std::string quantity, std::string unit, std::string_view printed,
+                              std::string reason, std::optional<double> ours) {
+    ValidationRow added = row(std::move(quantity), std::move(unit), std::move(reason));
+    added.ours = ours;
+    add(Claim::not_derivable, std::move(added), printed, 0.0);
+}
+
+}  // namespace ravnoves::methods

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "methods/validation.h"
+
+namespace ravnoves::methods {
+
+/// A number as printed.
+struct Printed {
+    double value = 0.0;
+    double last_digit = 1.0;  ///< one unit of its last digit
+};
+
+/// Reads "430.39", "-0.01" or an angle "3°20′" (in degrees).
+/// @throws std::invalid_argument for anything else: our fault
+Printed read_printed(std::string_view text);
+
+/// What a row claims; whether it is so is decided from its numbers.
+enum class Claim { reproduced, artefact, slip, not_derivable };
+
+/// The verdict on a claim:
+///  - reproduced: ours is within the tolerance of the printed value;
+///  - artefact, slip: by_slip is within the tolerance of the printed value and ours is not (where
+///    ours is as well, the number is reproduced);
+///  - not_derivable: always believed, there is nothing to compute;
+///  - anything else, or a number that is not finite: differs.
+Verdict decide(Claim claim, double printed, double tolerance, std::optional<double> ours,
+               std::optional<double> by_slip);
+
+/// Collects the rows of one paper.
+class PaperRows {
+  public:
+    explicit PaperRows(std::string_view scene) : scene_(scene) {}
+
+    /// The place of the rows that follow.
+    void at(std::string place) { place_ = std::move(place); }
+
+    /// @param tolerance  in the row's unit; 0: half a unit of the last printed digit
+    void reproduced(std::string quantity, std::string unit, std::string_view printed, double ours,
+                    std::string reason, double tolerance = 0.0);
+    void artefact(std::string quantity, std::string unit, std::string_view printed,
+                  std::optional<double> ours, double by_slip, std::string reason,
+                  double tolerance = 0.0);
+    void slip(std::string quantity, std::string unit, std::string_view printed,
+              std::optional<double> ours, double by_slip, std::string reason,
+              double tolerance = 0.0);
+    void not_derivable(std::string quantity, std::string unit, std::string_view printed,
+                       std::string reason, std::optional<double> ours = std::nullopt);
+
+    std::vector<ValidationRow> take() { return std::move(rows_); }
+
+  private:
+    void add(Claim claim, ValidationRow row, std::string_view printed, double tolerance);
+    ValidationRow row(std::string quantity, std::string unit, std::string reason) const;
+
+    std::string scene_;
+    std::string place_;
+    std::vector<ValidationRow> rows_;
+};
+
+/// Rounded to so many decimals, as a paper that computes on with what it prints.
+double rounded_to(double value, int decimals);
+
+// The papers, one file each.
+std::vector<ValidationRow> validate_balance_shaft();
+std::vector<ValidationRow> validate_elastic_hinge();
+std::vector<ValidationRow> validate_v8_plugs();
+std::vector<ValidationRow> validate_inertia_moments();
+
+}  // namespace ravnoves::methods
