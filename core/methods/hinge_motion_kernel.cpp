@@ -50,7 +50,7 @@ Scalar time_of_turn(const MotionCase& motion, double tolerance) {
     using std::cos;
     using std::sin;
     const auto mechanism = mechanism_in<Scalar>(motion.input);
-    const Scalar turn = boost::math::constants::two_pi<Scalar>();
+    const Scalar& turn = boost::math::constants::two_pi<Scalar>();
     Scalar last(0);
     Scalar sum(0);
     constexpr int most = 1 << 14;

@@ -52,6 +52,7 @@ Timing time_run(const Run& run, std::size_t outputs, double evaluations,
     const int batches = std::clamp(static_cast<int>(options.most_seconds / warm), fewest,
                                    std::max(options.batches, fewest));
     std::vector<double> times;
+    times.reserve(static_cast<std::size_t>(batches));
     for (int batch = 0; batch < batches; ++batch) {
         times.push_back(1e9 * seconds_of(run, out, repeats) /
                         (static_cast<double>(repeats) * evaluations));
