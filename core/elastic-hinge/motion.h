@@ -31,7 +31,8 @@ struct MotionSetup {
     double profile_error = 0.0;  ///< ε of waves ε sin(n φ) on the crank's guide, m
     int profile_error_waves = 1;
     int samples_per_turn = 180;  ///< at least
-    double tolerance = 1e-12;    ///< relative, of one integration step
+    /// Relative, of one integration step: the one that motion_choice declares.
+    double tolerance = 1e-11;
 };
 
 /// The motion at growing times.

@@ -114,9 +114,16 @@ TEST(ElasticHingeMotion, FreeFallFromRestFollowsTheEnergyIntegral) {
 TEST(ElasticHingeMotion, HingeIsExactAtItsDesignSpeedOnly) {
     Input input = preset_zotov();
     const double at_design = run(input, HingeSet::crank).ripple;
+    // The hinge itself keeps the speed; what ripple there is comes from the integration.
+    const Result result = solve(input);
+    MotionSetup fine;
+    fine.hinges = HingeSet::crank;
+    fine.start_speed = input.angular_speed;
+    fine.tolerance = 1e-13;
+    EXPECT_LT(simulate(result.design, result.crank_guide, fine).ripple, 1e-9);
     input.motion = MotionWish{5.0, 150.0, 0.0, 0.0, false};
     const Motion off = run(input, HingeSet::crank);
-    EXPECT_LT(at_design, 1e-9);
+    EXPECT_LT(at_design, 1e-8);
     EXPECT_GT(off.ripple, 0.05);
     EXPECT_LT(off.ripple, run(input, HingeSet::none).ripple);
     EXPECT_LT(off.energy_drift, 1e-9);
