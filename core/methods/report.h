@@ -45,8 +45,8 @@ KernelReport make_report(const WorkPrecision& work, const StabilityMap& map);
 KernelReport measure_kernel(const Kernel& kernel, const MeasureOptions& options = {},
                             const Progress& progress = {});
 
-/// Which method the scene uses and why: "The scene balance-shaft uses …: tolerance 1e-09 of … ."
-/// and MethodChoice::reason.
+/// Which method the scene uses and why: "The scene balance-shaft uses: … (…), to 1e-09 (part of
+/// …)." and MethodChoice::reason.
 std::string choice_paragraph(const Kernel& kernel);
 
 /// The report as aligned text (UTF-8): title, table, paragraph.

@@ -1,0 +1,141 @@
+#include "methods/report.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "case-file/range.h"
+#include "methods/table_text.h"
+
+namespace ravnoves::methods {
+
+namespace {
+
+constexpr int shown_digits = 3;
+
+/// The curve of that method and setting; null where the map has another setting.
+const StabilityCurve* curve_of(const StabilityMap& map, std::size_t method, std::size_t setting) {
+    const auto found =
+        std::find_if(map.curves.begin(), map.curves.end(), [&](const StabilityCurve& curve) {
+            return curve.method == method && curve.setting == setting;
+        });
+    return found == map.curves.end() ? nullptr : &*found;
+}
+
+MethodRow make_row(const WorkPrecision& work, const StabilityMap& map, const WorkPoint& point) {
+    const Kernel& kernel = *work.kernel;
+    const MethodInfo& method = kernel.methods[point.method];
+    MethodRow row;
+    row.method = point.method;
+    row.setting = point.setting;
+    row.title = method.title;
+    row.label = method.settings[point.setting].label;
+    row.timing = point.timing;
+    row.operations = point.operations;
+    row.result = point.result;
+    row.order = work.order(point.method);
+    row.in_use = point.method == kernel.chosen_method() && point.setting == kernel.chosen_setting();
+    row.holds = !point.result.refused() && point.result.error <= kernel.choice.tolerance;
+    if (const StabilityCurve* const curve = curve_of(map, point.method, point.setting)) {
+        row.fails = failing_text(map, *curve, kernel.choice.tolerance);
+    }
+    row.limits = method.limits;
+    return row;
+}
+
+std::string digits(double value) {
+    return format_number(value, shown_digits);
+}
+
+std::string optional_number(const std::optional<double>& value) {
+    return value ? format_number(*value) : "";
+}
+
+std::string value_with_unit(const SweepInfo& sweep, double value) {
+    return digits(value) + (sweep.unit.empty() || sweep.unit == "°" ? "" : " ") + sweep.unit;
+}
+
+}  // namespace
+
+KernelReport make_report(const WorkPrecision& work, const StabilityMap& map) {
+    KernelReport report{work.kernel, work.sweep, work.value, {}};
+    for (const WorkPoint& point : work.points) {
+        report.rows.push_back(make_row(work, map, point));
+    }
+    return report;
+}
+
+KernelReport measure_kernel(const Kernel& kernel, const MeasureOptions& options,
+                            const Progress& progress) {
+    constexpr std::size_t sweep = 0;
+    // Both parts take about as long.
+    const auto half = [&](double begin) -> Progress {
+        if (!progress) {
+            return {};
+        }
+        return [&progress, begin](double part) { return progress(begin + 0.5 * part); };
+    };
+    const StabilityMap map = map_stability(kernel, sweep, options, half(0.0));
+    const WorkPrecision work =
+        measure_work(kernel, sweep, kernel.sweeps[sweep].present, options, half(0.5));
+    return make_report(work, map);
+}
+
+std::string choice_paragraph(const Kernel& kernel) {
+    const MethodChoice& choice = kernel.choice;
+    return "The scene " + std::string(choice.scene) +
+           " uses: " + kernel.methods[kernel.chosen_method()].title + " (" +
+           std::string(choice.setting) + "), to " + digits(choice.tolerance) + " (" +
+           kernel.error_measure + "). " + std::string(choice.reason);
+}
+
+std::string write_text(const KernelReport& report) {
+    const Kernel& kernel = *report.kernel;
+    const SweepInfo& sweep = kernel.sweeps[report.sweep];
+    TextTable table({{""},
+                     {"method"},
+                     {"setting"},
+                     {"ns", true},
+                     {"quartiles", true},
+                     {"error", true},
+                     {"order", true},
+                     {"operations", true},
+                     {"not trustworthy along " + sweep.title}});
+    for (const MethodRow& row : report.rows) {
+        table.add({row.in_use  ? "●"
+                   : row.holds ? "+"
+                               : "",
+                   row.title, row.label, digits(row.timing.median),
+                   digits(row.timing.low) + "…" + digits(row.timing.high),
+                   row.result.refused() ? "refused" : digits(row.result.error),
+                   row.order ? format_number(*row.order, 2) : "", digits(row.operations),
+                   row.fails.value_or("")});
+    }
+    constexpr std::size_t width = 140;
+    return kernel.title + ": " + kernel.quantity + "\nAt " + sweep.title + " = " +
+           value_with_unit(sweep, report.value) + ".\nTime: " + kernel.evaluation +
+           ".\nError: " + kernel.error_measure + ".\n● in use, + within the scene's tolerance of " +
+           digits(kernel.choice.tolerance) + "\n\n" + table.text(width) + "\n" +
+           choice_paragraph(kernel) + "\n";
+}
+
+std::string write_csv(std::span<const KernelReport> reports) {
+    std::string text = csv_line({"kernel", "sweep", "value", "method", "setting", "in_use",
+                                 "tolerance", "median_ns", "low_ns", "high_ns", "operations",
+                                 "error", "order", "holds", "fails", "refusal", "limits"});
+    for (const KernelReport& report : reports) {
+        const Kernel& kernel = *report.kernel;
+        for (const MethodRow& row : report.rows) {
+            text += csv_line({kernel.id, kernel.sweeps[report.sweep].id,
+                              format_number(report.value), kernel.methods[row.method].id, row.label,
+                              row.in_use ? "yes" : "no", format_number(kernel.choice.tolerance),
+                              format_number(row.timing.median), format_number(row.timing.low),
+                              format_number(row.timing.high), format_number(row.operations),
+                              row.result.refused() ? "" : format_number(row.result.error),
+                              optional_number(row.order), row.holds ? "yes" : "no",
+                              row.fails.value_or(""), row.result.refusal, row.limits});
+        }
+    }
+    return text;
+}
+
+}  // namespace ravnoves::methods

@@ -1,0 +1,144 @@
+/// A kernel's table as page and command line show it.
+
+#include "methods/report.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "csv_lines.h"
+#include "methods/table_text.h"
+
+namespace ravnoves::methods {
+namespace {
+
+constexpr MeasureOptions quick{
+    .batch_seconds = 1e-9, .batches = 3, .most_seconds = 1e-9, .sweep_points = 5};
+
+bool says(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST(MethodsReport, HasARowForEveryMethodAndSetting) {
+    const Kernel& kernel = *find_kernel("cycle-mean");
+    const KernelReport report = measure_kernel(kernel, quick);
+    std::size_t settings = 0;
+    for (const MethodInfo& method : kernel.methods) {
+        settings += method.settings.size();
+    }
+    ASSERT_EQ(report.rows.size(), settings);
+    EXPECT_EQ(std::count_if(report.rows.begin(), report.rows.end(),
+                            [](const MethodRow& row) { return row.in_use; }),
+              1);
+    std::size_t with_limit = 0;
+    for (const MethodRow& row : report.rows) {
+        EXPECT_EQ(row.title, kernel.methods[row.method].title);
+        EXPECT_EQ(row.limits, kernel.methods[row.method].limits);
+        EXPECT_EQ(row.holds, !row.result.refused() && row.result.error <= kernel.choice.tolerance);
+        EXPECT_GT(row.timing.median, 0.0);
+        EXPECT_GT(row.operations, 0.0);
+        with_limit += row.fails ? 1 : 0;
+        if (row.in_use) {
+            EXPECT_TRUE(row.holds);
+            EXPECT_EQ(row.fails, "nowhere");
+        }
+    }
+    EXPECT_EQ(with_limit, kernel.methods.size());
+}
+
+/// The error of counting the end twice falls as 1/nodes; it is found, and holds nowhere.
+TEST(MethodsReport, ShowsThePapersMeanForWhatItIs) {
+    const KernelReport report = measure_kernel(*find_kernel("cycle-mean"), quick);
+    const auto row =
+        std::find_if(report.rows.begin(), report.rows.end(), [&](const MethodRow& candidate) {
+            return candidate.fails &&
+                   report.kernel->methods[candidate.method].id == "nodes-end-twice";
+        });
+    ASSERT_NE(row, report.rows.end());
+    EXPECT_EQ(row->fails, "everywhere");
+    EXPECT_FALSE(row->holds);
+    ASSERT_TRUE(row->order);
+    EXPECT_NEAR(*row->order, 1.0, 0.3);
+}
+
+TEST(MethodsReport, TheParagraphNamesSceneMethodAndWhy) {
+    for (const Kernel& kernel : kernels()) {
+        const std::string paragraph = choice_paragraph(kernel);
+        EXPECT_TRUE(says(paragraph, std::string(kernel.choice.scene))) << paragraph;
+        EXPECT_TRUE(says(paragraph, kernel.methods[kernel.chosen_method()].title)) << paragraph;
+        EXPECT_TRUE(says(paragraph, std::string(kernel.choice.reason))) << paragraph;
+    }
+}
+
+TEST(MethodsReport, TextAndCsvHoldTheSameRows) {
+    const KernelReport report = measure_kernel(*find_kernel("moment-range"), quick);
+    const std::string text = write_text(report);
+    EXPECT_TRUE(says(text, report.kernel->title));
+    EXPECT_TRUE(says(text, choice_paragraph(*report.kernel)));
+    const std::vector<KernelReport> reports{report, report};
+    const auto lines = test::csv_lines(write_csv(reports));
+    ASSERT_EQ(lines.size(), 2 * report.rows.size() + 1);
+    const auto column = [&](const char* name) {
+        const auto& header = lines.front();
+        return static_cast<std::size_t>(std::find(header.begin(), header.end(), name) -
+                                        header.begin());
+    };
+    for (std::size_t i = 0; i < report.rows.size(); ++i) {
+        const MethodRow& row = report.rows[i];
+        const auto& fields = lines[i + 1];
+        ASSERT_EQ(fields.size(), lines.front().size());
+        EXPECT_TRUE(says(text, row.title)) << row.title;
+        EXPECT_EQ(fields[column("kernel")], "moment-range");
+        EXPECT_EQ(fields[column("setting")], row.label);
+        EXPECT_EQ(std::stod(fields[column("median_ns")]), row.timing.median);
+        EXPECT_EQ(fields[column("error")].empty(), row.result.refused());
+        EXPECT_EQ(fields[column("in_use")], row.in_use ? "yes" : "no");
+        EXPECT_EQ(fields[column("limits")], row.limits);
+    }
+}
+
+TEST(MethodsReport, ProgressRunsOnceFromEndToEndAndCancels) {
+    double last = 0.0;
+    const auto watch = [&](double part) {
+        EXPECT_GE(part, last);
+        EXPECT_LE(part, 1.0);
+        last = part;
+        return true;
+    };
+    static_cast<void>(measure_kernel(*find_kernel("slider-crank"), quick, watch));
+    EXPECT_EQ(last, 1.0);
+    EXPECT_THROW(static_cast<void>(measure_kernel(*find_kernel("slider-crank"), quick,
+                                                  [](double part) { return part < 0.3; })),
+                 Cancelled);
+}
+
+TEST(TableText, CsvQuotesWhatWouldSplit) {
+    EXPECT_EQ(csv_line({"a", "", "b c"}), "a,,b c\n");
+    EXPECT_EQ(csv_line({"a,b", "say \"x\"", "two\nlines"}),
+              "\"a,b\",\"say \"\"x\"\"\",\"two\nlines\"\n");
+    const auto back = test::csv_lines(csv_line({"a,b", "say \"x\"", "two\nlines"}));
+    EXPECT_EQ(back.front(), (std::vector<std::string>{"a,b", "say \"x\"", "two\nlines"}));
+}
+
+TEST(TableText, WidthCountsCharactersNotBytes) {
+    EXPECT_EQ(shown_width("N·m"), 3U);
+    EXPECT_EQ(shown_width("φ = 3°20′"), 9U);
+    EXPECT_EQ(shown_width("z\xCC\x84"), 1U);  // z with a bar over it
+}
+
+TEST(TableText, AlignsAndWrapsTheLastColumn) {
+    TextTable table({{"λ"}, {"ns", true}, {"why"}});
+    table.add({"a", "5", "one two three four five six seven"});
+    table.add({"bb", "100", "short"});
+    EXPECT_EQ(table.text(29),
+              "λ    ns  why\n"
+              "─────────────────────────────\n"
+              "a     5  one two three four\n"
+              "         five six seven\n"
+              "bb  100  short\n");
+    EXPECT_THROW(table.add({"too few"}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace ravnoves::methods
