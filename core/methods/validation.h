@@ -76,8 +76,9 @@ struct ValidationReport {
 /// printed values and the words; each verdict is decided here.
 ValidationReport validate();
 
-/// The report as aligned text (UTF-8): counts, then a table per paper. Lines of more than `width`
-/// characters are wrapped in their last column.
+/// The report as aligned text (UTF-8): counts, then for each paper its table and, below it, the
+/// reasons that the table refers to by number.
+/// @param width  that the reasons are wrapped to, in characters; the tables stay within 120
 std::string write_text(const ValidationReport& report, std::size_t width = 120);
 /// As CSV with a header: scene, place, quantity, unit, printed, ours, relative_difference, verdict,
 /// reason. Decimal point, full precision.

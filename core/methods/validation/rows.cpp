@@ -122,6 +122,17 @@ void PaperRows::slip(std::string quantity, std::string unit, std::string_view pr
     add(Claim::slip, std::move(added), printed, tolerance);
 }
 
+void PaperRows::slip_shown(std::string quantity, std::string unit, std::string_view printed,
+                           double ours, bool shown, std::string reason) {
+    ValidationRow added = row(std::move(quantity), std::move(unit), std::move(reason));
+    added.ours = ours;
+    add(Claim::reproduced, std::move(added), printed, 0.0);
+    ValidationRow& last = rows_.back();
+    if (last.verdict == Verdict::differs && std::isfinite(ours) && shown) {
+        last.verdict = Verdict::slip;
+    }
+}
+
 void PaperRows::not_derivable(std::string quantity, std::string unit, std::string_view printed,
                               std::string reason, std::optional<double> ours) {
     ValidationRow added = row(std::move(quantity), std::move(unit), std::move(reason));

@@ -49,6 +49,9 @@ class PaperRows {
     void slip(std::string quantity, std::string unit, std::string_view printed,
               std::optional<double> ours, double by_slip, std::string reason,
               double tolerance = 0.0);
+    /// A slip that no number but a comparison shows.
+    void slip_shown(std::string quantity, std::string unit, std::string_view printed, double ours,
+                    bool shown, std::string reason);
     void not_derivable(std::string quantity, std::string unit, std::string_view printed,
                        std::string reason, std::optional<double> ours = std::nullopt);
 

@@ -1,0 +1,207 @@
+#include "methods/validation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "case-file/range.h"
+#include "methods/table_text.h"
+#include "methods/validation/rows.h"
+
+namespace ravnoves::methods {
+
+namespace {
+
+constexpr std::array<Paper, 4> all_papers{{
+    {"balance-shaft", "Gots, Klevtsov",
+     "A. N. Gots, V. S. Klevtsov, \"Selection of the optimal scheme of stabilization of the "
+     "one-cylinder engine\""},
+    {"elastic-hinge", "Zotov, Sviridov",
+     "A. N. Zotov, A. S. Sviridov, \"Crank-and-rod mechanism with elastic hinges of given "
+     "characteristics\", 2021"},
+    {"v8-plugs", "Nazarov",
+     "A. D. Nazarov, \"Compensating the total unbalanced mass of crank-gear parts of V-8 engines "
+     "in manufacture and repair\""},
+    {"inertia-moments", "Chainov, Vallejo Maldonado",
+     "N. D. Chainov, P. R. Vallejo Maldonado, \"Balancing the moments of a VR5 engine taking into "
+     "account a desaxial crank mechanism and cylinder camber angle\", 2020"},
+}};
+
+/// With a fixed number of decimals; what rounds to nothing has no sign.
+std::string fixed(double value, int decimals) {
+    std::array<char, 64> text{};
+    const double tiny = 0.5 * std::pow(10.0, -decimals);
+    const int length = std::snprintf(text.data(), text.size(), "%.*f", decimals,
+                                     std::abs(value) < tiny ? 0.0 : value);
+    std::string result(text.data(), static_cast<std::size_t>(std::max(length, 0)));
+    // The C locale in force may have a decimal comma.
+    std::replace(result.begin(), result.end(), ',', '.');
+    return result;
+}
+
+bool is_in_minutes(const ValidationRow& row) {
+    return row.printed_text.find("′") != std::string::npos;
+}
+
+/// "3°20.3′"
+std::string in_minutes(double angle) {
+    const double size = std::abs(angle);
+    double whole = std::floor(size);
+    double minutes = std::round((size - whole) * 600.0) / 10.0;
+    if (minutes >= 60.0) {
+        whole += 1.0;
+        minutes -= 60.0;
+    }
+    return (angle < 0.0 ? "-" : "") + fixed(whole, 0) + "°" + fixed(minutes, 1) + "′";
+}
+
+/// The place of a reason in the list, from 1; added where it is new.
+std::size_t number_of(const std::string& reason, std::vector<std::string>& reasons) {
+    const auto found = std::find(reasons.begin(), reasons.end(), reason);
+    const auto place = static_cast<std::size_t>(found - reasons.begin());
+    if (found == reasons.end()) {
+        reasons.push_back(reason);
+    }
+    return place + 1;
+}
+
+}  // namespace
+
+std::string_view verdict_id(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::reproduced:
+            return "reproduced";
+        case Verdict::artefact:
+            return "artefact";
+        case Verdict::slip:
+            return "slip";
+        case Verdict::not_derivable:
+            return "not-derivable";
+        case Verdict::differs:
+            break;
+    }
+    return "differs";
+}
+
+std::string_view verdict_title(Verdict verdict) {
+    return verdict == Verdict::not_derivable ? "not derivable" : verdict_id(verdict);
+}
+
+std::span<const Paper> papers() {
+    return all_papers;
+}
+
+std::optional<double> ValidationRow::relative_difference() const {
+    if (!ours || printed == 0.0) {
+        return std::nullopt;
+    }
+    return (*ours - printed) / std::abs(printed);
+}
+
+std::string ValidationRow::ours_text() const {
+    if (!ours) {
+        return "—";
+    }
+    if (is_in_minutes(*this)) {
+        return in_minutes(*ours);
+    }
+    const int decimals = static_cast<int>(std::lround(-std::log10(last_digit)));
+    return fixed(*ours, std::max(decimals, 0) + 1);
+}
+
+std::string ValidationRow::difference_text() const {
+    const auto difference = relative_difference();
+    if (!difference) {
+        return "";
+    }
+    constexpr double rounding = 1e-12;
+    const double percent = std::abs(*difference) < rounding ? 0.0 : 100.0 * *difference;
+    return (std::abs(percent) >= 10.0 ? fixed(percent, 0) : format_number(percent, 2)) + " %";
+}
+
+std::size_t ValidationReport::count(Verdict verdict) const {
+    return static_cast<std::size_t>(
+        std::count_if(rows.begin(), rows.end(),
+                      [&](const ValidationRow& row) { return row.verdict == verdict; }));
+}
+
+std::size_t ValidationReport::count(Verdict verdict, std::string_view scene) const {
+    return static_cast<std::size_t>(std::count_if(
+        rows.begin(), rows.end(),
+        [&](const ValidationRow& row) { return row.verdict == verdict && row.scene == scene; }));
+}
+
+std::string ValidationReport::summary() const {
+    std::string text = std::to_string(rows.size()) + " printed numbers: ";
+    bool first = true;
+    for (const Verdict verdict : all_verdicts) {
+        const std::size_t number = count(verdict);
+        if (number == 0 && verdict == Verdict::differs) {
+            continue;
+        }
+        text += (first ? "" : ", ") + std::to_string(number) + " ";
+        text += verdict_title(verdict);
+        first = false;
+    }
+    return text;
+}
+
+ValidationReport validate() {
+    ValidationReport report;
+    for (auto* const paper : {validate_balance_shaft, validate_elastic_hinge, validate_v8_plugs,
+                              validate_inertia_moments}) {
+        for (ValidationRow& row : paper()) {
+            report.rows.push_back(std::move(row));
+        }
+    }
+    return report;
+}
+
+std::string write_text(const ValidationReport& report, std::size_t width) {
+    std::string text = report.summary() + "\n";
+    for (const Paper& paper : papers()) {
+        TextTable table({{"quantity"},
+                         {"unit"},
+                         {"printed", true},
+                         {"ours", true},
+                         {"difference", true},
+                         {"verdict"},
+                         {"why"}});
+        std::vector<std::string> reasons;
+        std::string place;
+        for (const ValidationRow& row : report.rows) {
+            if (row.scene != paper.scene) {
+                continue;
+            }
+            if (row.place != place) {
+                place = row.place;
+                table.heading(place);
+            }
+            const std::size_t note = number_of(row.reason, reasons);
+            table.add({"  " + row.quantity, row.unit, row.printed_text, row.ours_text(),
+                       row.difference_text(), std::string(verdict_title(row.verdict)),
+                       "[" + std::to_string(note) + "]"});
+        }
+        text += "\n" + std::string(paper.citation) + "\n\n" + table.text(width) + "\n";
+        for (std::size_t i = 0; i < reasons.size(); ++i) {
+            text += hanging("[" + std::to_string(i + 1) + "] ", reasons[i], width);
+        }
+    }
+    return text;
+}
+
+std::string write_csv(const ValidationReport& report) {
+    std::string text = csv_line({"scene", "place", "quantity", "unit", "printed", "ours",
+                                 "relative_difference", "verdict", "reason"});
+    for (const ValidationRow& row : report.rows) {
+        const auto difference = row.relative_difference();
+        text += csv_line({row.scene, row.place, row.quantity, row.unit, format_number(row.printed),
+                          row.ours ? format_number(*row.ours) : "",
+                          difference ? format_number(*difference) : "",
+                          std::string(verdict_id(row.verdict)), row.reason});
+    }
+    return text;
+}
+
+}  // namespace ravnoves::methods
