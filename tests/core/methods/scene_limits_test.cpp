@@ -1,0 +1,209 @@
+/// The scenes at the limits of their inputs, through the door that users have: a case in, a finite
+/// answer or a worded refusal out.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include "case-file/case_file.h"
+#include "case-file/input_error.h"
+#include "elastic-hinge/motion.h"
+#include "inertia-moments/engine.h"
+#include "methods/kernel.h"
+
+namespace ravnoves::methods {
+namespace {
+
+Json example(const std::string& name) {
+    return Json::parse(
+        read_text_file(std::filesystem::path(RAVNOVES_EXAMPLES) / (name + ".case.json")));
+}
+
+bool says(const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+}
+
+bool has_only_finite_numbers(const Json& json) {
+    if (json.is_number_float()) {
+        return std::isfinite(json.get<double>());
+    }
+    return !json.is_structured() || std::all_of(json.begin(), json.end(), [](const Json& v) {
+        return has_only_finite_numbers(v);
+    });
+}
+
+/// The "result" of a case; every number in it is finite.
+Json solved(const Json& document) {
+    const Json answer = solve_case(parse_case(document.dump()), CaseContext{RAVNOVES_EXAMPLES});
+    EXPECT_TRUE(has_only_finite_numbers(answer));
+    return answer.at("result");
+}
+
+/// What a refused case is told; empty where it is solved.
+std::string refusal(const Json& document) {
+    try {
+        static_cast<void>(solved(document));
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+TEST(SceneLimits, HingeOfARodAsLongAsTheCrank) {
+    for (const char* name : {"zotov-energy", "zotov-as-printed", "zotov-counterweight"}) {
+        Json document = example(name);
+        double last = 0.0;
+        for (const double lambda : {0.3, 0.9, 0.99, 0.999, 0.9999, 0.999999}) {
+            document["input"]["lambda"] = lambda;
+            const Json result = solved(document);
+            if (lambda > 0.99995) {
+                continue;  // finite; the peak is narrower than the samples lie apart
+            }
+            // The nearer to locking, the more the crank's moment swings.
+            const auto& moment = result.at("curves").at("crank_moment_Nm");
+            const double largest =
+                std::max_element(moment.begin(), moment.end())->template get<double>();
+            EXPECT_GT(largest, last) << name << " " << lambda;
+            last = largest;
+        }
+    }
+    Json locked = example("zotov-energy");
+    locked["input"]["lambda"] = 1.0;
+    EXPECT_TRUE(says(refusal(locked), "/input/lambda: ")) << refusal(locked);
+    // The series does not know of the locking: it answers, in finite numbers.
+    locked["input"]["kinematics"] = "series";
+    EXPECT_EQ(refusal(locked), "");
+}
+
+TEST(SceneLimits, LayoutUpToLocking) {
+    Json document = example("vr5-volkswagen");
+    const double radius = document["input"]["crank_radius_mm"];
+    for (const double lambda : {0.9, 0.99, 0.999, 0.9999}) {
+        document["input"]["lambda"] = lambda;
+        const double limit = radius * (1.0 / lambda - 1.0);
+        for (const double share : {0.0, 0.5, 1.0 - 1e-2, 1.0 - 1e-4}) {
+            document["input"]["layout"]["offset_mm"] = share * limit;
+            EXPECT_EQ(refusal(document), "") << lambda << " " << share;
+        }
+        for (const double share : {1.0 + 1e-9, 2.0, 1e6}) {
+            document["input"]["layout"]["offset_mm"] = share * limit;
+            const std::string text = refusal(document);
+            EXPECT_TRUE(says(text, "/input/") && (says(text, "lock") || says(text, "joined")))
+                << lambda << " " << share << ": " << text;
+        }
+    }
+}
+
+TEST(SceneLimits, SpringUnloadedAtTheStart) {
+    Json document = example("zotov-energy");
+    Json& spring = document["input"]["spring"];
+    spring["guide_radius_at_zero_mm"] = spring["free_length_mm"].get<double>() / 2.0;
+    const Json guide = solved(document).at("guide");
+    EXPECT_FALSE(guide.at("feasible").get<bool>());
+    EXPECT_TRUE(says(guide.at("reason").get<std::string>(), "preload"));
+    EXPECT_NEAR(guide.at("minimum_preload_mm").get<double>(), 0.60, 0.005);
+    // With the printed sign nearly, as the paper draws it: just before φ = 0 and after 180° the
+    // weight takes more than the speed gives, and a hundredth of a millimetre is still wanted.
+    document["input"]["guide_sign"] = "as-printed";
+    const Json printed = solved(document).at("guide");
+    EXPECT_FALSE(printed.at("feasible").get<bool>());
+    const double least = printed.at("minimum_preload_mm");
+    EXPECT_GT(least, 0.0);
+    EXPECT_LT(least, 0.01);
+    spring["guide_radius_at_zero_mm"] = spring["free_length_mm"].get<double>() / 2.0 - 1.01 * least;
+    EXPECT_TRUE(solved(document).at("guide").at("feasible").get<bool>());
+}
+
+/// Energy ½ c (2 × preload)²: the least preload falls with the root of the stiffness, and a spring
+/// too soft for the preload it has is refused with a reason.
+TEST(SceneLimits, SpringStiffnessOverEightDecades) {
+    Json document = example("zotov-energy");
+    Json& spring = document["input"]["spring"];
+    const double preload = spring["free_length_mm"].get<double>() / 2.0 -
+                           spring["guide_radius_at_zero_mm"].get<double>();
+    const double printed = spring["stiffness_N_m"];
+    const double unit =
+        solved(document).at("guide").at("minimum_preload_mm").get<double>() * std::sqrt(printed);
+    int feasible = 0;
+    int refused = 0;
+    for (double stiffness = 1e3; stiffness < 2e11; stiffness *= 10.0) {
+        spring["stiffness_N_m"] = stiffness;
+        const Json guide = solved(document).at("guide");
+        const double least = guide.at("minimum_preload_mm");
+        EXPECT_NEAR(least * std::sqrt(stiffness) / unit, 1.0, 1e-9) << stiffness;
+        const bool possible = guide.at("feasible").get<bool>();
+        EXPECT_EQ(possible, least <= preload) << stiffness;
+        EXPECT_EQ(guide.at("reason").get<std::string>().empty(), possible) << stiffness;
+        (possible ? feasible : refused) += 1;
+    }
+    EXPECT_GE(feasible, 5);
+    EXPECT_GE(refused, 1);
+}
+
+/// Every number of a case made extreme at once.
+void make_all(Json& json, double value) {
+    if (json.is_number()) {
+        json = value;
+    } else if (json.is_structured()) {
+        for (Json& part : json) {
+            make_all(part, value);
+        }
+    }
+}
+
+void scale_all(Json& json, double factor) {
+    if (json.is_number()) {
+        json = json.get<double>() * factor;
+    } else if (json.is_structured()) {
+        for (Json& part : json) {
+            scale_all(part, factor);
+        }
+    }
+}
+
+TEST(SceneLimits, AllNumbersExtremeAtOnce) {
+    int refused = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(RAVNOVES_EXAMPLES)) {
+        if (!entry.path().string().ends_with(".case.json")) {
+            continue;
+        }
+        const Json original = Json::parse(read_text_file(entry.path().string()));
+        for (const double value : {5e-324, 2.3e-308, 1e-300, 1e300, 1.7e308, -1e300}) {
+            for (const auto& change : {make_all, scale_all}) {
+                Json document = original;
+                change(document["input"], value);
+                std::string text;
+                EXPECT_NO_THROW(text = refusal(document))
+                    << entry.path().filename() << " " << value;
+                refused += text.empty() ? 0 : 1;
+                EXPECT_TRUE(text.empty() || says(text, "/input") || says(text, "column")) << text;
+            }
+        }
+    }
+    EXPECT_GT(refused, 20);
+}
+
+// ------------------------------------------------------- what a scene declares is what it runs
+
+TEST(DeclaredMethods, BelongToScenesOfTheProgram) {
+    for (const Kernel& kernel : kernels()) {
+        const auto scenes = scene_solvers();
+        EXPECT_TRUE(std::any_of(scenes.begin(), scenes.end(), [&](const SceneSolver& scene) {
+            return scene.name == kernel.choice.scene;
+        })) << kernel.id;
+    }
+}
+
+TEST(DeclaredMethods, TheScenesRunAtTheDeclaredAccuracy) {
+    const auto setting = [](const char* kernel) {
+        return std::stod(std::string(find_kernel(kernel)->choice.setting));
+    };
+    EXPECT_EQ(elastic_hinge::MotionSetup{}.tolerance, setting("hinge-motion"));
+    EXPECT_EQ(inertia_moments::order_accuracy, setting("inertia-orders"));
+}
+
+}  // namespace
+}  // namespace ravnoves::methods
