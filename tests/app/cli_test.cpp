@@ -2,94 +2,23 @@
 // what is left on disk. Whole results are compared as truth values: they run to thousands of lines.
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
-#include <vector>
 
 #include "case-file/case_file.h"
-#include "case-file/json.h"
+#include "command_line.h"
 
 namespace ravnoves {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string read_all(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) {
-        lines.push_back(line);
-    }
-    return lines;
-}
-
-struct Outcome {
-    int status = -1;
-    std::string out;
-    std::string err;
-};
-
-class CommandLine : public ::testing::Test {
-  protected:
-    void SetUp() override {
-        std::string pattern = (fs::temp_directory_path() / "ravnoves-cli-test-XXXXXX").string();
-        ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-        folder = pattern;
-    }
-    void TearDown() override { fs::remove_all(folder); }
-
-    /// Runs `ravnoves-cli ARGUMENTS` by a shell in the test's folder.
-    Outcome run(const std::string& arguments, const std::string& input = "") const {
-        const fs::path in = folder / "stdin";
-        const fs::path out = folder / "stdout";
-        const fs::path err = folder / "stderr";
-        std::ofstream(in, std::ios::binary) << input;
-        // In braces, so that arguments may hold a pipe or a redirection of their own.
-        const std::string command = "cd '" + folder.string() + "' && { '" RAVNOVES_CLI "' " +
-                                    arguments + "; } <stdin 2>stderr >stdout";
-        fs::remove(out);
-        const int raw = std::system(command.c_str());  // NOLINT(cert-env33-c)
-        Outcome outcome;
-        outcome.status = WIFEXITED(raw) ? WEXITSTATUS(raw) : -1;
-        outcome.out = read_all(out);
-        outcome.err = read_all(err);
-        return outcome;
-    }
-
-    fs::path write(const std::string& name, const std::string& text) const {
-        std::ofstream(folder / name, std::ios::binary) << text;
-        return folder / name;
-    }
-
-    /// The document of an example case.
-    static Json example() {
-        return Json::parse(read_all(fs::path(RAVNOVES_EXAMPLES) / "tmz-650d.case.json"));
-    }
-
-    /// One line on standard error that starts with the file, nothing on standard output, status 2.
-    static void expect_refused(const Outcome& outcome, const std::string& start) {
-        EXPECT_EQ(outcome.status, 2);
-        EXPECT_EQ(outcome.out, "");
-        EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
-        EXPECT_EQ(outcome.err.substr(0, start.size()), start) << outcome.err;
-    }
-
-    fs::path folder;
-};
+using test::CommandLine;
+using test::lines_of;
+using test::Outcome;
+using test::read_all;
 
 TEST_F(CommandLine, SolvesToStandardOutput) {
     write("case.json", example().dump());

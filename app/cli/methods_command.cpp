@@ -1,0 +1,98 @@
+#include <cmath>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command.h"
+#include "methods/report.h"
+#include "output.h"
+
+namespace ravnoves::cli {
+
+namespace {
+
+std::string kernel_names() {
+    std::string names;
+    for (const methods::Kernel& kernel : methods::kernels()) {
+        names += (names.empty() ? "" : ", ") + kernel.id;
+    }
+    return names;
+}
+
+/// Lines on standard error: a kernel's name once, then every tenth part as it is done.
+class ProgressLines {
+  public:
+    explicit ProgressLines(const std::string& name) { std::cerr << name << ": 0 %" << std::flush; }
+    ProgressLines(const ProgressLines&) = delete;
+    ProgressLines& operator=(const ProgressLines&) = delete;
+    ~ProgressLines() { std::cerr << '\n'; }
+
+    bool operator()(double part) {
+        const int tenth = static_cast<int>(std::floor(10.0 * part + 1e-9));
+        if (tenth > last_) {
+            last_ = tenth;
+            std::cerr << " … " << 10 * tenth << " %" << std::flush;
+        }
+        return true;
+    }
+
+  private:
+    int last_ = 0;
+};
+
+methods::KernelReport measure(const methods::Kernel& kernel) {
+    ProgressLines lines(kernel.id);
+    return methods::measure_kernel(kernel, {}, [&](double part) { return lines(part); });
+}
+
+class MethodsCommand final : public Command {
+  public:
+    explicit MethodsCommand(CLI::App& app) {
+        app_ = app.add_subcommand(
+            "methods", "Measure what each numerical method costs here, its error, where it fails");
+        app_->footer("Kernels: " + kernel_names() +
+                     ".\nTimes are of this machine; errors are against 50 digits. Progress goes "
+                     "to standard error.\n");
+        app_->add_option("--kernel", kernel_, "One kernel instead of all")->type_name("NAME");
+        app_->add_option("--csv", csv_path_, "Write the tables to this file too")
+            ->type_name("FILE");
+    }
+
+    void check() const override {
+        if (kernel_ && methods::find_kernel(*kernel_) == nullptr) {
+            throw CLI::ValidationError("--kernel",
+                                       "must be one of " + kernel_names() + ", got " + *kernel_);
+        }
+    }
+
+    int run() override {
+        if (!csv_path_.empty() && !can_write_file(csv_path_)) {
+            return exit_bad_input;
+        }
+        std::vector<methods::KernelReport> reports;
+        for (const methods::Kernel& kernel : methods::kernels()) {
+            if (kernel_ && kernel.id != *kernel_) {
+                continue;
+            }
+            const std::string gap = reports.empty() ? "" : "\n";
+            reports.push_back(measure(kernel));
+            if (const int status = print(gap + methods::write_text(reports.back()))) {
+                return status;
+            }
+        }
+        return csv_path_.empty() ? exit_done : write_file(csv_path_, methods::write_csv(reports));
+    }
+
+  private:
+    std::optional<std::string> kernel_;
+    std::string csv_path_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_methods_command(CLI::App& app) {
+    return std::make_unique<MethodsCommand>(app);
+}
+
+}  // namespace ravnoves::cli

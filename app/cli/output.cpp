@@ -1,0 +1,63 @@
+#include "output.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+
+#include "case-file/case_file.h"
+#include "case-file/input_error.h"
+#include "command.h"
+
+namespace ravnoves::cli {
+
+void complain(const std::string& file, const std::string& text) {
+    std::cerr << (file.empty() ? text : file + ": " + text) << '\n';
+}
+
+int print(const std::string& text) {
+    std::cout << text << std::flush;
+    if (!std::cout) {
+        complain("ravnoves-cli",
+                 std::string("standard output cannot be written: ") + std::strerror(errno));
+        return exit_bad_input;
+    }
+    return exit_done;
+}
+
+int write_file(const std::string& path, const std::string& text) {
+    try {
+        write_text_file(path, text);
+    } catch (const InputError& error) {
+        complain(path, error.what());
+        return exit_bad_input;
+    }
+    return exit_done;
+}
+
+bool can_write_file(const std::string& path) {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) {
+        complain(path, "must be a file, not a folder");
+        return false;
+    }
+    if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error)) {
+        return true;  // a device or a pipe
+    }
+    std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    if (folder.empty()) {
+        folder = ".";
+    }
+    // Files are written beside their place first, so the folder is what counts.
+    if (!std::filesystem::is_directory(folder, error) || ::access(folder.c_str(), W_OK) != 0) {
+        const std::string reason =
+            std::filesystem::exists(folder, error) ? std::strerror(errno) : "no such folder";
+        complain(path, "cannot be written: " + reason);
+        return false;
+    }
+    return true;
+}
+
+}  // namespace ravnoves::cli

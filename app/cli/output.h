@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+namespace ravnoves::cli {
+
+/// One line on standard error, beginning with the file where there is one.
+void complain(const std::string& file, const std::string& text);
+
+/// Prints to standard output.
+/// @return the exit status; where it cannot be written, this has been said
+int print(const std::string& text);
+
+/// Writes a file as write_text_file() does.
+/// @return the exit status; where it cannot be written, this has been said
+int write_file(const std::string& path, const std::string& text);
+
+/// Before long work: whether a file can be written at that place, as far as one can tell without
+/// writing. Where not, this has been said.
+bool can_write_file(const std::string& path);
+
+}  // namespace ravnoves::cli

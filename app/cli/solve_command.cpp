@@ -1,0 +1,105 @@
+#include <cerrno>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <string>
+
+#include "case-file/case_file.h"
+#include "case-file/input_error.h"
+#include "command.h"
+#include "output.h"
+
+namespace ravnoves::cli {
+
+namespace {
+
+int solve_file(const std::string& case_path, const std::string& result_path) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(result_path, ignored) &&
+        std::filesystem::equivalent(case_path, result_path, ignored)) {
+        complain(result_path, "is the case itself; the result must go to another file");
+        return exit_bad_input;
+    }
+    std::string text;
+    try {
+        const CaseFile file = parse_case(read_text_file(case_path));
+        const CaseContext context{std::filesystem::path(case_path).parent_path()};
+        text = solve_case(file, context).dump(2) + "\n";
+    } catch (const InputError& error) {
+        complain(case_path, error.what());
+        return exit_bad_input;
+    }
+    return result_path.empty() ? print(text) : write_file(result_path, text);
+}
+
+int solve_batch(std::istream& in, std::ostream& out) {
+    std::string line;
+    for (int number = 1; std::getline(in, line); ++number) {
+        if (line.find_first_not_of(" \t\r") == std::string::npos) {
+            continue;
+        }
+        Json answer;
+        try {
+            answer = solve_case(parse_case(line), CaseContext{});
+        } catch (const std::exception& error) {  // a bad line is answered in its place
+            answer = Json{{"error", error.what()}, {"line", number}};
+        }
+        out << answer.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n' << std::flush;
+        if (!out) {
+            complain("ravnoves-cli",
+                     std::string("standard output cannot be written: ") + std::strerror(errno));
+            return exit_bad_input;
+        }
+    }
+    return exit_done;
+}
+
+class SolveCommand final : public Command {
+  public:
+    explicit SolveCommand(CLI::App& app) {
+        app_ = app.add_subcommand(
+            "solve", "Solve a case file and print its result, as JSON, on standard output");
+        app_->footer(
+            "Exit status: 0 solved (a design that cannot exist is a result that says so),\n"
+            "2 bad input, named on standard error; nothing is written then.\n");
+        CLI::Option* case_option = app_->add_option("CASE", case_path_, "Case file (JSON)");
+        case_option->type_name("");
+        CLI::Option* output_option =
+            app_->add_option("-o,--output", result_path_, "Write the result to this file instead");
+        output_option->type_name("FILE");
+        app_->add_flag("--batch", batch_,
+                       "Read one case per line from standard input, print one result per line")
+            ->excludes(case_option)
+            ->excludes(output_option);
+    }
+
+    void check() const override {
+        if (!batch_ && case_path_.empty()) {
+            throw CLI::RequiredError("CASE or --batch");
+        }
+    }
+
+    int run() override {
+        if (batch_) {
+            std::ios::sync_with_stdio(false);
+            return solve_batch(std::cin, std::cout);
+        }
+        return solve_file(case_path_, result_path_);
+    }
+
+    std::string file() const override { return case_path_; }
+
+  private:
+    std::string case_path_;
+    std::string result_path_;
+    bool batch_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_solve_command(CLI::App& app) {
+    return std::make_unique<SolveCommand>(app);
+}
+
+}  // namespace ravnoves::cli

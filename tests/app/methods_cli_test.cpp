@@ -1,0 +1,117 @@
+// The commands that say how far the numbers can be trusted: methods and validate.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "command_line.h"
+#include "csv_lines.h"
+#include "methods/kernel.h"
+#include "methods/validation.h"
+
+namespace ravnoves {
+namespace {
+
+using test::CommandLine;
+using test::csv_lines;
+using test::lines_of;
+using test::Outcome;
+using test::read_all;
+
+bool says(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST_F(CommandLine, ValidatePrintsTheCountsAndEveryNumber) {
+    const Outcome outcome = run("validate");
+    EXPECT_EQ(outcome.status, 0);  // no number without an explanation
+    EXPECT_EQ(outcome.err, "");
+    const auto report = methods::validate();
+    EXPECT_EQ(lines_of(outcome.out).front(), report.summary());
+    EXPECT_TRUE(outcome.out == methods::write_text(report));
+}
+
+TEST_F(CommandLine, ValidateWritesATable) {
+    const Outcome outcome = run("validate --csv table.csv");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const auto lines = csv_lines(read_all(folder / "table.csv"));
+    EXPECT_EQ(lines.size(), methods::validate().rows.size() + 1);
+    for (const auto& fields : lines) {
+        EXPECT_EQ(fields.size(), lines.front().size());
+    }
+}
+
+TEST_F(CommandLine, MethodsPrintsAKernelsTableAndWhy) {
+    const Outcome outcome = run("methods --kernel moment-range --csv table.csv");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_TRUE(says(outcome.err, "moment-range: 0 %")) << outcome.err;
+    EXPECT_TRUE(says(outcome.err, "100 %")) << outcome.err;
+    const methods::Kernel& kernel = *methods::find_kernel("moment-range");
+    EXPECT_TRUE(says(outcome.out, kernel.title));
+    EXPECT_TRUE(says(outcome.out, std::string(kernel.choice.reason)));
+    const auto lines = csv_lines(read_all(folder / "table.csv"));
+    std::size_t settings = 0;
+    for (const methods::MethodInfo& method : kernel.methods) {
+        EXPECT_TRUE(says(outcome.out, method.title)) << method.title;
+        settings += method.settings.size();
+    }
+    ASSERT_EQ(lines.size(), settings + 1);
+    const auto& header = lines.front();
+    const auto at = [&](const char* name) {
+        return static_cast<std::size_t>(std::find(header.begin(), header.end(), name) -
+                                        header.begin());
+    };
+    int in_use = 0;
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        ASSERT_EQ(lines[i].size(), header.size());
+        const double low = std::stod(lines[i][at("low_ns")]);
+        const double median = std::stod(lines[i][at("median_ns")]);
+        const double high = std::stod(lines[i][at("high_ns")]);
+        EXPECT_TRUE(0.0 < low && low <= median && median <= high) << low << median << high;
+        in_use += lines[i][at("in_use")] == "yes" ? 1 : 0;
+    }
+    EXPECT_EQ(in_use, 1);
+}
+
+TEST_F(CommandLine, AnUnknownKernelGetsTheListOfThem) {
+    write("table.csv", "kept");
+    const Outcome outcome = run("methods --kernel slider --csv table.csv");
+    expect_refused(outcome, "ravnoves-cli: --kernel: must be one of ");
+    for (const methods::Kernel& kernel : methods::kernels()) {
+        EXPECT_TRUE(says(outcome.err, kernel.id)) << outcome.err;
+    }
+    EXPECT_TRUE(says(outcome.err, ", got slider")) << outcome.err;
+    EXPECT_EQ(read_all(folder / "table.csv"), "kept");
+    expect_refused(run("methods --kernel ''"), "ravnoves-cli: --kernel: must be one of ");
+    expect_refused(run("methods slider-crank"), "ravnoves-cli: ");
+    expect_refused(run("validate case.json"), "ravnoves-cli: ");
+}
+
+/// Said before anything is measured, so the answer comes at once and alone.
+TEST_F(CommandLine, ATableThatCannotBeWrittenIsSaidFirst) {
+    for (const char* command : {"validate", "methods --kernel best-angle"}) {
+        const std::string start(command);
+        expect_refused(run(start + " --csv no/such/table.csv"), "no/such/table.csv: cannot be ");
+        expect_refused(run(start + " --csv ."), ".: must be a file");
+    }
+    EXPECT_EQ(run("validate --csv /dev/full").status, 2);
+    const Outcome full = run("validate > /dev/full");
+    EXPECT_EQ(full.status, 2);
+    EXPECT_EQ(lines_of(full.err).size(), 1U) << full.err;
+}
+
+TEST_F(CommandLine, HelpOfMethodsNamesTheKernels) {
+    const Outcome help = run("methods --help");
+    EXPECT_EQ(help.status, 0);
+    for (const methods::Kernel& kernel : methods::kernels()) {
+        EXPECT_TRUE(says(help.out, kernel.id)) << help.out;
+    }
+    EXPECT_TRUE(says(run("validate --help").out, "not derivable"));
+    const Outcome all = run("--help");
+    EXPECT_TRUE(says(all.out, "methods") && says(all.out, "validate")) << all.out;
+}
+
+}  // namespace
+}  // namespace ravnoves
