@@ -1,6 +1,7 @@
 #include "methods/report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "case-file/range.h"
@@ -11,6 +12,8 @@ namespace ravnoves::methods {
 namespace {
 
 constexpr int shown_digits = 3;
+constexpr std::size_t text_width = 110;
+constexpr std::size_t table_width = 140;
 
 /// The curve of that method and setting; null where the map has another setting.
 const StabilityCurve* curve_of(const StabilityMap& map, std::size_t method, std::size_t setting) {
@@ -44,6 +47,16 @@ MethodRow make_row(const WorkPrecision& work, const StabilityMap& map, const Wor
 
 std::string digits(double value) {
     return format_number(value, shown_digits);
+}
+
+/// Three digits, but "19200" and not "1.92e+04".
+std::string plain_digits(double value) {
+    constexpr double three_digits = 100.0;
+    if (!(std::abs(value) >= three_digits)) {
+        return digits(value);
+    }
+    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value) / three_digits)));
+    return format_number(std::round(value / unit) * unit);
 }
 
 std::string optional_number(const std::optional<double>& value) {
@@ -99,23 +112,31 @@ std::string write_text(const KernelReport& report) {
                      {"error", true},
                      {"order", true},
                      {"operations", true},
-                     {"not trustworthy along " + sweep.title}});
+                     {"not trustworthy"}});
     for (const MethodRow& row : report.rows) {
         table.add({row.in_use  ? "●"
                    : row.holds ? "+"
                                : "",
-                   row.title, row.label, digits(row.timing.median),
-                   digits(row.timing.low) + "…" + digits(row.timing.high),
+                   row.title, row.label, plain_digits(row.timing.median),
+                   plain_digits(row.timing.low) + "…" + plain_digits(row.timing.high),
                    row.result.refused() ? "refused" : digits(row.result.error),
-                   row.order ? format_number(*row.order, 2) : "", digits(row.operations),
+                   row.order ? format_number(*row.order, 2) : "", plain_digits(row.operations),
                    row.fails.value_or("")});
     }
-    constexpr std::size_t width = 140;
-    return kernel.title + ": " + kernel.quantity + "\nAt " + sweep.title + " = " +
-           value_with_unit(sweep, report.value) + ".\nTime: " + kernel.evaluation +
-           ".\nError: " + kernel.error_measure + ".\n● in use, + within the scene's tolerance of " +
-           digits(kernel.choice.tolerance) + "\n\n" + table.text(width) + "\n" +
-           choice_paragraph(kernel) + "\n";
+    const std::string tolerance = digits(kernel.choice.tolerance);
+    std::string text = kernel.title + ": " + kernel.quantity + "\n\n";
+    text += hanging("",
+                    "Measured at " + value_with_unit(sweep, report.value) + " (" + sweep.title +
+                        "); not trustworthy: where along it the tolerance is exceeded.",
+                    text_width);
+    text += hanging("Time: ", kernel.evaluation + ".", text_width);
+    text += hanging("Error: ", kernel.error_measure + ".", text_width);
+    text += "● in use, + within the scene's tolerance of " + tolerance + "\n\n";
+    text += table.text(table_width) + "\n";
+    for (const MethodInfo& method : kernel.methods) {
+        text += hanging("  ", method.title + ": " + method.limits + ".", text_width);
+    }
+    return text + "\n" + hanging("", choice_paragraph(kernel), text_width);
 }
 
 std::string write_csv(std::span<const KernelReport> reports) {
