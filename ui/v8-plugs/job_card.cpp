@@ -2,18 +2,16 @@
 
 #include <QCoreApplication>
 #include <QDate>
-#include <QFontMetricsF>
 #include <QPageLayout>
 #include <QPagedPaintDevice>
 #include <QPainter>
 #include <QPdfWriter>
 #include <QSaveFile>
-#include <QTextLayout>
-#include <QTextOption>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "v8-plugs/card_page.h"
 #include "v8-plugs/plug_drawing.h"
 #include "v8-plugs/v8_text.h"
 
@@ -23,10 +21,8 @@ using namespace v8_plugs;
 
 namespace {
 
-constexpr double pageWidth = 210.0;  // mm
-constexpr double pageHeight = 297.0;
-constexpr double left = 16.0;
-constexpr double right = pageWidth - 12.0;
+constexpr double left = 16.0;  // mm
+constexpr double right = CardPage::width - 12.0;
 constexpr double top = 11.0;
 constexpr double full = right - left;
 
@@ -35,197 +31,15 @@ constexpr double millimetre = 1e-3;
 constexpr double gramMillimetre = 1e-6;
 constexpr double degree = 3.14159265358979323846 / 180.0;
 
-const QColor ink(0x11, 0x11, 0x11);
-const QColor grey(0x55, 0x55, 0x55);
-const QColor hair(0x99, 0x99, 0x99);
-const QColor shade(0xEE, 0xEE, 0xEE);
 const QColor cutColour(0xB0, 0x30, 0x10);
-
-/// A page with millimetres from the upper left corner and type in points.
-class Sheet {
-  public:
-    Sheet(QPainter& painter, const QRectF& page) : painter_(painter), page_(page) {
-        unit_ = page.width() / pageWidth;
-        painter_.setRenderHint(QPainter::Antialiasing);
-    }
-
-    double unit() const { return unit_; }
-    QPainter& painter() { return painter_; }
-
-    QFont font(double points, bool bold = false) const {
-        QFont font(QStringLiteral("DejaVu Sans Condensed"));
-        font.setPixelSize(std::max(1, static_cast<int>(std::lround(points * 25.4 / 72.0 * unit_))));
-        font.setBold(bold);
-        font.setHintingPreference(QFont::PreferNoHinting);
-        // Without ligatures, so that "fl" in the text of the PDF is found by a search for it.
-        font.setStyleStrategy(QFont::PreferNoShaping);
-        return font;
-    }
-    QRectF rect(double x, double y, double w, double h) const {
-        return {page_.x() + x * unit_, page_.y() + y * unit_, w * unit_, h * unit_};
-    }
-    double lineHeight(double points) const { return points * 25.4 / 72.0 * 1.28; }  // mm
-
-    void line(double x1, double y1, double x2, double y2, double width = 0.15,
-              const QColor& colour = hair) {
-        painter_.setPen(QPen(colour, width * unit_));
-        painter_.drawLine(rect(x1, y1, 0, 0).topLeft(), rect(x2, y2, 0, 0).topLeft());
-    }
-    void box(double x, double y, double w, double h, const QColor& fill,
-             const QColor& border = hair, double width = 0.15) {
-        painter_.setPen(border.isValid() ? QPen(border, width * unit_) : QPen(Qt::NoPen));
-        painter_.setBrush(fill.isValid() ? QBrush(fill) : QBrush(Qt::NoBrush));
-        painter_.drawRect(rect(x, y, w, h));
-        painter_.setBrush(Qt::NoBrush);
-    }
-    double textWidth(const QString& text, double points, bool bold = false) const {
-        return QFontMetricsF(font(points, bold)).horizontalAdvance(text) / unit_;
-    }
-    /// One line, elided where it does not fit.
-    void text(double x, double y, double w, const QString& text, double points = 8.5,
-              Qt::Alignment align = Qt::AlignLeft, bool bold = false, const QColor& colour = ink) {
-        const QFont face = font(points, bold);
-        painter_.setFont(face);
-        painter_.setPen(colour);
-        const QString shown = QFontMetricsF(face).elidedText(text, Qt::ElideRight, w * unit_ + 0.5);
-        painter_.drawText(rect(x, y, w, lineHeight(points)),
-                          static_cast<int>(align) | Qt::AlignVCenter | Qt::TextSingleLine, shown);
-    }
-    /// Wrapped text of at most `lines` lines; the last is elided where there is more.
-    /// @return its height, mm
-    double paragraph(double x, double y, double w, const QString& text, double points, int lines,
-                     bool bold = false, const QColor& colour = ink) {
-        if (text.isEmpty()) {
-            return 0.0;
-        }
-        const QFont face = font(points, bold);
-        QTextLayout layout(text, face);
-        QTextOption option;
-        option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
-        layout.setTextOption(option);
-        layout.beginLayout();
-        std::vector<QString> rows;
-        for (;;) {
-            QTextLine row = layout.createLine();
-            if (!row.isValid()) {
-                break;
-            }
-            row.setLineWidth(w * unit_);
-            if (static_cast<int>(rows.size()) + 1 == lines) {
-                rows.push_back(QFontMetricsF(face).elidedText(
-                    text.mid(row.textStart()).simplified(), Qt::ElideRight, w * unit_ + 0.5));
-                break;
-            }
-            rows.push_back(text.mid(row.textStart(), row.textLength()).trimmed());
-        }
-        layout.endLayout();
-        painter_.setFont(face);
-        painter_.setPen(colour);
-        double at = y;
-        for (const QString& row : rows) {
-            if (measuring_) {
-                at += lineHeight(points);
-                continue;
-            }
-            painter_.drawText(rect(x, at, w, lineHeight(points)),
-                              Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine, row);
-            at += lineHeight(points);
-        }
-        return at - y;
-    }
-    /// While measuring, paragraphs say their height and paint nothing.
-    void setMeasuring(bool measuring) { measuring_ = measuring; }
-    void heading(double x, double y, double w, const QString& title) {
-        text(x, y, w, title, 9.5, Qt::AlignLeft, true);
-        line(x, y + 4.6, x + w, y + 4.6, 0.3, ink);
-    }
-    /// A value with its small caption above and a line below to write on.
-    void blank(double x, double y, double w, const QString& caption, const QString& value) {
-        text(x, y, w - 2, caption, 7, Qt::AlignLeft, false, grey);
-        text(x, y + 3.2, w - 2, value, 10, Qt::AlignLeft, true);
-        line(x, y + 8.2, x + w - 3, y + 8.2, 0.15, hair);
-    }
-
-  private:
-    QPainter& painter_;
-    QRectF page_;
-    double unit_;
-    bool measuring_ = false;
-};
-
-/// A table of text: columns with widths and alignment, rows of equal height.
-class Table {
-  public:
-    struct Column {
-        double width;
-        Qt::Alignment align = Qt::AlignRight;
-    };
-    struct Row {
-        QStringList cells;
-        bool bold = false;
-        bool shaded = false;
-    };
-
-    Table(std::vector<Column> columns, double points, double rowHeight)
-        : columns_(std::move(columns)), points_(points), rowHeight_(rowHeight) {}
-
-    void head(const QStringList& cells) { head_ = cells; }
-    void add(Row row) { rows_.push_back(std::move(row)); }
-
-    /// @return the height, mm
-    double draw(Sheet& sheet, double x, double y) const {
-        double at = y;
-        const double width = tableWidth();
-        if (!head_.isEmpty()) {
-            cells(sheet, x, at, head_, false, true);
-            at += rowHeight_;
-            sheet.line(x, at, x + width, at, 0.2, ink);
-        }
-        for (const Row& row : rows_) {
-            if (row.shaded) {
-                sheet.box(x, at, width, rowHeight_, shade, QColor());
-            }
-            cells(sheet, x, at, row.cells, row.bold, false);
-            at += rowHeight_;
-            sheet.line(x, at, x + width, at, 0.1, hair);
-        }
-        return at - y;
-    }
-
-    double tableWidth() const {
-        double width = 0.0;
-        for (const Column& column : columns_) {
-            width += column.width;
-        }
-        return width;
-    }
-
-  private:
-    void cells(Sheet& sheet, double x, double y, const QStringList& texts, bool bold,
-               bool caption) const {
-        const double inset = (rowHeight_ - sheet.lineHeight(points_)) / 2.0;
-        for (std::size_t i = 0; i < columns_.size() && i < static_cast<std::size_t>(texts.size());
-             ++i) {
-            sheet.text(x + 0.6, y + inset, columns_[i].width - 1.2,
-                       texts.at(static_cast<qsizetype>(i)), caption ? points_ - 0.7 : points_,
-                       columns_[i].align, bold, caption ? grey : ink);
-            x += columns_[i].width;
-        }
-    }
-
-    std::vector<Column> columns_;
-    double points_;
-    double rowHeight_;
-    QStringList head_;
-    std::vector<Row> rows_;
-};
 
 const QString missing = QStringLiteral("—");
 
 /// Paints one card.
 class CardPainter {
   public:
-    CardPainter(Sheet& sheet, const CaseInput& input, const Solution& solution, const Words& words)
+    CardPainter(CardPage& sheet, const CaseInput& input, const Solution& solution,
+                const Words& words)
         : sheet_(sheet), input_(input), solution_(solution), words_(words) {}
 
     void paint() {
@@ -272,7 +86,7 @@ class CardPainter {
                     words_.translate("JobCard", "V-8 engine %1").arg(engineName()), 10,
                     Qt::AlignRight, true);
         y += 7.5;
-        sheet_.line(left, y, right, y, 0.5, ink);
+        sheet_.line(left, y, right, y, 0.5, CardPage::ink);
         y += 1.5;
         const double third = full / 3.0;
         const auto text = [](const std::string& value) { return QString::fromStdString(value); };
@@ -325,7 +139,7 @@ class CardPainter {
         sheet_.setMeasuring(true);
         const double height = content(0.0) + 3.6;
         sheet_.setMeasuring(false);
-        sheet_.box(left, y, full, height, shade, ink, 0.3);
+        sheet_.box(left, y, full, height, CardPage::shade, CardPage::ink, 0.3);
         content(y + 1.6);
         return y + height;
     }
@@ -334,13 +148,13 @@ class CardPainter {
         const double gap = 4.0;
         const double engineWidth = 117.0;
         sheet_.heading(left, y, engineWidth, words_.translate("JobCard", "Engine"));
-        Table engine({{34, Qt::AlignLeft},
-                      {13},
-                      {7.5, Qt::AlignLeft},
-                      {42, Qt::AlignLeft},
-                      {13},
-                      {7.5, Qt::AlignLeft}},
-                     7.5, 3.9);
+        CardTable engine({{34, Qt::AlignLeft},
+                          {13},
+                          {7.5, Qt::AlignLeft},
+                          {42, Qt::AlignLeft},
+                          {13},
+                          {7.5, Qt::AlignLeft}},
+                         7.5, 3.9);
         const auto fields = engine_fields();
         const std::size_t half = (fields.size() + 1) / 2;
         const auto cells = [&](std::size_t i) -> QStringList {
@@ -361,7 +175,7 @@ class CardPainter {
         const double x = left + engineWidth + gap;
         const double width = full - engineWidth - gap;
         sheet_.heading(x, y, width, words_.translate("JobCard", "Heavier than nominal by"));
-        Table changes({{width - 23, Qt::AlignLeft}, {13}, {10, Qt::AlignLeft}}, 7.5, 3.9);
+        CardTable changes({{width - 23, Qt::AlignLeft}, {13}, {10, Qt::AlignLeft}}, 7.5, 3.9);
         for (const MassChangeField& field : mass_change_fields()) {
             if (field.repair_only && input_.process == Process::manufacture) {
                 continue;
@@ -385,8 +199,8 @@ class CardPainter {
 
     double options(double y) {
         sheet_.heading(left, y, full, words_.translate("JobCard", "Options, in the order of cost"));
-        Table table({{60, Qt::AlignLeft}, {17}, {17}, {20}, {20}, {22}, {26, Qt::AlignRight}}, 7.5,
-                    4.1);
+        CardTable table({{60, Qt::AlignLeft}, {17}, {17}, {20}, {20}, {22}, {26, Qt::AlignRight}},
+                        7.5, 4.1);
         const QString g = unitGram();
         table.head({QString(), words_.translate("JobCard", "constant, %1").arg(g),
                     words_.translate("JobCard", "reach, %1").arg(g),
@@ -429,7 +243,7 @@ class CardPainter {
                      solution_.plugs
                          ? words_.number(std::atan(solution_.plugs->coefficients().k_y) / degree, 1)
                          : missing),
-            6.8, Qt::AlignLeft, false, grey);
+            6.8, Qt::AlignLeft, false, CardPage::grey);
         return y + height + 3.6;
     }
 
@@ -465,7 +279,7 @@ class CardPainter {
         const BobWeight& before = *solution_.before;
         const BobWeight* after =
             chosen ? &solution_.bob_weights[static_cast<std::size_t>(chosen->id)]->after : nullptr;
-        Table table({{44, Qt::AlignLeft}, {14}, {18}, {18}, {18}}, 7.5, 4.0);
+        CardTable table({{44, Qt::AlignLeft}, {14}, {18}, {18}, {18}}, 7.5, 4.0);
         table.head({words_.translate("JobCard", "factor × mass"),
                     words_.translate("JobCard", "factor"), words_.translate("JobCard", "nominal"),
                     words_.translate("JobCard", "before"), words_.translate("JobCard", "after")});
@@ -502,7 +316,8 @@ class CardPainter {
     }
 
     void plug(double x, double y, double w, double h) {
-        const DrawingStyle style{ink, hair, ink, cutColour, sheet_.font(7.5), 0.35 * sheet_.unit()};
+        const DrawingStyle style{CardPage::ink, CardPage::hair,   CardPage::ink,
+                                 cutColour,     sheet_.font(7.5), 0.35 * sheet_.unit()};
         const QRectF target = sheet_.rect(x, y, w, h);
         const auto geometry = input_.plug ? input_.plug->geometry() : std::nullopt;
         if (!geometry || geometry_fault(*geometry)) {
@@ -526,11 +341,11 @@ class CardPainter {
     double assignment(double y) {
         sheet_.heading(left, y, full,
                        words_.translate("JobCard", "Which set goes to which cylinder"));
-        std::vector<Table::Column> columns{{36, Qt::AlignLeft}};
+        std::vector<CardTable::Column> columns{{36, Qt::AlignLeft}};
         for (int i = 0; i < cylinder_count; ++i) {
             columns.push_back({(full - 36.0) / cylinder_count, Qt::AlignHCenter});
         }
-        Table table(columns, 7.5, 3.9);
+        CardTable table(columns, 7.5, 3.9);
         QStringList head{words_.translate("JobCard", "Cylinder")};
         QStringList pistons{words_.translate("JobCard", "Piston set from")};
         QStringList rods{words_.translate("JobCard", "Rod set from")};
@@ -564,12 +379,12 @@ class CardPainter {
             limits = words_.translate("JobCard", "ISO 21940-11: no grade, mass and speed given.");
         }
         sheet_.text(left, y + 5.2, full, limits, 8);
-        Table table({{44, Qt::AlignLeft},
-                     {38},
-                     {38, Qt::AlignHCenter},
-                     {31, Qt::AlignHCenter},
-                     {31, Qt::AlignHCenter}},
-                    8, 6.2);
+        CardTable table({{44, Qt::AlignLeft},
+                         {38},
+                         {38, Qt::AlignHCenter},
+                         {31, Qt::AlignHCenter},
+                         {31, Qt::AlignHCenter}},
+                        8, 6.2);
         table.head({words_.translate("JobCard", "Correction plane"),
                     words_.translate("JobCard", "permissible, %1").arg(unitUnbalance()),
                     words_.translate("JobCard", "reading, %1").arg(unitUnbalance()),
@@ -617,8 +432,9 @@ class CardPainter {
                                    words_.translate("JobCard", "Date")};
         for (int i = 0; i < 3; ++i) {
             const double x = left + i * third;
-            sheet_.line(x, y + 7.0, x + third - 6.0, y + 7.0, 0.2, ink);
-            sheet_.text(x, y + 7.3, third - 6.0, captions.at(i), 7, Qt::AlignLeft, false, grey);
+            sheet_.line(x, y + 7.0, x + third - 6.0, y + 7.0, 0.2, CardPage::ink);
+            sheet_.text(x, y + 7.3, third - 6.0, captions.at(i), 7, Qt::AlignLeft, false,
+                        CardPage::grey);
         }
         sheet_.text(
             left, y + 13.0, full,
@@ -627,10 +443,10 @@ class CardPainter {
                            "Ravnoves %1 · method: A. D. Nazarov, equations (3)–(24) · masses "
                            "in grams, radii in millimetres")
                 .arg(QStringLiteral(RAVNOVES_VERSION)),
-            6.5, Qt::AlignLeft, false, grey);
+            6.5, Qt::AlignLeft, false, CardPage::grey);
     }
 
-    Sheet& sheet_;
+    CardPage& sheet_;
     const CaseInput& input_;
     const Solution& solution_;
     const Words& words_;
@@ -644,7 +460,7 @@ JobCard::JobCard(CaseInput input, Words words)
 void JobCard::paint(QPainter& painter, const QRectF& page) const {
     painter.save();
     painter.fillRect(page, Qt::white);
-    Sheet sheet(painter, page);
+    CardPage sheet(painter, page);
     CardPainter(sheet, input_, solution_, words_).paint();
     painter.restore();
 }
@@ -669,7 +485,7 @@ bool JobCard::print(QPagedPaintDevice& device) const {
                                   ? QMarginsF()
                                   : layout.margins(QPageLayout::Millimeter);
     const QRectF page(-margins.left() * perMillimetre, -margins.top() * perMillimetre,
-                      pageWidth * perMillimetre, pageHeight * perMillimetre);
+                      CardPage::width * perMillimetre, CardPage::height * perMillimetre);
     paint(painter, page);
     return painter.end();
 }

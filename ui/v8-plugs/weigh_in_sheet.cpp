@@ -24,19 +24,10 @@ QString keyOf(Part part) {
     return QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size()));
 }
 
-void colour(QLabel* label, const QColor& colour) {
-    QPalette palette = label->palette();
-    palette.setColor(QPalette::WindowText, colour);
-    label->setPalette(palette);
-}
-
 }  // namespace
 
-WeighInSheet::WeighInSheet(V8PlugsViewModel* model, QWidget* parent)
-    : QWidget(parent), model_(model) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(Theme::margin, Theme::margin, Theme::margin, Theme::margin);
-    column->setSpacing(Theme::space);
+WeighInSheet::WeighInSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm(model, parent) {
+    column_->setSpacing(Theme::space);
 
     auto* head = new QGridLayout;
     head->setHorizontalSpacing(Theme::space);
@@ -55,7 +46,7 @@ WeighInSheet::WeighInSheet(V8PlugsViewModel* model, QWidget* parent)
     head->addWidget(numberingLabel, 1, 0);
     head->addWidget(numbering_, 1, 1);
     head->setColumnStretch(1, 1);
-    column->addLayout(head);
+    column_->addLayout(head);
     order_ << use_ << numbering_;
 
     auto* grid = new QGridLayout;
@@ -149,27 +140,27 @@ WeighInSheet::WeighInSheet(V8PlugsViewModel* model, QWidget* parent)
         columns_.push_back(fields);
         ++place;
     }
-    column->addLayout(grid);
+    column_->addLayout(grid);
 
     trouble_ = new QLabel(this);
     trouble_->setWordWrap(true);
     trouble_->hide();
-    column->addWidget(trouble_);
+    column_->addWidget(trouble_);
     summary_ = new QLabel(this);
     summary_->setWordWrap(true);
     summary_->setFont(Theme::font(Theme::baseSize, true));
-    column->addWidget(summary_);
+    column_->addWidget(summary_);
     crankpins_ = new ResultTable(this);
     crankpins_->setAccessibleName(tr("Excess on each crankpin, as weighed and after moving"));
     crankpins_->setColumns(model_->crankpinColumns());
     crankpins_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    column->addWidget(crankpins_);
+    column_->addWidget(crankpins_);
     assignment_ = new ResultTable(this);
     assignment_->setAccessibleName(tr("Which set goes to which cylinder"));
     assignment_->setColumns(model_->assignmentColumns());
     assignment_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    column->addWidget(assignment_);
-    column->addStretch();
+    column_->addWidget(assignment_);
+    column_->addStretch();
 
     connect(use_, &QCheckBox::toggled, this, [this](bool on) {
         model_->edit(tr("Source of the mass changes"), [&](CaseInput& input) {
@@ -188,9 +179,8 @@ WeighInSheet::WeighInSheet(V8PlugsViewModel* model, QWidget* parent)
                 which == 0 ? CylinderNumbering::bank_by_bank : CylinderNumbering::alternating;
         });
     });
-    connect(model_, &SceneViewModel::changed, this, &WeighInSheet::showInput);
     connect(&Theme::instance(), &Theme::changed, this, &WeighInSheet::showInput);
-    showInput();
+    follow([this] { showInput(); });
 }
 
 NumberField* WeighInSheet::addField(const QString& name, const QString& accessible,
@@ -207,7 +197,7 @@ NumberField* WeighInSheet::addField(const QString& name, const QString& accessib
         trouble_->setText(trouble.isEmpty() ? QString()
                                             : accessible + QStringLiteral(": ") + trouble);
         trouble_->setVisible(!trouble.isEmpty());
-        colour(trouble_, Theme::instance().error());
+        colourText(trouble_, Theme::instance().error());
     });
     order_ << field;
     return field;
@@ -238,7 +228,7 @@ void WeighInSheet::showInput() {
         fields.spread->setToolTip(note.toolTip);
         fields.mean->setToolTip(note.toolTip);
         const Theme& theme = Theme::instance();
-        colour(fields.spread, note.tooWide ? theme.error() : theme.text());
+        colourText(fields.spread, note.tooWide ? theme.error() : theme.text());
     }
     summary_->setText(model_->assignmentText());
     const auto assignment = model_->assignmentRows();

@@ -1,32 +1,25 @@
 #pragma once
 
-#include <QWidget>
 #include <array>
 #include <vector>
 
+#include "v8-plugs/sheet_form.h"
 #include "v8-plugs/weigh_in.h"
 
 class QCheckBox;
-class QComboBox;
-class QLabel;
 
 namespace ravnoves {
 
-class NumberField;
 class ResultTable;
-class V8PlugsViewModel;
 
-/// The weigh-in sheet: a column for each kind of part, a row for each cylinder, nominal mass and
+/// Sheet 3, the weigh-in: a column for each kind of part, a row for each cylinder, nominal mass and
 /// permitted spread above, mean and spread below; then what the parts make of the crankpins and the
 /// best assignment. The order of the fields goes down the columns, as one weighs.
-class WeighInSheet : public QWidget {
+class WeighInSheet : public SheetForm {
     Q_OBJECT
 
   public:
     explicit WeighInSheet(V8PlugsViewModel* model, QWidget* parent = nullptr);
-
-    /// Every field in the order in which one fills them.
-    QList<QWidget*> order() const { return order_; }
 
   private:
     struct Column {
@@ -41,7 +34,6 @@ class WeighInSheet : public QWidget {
                           const QString& hint);
     void showInput();
 
-    V8PlugsViewModel* model_;
     std::vector<Column> columns_;
     QCheckBox* use_;
     QComboBox* numbering_;
@@ -49,7 +41,6 @@ class WeighInSheet : public QWidget {
     QLabel* summary_;
     ResultTable* assignment_;
     ResultTable* crankpins_;
-    QList<QWidget*> order_;
 };
 
 }  // namespace ravnoves

@@ -1,0 +1,165 @@
+#include "v8-plugs/answer_view.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "theme/theme.h"
+#include "v8-plugs/compensation_plot.h"
+#include "v8-plugs/plug_view.h"
+#include "v8-plugs/sheet_form.h"
+#include "v8-plugs/shift_plot.h"
+#include "v8-plugs/v8_plugs_view_model.h"
+#include "v8-plugs/v8_text.h"
+#include "widgets/form_section.h"
+#include "widgets/panel.h"
+#include "widgets/result_table.h"
+
+namespace ravnoves {
+
+namespace {
+
+QLabel* namedLabel(QWidget* parent, const char* name, int pixelSize, bool bold = false) {
+    QLabel* label = SheetForm::wrapped(parent, pixelSize, bold);
+    label->setObjectName(QLatin1String(name));
+    return label;
+}
+
+/// Shows a text, or nothing at all where there is none.
+void say(QLabel* label, const QString& text) {
+    label->setText(text);
+    label->setVisible(!text.isEmpty());
+}
+
+}  // namespace
+
+AnswerView::AnswerView(V8PlugsViewModel* model, QWidget* parent) : QWidget(parent), model_(model) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(Theme::space);
+    column->addWidget(buildAdvice());
+
+    auto* lower = new QHBoxLayout;
+    lower->setSpacing(Theme::space);
+    auto* left = new QVBoxLayout;
+    left->setSpacing(Theme::space);
+    left->addWidget(buildBobWeights());
+    left->addWidget(new PlugView(model_, this), 1);
+    lower->addLayout(left, 7);
+    lower->addWidget(buildPlots(), 6);
+    column->addLayout(lower, 1);
+
+    connect(model_, &SceneViewModel::changed, this, &AnswerView::showAnswer);
+    connect(&Theme::instance(), &Theme::changed, this, &AnswerView::showAnswer);
+    showAnswer();
+}
+
+QWidget* AnswerView::buildAdvice() {
+    auto* panel = new Panel(this);
+    auto* column = new QVBoxLayout(panel);
+    column->setContentsMargins(Theme::margin, Theme::space, Theme::margin, Theme::space);
+    column->setSpacing(Theme::gap);
+    advice_ = namedLabel(panel, "advice", Theme::displaySize, true);
+    boring_ = namedLabel(panel, "boring", Theme::titleSize);
+    hang_ = namedLabel(panel, "hang", Theme::titleSize, true);
+    excess_ = namedLabel(panel, "excess", Theme::baseSize);
+    excess_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    troubles_ = namedLabel(panel, "troubles", Theme::baseSize);
+    options_ = new ResultTable(panel);
+    options_->setAccessibleName(tr("The four options"));
+    options_->setColumns(model_->optionColumns());
+    auto* numbers = new QHBoxLayout;
+    numbers->addWidget(hang_, 3);
+    numbers->addWidget(excess_, 2);
+    column->addWidget(advice_);
+    column->addWidget(boring_);
+    column->addLayout(numbers);
+    column->addWidget(troubles_);
+    column->addWidget(options_);
+    return panel;
+}
+
+QWidget* AnswerView::buildBobWeights() {
+    auto* panel = new Panel(this);
+    auto* column = new QVBoxLayout(panel);
+    column->setContentsMargins(Theme::margin, Theme::space, Theme::margin, Theme::space);
+    column->setSpacing(Theme::gap);
+    column->addWidget(headingLabel(tr("Bob weight on each crankpin"), panel));
+    bobWeights_ = new ResultTable(panel);
+    bobWeights_->setAccessibleName(tr("Bob weight on each crankpin, line by line"));
+    bobWeights_->setColumns(model_->bobWeightColumns());
+    column->addWidget(bobWeights_);
+    check_ = captionLabel({}, panel);
+    column->addWidget(check_);
+    return panel;
+}
+
+QWidget* AnswerView::buildPlots() {
+    auto* holder = new QWidget(this);
+    auto* column = new QVBoxLayout(holder);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(Theme::space);
+    compensation_ = new CompensationPlot(holder);
+    column->addWidget(compensation_, 1);
+    shift_ = new ShiftPlot(holder);
+    column->addWidget(shift_, 1);
+    shiftNote_ = captionLabel({}, holder);
+    column->addWidget(shiftNote_);
+    return holder;
+}
+
+void AnswerView::showAnswer() {
+    showAdvice();
+    showBobWeights();
+    say(shiftNote_, model_->shiftText());
+    compensation_->showSolution(model_->solution());
+    shift_->showRadius(model_->input().engine.crank_radius);
+}
+
+void AnswerView::showAdvice() {
+    const Theme& theme = Theme::instance();
+    say(excess_, model_->excessText());
+    say(advice_, model_->adviceText());
+    const auto& advice = model_->solution().advice;
+    const bool works = v8_text::works(model_->solution());
+    // What is still missing is no sentence for the display size.
+    advice_->setFont(Theme::font(works ? Theme::displaySize : Theme::titleSize, true));
+    SheetForm::colourText(advice_, !advice ? theme.mutedText()
+                                   : works ? theme.text()
+                                           : theme.error());
+    say(boring_, model_->boringText());
+    say(hang_, model_->hangText());
+    const bool known = model_->solution().before.has_value();
+    hang_->setFont(Theme::font(known ? Theme::titleSize : Theme::baseSize, known));
+    say(troubles_, model_->troubles().join(QLatin1Char('\n')));
+    SheetForm::colourText(troubles_, theme.warning());
+    options_->setRows(model_->optionRows());
+    for (int row = 0; row < options_->rowCount(); ++row) {
+        for (int column = 0; column < options_->columnCount(); ++column) {
+            options_->setCellToolTip(row, column, model_->optionToolTip(row));
+        }
+    }
+}
+
+void AnswerView::showBobWeights() {
+    const auto weights = model_->bobWeightRows();
+    bobWeights_->setRows(weights);
+    bobWeights_->setVisible(!weights.isEmpty());
+    say(check_, weights.isEmpty() ? model_->missingText() : model_->checkText());
+}
+
+QString AnswerView::asText() const {
+    return excess_->text() + QLatin1Char('\n') + advice_->text() + QLatin1Char('\n') +
+           options_->asText() + QLatin1Char('\n') + bobWeights_->asText();
+}
+
+QString AnswerView::asCsv() const {
+    return options_->asCsv() + QLatin1Char('\n') + bobWeights_->asCsv();
+}
+
+void AnswerView::resetZoom() {
+    compensation_->resetZoom();
+    shift_->resetZoom();
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QVBoxLayout;
+
+namespace ravnoves {
+
+class CompensationPlot;
+class PlugView;
+class ResultTable;
+class ShiftPlot;
+class V8PlugsViewModel;
+
+/// What follows from the job: the advice in words, the four options, the bob weight line by line,
+/// the plug and the plots.
+class AnswerView : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit AnswerView(V8PlugsViewModel* model, QWidget* parent = nullptr);
+
+    QString asText() const;
+    QString asCsv() const;
+    void resetZoom();
+
+    CompensationPlot* compensationPlot() const { return compensation_; }
+    ShiftPlot* shiftPlot() const { return shift_; }
+
+  private:
+    QWidget* buildAdvice();
+    QWidget* buildBobWeights();
+    QWidget* buildPlots();
+    void showAnswer();
+    void showAdvice();
+    void showBobWeights();
+
+    V8PlugsViewModel* model_;
+    QLabel* excess_ = nullptr;
+    QLabel* advice_ = nullptr;
+    QLabel* boring_ = nullptr;
+    QLabel* hang_ = nullptr;
+    QLabel* troubles_ = nullptr;
+    ResultTable* options_ = nullptr;
+    ResultTable* bobWeights_ = nullptr;
+    QLabel* check_ = nullptr;
+    QLabel* shiftNote_ = nullptr;
+    CompensationPlot* compensation_ = nullptr;
+    ShiftPlot* shift_ = nullptr;
+};
+
+}  // namespace ravnoves

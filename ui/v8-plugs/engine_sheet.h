@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QMap>
+
+#include "v8-plugs/sheet_form.h"
+
+class QCheckBox;
+class QPushButton;
+
+namespace ravnoves {
+
+/// Sheet 2: the values of the engine; engines of the user's own are kept and removed here.
+class EngineSheet : public SheetForm {
+    Q_OBJECT
+
+  public:
+    explicit EngineSheet(V8PlugsViewModel* model, QWidget* parent = nullptr);
+
+  Q_SIGNALS:
+    /// A line for the status bar.
+    void status(const QString& text);
+
+  private:
+    QCheckBox* flag(const QString& label, const QString& name, v8_plugs::EngineGroup group,
+                    bool v8_plugs::Engine::*member);
+    void addValues(FormSection* section, v8_plugs::EngineGroup group, QString& mnemonics);
+    void addOwnEngineButtons();
+    void saveEngine();
+    void removeEngine();
+
+    QPushButton* remove_ = nullptr;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "v8-plugs/sheet_form.h"
+
+namespace ravnoves {
+
+/// Sheet 1: whose engine it is, which engine, and how much heavier its parts are.
+class JobSheet : public SheetForm {
+    Q_OBJECT
+
+  public:
+    explicit JobSheet(V8PlugsViewModel* model, QWidget* parent = nullptr);
+
+  private:
+    void buildHead();
+    void buildWork();
+    void buildChanges();
+    void showEngines();
+
+    QComboBox* engine_ = nullptr;
+};
+
+}  // namespace ravnoves

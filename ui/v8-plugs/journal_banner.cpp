@@ -1,0 +1,77 @@
+#include "v8-plugs/journal_banner.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+
+#include "theme/theme.h"
+#include "v8-plugs/sheet_form.h"
+#include "v8-plugs/v8_plugs_view_model.h"
+
+namespace ravnoves {
+
+JournalBanner::JournalBanner(V8PlugsViewModel* model, QWidget* parent)
+    : Panel(parent), model_(model) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(Theme::margin, Theme::gap, Theme::margin, Theme::gap);
+    text_ = SheetForm::wrapped(this, Theme::baseSize, true);
+    text_->setObjectName(QStringLiteral("banner"));
+    row->addWidget(text_, 1);
+    const auto button = [&](const QString& name, const QString& text) {
+        auto* made = new QPushButton(text, this);
+        made->setObjectName(name);
+        made->setMinimumHeight(SheetForm::fieldHeight);
+        row->addWidget(made);
+        return made;
+    };
+    continue_ = button(QStringLiteral("draft_continue"), tr("Continue it"));
+    discard_ = button(QStringLiteral("draft_discard"), tr("Throw it away"));
+    close_ = button(QStringLiteral("banner_close"), tr("Understood"));
+    hide();
+    connect(continue_, &QPushButton::clicked, this, [this] {
+        if (!crashed_.isEmpty()) {
+            Q_EMIT continued(crashed_.constFirst());
+        }
+    });
+    connect(discard_, &QPushButton::clicked, this, [this] {
+        if (!crashed_.isEmpty()) {
+            model_->discardDraft(crashed_.constFirst().session);
+        }
+        next();
+    });
+    connect(close_, &QPushButton::clicked, this, &QWidget::hide);
+    connect(model_, &V8PlugsViewModel::journalTroubleChanged, this, &JournalBanner::showText);
+}
+
+void JournalBanner::offer(const QList<JournalDraft>& crashed) {
+    crashed_ = crashed;
+    showText();
+}
+
+void JournalBanner::next() {
+    if (!crashed_.isEmpty()) {
+        crashed_.removeFirst();
+    }
+    showText();
+}
+
+void JournalBanner::showText() {
+    const bool draft = !crashed_.isEmpty();
+    const QString trouble = model_->journalTrouble();
+    if (draft) {
+        const JournalDraft& first = crashed_.constFirst();
+        text_->setText(
+            tr("The program ended unexpectedly on %1 with an unfinished job (engine number: %2).")
+                .arg(QLocale().toString(first.saved.toLocalTime(), QLocale::ShortFormat),
+                     first.engineNumber.isEmpty() ? QStringLiteral("–") : first.engineNumber));
+    } else {
+        text_->setText(trouble);
+    }
+    continue_->setVisible(draft);
+    discard_->setVisible(draft);
+    close_->setVisible(!draft);
+    setVisible(draft || !trouble.isEmpty());
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "v8-plugs/sheet_form.h"
+
+namespace ravnoves {
+
+class ResultTable;
+
+/// Sheet 5: the permissible residual unbalance, what the balancing machine reads, and the notes.
+class MachineSheet : public SheetForm {
+    Q_OBJECT
+
+  public:
+    explicit MachineSheet(V8PlugsViewModel* model, QWidget* parent = nullptr);
+
+    /// The verdict on both planes.
+    const ResultTable* planes() const { return planes_; }
+
+  private:
+    void addValue(FormSection* section, const QString& label, const FieldSpec& spec,
+                  std::optional<double> v8_plugs::BalancingSheet::*member, const QString& hint);
+
+    ResultTable* planes_;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,314 @@
+// What the page shows of the solution: sentences and tables.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "numerics/constants.h"
+#include "v8-plugs/v8_plugs_view_model.h"
+#include "v8-plugs/v8_text.h"
+
+namespace ravnoves {
+
+using namespace v8_plugs;
+
+namespace {
+
+constexpr double gram = 1e-3;
+constexpr double gramMillimetre = 1e-6;
+
+const QString dash = QStringLiteral("–");
+
+std::size_t index(OptionId id) {
+    return static_cast<std::size_t>(id);
+}
+
+}  // namespace
+
+QString V8PlugsViewModel::adviceText() const {
+    if (solution_.advice) {
+        return v8_text::advice(words_, input_, solution_);
+    }
+    QStringList names;
+    for (const EngineField* field : missing_fields(input_.engine, false)) {
+        names << v8_text::fieldName(words_, field->spec.key);
+    }
+    return names.isEmpty() ? tr("The values do not go together.")
+                           : tr("Still needed: %1.").arg(names.join(QStringLiteral(", ")));
+}
+
+QString V8PlugsViewModel::boringText() const {
+    return solution_.advice && solution_.advice->kind == Advice::Kind::option
+               ? v8_text::boring(words_, input_, solution_, solution_.advice->option->id)
+               : QString();
+}
+
+QString V8PlugsViewModel::excessText() const {
+    if (!solution_.unbalanced_mass || !input_.engine.crank_radius) {
+        return tr("Excess Δm_y: not known yet");
+    }
+    return tr("Excess Δm_y: %1, %2")
+        .arg(v8_text::grams(words_, *solution_.unbalanced_mass, 3),
+             v8_text::gramMillimetres(words_,
+                                      *solution_.unbalanced_mass * *input_.engine.crank_radius));
+}
+
+QStringList V8PlugsViewModel::troubles() const {
+    QStringList list;
+    for (const EngineConflict& conflict : engine_conflicts(input_.engine)) {
+        const bool steel = conflict.key == "max_steel_reduction_g";
+        const double mass =
+            (steel ? input_.engine.steel_plug_mass : input_.engine.aluminium_plug_mass).value();
+        list << tr("%1: must be less than the plug's mass, %2.")
+                    .arg(v8_text::fieldName(words_, conflict.key), v8_text::grams(words_, mass, 3));
+    }
+    if (input_.plug) {
+        const auto geometry = input_.plug->geometry();
+        if (geometry && geometry_fault(*geometry)) {
+            list
+                << (geometry->bore_depth >= geometry->height
+                        ? tr("The bore is as deep as the plug is high: there is no bottom.")
+                        : tr("The bore is wider than the root of the thread, %1: there is no wall.")
+                              .arg(v8_text::millimetres(words_, geometry->thread.root_diameter())));
+        }
+        if (input_.plug->bore_diameter.has_value() != input_.plug->bore_depth.has_value()) {
+            list << tr("A bore needs both its diameter and its depth.");
+        }
+    }
+    list << v8_text::massWarnings(words_, solution_);
+    if (input_.weigh_in) {
+        for (const Part part : all_parts) {
+            const auto s = statistics((*input_.weigh_in)[part]);
+            if (s && !s->within_permitted) {
+                list << tr("%1: spread %2, permitted %3 (heaviest: cylinder %4, lightest: %5).")
+                            .arg(v8_text::partName(words_, part), v8_text::grams(words_, s->spread),
+                                 v8_text::grams(words_,
+                                                (*input_.weigh_in)[part].permitted_spread.value()))
+                            .arg(s->heaviest + 1)
+                            .arg(s->lightest + 1);
+            }
+        }
+    }
+    return list;
+}
+
+QString V8PlugsViewModel::shiftText() const {
+    if (!solution_.plugs) {
+        return {};
+    }
+    const auto chosen = v8_text::chosenOption(solution_);
+    return v8_text::shiftText(words_, input_,
+                              chosen ? *chosen : *solution_.option(OptionId::steel_machined));
+}
+
+QString V8PlugsViewModel::checkText() const {
+    return v8_text::bobWeightCheck(words_, input_, solution_);
+}
+
+QString V8PlugsViewModel::hangText() const {
+    return solution_.before ? v8_text::hang(words_, solution_) : missingText();
+}
+
+QString V8PlugsViewModel::missingText() const {
+    QStringList names;
+    for (const EngineField* field : missing_fields(input_.engine, true)) {
+        names << v8_text::fieldName(words_, field->spec.key);
+    }
+    return names.isEmpty()
+               ? QString()
+               : tr("The bob weight still needs: %1.").arg(names.join(QStringLiteral(", ")));
+}
+
+QString V8PlugsViewModel::isoText() const {
+    if (!solution_.balancing || !input_.balancing) {
+        return tr("ISO 21940-11 needs grade, mass and speed.");
+    }
+    return tr("ISO 21940-11: U_per = 1000 m G / ω = %1 for the whole crankshaft; the method's own "
+              "limit is %2 in each plane.")
+        .arg(v8_text::gramMillimetres(words_, solution_.balancing->permissible),
+             v8_text::gramMillimetres(words_, input_.tolerance));
+}
+
+QString V8PlugsViewModel::plugWeightText() const {
+    if (!input_.plug || !input_.plug->geometry() || geometry_fault(*input_.plug->geometry())) {
+        return tr("With thread and height the sheet says what the plug would weigh.");
+    }
+    const double volume = input_.plug->geometry()->volume();
+    return tr("A plug of these dimensions weighs %1 in steel, %2 in aluminium.")
+        .arg(v8_text::grams(words_, volume * input_.plug->steel_density, 1),
+             v8_text::grams(words_, volume * input_.plug->aluminium_density, 1));
+}
+
+QString V8PlugsViewModel::assignmentText() const {
+    return v8_text::assignmentText(words_, solution_);
+}
+
+QStringList V8PlugsViewModel::optionColumns() const {
+    return {tr("Option"), tr("const., g"), tr("reach, g"), tr("needed, g"), tr("left, g·mm")};
+}
+
+QVector<QStringList> V8PlugsViewModel::optionRows() const {
+    QVector<QStringList> rows;
+    for (const OptionId id : all_options) {
+        const auto& option = solution_.option(id);
+        const QString name = v8_text::optionName(words_, id);
+        if (!option) {
+            rows << QStringList{name, dash, dash, dash, dash};
+            continue;
+        }
+        rows << QStringList{(option->feasible ? QStringLiteral("✓ ") : QStringLiteral("✗ ")) + name,
+                            words_.number(option->constant / gram, 3),
+                            words_.number(option->maximum / gram, 3),
+                            words_.number(option->required_reduction / gram, 3),
+                            words_.number(option->residual_unbalance / gramMillimetre, 1)};
+    }
+    return rows;
+}
+
+QString V8PlugsViewModel::optionToolTip(int row) const {
+    const OptionId id = all_options.at(static_cast<std::size_t>(row));
+    const auto& option = solution_.option(id);
+    if (!option) {
+        return tr("The engine has no such plug, or its data are missing.");
+    }
+    QStringList text{
+        tr("%1: %2.").arg(v8_text::optionName(words_, id),
+                          v8_text::verdict(words_, *option, input_.tolerance)),
+        tr("At most %1 may come off a plug; slope k_y = %2, %3°.")
+            .arg(v8_text::grams(words_, option->max_reduction, 3), words_.number(option->slope, 3),
+                 words_.number(std::atan(option->slope) / degree, 1))};
+    const QString boring = v8_text::boring(words_, input_, solution_, id);
+    if (!boring.isEmpty()) {
+        text << boring;
+    }
+    text << v8_text::shiftText(words_, input_, *option);
+    return text.join(QLatin1Char('\n'));
+}
+
+QStringList V8PlugsViewModel::bobWeightColumns() const {
+    return {tr("factor × mass, g"), tr("nominal"), tr("before"), tr("after")};
+}
+
+QVector<QStringList> V8PlugsViewModel::bobWeightRows() const {
+    QVector<QStringList> rows;
+    if (!solution_.nominal || !solution_.before) {
+        return rows;
+    }
+    const auto chosen = v8_text::chosenOption(solution_);
+    const BobWeight* after = chosen ? &solution_.bob_weights[index(chosen->id)]->after : nullptr;
+    const auto product = [&](const BobWeight* weight, BobWeightLine::Part part) {
+        if (weight != nullptr) {
+            for (const BobWeightLine& line : weight->lines) {
+                if (line.part == part) {
+                    return words_.number(line.product() / gram, 2);
+                }
+            }
+        }
+        return dash;
+    };
+    for (const BobWeightLine& line : solution_.before->lines) {
+        rows << QStringList{v8_text::shortLine(words_, line),
+                            product(&*solution_.nominal, line.part),
+                            product(&*solution_.before, line.part), product(after, line.part)};
+    }
+    rows << QStringList{tr("Bob weight"), words_.number(solution_.nominal->sum() / gram, 2),
+                        words_.number(solution_.before->sum() / gram, 2),
+                        after != nullptr ? words_.number(after->sum() / gram, 2) : dash};
+    return rows;
+}
+
+QStringList V8PlugsViewModel::planeColumns() const {
+    return {tr("Plane"), tr("allowed, g·mm"), tr("reading, g·mm"), tr("verdict")};
+}
+
+QVector<QStringList> V8PlugsViewModel::planeRows() const {
+    QVector<QStringList> rows;
+    const auto add = [&](const QString& name, const PlaneVerdict* plane,
+                         const std::optional<double>& reading) {
+        rows << QStringList{
+            name, plane != nullptr ? words_.number(plane->permissible / gramMillimetre, 1) : dash,
+            reading ? words_.number(*reading / gramMillimetre, 1) : dash,
+            plane == nullptr || !plane->passes ? dash
+            : *plane->passes                   ? tr("✓ passes")
+                                               : tr("✗ fails")};
+    };
+    const auto reading = [&](std::optional<double> BalancingSheet::*member) {
+        return input_.balancing ? *input_.balancing.*member : std::nullopt;
+    };
+    add(tr("Front (pulley)"), solution_.balancing ? &solution_.balancing->front : nullptr,
+        reading(&BalancingSheet::front_reading));
+    add(tr("Rear (flywheel)"), solution_.balancing ? &solution_.balancing->rear : nullptr,
+        reading(&BalancingSheet::rear_reading));
+    return rows;
+}
+
+QStringList V8PlugsViewModel::assignmentColumns() const {
+    QStringList columns{tr("Cylinder")};
+    for (int i = 1; i <= cylinder_count; ++i) {
+        columns << QString::number(i);
+    }
+    return columns;
+}
+
+QVector<QStringList> V8PlugsViewModel::assignmentRows() const {
+    QVector<QStringList> rows;
+    if (!solution_.assignment) {
+        return rows;
+    }
+    const auto row = [](const QString& name, const std::vector<int>& from) {
+        QStringList cells{name};
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            // A set that stays where it is needs no number.
+            cells << (from[i] == static_cast<int>(i) ? QStringLiteral("·")
+                                                     : QString::number(from[i] + 1));
+        }
+        return cells;
+    };
+    return {row(tr("Piston from"), solution_.assignment->pistons),
+            row(tr("Rod from"), solution_.assignment->rods)};
+}
+
+QStringList V8PlugsViewModel::crankpinColumns() const {
+    return {tr("Crankpin"),      QStringLiteral("1"), QStringLiteral("2"),
+            QStringLiteral("3"), QStringLiteral("4"), tr("spread")};
+}
+
+QVector<QStringList> V8PlugsViewModel::crankpinRows() const {
+    QVector<QStringList> rows;
+    if (!solution_.crankpin_excess || !solution_.assigned_excess) {
+        return rows;
+    }
+    const auto row = [&](const QString& name, const std::array<double, crankpin_count>& excess) {
+        QStringList cells{name};
+        for (const double mass : excess) {
+            cells << words_.number(mass / gram, 2);
+        }
+        const auto [least, most] = std::minmax_element(excess.begin(), excess.end());
+        cells << words_.number((*most - *least) / gram, 2);
+        return cells;
+    };
+    return {row(tr("as weighed, g"), *solution_.crankpin_excess),
+            row(tr("after moving, g"), *solution_.assigned_excess)};
+}
+
+V8PlugsViewModel::ColumnNote V8PlugsViewModel::columnNote(Part part) const {
+    ColumnNote note{dash, dash, false, {}};
+    if (!input_.weigh_in) {
+        return note;
+    }
+    const auto s = statistics((*input_.weigh_in)[part]);
+    if (!s) {
+        return note;
+    }
+    note.mean = words_.number(s->mean / gram, 2);
+    note.spread = words_.number(s->spread / gram, 2);
+    note.tooWide = !s->within_permitted;
+    note.toolTip = tr("%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.")
+                       .arg(v8_text::partName(words_, part))
+                       .arg(s->count)
+                       .arg(s->heaviest + 1)
+                       .arg(s->lightest + 1);
+    return note;
+}
+
+}  // namespace ravnoves
