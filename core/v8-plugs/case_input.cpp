@@ -349,6 +349,18 @@ std::span<const MassChangeField> mass_change_fields() {
     return change_fields;
 }
 
+PlugSheet printed_plug(std::string_view preset) {
+    PlugSheet sheet;
+    if (preset == "4.25 l") {
+        sheet.thread = Thread{22e-3, 1.5e-3};
+        sheet.height = 14e-3;
+    } else if (preset == "6 l" || preset == "7 l") {
+        sheet.thread = Thread{30e-3, 1.5e-3};
+        sheet.height = 11e-3;
+    }
+    return sheet;
+}
+
 std::optional<PlugGeometry> PlugSheet::geometry() const {
     if (!thread || !height) {
         return std::nullopt;

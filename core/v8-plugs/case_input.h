@@ -50,6 +50,11 @@ struct PlugSheet {
     friend bool operator==(const PlugSheet&, const PlugSheet&) = default;
 };
 
+/// Thread and height of today's plug as Table 1 prints them for the preset; empty for the engines
+/// of which it prints none. The bore stays empty: the table's letters stand on a drawing that the
+/// print does not show well enough to tell which of them is the bore.
+PlugSheet printed_plug(std::string_view preset);
+
 /// The machine's part of the sheet as far as it is known.
 struct BalancingSheet {
     std::optional<double> grade;          ///< m/s

@@ -148,10 +148,6 @@
         <translation>Сумма: груз</translation>
     </message>
     <message>
-        <source>Which set goes to which cylinder</source>
-        <translation>Какой комплект в какой цилиндр</translation>
-    </message>
-    <message>
         <source>Cylinder</source>
         <translation>Цилиндр</translation>
     </message>
@@ -226,6 +222,18 @@
     <message>
         <source>%1 cannot be written: %2</source>
         <translation>%1: не удалось записать: %2</translation>
+    </message>
+    <message>
+        <source>Weights of the parts by cylinder, %1</source>
+        <translation>Массы деталей по цилиндрам, %1</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>среднее</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>разброс</translation>
     </message>
 </context>
 <context>
@@ -597,6 +605,57 @@
         <comment>unit</comment>
         <translation>мин⁻¹</translation>
     </message>
+    <message>
+        <source>%1 plug: solid it weighs %2, but %3 was typed. Give its bore or weigh it.</source>
+        <translation>%1: сплошная пробка весит %2, а введено %3. Укажите расточку или взвесьте.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of 8 weighed; nominal counts until all are.</source>
+        <translation>%1: взвешено %2 из 8; пока не все, считается номинал.</translation>
+    </message>
+    <message>
+        <source>%1: the weights do not count without a nominal mass.</source>
+        <translation>%1: без номинальной массы взвешивание не учитывается.</translation>
+    </message>
+    <message>
+        <source>%1: must be less than the plug&apos;s mass, %2.</source>
+        <translation>%1: должно быть меньше массы пробки, %2.</translation>
+    </message>
+    <message>
+        <source>The bore is as deep as the plug is high: there is no bottom.</source>
+        <translation>Полость глубиной с пробку: дна нет.</translation>
+    </message>
+    <message>
+        <source>The bore is wider than the root of the thread, %1: there is no wall.</source>
+        <translation>Полость шире впадины резьбы, %1: стенки нет.</translation>
+    </message>
+    <message>
+        <source>A bore needs both its diameter and its depth.</source>
+        <translation>У полости нужны и диаметр, и глубина.</translation>
+    </message>
+    <message>
+        <source>%1: spread %2, permitted %3 (heaviest: cylinder %4, lightest: %5).</source>
+        <translation>%1: разброс %2, допустимо %3 (тяжелее всех: цилиндр %4, легче всех: %5).</translation>
+    </message>
+    <message>
+        <source>Bored as planned here it moves by %1: %2.</source>
+        <translation>При этой расточке он смещается на %1: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::AnswerView</name>
+    <message>
+        <source>The four options</source>
+        <translation>Четыре варианта</translation>
+    </message>
+    <message>
+        <source>Bob weight on each crankpin</source>
+        <translation>Балансировочный груз на шейку</translation>
+    </message>
+    <message>
+        <source>Bob weight on each crankpin, line by line</source>
+        <translation>Балансировочный груз на шейку по строкам</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BalanceShaftPage</name>
@@ -929,10 +988,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Crank only, gears</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>φ, °</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1072,6 +1127,14 @@
         <source> rad/s</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Forces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relief</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BalanceShaftViewModel</name>
@@ -1173,7 +1236,7 @@
     </message>
     <message>
         <source>kg</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">кг</translation>
     </message>
     <message>
         <source>Counterweight force P₁</source>
@@ -1270,6 +1333,29 @@
     <message>
         <source>The torque holds an inertia torque of mⱼ r² ω² = %1 N·m; the masses and the speed entered give %2 N·m. It fits these masses at %3 min⁻¹, or %4 kg at this speed.</source>
         <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::CompensationPlot</name>
+    <message>
+        <source>Excess compensated</source>
+        <translation>Компенсируемая масса</translation>
+    </message>
+    <message>
+        <source>Excess compensated over the lightening of one plug</source>
+        <translation>Компенсируемая масса от облегчения одной пробки</translation>
+    </message>
+    <message>
+        <source>Δm_y, g</source>
+        <translation>Δm_у, г</translation>
+    </message>
+    <message>
+        <source>today %1</source>
+        <translation>сейчас %1</translation>
+    </message>
+    <message>
+        <source>lightening of one plug Δm, g</source>
+        <translation>облегчение одной пробки Δm, г</translation>
     </message>
 </context>
 <context>
@@ -1499,6 +1585,483 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Paste cylinders</source>
         <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ElasticHingePage</name>
+    <message>
+        <source>&amp;Play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play the computed motion in slow motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play (Space)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;ω</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rad/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crank speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crank speed that the hinges are designed for. Paper: 100, 300 and 500 rad/s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;λ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ratio λ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crank radius to rod length. Paper: 0.3. Below 1; λ = 1 can be drawn with the series only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;c</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kN/m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stiffness of the spring of the crank&apos;s hinge. Paper: 20 000 kN/m. A softer spring gives more relief.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;ρ₀</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation type="unfinished">мм</translation>
+    </message>
+    <message>
+        <source>Guide radius ρ₀</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius of the guide at φ = 0. Below ℓ₀/2 the spring is compressed, above it is stretched. Paper: 90 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ℓ&amp;₂</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counterweight&apos;s distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the crankpin to the counterweight on the rod. Paper: 50, 100 and 150 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Profile error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Amplitude of the waves on the guide&apos;s profile as it is made. Good grinding leaves a few micrometres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play or pause the motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>without hinge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crank hinge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both hinges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off design</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which motion is played</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which of the computed motions the picture plays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;φ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crank angle of the picture, counter-clockwise from the slider line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take this pre&amp;load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take this sti&amp;ffness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the design gives</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ElasticHingeViewModel</name>
+    <message>
+        <source>Zotov and Sviridov 2021</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open case</source>
+        <translation type="unfinished">Открытие задачи</translation>
+    </message>
+    <message>
+        <source>New case</source>
+        <translation type="unfinished">Новая задача</translation>
+    </message>
+    <message>
+        <source>No spring is given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None: at λ = 1 the mechanism locks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None: the hinge has no energy to give out, its guide is a circle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None: a spring of %1 mm that gets no shorter than %2 mm leaves no room for this relief.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None: with a spring of %1 mm this relief needs an outer diameter of at least %2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None: the roller of radius %1 mm undercuts every guide with this relief.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None: the stiffness that would be needed is out of range.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>c = %1 kN/m, ρ₀ = %2 mm: relief %3 mm within %4 mm; the spring is at least %5 mm long, bears up to %6 kN and stores up to %7 J.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take over the guide found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preload that the guide needs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stiffness that the guide needs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At λ = 1 the mechanism locks: there is no guide and no motion. The series still draws M₁₂ and the side force.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No spring is given, so there is no guide.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No guide: the spring would have to be compressed by %1 mm of its %2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No guide: from φ = %1° on the spring would have to give out more than it stores (most at %2°). It needs a preload |ℓ₀/2 − ρ₀| of %3 mm and has %4 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, or with this preload a stiffness of %1 kN/m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The roller of radius %1 mm undercuts the guide: at most %2 mm follow it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The guide exists, but with the printed sign it stores what the mechanism takes up: the crank does not keep its speed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The guide exists, but cannot be made: with a relief of %1 mm a profile error of %2 µm changes its moment by up to %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The guide exists: relief %1 mm; a profile error of %2 µm changes its moment by up to %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation type="unfinished">мм</translation>
+    </message>
+    <message>
+        <source>Relief of the guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preload needed / given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spring travel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest spring force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kN</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moment error from %1 µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least curvature radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest roller radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>∮ M₁₂ dφ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>J</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side force without hinge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side force with rod hinge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counterweight P₄</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kg</source>
+        <translation type="unfinished">кг</translation>
+    </message>
+    <message>
+        <source>reverses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ripple without hinge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ripple with hinge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ripple from %1 rad/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The series is off by %1 in cos ψ at φ = %2°; use the exact kinematics for a design.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Equation (9) as printed has the wrong sign at the counterweight&apos;s inertia: the slider would still bear up to %1 N. Newton–Euler makes the side force zero.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2…%3 rad/s, drift %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the crank stops after %2 turns and would turn back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: only %2 turns in %3 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>without hinge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crank hinge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both hinges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from %1 rad/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::EngineSheet</name>
+    <message>
+        <source>There are &amp;aluminium plugs</source>
+        <translation>Есть &amp;алюминиевые пробки</translation>
+    </message>
+    <message>
+        <source>There are plugs of the new &amp;design</source>
+        <translation>Есть пробки &amp;новой конструкции</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as own engine…</source>
+        <translation>&amp;Запомнить двигатель…</translation>
+    </message>
+    <message>
+        <source>Rena&amp;me…</source>
+        <translation>&amp;Переименовать…</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve…</source>
+        <translation>&amp;Удалить…</translation>
+    </message>
+    <message>
+        <source>Crankshaft and today&apos;s plugs</source>
+        <translation>Вал и существующие пробки</translation>
+    </message>
+    <message>
+        <source>Nominal masses, for the bob weight</source>
+        <translation>Номинальные массы, для груза</translation>
+    </message>
+    <message>
+        <source>needed</source>
+        <translation>нужно</translation>
+    </message>
+    <message>
+        <source>Name of the engine:</source>
+        <translation>Название двигателя:</translation>
+    </message>
+    <message>
+        <source>The engine needs a name.</source>
+        <translation>Двигателю нужно название.</translation>
+    </message>
+    <message>
+        <source>Keep as own engine</source>
+        <translation>Запомнить двигатель</translation>
+    </message>
+    <message>
+        <source>An engine “%1” is kept already. Replace its values?</source>
+        <translation>Двигатель «%1» уже сохранён. Заменить его данные?</translation>
+    </message>
+    <message>
+        <source>Engine %1 kept.</source>
+        <translation>Двигатель %1 запомнен.</translation>
+    </message>
+    <message>
+        <source>Rename own engine</source>
+        <translation>Переименование двигателя</translation>
+    </message>
+    <message>
+        <source>The engine is called %1 now.</source>
+        <translation>Двигатель теперь называется %1.</translation>
+    </message>
+    <message>
+        <source>Remove engine</source>
+        <translation>Удаление двигателя</translation>
+    </message>
+    <message>
+        <source>Remove “%1” from your own engines?</source>
+        <translation>Удалить «%1» из своих двигателей?</translation>
+    </message>
+    <message>
+        <source>Engine %1 removed.</source>
+        <translation>Двигатель %1 удалён.</translation>
     </message>
 </context>
 <context>
@@ -1866,6 +2429,188 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::GuideExportForm</name>
+    <message>
+        <source>Guide for the machine shop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crank, for M</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crank, for M₁</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rod, for M₁₂</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Hinge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which hinge&apos;s guide is written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>compressed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stretched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;pring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The side of its free length on which the spring works</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>guide turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spring turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;What turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the paper the guide turns with the crank and the spring stands still: the roller then runs backwards in the guide&apos;s own axes, and the drawing is the mirror image of the plot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chord to&amp;lerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DXF: the polyline leaves the curve by no more than that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;tep of the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CSV: step of the crank angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write D&amp;XF…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed polylines in mm, 1:1: layers PROFILE, ROLLER_PATH, AXIS, NOTE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write &amp;CSV…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crank angle, polar angle, radius, x and y of path and profile; °, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DXF drawing (*.dxf)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CSV table (*.csv)</source>
+        <translation type="unfinished">Таблица CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>This guide does not exist; see the answer on the right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The roller undercuts this guide.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The profile is offset from the path of the roller&apos;s centre by the roller&apos;s radius.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 written</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::GuideSearchForm</name>
+    <message>
+        <source>Finds stiffness and preload that give the crank&apos;s guide a relief that can be made, with the free length, the roller and the side of the spring as they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wanted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R&amp;elief</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Difference between the guide&apos;s largest and least radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Outer diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Guide and rollers must fit in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Shortest spring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The spring gets no shorter than that (its solid length). Empty: 0.4 ℓ₀.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0.4 ℓ₀</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Take it over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sets c and ρ₀ to the values found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wanted relief</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outer diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shortest spring</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::HelpWindow</name>
     <message>
         <source>Help</source>
@@ -1873,6 +2618,679 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>There is no help on this page yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::HingeInputs</name>
+    <message>
+        <source>Mechanism</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Own values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zotov and Sviridov</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mechanism of the paper, with ρ₀ = 90 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>weights, N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>masses, kg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Given &amp;as</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The paper gives weights. With masses gravity may be 0: a mechanism that lies flat.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weights or masses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Crank radius r</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the crank&apos;s axis to the crankpin; the rod is r/λ long. Paper: 50 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crank radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paper&apos;s series</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Kinematics of M₁₂</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The paper&apos;s series for cos ψ is good for small λ only; the exact one needs λ &lt; 1. M and the crank&apos;s guide are always exact.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kinematics</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;rank P₁</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;rank m₁</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The crank is a uniform bar of length r. Paper: 5 N.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ro&amp;d P₂</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ro&amp;d m₂</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rod is a uniform bar of length r/λ. Paper: 6.5 N.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;lider P₃</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;lider m₃</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paper: 6 N.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Gravity g</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The paper takes 9.82 m/s²; the standard value is 9.80665 m/s².</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Springs and guides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Free length ℓ₀</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the unloaded spring of the crank&apos;s hinge. Paper: 200 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>keeps the energy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as printed (1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sign of the g&amp;uide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A spring that keeps the crank&apos;s speed gives out what the mechanism takes up: Π = const − (T + V). Equation (1) as printed has a plus.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sign of the guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Own spring for the rod&apos;s &amp;hinge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Else the rod&apos;s hinge has the same spring as the crank&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spring of the rod&apos;s hinge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its &amp;stiffness c</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the rod hinge&apos;s own spring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its free length &amp;ℓ₀</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its radius ρ&amp;₀</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the rod hinge&apos;s own guide at θ = 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counterweight on the rod</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counter&amp;weight beyond the crankpin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the distance ℓ₂ beyond the crankpin (slider above). With the weight of (10) the rod&apos;s hinge makes the side force zero.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counterweight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight P&amp;₄</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mass m&amp;₄</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Empty: solved from (10), P₄ ℓ₂ = (P₃ + P₂/2) ℓ, so that M₁₂ has no mean.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by (10)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counterweight P₄</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as printed (9)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Newton–Euler</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Inertia in M₁₂</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Equation (9) as printed has the wrong sign at the counterweight&apos;s inertia forces; with moments about A the side force vanishes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counterweight&apos;s inertia</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making the guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roller radi&amp;us</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ρ is the path of the roller&apos;s centre; the profile is offset from it by the roller&apos;s radius. The paper takes 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roller radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error &amp;waves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The profile&apos;s error is taken as so many waves in one turn: 1 is a guide out of centre, 2 an oval one. A whole number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error waves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tur&amp;ns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns of the crank to compute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off-design sp&amp;eed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A start away from the design speed ω, for comparison: the hinge is exact at one speed only. Empty: 1.2 ω.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1.2 ω</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off-design speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;tart angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crank angle at which the motion starts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Moment on the crank</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A constant moment that drives the crank; negative brakes it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moment on the crank</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the profile &amp;error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The crank&apos;s guide as it was made, with the waves of the profile error: the crank&apos;s speed then follows them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Profile error in the motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Families of curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crank speeds that the plots compare, rad/s. Paper: 100, 300, 500.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speeds ω, rad/s&amp;;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>λ that the side force is compared for. Paper: 0.3, 0.4, 0.6, 0.8, 1 (1 with the series only).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ratios &amp;λ</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::HingeMechanismView</name>
+    <message>
+        <source>Picture of the mechanism with its hinges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mechanism to scale, the guide&apos;s relief enlarged as in the plot. The guide turns with the crank, the spring stands still. Space plays the computed motion in slow motion, dragging turns the crank.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>φ = %1°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ω = %1 rad/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>relief × %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 times slower</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::HingePlots</name>
+    <message>
+        <source>What the roller touches: the path of its centre offset by its radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Guides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R&amp;od hinge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sid&amp;e force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crank &amp;moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mo&amp;tion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>φ, °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crank, for M</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crank, for M₁</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rod, for M₁₂</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which guide is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The hinge between frame and crank alone (M), the same beside the rod&apos;s hinge (M₁), or the hinge between crank and rod, whose guide goes by θ = φ + ψ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Relief ×</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pictures enlarge the guide&apos;s relief by this factor; 1 is to scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a&amp;uto</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the factor by the relief</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Guides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ρ₀</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ℓ₀ − ρ₀</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>compressed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Guide of the compressed spring, minus in (3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stretched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Guide of the stretched spring, plus in (3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ρ over the turn, from its value at 0°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>M₁₂ and its potential part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>M₁₂</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moment on the rod that makes the side force zero, (4), with a counterweight (9)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>potential part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>M₁₂ less its mean, (5)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>series</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>M₁₂ by the other kinematics, for comparison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>M₁₂ at several ω</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side force with rod hinge, several λ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side force without hinge, several ω</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>10 × with hinge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ten times the side force with the rod&apos;s hinge: the same at every ω</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moment that keeps the crank&apos;s speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without the rod&apos;s hinge, d(T + V)/dφ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>M₁</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the rod&apos;s hinge, M + M₁₂ (1 + ψ′), (8); with a counterweight M₁*, (11)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>M₁ at several ω</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crank speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rad/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>without hinge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bare mechanism, from the design speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>crank hinge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the crank&apos;s hinge, from the design speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both hinges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the rod&apos;s hinge and the crank&apos;s beside it, from the design speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off design</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the crank&apos;s hinge, from another speed: the hinge is exact at one speed only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of the motion computed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop computing the motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Guides, to scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Guides, relief × %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ρ − ρ(0), µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ρ − ρ(0), mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 rad/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>M₁*</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>M₁* at several ω</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2200,7 +3618,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>min⁻¹</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">мин⁻¹</translation>
     </message>
     <message>
         <source>Crankshaft speed; forces and moments grow with its square.</source>
@@ -2538,10 +3956,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Volkswagen VR5 (paper)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Own table</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2737,6 +4151,145 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Two-term is not enough: order %1.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>VW VR5 (paper)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::JobSheet</name>
+    <message>
+        <source>Job</source>
+        <translation>Работа</translation>
+    </message>
+    <message>
+        <source>Engine &amp;number</source>
+        <translation>&amp;Номер двигателя</translation>
+    </message>
+    <message>
+        <source>The journal finds the job by it.</source>
+        <translation>По нему журнал находит работу.</translation>
+    </message>
+    <message>
+        <source>Crankshaft num&amp;ber</source>
+        <translation>Номер &amp;вала</translation>
+    </message>
+    <message>
+        <source>As stamped on the crankshaft.</source>
+        <translation>Как выбито на валу.</translation>
+    </message>
+    <message>
+        <source>C&amp;ustomer</source>
+        <translation>&amp;Заказчик</translation>
+    </message>
+    <message>
+        <source>Who brought the engine; the journal finds the job by it.</source>
+        <translation>Кто привёз двигатель; по нему журнал находит работу.</translation>
+    </message>
+    <message>
+        <source>&amp;Date</source>
+        <translation>&amp;Дата</translation>
+    </message>
+    <message>
+        <source>Year-month-day or day.month.year.</source>
+        <translation>Год-месяц-день или день.месяц.год.</translation>
+    </message>
+    <message>
+        <source>“%1” is no date; write it like 2024-05-31.</source>
+        <translation>«%1» — не дата; пишите так: 2024-05-31.</translation>
+    </message>
+    <message>
+        <source>&amp;Technician</source>
+        <translation>&amp;Исполнитель</translation>
+    </message>
+    <message>
+        <source>Who does the work.</source>
+        <translation>Кто выполняет работу.</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Вид работы</translation>
+    </message>
+    <message>
+        <source>&amp;Engine</source>
+        <translation>Дви&amp;гатель</translation>
+    </message>
+    <message>
+        <source>Engines of the paper by displacement, then your own.</source>
+        <translation>Двигатели статьи по рабочему объёму, затем свои.</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>другой</translation>
+    </message>
+    <message>
+        <source>&amp;Work</source>
+        <translation>Вид &amp;работы</translation>
+    </message>
+    <message>
+        <source>In manufacture repair pistons and repair shells are not counted.</source>
+        <translation>При изготовлении ремонтные поршни и вкладыши не учитываются.</translation>
+    </message>
+    <message>
+        <source>Cran&amp;kshaft</source>
+        <translation>&amp;Коленчатый вал</translation>
+    </message>
+    <message>
+        <source>Which plugs the counterweights of the crankshaft were made for.</source>
+        <translation>Под какие пробки сделаны противовесы вала.</translation>
+    </message>
+    <message>
+        <source>Crankshaft</source>
+        <translation>Коленчатый вал</translation>
+    </message>
+    <message>
+        <source>Heavier than nominal by (negative: lighter)</source>
+        <translation>Тяжелее номинала на (минус: легче)</translation>
+    </message>
+    <message>
+        <source>&amp;Improved piston</source>
+        <translation>&amp;Поршень</translation>
+    </message>
+    <message>
+        <source>&amp;Rod big end</source>
+        <translation>Н&amp;ижняя головка шатуна</translation>
+    </message>
+    <message>
+        <source>Re&amp;pair piston and rings</source>
+        <translation>Рем. пор&amp;шень с кольцами</translation>
+    </message>
+    <message>
+        <source>Repair &amp;shells</source>
+        <translation>Рем. вкл&amp;адыши</translation>
+    </message>
+    <message>
+        <source>Δm_pi: one piston against nominal.</source>
+        <translation>Δm_п: один поршень против номинала.</translation>
+    </message>
+    <message>
+        <source>Δm_be: one big end against nominal.</source>
+        <translation>Δm_шк: одна нижняя головка против номинала.</translation>
+    </message>
+    <message>
+        <source>Δm_rp: one repair piston with its rings against nominal.</source>
+        <translation>Δm_рп: один ремонтный поршень с кольцами против номинала.</translation>
+    </message>
+    <message>
+        <source>Δm_sh: the repair shells of one crankpin against nominal.</source>
+        <translation>Δm_шр: ремонтные вкладыши одной шейки против номинала.</translation>
+    </message>
+    <message>
+        <source>Taken from the weigh-in sheet.</source>
+        <translation>Взято с листа взвешивания.</translation>
+    </message>
+    <message>
+        <source>Residual unbalance &amp;allowed</source>
+        <translation>Допустимый дис&amp;баланс</translation>
+    </message>
+    <message>
+        <source>In each correction plane. The paper accepts 5 g·mm.</source>
+        <translation>В каждой плоскости коррекции. В статье 5 г·мм.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::Journal</name>
@@ -2823,6 +4376,33 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>%1 could not be written.</source>
         <translation>Не удалось записать %1.</translation>
+    </message>
+    <message>
+        <source>The engine could not be renamed.</source>
+        <translation>Двигатель не удалось переименовать.</translation>
+    </message>
+    <message>
+        <source>it is no longer kept</source>
+        <translation>его больше нет в журнале</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::JournalBanner</name>
+    <message>
+        <source>Continue it</source>
+        <translation>Продолжить</translation>
+    </message>
+    <message>
+        <source>Throw it away</source>
+        <translation>Выбросить</translation>
+    </message>
+    <message>
+        <source>Understood</source>
+        <translation>Понятно</translation>
+    </message>
+    <message>
+        <source>The program ended unexpectedly on %1 with an unfinished job (engine number: %2).</source>
+        <translation>Программа неожиданно прервалась %1, осталась незаконченная работа (номер двигателя: %2).</translation>
     </message>
 </context>
 <context>
@@ -2934,6 +4514,81 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Written: %1</source>
         <translation>Записано: %1</translation>
+    </message>
+    <message>
+        <source>The newest %1 jobs; more match. The export has them all.</source>
+        <translation>Последние работы: %1; найдено больше. В выгрузке будут все.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::MachineSheet</name>
+    <message>
+        <source>Permissible residual unbalance, ISO 21940-11</source>
+        <translation>Допустимый остаточный дисбаланс, ИСО 21940-11</translation>
+    </message>
+    <message>
+        <source>&amp;Grade G</source>
+        <translation>&amp;Класс G</translation>
+    </message>
+    <message>
+        <source>Balance quality grade. The standard&apos;s table has 0.4, 1, 2.5, 6.3, 16, 40, 100, 250, 630, 1600, 4000 mm/s; crankshaft drives of car, truck and locomotive engines G 100, inherently balanced crankshafts better.</source>
+        <translation>Класс точности балансировки. В стандарте 0,4; 1; 2,5; 6,3; 16; 40; 100; 250; 630; 1600; 4000 мм/с; для кривошипных механизмов автомобильных и тепловозных двигателей G 100, для уравновешенных валов точнее.</translation>
+    </message>
+    <message>
+        <source>&amp;Mass of the crankshaft</source>
+        <translation>&amp;Масса вала</translation>
+    </message>
+    <message>
+        <source>As it lies on the machine, with the bob weights.</source>
+        <translation>Как лежит на станке, с грузами.</translation>
+    </message>
+    <message>
+        <source>Service s&amp;peed</source>
+        <translation>&amp;Частота вращения</translation>
+    </message>
+    <message>
+        <source>The highest speed in service, not that of the machine.</source>
+        <translation>Наибольшая рабочая, а не станка.</translation>
+    </message>
+    <message>
+        <source>&amp;Share of the front plane</source>
+        <translation>&amp;Доля передней плоскости</translation>
+    </message>
+    <message>
+        <source>Half for a crankshaft whose mass lies midway between the planes; the standard allows 0.3 to 0.7.</source>
+        <translation>Половина, если центр масс посередине между плоскостями; стандарт допускает 0,3–0,7.</translation>
+    </message>
+    <message>
+        <source>What the machine reads</source>
+        <translation>Показания станка</translation>
+    </message>
+    <message>
+        <source>&amp;Front plane (pulley)</source>
+        <translation>&amp;Передняя плоскость (шкив)</translation>
+    </message>
+    <message>
+        <source>Residual unbalance after correction.</source>
+        <translation>Остаточный дисбаланс после исправления.</translation>
+    </message>
+    <message>
+        <source>&amp;Rear plane (flywheel)</source>
+        <translation>&amp;Задняя плоскость (маховик)</translation>
+    </message>
+    <message>
+        <source>Correction planes</source>
+        <translation>Плоскости коррекции</translation>
+    </message>
+    <message>
+        <source>Notes on the job card</source>
+        <translation>Примечания для карты</translation>
+    </message>
+    <message>
+        <source>&amp;Notes</source>
+        <translation>П&amp;римечания</translation>
+    </message>
+    <message>
+        <source>Printed on the job card.</source>
+        <translation>Печатается на карте.</translation>
     </message>
 </context>
 <context>
@@ -3178,6 +4833,29 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::NumberListField</name>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation type="unfinished">«%1» — не число.</translation>
+    </message>
+    <message>
+        <source>The value %1.</source>
+        <translation type="unfinished">Значение %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>At most %n value(s).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Each value %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::OrderBars</name>
     <message>
         <source>Amplitudes by order</source>
@@ -3307,6 +4985,97 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::PlugSizesSheet</name>
+    <message>
+        <source>Plug</source>
+        <translation>Пробка</translation>
+    </message>
+    <message>
+        <source>&amp;Height h</source>
+        <translation>&amp;Высота h</translation>
+    </message>
+    <message>
+        <source>Of the whole plug.</source>
+        <translation>Всей пробки.</translation>
+    </message>
+    <message>
+        <source>&amp;Bore diameter</source>
+        <translation>&amp;Диаметр полости</translation>
+    </message>
+    <message>
+        <source>Of the bore that is there. Empty: a solid plug.</source>
+        <translation>Имеющейся полости. Пусто: сплошная пробка.</translation>
+    </message>
+    <message>
+        <source>Bore de&amp;pth</source>
+        <translation>&amp;Глубина полости</translation>
+    </message>
+    <message>
+        <source>From the outer face. Empty: a solid plug.</source>
+        <translation>От наружного торца. Пусто: сплошная пробка.</translation>
+    </message>
+    <message>
+        <source>Boring</source>
+        <translation>Расточка</translation>
+    </message>
+    <message>
+        <source>&amp;Cutter diameter</source>
+        <translation>Диаметр &amp;фрезы</translation>
+    </message>
+    <message>
+        <source>Empty: no boring is planned.</source>
+        <translation>Пусто: расточка не считается.</translation>
+    </message>
+    <message>
+        <source>&amp;Wall that must stay</source>
+        <translation>&amp;Стенка не меньше</translation>
+    </message>
+    <message>
+        <source>Between the bore and the root of the thread. Empty: no limit.</source>
+        <translation>Между полостью и впадиной резьбы. Пусто: без предела.</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom that must stay</source>
+        <translation>Д&amp;но не меньше</translation>
+    </message>
+    <message>
+        <source>Between the bore and the inner face. Empty: no limit.</source>
+        <translation>Между полостью и внутренним торцом. Пусто: без предела.</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Плотность</translation>
+    </message>
+    <message>
+        <source>&amp;Steel</source>
+        <translation>С&amp;таль</translation>
+    </message>
+    <message>
+        <source>Carbon steel 7850 kg/m³.</source>
+        <translation>Углеродистая сталь 7850 кг/м³.</translation>
+    </message>
+    <message>
+        <source>&amp;Aluminium</source>
+        <translation>&amp;Алюминий</translation>
+    </message>
+    <message>
+        <source>Wrought alloys 2640 to 2850 kg/m³.</source>
+        <translation>Деформируемые сплавы 2640–2850 кг/м³.</translation>
+    </message>
+    <message>
+        <source>&amp;Thread</source>
+        <translation>&amp;Резьба</translation>
+    </message>
+    <message>
+        <source>Metric thread with its pitch, like M22x1.5.</source>
+        <translation>Метрическая резьба с шагом, например M22x1.5.</translation>
+    </message>
+    <message>
+        <source>“%1” is no metric thread with its pitch, like M22x1.5.</source>
+        <translation>«%1» — не метрическая резьба с шагом, как M22x1.5.</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::PlugView</name>
     <message>
         <source>Plug in section</source>
@@ -3350,6 +5119,228 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>must be at most %1</source>
         <translation>должно быть не больше %1</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::RelievedShaftDrawing</name>
+    <message>
+        <source>Drawing of the shaft with a relieved middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No shaft of these sizes</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::RelievedShaftView</name>
+    <message>
+        <source>Shaft with a relieved middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size that follows from the others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>depth h</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>length b</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>diameter D</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing, only check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Find</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two sizes are given, the third follows from the unbalance m₁ ρ₁.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Diameter D</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the round bar; also the circle that the shaft sweeps.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth &amp;h</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the segment that is milled away, from the bar&apos;s surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Length b</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over which the segment is milled away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Densit&amp;y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the bar. Steel 7850, cast iron 7200, tungsten alloy 17500.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation type="unfinished">Плотность</translation>
+    </message>
+    <message>
+        <source>&amp;Elastic modulus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For the sag under the shaft&apos;s own centrifugal load. Steel 210, cast iron 170, tungsten alloy 360.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elastic modulus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E&amp;xport drawing (DXF)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section and side view, real size, for the machine shop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sizes and masses of the shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relieved shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size to find</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation type="unfinished">мм</translation>
+    </message>
+    <message>
+        <source>unbalance needed, m₁ ρ₁</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>g·mm</source>
+        <translation type="unfinished">г·мм</translation>
+    </message>
+    <message>
+        <source>unbalance of the shaft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>width of the flat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mass of the relieved part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kg</source>
+        <translation type="unfinished">кг</translation>
+    </message>
+    <message>
+        <source>mass milled away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radius of its centre of mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>critical bar radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>critical length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sag at speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bending stress</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MPa</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The smallest bar that can have the unbalance at this length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shortest relief that can have it with this bar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the relieved part on two supports under its own centrifugal load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feasible, but more than half of the bar is milled away: a depth of %1 mm gives the same unbalance and a stiffer shaft.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feasible.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These sizes give %1 % of the unbalance that is needed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bar is too thin: its diameter must be at least %1 mm, or the relieved length at least %2 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no such shaft: no unbalance is needed, or it is beyond these sizes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DXF drawings (*.dxf)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3593,6 +5584,188 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>nothing to cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ShiftPlot</name>
+    <message>
+        <source>Shift of the plug&apos;s centre of mass</source>
+        <translation>Смещение центра масс пробки</translation>
+    </message>
+    <message>
+        <source>Coefficient Δk over the shift Δr for five crank radii</source>
+        <translation>Коэффициент Δk от смещения Δr для пяти радиусов кривошипа</translation>
+    </message>
+    <message>
+        <source>Δr, mm</source>
+        <translation>Δr, мм</translation>
+    </message>
+    <message>
+        <source>Δk</source>
+        <translation>Δk</translation>
+    </message>
+    <message>
+        <source>r = %1: %2</source>
+        <translation>r = %1: %2</translation>
+    </message>
+    <message>
+        <source>this engine</source>
+        <translation>этот двигатель</translation>
+    </message>
+    <message>
+        <source>neglected</source>
+        <translation>не учтено</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::SpeedView</name>
+    <message>
+        <source>Speed &amp;n</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>min⁻¹</source>
+        <translation type="unfinished">мин⁻¹</translation>
+    </message>
+    <message>
+        <source>Speed of the engine; the inertia torque of a computed torque follows it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Load, IMEP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Indicated mean effective pressure of the computed cycle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Band from, min⁻¹</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Band to, min⁻¹</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed band</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Band</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;to</source>
+        <translation type="unfinished">п&amp;о</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Criterion of the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Map of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Best α over speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α, °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α of the least range at each speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α of the least RMS at each speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map over α and speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>n, min⁻¹</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>best α</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to the α that is least bad over the band</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancelled. Any change of the input solves again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The load can be moved when the torque is a computed cycle (Torque tab).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shaft cannot be studied over speed with this torque: it is a table that does not belong to the masses and speed entered, so the part that follows the speed is not known. Rebuild it (Torque tab) or choose a pressure trace or a computed cycle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>least bad %1°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least bad α over the band, by the %1 against the engine without a shaft: %2°. At its worst speed, %3 min⁻¹, the %1 is %4 % %5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>larger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smaller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ÷ without: %2…%3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The criterion with the shaft over that without it at the same speed; dark is small, light is large. Click to set α and, with a computed torque, the speed.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3888,18 +6061,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::V8PlugsPage</name>
     <message>
-        <source>Continue it</source>
-        <translation>Продолжить</translation>
-    </message>
-    <message>
-        <source>Throw it away</source>
-        <translation>Выбросить</translation>
-    </message>
-    <message>
-        <source>Understood</source>
-        <translation>Понятно</translation>
-    </message>
-    <message>
         <source>The unfinished job is on the sheet again.</source>
         <translation>Незаконченная работа снова на листе.</translation>
     </message>
@@ -3912,400 +6073,20 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>&amp;3 Весы</translation>
     </message>
     <message>
-        <source>Job</source>
-        <translation>Работа</translation>
-    </message>
-    <message>
-        <source>Engine &amp;number</source>
-        <translation>&amp;Номер двигателя</translation>
-    </message>
-    <message>
-        <source>The journal finds the job by it.</source>
-        <translation>По нему журнал находит работу.</translation>
-    </message>
-    <message>
-        <source>Crankshaft num&amp;ber</source>
-        <translation>Номер &amp;вала</translation>
-    </message>
-    <message>
-        <source>As stamped on the crankshaft.</source>
-        <translation>Как выбито на валу.</translation>
-    </message>
-    <message>
-        <source>C&amp;ustomer</source>
-        <translation>&amp;Заказчик</translation>
-    </message>
-    <message>
-        <source>Who brought the engine; the journal finds the job by it.</source>
-        <translation>Кто привёз двигатель; по нему журнал находит работу.</translation>
-    </message>
-    <message>
-        <source>“%1” is no date; write it like 2024-05-31.</source>
-        <translation>«%1» — не дата; пишите так: 2024-05-31.</translation>
-    </message>
-    <message>
-        <source>&amp;Date</source>
-        <translation>&amp;Дата</translation>
-    </message>
-    <message>
-        <source>Year-month-day or day.month.year.</source>
-        <translation>Год-месяц-день или день.месяц.год.</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>Дата</translation>
-    </message>
-    <message>
-        <source>&amp;Technician</source>
-        <translation>&amp;Исполнитель</translation>
-    </message>
-    <message>
-        <source>Who does the work.</source>
-        <translation>Кто выполняет работу.</translation>
-    </message>
-    <message>
-        <source>Work</source>
-        <translation>Вид работы</translation>
-    </message>
-    <message>
-        <source>&amp;Engine</source>
-        <translation>Дви&amp;гатель</translation>
-    </message>
-    <message>
-        <source>Engines of the paper by displacement, then your own.</source>
-        <translation>Двигатели статьи по рабочему объёму, затем свои.</translation>
-    </message>
-    <message>
-        <source>&amp;Work</source>
-        <translation>Вид &amp;работы</translation>
-    </message>
-    <message>
-        <source>In manufacture repair pistons and repair shells are not counted.</source>
-        <translation>При изготовлении ремонтные поршни и вкладыши не учитываются.</translation>
-    </message>
-    <message>
-        <source>Cran&amp;kshaft</source>
-        <translation>&amp;Коленчатый вал</translation>
-    </message>
-    <message>
-        <source>Which plugs the counterweights of the crankshaft were made for.</source>
-        <translation>Под какие пробки сделаны противовесы вала.</translation>
-    </message>
-    <message>
-        <source>Crankshaft</source>
-        <translation>Коленчатый вал</translation>
-    </message>
-    <message>
-        <source>Heavier than nominal by (negative: lighter)</source>
-        <translation>Тяжелее номинала на (минус: легче)</translation>
-    </message>
-    <message>
-        <source>&amp;Improved piston</source>
-        <translation>&amp;Поршень</translation>
-    </message>
-    <message>
-        <source>&amp;Rod big end</source>
-        <translation>Н&amp;ижняя головка шатуна</translation>
-    </message>
-    <message>
-        <source>Re&amp;pair piston and rings</source>
-        <translation>Рем. пор&amp;шень с кольцами</translation>
-    </message>
-    <message>
-        <source>Repair &amp;shells</source>
-        <translation>Рем. вкл&amp;адыши</translation>
-    </message>
-    <message>
-        <source>Δm_pi: one piston against nominal.</source>
-        <translation>Δm_п: один поршень против номинала.</translation>
-    </message>
-    <message>
-        <source>Δm_be: one big end against nominal.</source>
-        <translation>Δm_шк: одна нижняя головка против номинала.</translation>
-    </message>
-    <message>
-        <source>Δm_rp: one repair piston with its rings against nominal.</source>
-        <translation>Δm_рп: один ремонтный поршень с кольцами против номинала.</translation>
-    </message>
-    <message>
-        <source>Δm_sh: the repair shells of one crankpin against nominal.</source>
-        <translation>Δm_шр: ремонтные вкладыши одной шейки против номинала.</translation>
-    </message>
-    <message>
-        <source>Taken from the weigh-in sheet.</source>
-        <translation>Взято с листа взвешивания.</translation>
-    </message>
-    <message>
-        <source>Residual unbalance &amp;allowed</source>
-        <translation>Допустимый дис&amp;баланс</translation>
-    </message>
-    <message>
-        <source>In each correction plane. The paper accepts 5 g·mm.</source>
-        <translation>В каждой плоскости коррекции. В статье 5 г·мм.</translation>
-    </message>
-    <message>
         <source>&amp;1 Job</source>
         <translation>&amp;1 Работа</translation>
-    </message>
-    <message>
-        <source>Crankshaft and today&apos;s plugs</source>
-        <translation>Вал и существующие пробки</translation>
-    </message>
-    <message>
-        <source>Nominal masses, for the bob weight</source>
-        <translation>Номинальные массы, для груза</translation>
-    </message>
-    <message>
-        <source>There are &amp;aluminium plugs</source>
-        <translation>Есть &amp;алюминиевые пробки</translation>
-    </message>
-    <message>
-        <source>There are plugs of the new &amp;design</source>
-        <translation>Есть пробки &amp;новой конструкции</translation>
-    </message>
-    <message>
-        <source>needed</source>
-        <translation>нужно</translation>
-    </message>
-    <message>
-        <source>&amp;Keep as own engine…</source>
-        <translation>&amp;Запомнить двигатель…</translation>
-    </message>
-    <message>
-        <source>Remo&amp;ve own engine</source>
-        <translation>&amp;Удалить свой двигатель</translation>
-    </message>
-    <message>
-        <source>Remove engine</source>
-        <translation>Удаление двигателя</translation>
-    </message>
-    <message>
-        <source>Remove “%1” from your own engines?</source>
-        <translation>Удалить «%1» из своих двигателей?</translation>
     </message>
     <message>
         <source>&amp;2 Engine</source>
         <translation>&amp;2 Двигатель</translation>
     </message>
     <message>
-        <source>Plug</source>
-        <translation>Пробка</translation>
-    </message>
-    <message>
-        <source>“%1” is no metric thread with its pitch, like M22x1.5.</source>
-        <translation>«%1» — не метрическая резьба с шагом, как M22x1.5.</translation>
-    </message>
-    <message>
-        <source>&amp;Thread</source>
-        <translation>&amp;Резьба</translation>
-    </message>
-    <message>
-        <source>Metric thread with its pitch, like M22x1.5.</source>
-        <translation>Метрическая резьба с шагом, например M22x1.5.</translation>
-    </message>
-    <message>
-        <source>Thread</source>
-        <translation>Резьба</translation>
-    </message>
-    <message>
-        <source>&amp;Height h</source>
-        <translation>&amp;Высота h</translation>
-    </message>
-    <message>
-        <source>Of the whole plug.</source>
-        <translation>Всей пробки.</translation>
-    </message>
-    <message>
-        <source>&amp;Bore diameter</source>
-        <translation>&amp;Диаметр полости</translation>
-    </message>
-    <message>
-        <source>Of the bore that is there. Empty: a solid plug.</source>
-        <translation>Имеющейся полости. Пусто: сплошная пробка.</translation>
-    </message>
-    <message>
-        <source>Bore de&amp;pth</source>
-        <translation>&amp;Глубина полости</translation>
-    </message>
-    <message>
-        <source>From the outer face. Empty: a solid plug.</source>
-        <translation>От наружного торца. Пусто: сплошная пробка.</translation>
-    </message>
-    <message>
-        <source>Boring</source>
-        <translation>Расточка</translation>
-    </message>
-    <message>
-        <source>&amp;Cutter diameter</source>
-        <translation>Диаметр &amp;фрезы</translation>
-    </message>
-    <message>
-        <source>Empty: no boring is planned.</source>
-        <translation>Пусто: расточка не считается.</translation>
-    </message>
-    <message>
-        <source>&amp;Wall that must stay</source>
-        <translation>&amp;Стенка не меньше</translation>
-    </message>
-    <message>
-        <source>Between the bore and the root of the thread. Empty: no limit.</source>
-        <translation>Между полостью и впадиной резьбы. Пусто: без предела.</translation>
-    </message>
-    <message>
-        <source>B&amp;ottom that must stay</source>
-        <translation>Д&amp;но не меньше</translation>
-    </message>
-    <message>
-        <source>Between the bore and the inner face. Empty: no limit.</source>
-        <translation>Между полостью и внутренним торцом. Пусто: без предела.</translation>
-    </message>
-    <message>
-        <source>Density</source>
-        <translation>Плотность</translation>
-    </message>
-    <message>
-        <source>&amp;Steel</source>
-        <translation>С&amp;таль</translation>
-    </message>
-    <message>
-        <source>Carbon steel 7850 kg/m³.</source>
-        <translation>Углеродистая сталь 7850 кг/м³.</translation>
-    </message>
-    <message>
-        <source>&amp;Aluminium</source>
-        <translation>&amp;Алюминий</translation>
-    </message>
-    <message>
-        <source>Wrought alloys 2640 to 2850 kg/m³.</source>
-        <translation>Деформируемые сплавы 2640–2850 кг/м³.</translation>
-    </message>
-    <message>
         <source>&amp;4 Plug</source>
         <translation>&amp;4 Пробка</translation>
     </message>
     <message>
-        <source>Permissible residual unbalance, ISO 21940-11</source>
-        <translation>Допустимый остаточный дисбаланс, ИСО 21940-11</translation>
-    </message>
-    <message>
-        <source>&amp;Grade G</source>
-        <translation>&amp;Класс G</translation>
-    </message>
-    <message>
-        <source>Balance quality grade. The standard&apos;s table has 0.4, 1, 2.5, 6.3, 16, 40, 100, 250, 630, 1600, 4000 mm/s; crankshaft drives of car, truck and locomotive engines G 100, inherently balanced crankshafts better.</source>
-        <translation>Класс точности балансировки. В стандарте 0,4; 1; 2,5; 6,3; 16; 40; 100; 250; 630; 1600; 4000 мм/с; для кривошипных механизмов автомобильных и тепловозных двигателей G 100, для уравновешенных валов точнее.</translation>
-    </message>
-    <message>
-        <source>&amp;Mass of the crankshaft</source>
-        <translation>&amp;Масса вала</translation>
-    </message>
-    <message>
-        <source>As it lies on the machine, with the bob weights.</source>
-        <translation>Как лежит на станке, с грузами.</translation>
-    </message>
-    <message>
-        <source>Service s&amp;peed</source>
-        <translation>&amp;Частота вращения</translation>
-    </message>
-    <message>
-        <source>The highest speed in service, not that of the machine.</source>
-        <translation>Наибольшая рабочая, а не станка.</translation>
-    </message>
-    <message>
-        <source>&amp;Share of the front plane</source>
-        <translation>&amp;Доля передней плоскости</translation>
-    </message>
-    <message>
-        <source>Half for a crankshaft whose mass lies midway between the planes; the standard allows 0.3 to 0.7.</source>
-        <translation>Половина, если центр масс посередине между плоскостями; стандарт допускает 0,3–0,7.</translation>
-    </message>
-    <message>
-        <source>What the machine reads</source>
-        <translation>Показания станка</translation>
-    </message>
-    <message>
-        <source>&amp;Front plane (pulley)</source>
-        <translation>&amp;Передняя плоскость (шкив)</translation>
-    </message>
-    <message>
-        <source>Residual unbalance after correction.</source>
-        <translation>Остаточный дисбаланс после исправления.</translation>
-    </message>
-    <message>
-        <source>&amp;Rear plane (flywheel)</source>
-        <translation>&amp;Задняя плоскость (маховик)</translation>
-    </message>
-    <message>
-        <source>Correction planes</source>
-        <translation>Плоскости коррекции</translation>
-    </message>
-    <message>
-        <source>Notes on the job card</source>
-        <translation>Примечания для карты</translation>
-    </message>
-    <message>
-        <source>&amp;Notes</source>
-        <translation>П&amp;римечания</translation>
-    </message>
-    <message>
-        <source>Printed on the job card.</source>
-        <translation>Печатается на карте.</translation>
-    </message>
-    <message>
         <source>&amp;5 Machine</source>
         <translation>&amp;5 Станок</translation>
-    </message>
-    <message>
-        <source>The four options</source>
-        <translation>Четыре варианта</translation>
-    </message>
-    <message>
-        <source>Bob weight on each crankpin</source>
-        <translation>Балансировочный груз на шейку</translation>
-    </message>
-    <message>
-        <source>Bob weight on each crankpin, line by line</source>
-        <translation>Балансировочный груз на шейку по строкам</translation>
-    </message>
-    <message>
-        <source>Excess compensated</source>
-        <translation>Компенсируемая масса</translation>
-    </message>
-    <message>
-        <source>Excess compensated over the lightening of one plug</source>
-        <translation>Компенсируемая масса от облегчения одной пробки</translation>
-    </message>
-    <message>
-        <source>Δm_y, g</source>
-        <translation>Δm_у, г</translation>
-    </message>
-    <message>
-        <source>Shift of the plug&apos;s centre of mass</source>
-        <translation>Смещение центра масс пробки</translation>
-    </message>
-    <message>
-        <source>Coefficient Δk over the shift Δr for five crank radii</source>
-        <translation>Коэффициент Δk от смещения Δr для пяти радиусов кривошипа</translation>
-    </message>
-    <message>
-        <source>Δr, mm</source>
-        <translation>Δr, мм</translation>
-    </message>
-    <message>
-        <source>Δk</source>
-        <translation>Δk</translation>
-    </message>
-    <message>
-        <source>r = %1: %2</source>
-        <translation>r = %1: %2</translation>
-    </message>
-    <message>
-        <source>this engine</source>
-        <translation>этот двигатель</translation>
-    </message>
-    <message>
-        <source>neglected</source>
-        <translation>не учтено</translation>
     </message>
     <message>
         <source>&amp;Save job in the journal</source>
@@ -4364,22 +6145,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Как в программе</translation>
     </message>
     <message>
-        <source>other</source>
-        <translation>другой</translation>
-    </message>
-    <message>
-        <source>today %1</source>
-        <translation>сейчас %1</translation>
-    </message>
-    <message>
-        <source>lightening of one plug Δm, g</source>
-        <translation>облегчение одной пробки Δm, г</translation>
-    </message>
-    <message>
-        <source>The program ended unexpectedly on %1 with an unfinished job (engine number: %2).</source>
-        <translation>Программа неожиданно прервалась %1, осталась незаконченная работа (номер двигателя: %2).</translation>
-    </message>
-    <message>
         <source>Unsaved job</source>
         <translation>Несохранённая работа</translation>
     </message>
@@ -4390,18 +6155,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Journal</source>
         <translation>Журнал</translation>
-    </message>
-    <message>
-        <source>Keep as own engine</source>
-        <translation>Запомнить двигатель</translation>
-    </message>
-    <message>
-        <source>Name of the engine:</source>
-        <translation>Название двигателя:</translation>
-    </message>
-    <message>
-        <source>Engine %1 kept.</source>
-        <translation>Двигатель %1 запомнен.</translation>
     </message>
     <message>
         <source>Job card</source>
@@ -4423,6 +6176,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Written: %1</source>
         <translation>Записано: %1</translation>
     </message>
+    <message>
+        <source>Refused entries</source>
+        <translation>Непринятые значения</translation>
+    </message>
+    <message>
+        <source>These entries were refused; the values before them count:</source>
+        <translation>Эти значения не приняты; действуют прежние:</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::V8PlugsViewModel</name>
@@ -4437,10 +6198,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Engine</source>
         <translation>Двигатель</translation>
-    </message>
-    <message>
-        <source>Crankshaft</source>
-        <translation>Коленчатый вал</translation>
     </message>
     <message>
         <source>The engine needs a name.</source>
@@ -4477,26 +6234,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Excess Δm_y: %1, %2</source>
         <translation>Δm_у: %1, %2</translation>
-    </message>
-    <message>
-        <source>%1: must be less than the plug&apos;s mass, %2.</source>
-        <translation>%1: должно быть меньше массы пробки, %2.</translation>
-    </message>
-    <message>
-        <source>The bore is as deep as the plug is high: there is no bottom.</source>
-        <translation>Полость глубиной с пробку: дна нет.</translation>
-    </message>
-    <message>
-        <source>The bore is wider than the root of the thread, %1: there is no wall.</source>
-        <translation>Полость шире впадины резьбы, %1: стенки нет.</translation>
-    </message>
-    <message>
-        <source>A bore needs both its diameter and its depth.</source>
-        <translation>У полости нужны и диаметр, и глубина.</translation>
-    </message>
-    <message>
-        <source>%1: spread %2, permitted %3 (heaviest: cylinder %4, lightest: %5).</source>
-        <translation>%1: разброс %2, допустимо %3 (тяжелее всех: цилиндр %4, легче всех: %5).</translation>
     </message>
     <message>
         <source>The bob weight still needs: %1.</source>
@@ -4536,7 +6273,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>left, g·mm</source>
-        <translation>остаток, г·мм</translation>
+        <translation>ост., г·мм</translation>
     </message>
     <message>
         <source>The engine has no such plug, or its data are missing.</source>
@@ -4654,6 +6391,34 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>The job&apos;s sheet cannot be read: %1</source>
         <translation>Лист работы не читается: %1</translation>
     </message>
+    <message>
+        <source>The values kept for the engine “%1” cannot be read: %2</source>
+        <translation>Сохранённые данные двигателя «%1» не читаются: %2</translation>
+    </message>
+    <message>
+        <source>“%1” is the name of another engine of your own; choose another.</source>
+        <translation>Имя «%1» уже носит другой ваш двигатель; выберите иное.</translation>
+    </message>
+    <message>
+        <source>Rename engine</source>
+        <translation>Переименование двигателя</translation>
+    </message>
+    <message>
+        <source>The values differ from those kept under this name; “Keep as own engine” keeps these.</source>
+        <translation>Данные отличаются от сохранённых под этим именем; «Запомнить двигатель» сохранит эти.</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>наклон</translation>
+    </message>
+    <message>
+        <source>left, g</source>
+        <translation>ост., г</translation>
+    </message>
+    <message>
+        <source>For the other crankshaft.</source>
+        <translation>Для другого вала.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::WeighInSheet</name>
@@ -4748,6 +6513,22 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Source of the mass changes</source>
         <translation>Источник изменений масс</translation>
+    </message>
+    <message>
+        <source>to nominal, g</source>
+        <translation>к номиналу, г</translation>
+    </message>
+    <message>
+        <source>&amp;Move them here</source>
+        <translation>Пере&amp;ставить здесь</translation>
+    </message>
+    <message>
+        <source>The weights change places on this sheet as the parts do.</source>
+        <translation>Массы на этом листе меняются местами, как и детали.</translation>
+    </message>
+    <message>
+        <source>Move parts</source>
+        <translation>Перестановка деталей</translation>
     </message>
 </context>
 </TS>

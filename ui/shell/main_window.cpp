@@ -413,6 +413,12 @@ bool MainWindow::maybeSave(ScenePage* page) {
         return true;
     }
     showScene(entryOf(page)->info.name);
+    // A case that came from a file goes back to it.
+    if (current().path.isEmpty()) {
+        if (const auto goOn = page->askToSave()) {
+            return *goOn;
+        }
+    }
     const auto answer = QMessageBox::question(
         this, tr("Unsaved changes"), tr("Save the changes of “%1”?").arg(current().info.title),
         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);

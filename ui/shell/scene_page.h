@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QList>
 #include <QWidget>
+#include <optional>
 
 #include "shell/scene_view_model.h"
 
@@ -26,6 +27,9 @@ class ScenePage : public QWidget {
     virtual void resetZoom() {}
     /// True while something that the page shows is still computed in the background.
     virtual bool isBusy() const;
+    /// Asks what to do with unsaved changes where the page keeps them in a place of its own rather
+    /// than in case files. @return false where the user wants to stay; nothing: the window asks
+    virtual std::optional<bool> askToSave() { return std::nullopt; }
 
   Q_SIGNALS:
     /// A line for the status bar.

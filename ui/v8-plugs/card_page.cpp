@@ -126,7 +126,11 @@ void CardPage::heading(double x, double y, double w, const QString& title) {
 
 void CardPage::blank(double x, double y, double w, const QString& caption, const QString& value) {
     text(x, y, w - 2, caption, 7, Qt::AlignLeft, false, grey);
-    text(x, y + 3.2, w - 2, value, 10, Qt::AlignLeft, true);
+    if (textWidth(value, smallestType, true) <= w - 2) {
+        text(x, y + 3.2, w - 2, value, 10, Qt::AlignLeft, true);
+    } else {
+        paragraph(x, y + 2.8, w - 2, value, smallestType, 2);
+    }
     line(x, y + 8.2, x + w - 3, y + 8.2, 0.15, hair);
 }
 

@@ -15,6 +15,11 @@ class CardPage {
     static constexpr double width = 210.0;   ///< A4, mm
     static constexpr double height = 297.0;  ///< mm
 
+    static constexpr double left = 16.0;  ///< where the print begins, with room to file it, mm
+    static constexpr double right = width - 12.0;
+    static constexpr double top = 11.0;
+    static constexpr double full = right - left;
+
     static const QColor ink;
     static const QColor grey;   ///< captions
     static const QColor hair;   ///< thin lines

@@ -102,7 +102,12 @@ EngineSheet::EngineSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm(m
         note->setVisible(!note->text().isEmpty());
     });
 
-    QString mnemonics = QStringLiteral("adkv");  // of the check boxes and buttons
+    QString mnemonics;  // letters taken, first those of check boxes and buttons
+    for (const QString& label :
+         {tr("There are &aluminium plugs"), tr("There are plugs of the new &design"),
+          tr("&Keep as own engine…"), tr("Rena&me…"), tr("Remo&ve…")}) {
+        mnemonics += label.mid(label.indexOf(QLatin1Char('&')) + 1, 1).toLower();
+    }
     auto* basic = new FormSection(tr("Crankshaft and today's plugs"), this);
     addValues(basic, EngineGroup::basic, mnemonics);
     column_->addWidget(basic);
@@ -190,43 +195,75 @@ void EngineSheet::addOwnEngineButtons() {
     };
     connect(button(QStringLiteral("save_engine"), tr("&Keep as own engine…")),
             &QPushButton::clicked, this, &EngineSheet::saveEngine);
-    remove_ = button(QStringLiteral("remove_engine"), tr("Remo&ve own engine"));
+    rename_ = button(QStringLiteral("rename_engine"), tr("Rena&me…"));
+    connect(rename_, &QPushButton::clicked, this, &EngineSheet::renameEngine);
+    remove_ = button(QStringLiteral("remove_engine"), tr("Remo&ve…"));
     connect(remove_, &QPushButton::clicked, this, &EngineSheet::removeEngine);
-    const auto show = [this] { remove_->setEnabled(model_->isOwnEngine(model_->engineIndex())); };
+    const auto show = [this] {
+        const bool own = model_->isOwnEngine(model_->engineIndex());
+        rename_->setEnabled(own);
+        remove_->setEnabled(own);
+    };
     follow(show);
     connect(model_, &V8PlugsViewModel::enginesChanged, this, show);
     row->addStretch();
     column_->addLayout(row);
 }
 
-void EngineSheet::saveEngine() {
+QString EngineSheet::presentName() const {
+    return model_->input().preset.empty() ? QString::fromStdString(model_->input().engine.name)
+                                          : QString();
+}
+
+/// Asks for a name; empty where the user does not want to go on.
+QString EngineSheet::askName(const QString& title, const QString& suggestion) {
     bool ok = false;
-    const QString name = QInputDialog::getText(
-        this, tr("Keep as own engine"), tr("Name of the engine:"), QLineEdit::Normal,
-        model_->input().preset.empty() ? QString::fromStdString(model_->input().engine.name)
-                                       : QString(),
-        &ok);
-    if (!ok) {
+    const QString name = QInputDialog::getText(this, title, tr("Name of the engine:"),
+                                               QLineEdit::Normal, suggestion, &ok);
+    if (ok && name.trimmed().isEmpty()) {
+        QMessageBox::warning(this, title, tr("The engine needs a name."));
+    }
+    return ok ? name.trimmed() : QString();
+}
+
+void EngineSheet::report(const QString& title, const QString& trouble, const QString& done) {
+    if (trouble.isEmpty()) {
+        Q_EMIT status(done);
+    } else {
+        QMessageBox::warning(this, title, trouble);
+    }
+}
+
+void EngineSheet::saveEngine() {
+    const QString title = tr("Keep as own engine");
+    const QString name = askName(title, presentName());
+    if (name.isEmpty()) {
         return;
     }
-    const QString trouble = model_->saveEngineAs(name);
-    if (trouble.isEmpty()) {
-        Q_EMIT status(tr("Engine %1 kept.").arg(name.trimmed()));
-    } else {
-        QMessageBox::warning(this, tr("Keep as own engine"), trouble);
+    if (model_->hasOwnEngine(name) &&
+        QMessageBox::question(
+            this, title, tr("An engine “%1” is kept already. Replace its values?").arg(name),
+            QMessageBox::Yes | QMessageBox::No, QMessageBox::No) != QMessageBox::Yes) {
+        return;
+    }
+    report(title, model_->saveEngineAs(name), tr("Engine %1 kept.").arg(name));
+}
+
+void EngineSheet::renameEngine() {
+    const QString title = tr("Rename own engine");
+    const QString name = askName(title, presentName());
+    if (!name.isEmpty()) {
+        report(title, model_->renameEngine(presentName(), name),
+               tr("The engine is called %1 now.").arg(name));
     }
 }
 
 void EngineSheet::removeEngine() {
-    const QString name = QString::fromStdString(model_->input().engine.name);
-    if (QMessageBox::question(this, tr("Remove engine"),
-                              tr("Remove “%1” from your own engines?").arg(name)) !=
+    const QString title = tr("Remove engine");
+    const QString name = presentName();
+    if (QMessageBox::question(this, title, tr("Remove “%1” from your own engines?").arg(name)) ==
         QMessageBox::Yes) {
-        return;
-    }
-    const QString trouble = model_->removeEngine(name);
-    if (!trouble.isEmpty()) {
-        QMessageBox::warning(this, tr("Remove engine"), trouble);
+        report(title, model_->removeEngine(name), tr("Engine %1 removed.").arg(name));
     }
 }
 

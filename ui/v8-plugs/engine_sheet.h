@@ -25,9 +25,14 @@ class EngineSheet : public SheetForm {
                     bool v8_plugs::Engine::*member);
     void addValues(FormSection* section, v8_plugs::EngineGroup group, QString& mnemonics);
     void addOwnEngineButtons();
+    QString presentName() const;
+    QString askName(const QString& title, const QString& suggestion);
+    void report(const QString& title, const QString& trouble, const QString& done);
     void saveEngine();
+    void renameEngine();
     void removeEngine();
 
+    QPushButton* rename_ = nullptr;
     QPushButton* remove_ = nullptr;
 };
 

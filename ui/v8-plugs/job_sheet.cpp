@@ -32,24 +32,13 @@ void JobSheet::buildHead() {
          &JobHeader::crankshaft_number, tr("As stamped on the crankshaft."));
     text(job, tr("C&ustomer"), QStringLiteral("customer"), &JobHeader::customer,
          tr("Who brought the engine; the journal finds the job by it."));
-    CheckedField* date =
-        checked(job, tr("&Date"), QStringLiteral("date"), tr("Year-month-day or day.month.year."),
-                [](const QString& typed) {
-                    return readDay(typed).isValid()
-                               ? QString()
-                               : tr("“%1” is no date; write it like 2024-05-31.").arg(typed);
-                });
-    connect(date, &CheckedField::valueEdited, this, [this](const QString& typed) {
-        model_->edit(tr("Date"), [&](CaseInput& input) {
-            input.job.date = readDay(typed).toString(Qt::ISODate).toStdString();
-        });
-    });
-    follow([this, date] {
-        const QString value = QString::fromStdString(model_->input().job.date);
-        if (readDay(date->text()).toString(Qt::ISODate) != value) {
-            date->setValue(value);
-        }
-    });
+    checked(job, tr("&Date"), QStringLiteral("date"), tr("Year-month-day or day.month.year."),
+            {[](const QString& typed) { return readDay(typed).toString(Qt::ISODate); },
+             [](const QString& typed) {
+                 return tr("“%1” is no date; write it like 2024-05-31.").arg(typed);
+             },
+             [this] { return QString::fromStdString(model_->input().job.date); },
+             [](CaseInput& input, const QString& day) { input.job.date = day.toStdString(); }});
     text(job, tr("&Technician"), QStringLiteral("technician"), &JobHeader::technician,
          tr("Who does the work."));
     column_->addWidget(job);

@@ -17,6 +17,25 @@ namespace {
 
 bool journalKept = true;
 
+constexpr int draftPatience = 50;  // ms
+
+/// Waits less long for another program's write while it lives.
+class PatienceFor {
+  public:
+    PatienceFor(const QSqlDatabase& database, int milliseconds) : database_(database) {
+        set(milliseconds);
+    }
+    ~PatienceFor() { set(journal_rows::patience); }
+    PatienceFor(const PatienceFor&) = delete;
+    PatienceFor& operator=(const PatienceFor&) = delete;
+
+  private:
+    void set(int milliseconds) {
+        QSqlQuery(database_).exec(QStringLiteral("PRAGMA busy_timeout = %1").arg(milliseconds));
+    }
+    QSqlDatabase database_;
+};
+
 /// The text with the pattern signs of LIKE taken literally.
 QString likePattern(QString text) {
     text.replace(QLatin1Char('\\'), QLatin1String("\\\\"));
@@ -66,8 +85,10 @@ bool Journal::run(QSqlQuery& query, const QString& what) {
     if (query.exec()) {
         error_.clear();
         damaged_ = false;
+        busy_ = false;
         return true;
     }
+    busy_ = journal_rows::saysBusy(query.lastError());
     damaged_ = journal_rows::saysDamaged(query.lastError());
     return fail(what, query.lastError().text());
 }
@@ -206,6 +227,9 @@ bool Journal::saveDraft(const JournalDraft& draft) {
     query.addBindValue(bare(draft.engineNumber));
     query.addBindValue(stamp(QDateTime::currentDateTimeUtc()));
     query.addBindValue(bare(QString::fromUtf8(draft.form)));
+    // A draft is written while the user types: it does not wait for another program's write as a
+    // job does, it is tried again.
+    const PatienceFor patience(database(), draftPatience);
     return run(query, tr("The draft could not be saved."));
 }
 
@@ -258,6 +282,21 @@ bool Journal::saveEngine(const JournalEngine& engine) {
     query.addBindValue(engine.name);
     query.addBindValue(bare(QString::fromUtf8(engine.values)));
     return run(query, tr("The engine could not be saved."));
+}
+
+bool Journal::renameEngine(const QString& from, const QString& to) {
+    if (!isReady()) {
+        return false;
+    }
+    QSqlQuery query(database());
+    query.prepare(QStringLiteral("UPDATE engine SET name = ? WHERE name = ?"));
+    query.addBindValue(to);
+    query.addBindValue(from);
+    const QString cannot = tr("The engine could not be renamed.");
+    if (!run(query, cannot)) {
+        return false;
+    }
+    return query.numRowsAffected() == 1 || fail(cannot, tr("it is no longer kept"));
 }
 
 bool Journal::removeEngine(const QString& name) {

@@ -4,6 +4,7 @@
 #include <QDate>
 #include <QDateTime>
 #include <QList>
+#include <QLocale>
 #include <QLockFile>
 #include <QObject>
 #include <QString>
@@ -52,10 +53,10 @@ struct JournalEngine {
 };
 
 struct JournalQuery {
-    QString text;  ///< in engine number, customer, technician or engine; empty: all
-    QDate from;    ///< first day; invalid: no bound
-    QDate to;      ///< last day
-    int limit = 1000;
+    QString text;    ///< in engine number, customer, technician or engine; empty: all
+    QDate from;      ///< first day; invalid: no bound
+    QDate to;        ///< last day
+    int limit = -1;  ///< the newest so many; -1: all
 };
 
 /// The workshop's journal: an SQLite database in the user's data folder.
@@ -104,19 +105,25 @@ class Journal : public QObject {
 
     /// The name of this program's draft.
     const QString& session() const { return session_; }
+    /// False also where another program is writing: wasBusy(), and it is to be tried again soon.
     bool saveDraft(const JournalDraft& draft);
+    /// True where the last failure was another program's write.
+    bool wasBusy() const { return busy_; }
     bool discardDraft(const QString& session);
     /// Drafts whose program no longer runs: left by a crash.
     QList<JournalDraft> orphanedDrafts();
 
     bool saveEngine(const JournalEngine& engine);
+    /// False where there is no such engine, or another has the name already.
+    bool renameEngine(const QString& from, const QString& to);
     bool removeEngine(const QString& name);
     QList<JournalEngine> engines();
 
-    /// The jobs as CSV (RFC 4180, UTF-8 with byte-order mark, decimal point), written so that a
-    /// file already there stays whole when anything fails.
+    /// The jobs as CSV (RFC 4180, UTF-8 with byte-order mark), written so that a file already there
+    /// stays whole when anything fails. Decimal sign and separator are those that a spreadsheet of
+    /// the locale expects: point and comma, or comma and semicolon.
     bool exportCsv(const QString& file, const QList<JournalJob>& jobs);
-    static QString csvText(const QList<JournalJob>& jobs);
+    static QString csvText(const QList<JournalJob>& jobs, const QLocale& locale = QLocale());
 
   Q_SIGNALS:
     /// The file was replaced or found damaged while it was open, and was opened again; the message
@@ -149,6 +156,7 @@ class Journal : public QObject {
     std::unique_ptr<QLockFile> sessionLock_;
     std::optional<std::pair<quint64, quint64>> identity_;  // device and inode of the open file
     bool damaged_ = false;                                 // the last error was a damaged file
+    bool busy_ = false;                                    // … or another program's write
 };
 
 }  // namespace ravnoves

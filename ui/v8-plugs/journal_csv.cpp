@@ -1,6 +1,7 @@
 // The journal's list for a spreadsheet.
 
 #include <QSaveFile>
+#include <algorithm>
 
 #include "case-file/range.h"
 #include "v8-plugs/journal.h"
@@ -9,36 +10,65 @@ namespace ravnoves {
 
 namespace {
 
-QString csvField(const QString& text) {
-    static const QString special = QStringLiteral(",\"\r\n;\t");
-    for (const QChar c : text) {
-        if (special.contains(c)) {
-            QString quoted = text;
-            quoted.replace(QLatin1Char('"'), QLatin1String("\"\""));
-            return QLatin1Char('"') + quoted + QLatin1Char('"');
-        }
-    }
-    return text;
-}
+/// One line of the list after the other, as spreadsheets of a language read them: those with a
+/// decimal comma take the semicolon as separator.
+class CsvWriter {
+  public:
+    explicit CsvWriter(const QLocale& locale)
+        : point_(locale.decimalPoint()),
+          separator_(point_ == QLatin1String(",") ? QLatin1Char(';') : QLatin1Char(',')) {}
 
-QString csvNumber(const std::optional<double>& value) {
-    return value ? QString::fromStdString(format_number(*value)) : QString();
-}
+    /// A text that a person typed. What a spreadsheet would take for a formula is made a text.
+    QString text(const QString& typed) const {
+        static const QString formula = QStringLiteral("=+-@\t\r");
+        QString safe = typed;
+        if (!safe.isEmpty() && formula.contains(safe.front())) {
+            safe.prepend(QLatin1Char('\''));
+        }
+        static const QString special = QStringLiteral(",;\"\r\n\t");
+        const bool quoted =
+            std::any_of(safe.cbegin(), safe.cend(), [](QChar c) { return special.contains(c); });
+        if (quoted) {
+            safe.replace(QLatin1Char('"'), QLatin1String("\"\""));
+            safe = QLatin1Char('"') + safe + QLatin1Char('"');
+        }
+        return safe;
+    }
+
+    QString number(const std::optional<double>& value) const {
+        return value
+                   ? QString::fromStdString(format_number(*value)).replace(QLatin1Char('.'), point_)
+                   : QString();
+    }
+
+    QString line(const QStringList& fields) const {
+        return fields.join(separator_) + QLatin1String("\r\n");
+    }
+
+  private:
+    QString point_;
+    QChar separator_;
+};
 
 }  // namespace
 
-QString Journal::csvText(const QList<JournalJob>& jobs) {
-    QString text = QStringLiteral(
-        "id,engine_number,date,customer,technician,engine,process,unbalanced_mass_g,recommended,"
-        "reduction_g_per_plug,bob_weight_g,saved_utc\r\n");
+QString Journal::csvText(const QList<JournalJob>& jobs, const QLocale& locale) {
+    const CsvWriter csv(locale);
+    static const QStringList columns{
+        QStringLiteral("id"),           QStringLiteral("engine_number"),
+        QStringLiteral("date"),         QStringLiteral("customer"),
+        QStringLiteral("technician"),   QStringLiteral("engine"),
+        QStringLiteral("process"),      QStringLiteral("unbalanced_mass_g"),
+        QStringLiteral("recommended"),  QStringLiteral("reduction_g_per_plug"),
+        QStringLiteral("bob_weight_g"), QStringLiteral("saved_utc")};
+    QString text = csv.line(columns);
     for (const JournalJob& job : jobs) {
-        const QStringList fields{QString::number(job.id),        csvField(job.engineNumber),
-                                 job.date.toString(Qt::ISODate), csvField(job.customer),
-                                 csvField(job.technician),       csvField(job.engine),
-                                 csvField(job.process),          csvNumber(job.unbalancedMass),
-                                 csvField(job.recommended),      csvNumber(job.reduction),
-                                 csvNumber(job.bobWeight),       job.saved.toString(Qt::ISODate)};
-        text += fields.join(QLatin1Char(',')) + QLatin1String("\r\n");
+        text += csv.line({QString::number(job.id), csv.text(job.engineNumber),
+                          job.date.toString(Qt::ISODate), csv.text(job.customer),
+                          csv.text(job.technician), csv.text(job.engine), csv.text(job.process),
+                          csv.number(job.unbalancedMass), csv.text(job.recommended),
+                          csv.number(job.reduction), csv.number(job.bobWeight),
+                          job.saved.toString(Qt::ISODate)});
     }
     return text;
 }

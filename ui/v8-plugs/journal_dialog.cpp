@@ -20,6 +20,7 @@ namespace ravnoves {
 namespace {
 
 constexpr int buttonHeight = 36;
+constexpr int longestList = 1000;  // more is not looked through by eye
 
 QString dayTrouble(const QString& text) {
     return readDay(text).isValid()
@@ -161,12 +162,22 @@ JournalDialog::JournalDialog(Journal* journal, QWidget* parent)
     text_->setFocus();
 }
 
+JournalQuery JournalDialog::query() const {
+    JournalQuery wanted;
+    wanted.text = text_->text();
+    wanted.from = readDay(from_->text());
+    wanted.to = readDay(to_->text());
+    return wanted;
+}
+
 void JournalDialog::search() {
-    JournalQuery query;
-    query.text = text_->text();
-    query.from = readDay(from_->text());
-    query.to = readDay(to_->text());
-    jobs_ = journal_->search(query);
+    JournalQuery wanted = query();
+    wanted.limit = longestList + 1;
+    jobs_ = journal_->search(wanted);
+    truncated_ = jobs_.size() > longestList;
+    if (truncated_) {
+        jobs_.removeLast();
+    }
     const Words words;
     table_->setRowCount(static_cast<int>(jobs_.size()));
     for (int row = 0; row < table_->rowCount(); ++row) {
@@ -189,9 +200,12 @@ void JournalDialog::search() {
     for (QPushButton* button : {open_, copy_, remove_, export_}) {
         button->setEnabled(table_->rowCount() > 0);
     }
-    message_->setText(!journal_->lastError().isEmpty() ? journal_->lastError()
-                      : jobs_.isEmpty()                ? tr("No job found.")
-                                                       : tr("Jobs found: %1").arg(jobs_.size()));
+    message_->setText(
+        !journal_->lastError().isEmpty() ? journal_->lastError()
+        : jobs_.isEmpty()                ? tr("No job found.")
+        : truncated_
+            ? tr("The newest %1 jobs; more match. The export has them all.").arg(jobs_.size())
+            : tr("Jobs found: %1").arg(jobs_.size()));
 }
 
 qint64 JournalDialog::selectedId() const {
@@ -223,7 +237,9 @@ void JournalDialog::removeSelected() {
 }
 
 QString JournalDialog::exportTo(const QString& file) {
-    return journal_->exportCsv(file, jobs_) ? QString() : journal_->lastError();
+    // All that match, not only those that the list has room for.
+    const QList<JournalJob> jobs = truncated_ ? journal_->search(query()) : jobs_;
+    return journal_->exportCsv(file, jobs) ? QString() : journal_->lastError();
 }
 
 void JournalDialog::exportWithDialog() {

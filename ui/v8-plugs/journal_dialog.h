@@ -31,6 +31,7 @@ class JournalDialog : public QDialog {
 
   private:
     void search();
+    JournalQuery query() const;
     void choose(Choice choice);
     void removeSelected();
     void exportWithDialog();
@@ -38,6 +39,7 @@ class JournalDialog : public QDialog {
 
     Journal* journal_;
     QList<JournalJob> jobs_;
+    bool truncated_ = false;  // more match than the list shows
     Choice choice_ = Choice::None;
     qint64 chosen_ = 0;
     QLineEdit* text_;

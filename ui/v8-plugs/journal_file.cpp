@@ -16,7 +16,6 @@ namespace {
 
 constexpr int schemaVersion = 1;
 constexpr int applicationId = 0x52415650;  // "RAVP"
-constexpr int waitMilliseconds = 15000;    // for another program's write
 
 }  // namespace
 
@@ -32,7 +31,7 @@ bool Journal::open() {
     // One program at a time looks whether the file is whole, so that two cannot set it aside.
     QLockFile gate(path_ + QStringLiteral(".opening"));
     gate.setStaleLockTime(0);  // only a lock whose program is gone is stale
-    if (!gate.tryLock(waitMilliseconds)) {
+    if (!gate.tryLock(journal_rows::patience)) {
         return fail(tr("The journal %1 cannot be opened: its folder cannot be written, or another "
                        "program is busy with it.")
                         .arg(path_),
@@ -92,7 +91,7 @@ bool Journal::openDatabase() {
     {
         QSqlDatabase db = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), connection_);
         db.setDatabaseName(path_);
-        db.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(waitMilliseconds));
+        db.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(journal_rows::patience));
         if (!db.open()) {
             return fail(tr("The journal %1 cannot be opened.").arg(path_), db.lastError().text());
         }

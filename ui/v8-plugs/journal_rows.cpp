@@ -5,8 +5,16 @@ namespace ravnoves::journal_rows {
 namespace {
 
 // SQLite's primary result codes.
+constexpr int sqliteBusy = 5;
 constexpr int sqliteCorrupt = 11;
 constexpr int sqliteNotADatabase = 26;
+
+/// -1 where there is none.
+int primaryCode(const QSqlError& error) {
+    bool ok = false;
+    const int code = error.nativeErrorCode().toInt(&ok) & 0xFF;
+    return ok ? code : -1;
+}
 
 QString searchText(const JournalJob& job) {
     return folded(job.engineNumber + QLatin1Char('\n') + job.customer + QLatin1Char('\n') +
@@ -77,10 +85,13 @@ void bind(QSqlQuery& query, const JournalJob& job) {
     query.bindValue(QStringLiteral(":search"), searchText(job));
 }
 
+bool saysBusy(const QSqlError& error) {
+    return primaryCode(error) == sqliteBusy;
+}
+
 bool saysDamaged(const QSqlError& error) {
-    bool ok = false;
-    const int code = error.nativeErrorCode().toInt(&ok) & 0xFF;
-    return ok && (code == sqliteCorrupt || code == sqliteNotADatabase);
+    const int code = primaryCode(error);
+    return code == sqliteCorrupt || code == sqliteNotADatabase;
 }
 
 }  // namespace ravnoves::journal_rows

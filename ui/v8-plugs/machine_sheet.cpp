@@ -65,7 +65,7 @@ MachineSheet::MachineSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm
 
     auto* notes = new FormSection(tr("Notes on the job card"), this);
     text(notes, tr("&Notes"), QStringLiteral("notes"), &JobHeader::notes,
-         tr("Printed on the job card."));
+         tr("Printed on the job card."), 200);
     column_->addWidget(notes);
     column_->addStretch();
 }

@@ -70,25 +70,24 @@ PlugSizesSheet::PlugSizesSheet(V8PlugsViewModel* model, QWidget* parent)
 }
 
 void PlugSizesSheet::addThread(FormSection* section) {
-    CheckedField* thread = checked(
-        section, tr("&Thread"), QStringLiteral("thread"),
-        tr("Metric thread with its pitch, like M22x1.5."), [](const QString& typed) {
-            return readThread(typed)
-                       ? QString()
-                       : tr("“%1” is no metric thread with its pitch, like M22x1.5.").arg(typed);
-        });
-    thread->setPlaceholderText(QStringLiteral("M22x1.5"));
-    connect(thread, &CheckedField::valueEdited, this, [this](const QString& typed) {
-        model_->edit(tr("Thread"),
-                     [&](v8_plugs::CaseInput& input) { sizes(input).thread = readThread(typed); });
-    });
-    follow([this, thread] {
-        const auto& plug = model_->input().plug;
-        const auto value = plug ? plug->thread : std::nullopt;
-        if (readThread(thread->text()) != value) {
-            thread->setValue(value ? QString::fromStdString(thread_name(*value)) : QString());
-        }
-    });
+    const auto nameOf = [](const std::optional<v8_plugs::Thread>& thread) {
+        return thread ? QString::fromStdString(thread_name(*thread)) : QString();
+    };
+    CheckedField* field =
+        checked(section, tr("&Thread"), QStringLiteral("thread"),
+                tr("Metric thread with its pitch, like M22x1.5."),
+                {[nameOf](const QString& typed) { return nameOf(readThread(typed)); },
+                 [](const QString& typed) {
+                     return tr("“%1” is no metric thread with its pitch, like M22x1.5.").arg(typed);
+                 },
+                 [this, nameOf] {
+                     const auto& plug = model_->input().plug;
+                     return plug ? nameOf(plug->thread) : QString();
+                 },
+                 [](v8_plugs::CaseInput& input, const QString& name) {
+                     sizes(input).thread = readThread(name);
+                 }});
+    field->setPlaceholderText(QStringLiteral("M22x1.5"));
 }
 
 void PlugSizesSheet::addSize(FormSection* section, const QString& label, const FieldSpec& spec,

@@ -20,7 +20,6 @@ namespace {
 
 constexpr int numberWidth = 140;
 constexpr int textWidth = 290;
-constexpr int longestText = 200;
 
 /// The name of the step in the history: the label without its mnemonic.
 QString stepName(QString label) {
@@ -76,16 +75,31 @@ NumberField* SheetForm::number(FormSection* section, const QString& label, const
             [this, step = stepName(label), write = std::move(write)](std::optional<double> value) {
                 model_->edit(step, [&](CaseInput& input) { write(input, value); });
             });
-    follow([field, read = std::move(read)] { field->setValue(read()); });
+    const auto show = [field, read = std::move(read)] {
+        const std::optional<double> value = read();
+        const bool emptied = field->hasFocus() && field->isModified() && field->text().isEmpty();
+        // A field just emptied stays empty until it is left, or the next digit would join a
+        // default. A refused entry stays until it is mended, or the value below it changes.
+        if (!emptied && (field->trouble().isEmpty() || field->value() != value)) {
+            field->setValue(value);
+        }
+    };
+    follow(show);
+    connect(field, &QLineEdit::editingFinished, this, [field, show] {
+        if (field->text().isEmpty()) {
+            field->setModified(false);
+            show();
+        }
+    });
     order_ << field;
     return field;
 }
 
 QLineEdit* SheetForm::text(FormSection* section, const QString& label, const QString& name,
-                           std::string JobHeader::*member, const QString& hint) {
+                           std::string JobHeader::*member, const QString& hint, int longest) {
     auto* field = new QLineEdit(section);
     field->setObjectName(name);
-    field->setMaxLength(longestText);
+    field->setMaxLength(longest);
     field->setMinimumWidth(textWidth);
     enlarge(field);
     section->addWidget(label, field, {}, hint);
@@ -105,9 +119,12 @@ QLineEdit* SheetForm::text(FormSection* section, const QString& label, const QSt
 }
 
 CheckedField* SheetForm::checked(FormSection* section, const QString& label, const QString& name,
-                                 const QString& hint,
-                                 std::function<QString(const QString&)> check) {
-    auto* field = new CheckedField(std::move(check), section);
+                                 const QString& hint, CheckedText text) {
+    auto* field = new CheckedField(
+        [text](const QString& typed) {
+            return text.normal(typed).isEmpty() ? text.refusal(typed) : QString();
+        },
+        section);
     field->setObjectName(name);
     enlarge(field);
     section->addWidget(label, field, {}, hint);
@@ -118,6 +135,20 @@ CheckedField* SheetForm::checked(FormSection* section, const QString& label, con
         trouble->setText(words);
         trouble->setVisible(!words.isEmpty());
         colourText(trouble, Theme::instance().error());
+    });
+    connect(field, &CheckedField::valueEdited, this,
+            [this, step = stepName(label), text](const QString& typed) {
+                model_->edit(step,
+                             [&](CaseInput& input) { text.write(input, text.normal(typed)); });
+            });
+    follow([field, text, last = QString()]() mutable {
+        const QString value = text.read();
+        const bool changed = value != last;
+        last = value;
+        // What was typed in another form, or refused, stays as it was typed.
+        if (text.normal(field->text()) != value && (field->trouble().isEmpty() || changed)) {
+            field->setValue(value);
+        }
     });
     order_ << field;
     return field;
@@ -134,6 +165,22 @@ QComboBox* SheetForm::choice(FormSection* section, const QString& label, const Q
     connect(box, &QComboBox::activated, this, std::move(choose));
     order_ << box;
     return box;
+}
+
+QStringList SheetForm::refused() const {
+    QStringList list;
+    for (const QWidget* each : order_) {
+        QString trouble;
+        if (const auto* number = qobject_cast<const NumberField*>(each)) {
+            trouble = number->trouble();
+        } else if (const auto* text = qobject_cast<const CheckedField*>(each)) {
+            trouble = text->trouble();
+        }
+        if (!trouble.isEmpty()) {
+            list << each->accessibleName() + QStringLiteral(": ") + trouble;
+        }
+    }
+    return list;
 }
 
 }  // namespace ravnoves

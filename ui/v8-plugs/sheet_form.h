@@ -34,6 +34,9 @@ class SheetForm : public QWidget {
     /// Every field in the order of Tab and Enter.
     const QList<QWidget*>& order() const { return order_; }
 
+    /// Entries that were refused and do not count: the field's name and what is wrong.
+    QStringList refused() const;
+
     /// Makes a field large enough to be read at arm's length and hit with a gloved finger.
     static void enlarge(QWidget* field);
     /// A wrapping label whose text can be copied.
@@ -45,12 +48,22 @@ class SheetForm : public QWidget {
     NumberField* number(FormSection* section, const QString& label, const FieldSpec& spec,
                         const QString& hint, std::function<std::optional<double>()> read,
                         std::function<void(v8_plugs::CaseInput&, std::optional<double>)> write);
-    /// A line of text in the job's head.
+    /// A line of text in the job's head, no longer than the job card has room for.
     QLineEdit* text(FormSection* section, const QString& label, const QString& name,
-                    std::string v8_plugs::JobHeader::*member, const QString& hint);
-    /// A text that must have a form; what is wrong with it stands below the field.
+                    std::string v8_plugs::JobHeader::*member, const QString& hint,
+                    int longest = 80);
+    /// A text that must have a form, and what it means to the input.
+    struct CheckedText {
+        /// The text in the form that is kept; empty where it has none.
+        std::function<QString(const QString& typed)> normal;
+        /// Says why a text is refused.
+        std::function<QString(const QString& typed)> refusal;
+        std::function<QString()> read;
+        std::function<void(v8_plugs::CaseInput&, const QString& normal)> write;
+    };
+    /// Its field; what is wrong with it stands below the field.
     CheckedField* checked(FormSection* section, const QString& label, const QString& name,
-                          const QString& hint, std::function<QString(const QString&)> check);
+                          const QString& hint, CheckedText text);
     /// A choice; `choose` is called with the place of what the user picks.
     QComboBox* choice(FormSection* section, const QString& label, const QString& name,
                       const QStringList& items, const QString& hint,

@@ -12,6 +12,7 @@
 #include <QPrintPreviewDialog>
 #include <QPrinter>
 #include <QScrollArea>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -20,6 +21,7 @@
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "v8-plugs/answer_view.h"
+#include "v8-plugs/checked_field.h"
 #include "v8-plugs/compensation_plot.h"
 #include "v8-plugs/engine_sheet.h"
 #include "v8-plugs/job_card.h"
@@ -31,6 +33,7 @@
 #include "v8-plugs/shift_plot.h"
 #include "v8-plugs/v8_plugs_view_model.h"
 #include "v8-plugs/weigh_in_sheet.h"
+#include "widgets/number_field.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {
@@ -106,8 +109,19 @@ void V8PlugsPage::addSheet(SheetForm* form, const QString& title) {
     sheets_->addTab(scroll, title);
     forms_ << form;
     const QList<QWidget*>& order = form->order();
+    const int tab = sheets_->count() - 1;
     for (QWidget* field : order) {
         field->installEventFilter(this);
+        // A tab that hides a refused entry says so.
+        const auto mark = [this, form, tab] {
+            sheets_->tabBar()->setTabTextColor(
+                tab, form->refused().isEmpty() ? QColor() : Theme::instance().error());
+        };
+        if (auto* number = qobject_cast<NumberField*>(field)) {
+            connect(number, &NumberField::troubleChanged, this, mark);
+        } else if (auto* text = qobject_cast<CheckedField*>(field)) {
+            connect(text, &CheckedField::troubleChanged, this, mark);
+        }
     }
     for (qsizetype i = 1; i < order.size(); ++i) {
         QWidget::setTabOrder(order.at(i - 1), order.at(i));
@@ -176,7 +190,9 @@ QString V8PlugsPage::resultsAsCsv() const {
 }
 
 void V8PlugsPage::setActive(bool active) {
-    if (!active) {
+    if (active) {
+        model_->reloadEngines();
+    } else {
         model_->flushDraft();
     }
 }
@@ -212,6 +228,13 @@ bool V8PlugsPage::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void V8PlugsPage::goOn(QWidget* from) {
+    const auto* number = qobject_cast<NumberField*>(from);
+    const auto* text = qobject_cast<CheckedField*>(from);
+    if ((number != nullptr && !number->trouble().isEmpty()) ||
+        (text != nullptr && !text->trouble().isEmpty())) {
+        QApplication::beep();  // a refused entry is not passed over
+        return;
+    }
     for (int sheet = 0; sheet < sheets_->count(); ++sheet) {
         const QList<QWidget*>& order = forms_.at(sheet)->order();
         const qsizetype at = order.indexOf(from);
@@ -266,6 +289,25 @@ void V8PlugsPage::continueDraft(const JournalDraft& draft) {
     }
 }
 
+bool V8PlugsPage::refusedEntriesAreKnown() {
+    QStringList refused;
+    for (const SheetForm* form : forms_) {
+        refused << form->refused();
+    }
+    if (refused.isEmpty()) {
+        return true;
+    }
+    return QMessageBox::warning(this, tr("Refused entries"),
+                                tr("These entries were refused; the values before them count:") +
+                                    QStringLiteral("\n\n") + refused.join(QLatin1Char('\n')),
+                                QMessageBox::Ignore | QMessageBox::Cancel,
+                                QMessageBox::Cancel) == QMessageBox::Ignore;
+}
+
+std::optional<bool> V8PlugsPage::askToSave() {
+    return leaveJob();
+}
+
 bool V8PlugsPage::leaveJob() {
     if (model_->history()->isClean()) {
         return true;
@@ -285,6 +327,9 @@ bool V8PlugsPage::leaveJob() {
 }
 
 void V8PlugsPage::saveJob() {
+    if (!refusedEntriesAreKnown()) {
+        return;
+    }
     bool saved = false;
     const QString text = model_->saveJob(&saved);
     if (saved) {
@@ -326,6 +371,9 @@ void V8PlugsPage::paintCard(QPrinter* printer) {
 }
 
 void V8PlugsPage::previewCard() {
+    if (!refusedEntriesAreKnown()) {
+        return;
+    }
     QPrinter printer(QPrinter::HighResolution);
     JobCard::setPage(printer);
     QPrintPreviewDialog dialog(&printer, this);
@@ -336,6 +384,9 @@ void V8PlugsPage::previewCard() {
 }
 
 void V8PlugsPage::printCard() {
+    if (!refusedEntriesAreKnown()) {
+        return;
+    }
     QPrinter printer(QPrinter::HighResolution);
     JobCard::setPage(printer);
     QPrintDialog dialog(&printer, this);
@@ -349,6 +400,9 @@ QString V8PlugsPage::writeCard(const QString& file) {
 }
 
 void V8PlugsPage::exportCard() {
+    if (!refusedEntriesAreKnown()) {
+        return;
+    }
     QString name = QString::fromStdString(model_->input().job.engine_number);
     for (QChar& c : name) {
         if (!c.isLetterOrNumber() && c != QLatin1Char('-')) {

@@ -34,6 +34,7 @@ class V8PlugsPage : public ScenePage {
     QString resultsAsCsv() const override;
     void setActive(bool active) override;
     void resetZoom() override;
+    std::optional<bool> askToSave() override;
 
     /// Opens the journal and offers drafts that a crash left; happens by itself once shown.
     void openJournal();
@@ -56,7 +57,10 @@ class V8PlugsPage : public ScenePage {
     void buildActions();
     void goOn(QWidget* from);
     void continueDraft(const JournalDraft& draft);
+    /// Asks about an unsaved job. @return false where the user wants to stay
     bool leaveJob();
+    /// Says which entries were refused. @return false where the user goes back to them
+    bool refusedEntriesAreKnown();
     void saveJob();
     void showJournal();
     void newJob();

@@ -2,6 +2,8 @@
 
 #include <QDate>
 #include <QSettings>
+#include <algorithm>
+#include <utility>
 
 #include "case-file/input_error.h"
 #include "shell/input_command.h"
@@ -15,11 +17,42 @@ namespace {
 
 constexpr int draftDelay = 300;  // ms after the first change that is in no draft yet
 
+/// True where the sheet of sizes holds nothing of the user's own for the plug itself.
+bool isPrinted(const std::optional<PlugSheet>& sheet, const std::string& preset) {
+    if (!sheet) {
+        return true;
+    }
+    const PlugSheet printed = printed_plug(preset);
+    return (!sheet->thread && !sheet->height && !sheet->bore_diameter && !sheet->bore_depth) ||
+           (sheet->thread == printed.thread && sheet->height == printed.height &&
+            !sheet->bore_diameter && !sheet->bore_depth);
+}
+
+/// The paper's engine with the sizes it prints of the plug; sizes that the user typed stay.
+void takePreset(CaseInput& input, const Engine& preset) {
+    if (isPrinted(input.plug, input.preset)) {
+        const PlugSheet printed = printed_plug(preset.name);
+        PlugSheet sheet = input.plug.value_or(PlugSheet{});
+        sheet.thread = printed.thread;
+        sheet.height = printed.height;
+        input.plug = sheet == PlugSheet{} ? std::nullopt : std::optional(sheet);
+    }
+    input.preset = preset.name;
+    input.engine = preset;
+}
+
+/// @throws InputError where the values kept are damaged
+Engine readOwnEngine(const JournalEngine& own) {
+    const Json input{{"engine", parse_json(own.values.toStdString())}, {"process", "repair"}};
+    Engine engine = read_input(input, Completeness::as_is).engine;
+    engine.name = own.name.toStdString();
+    return engine;
+}
+
 CaseInput freshJob(bool dated) {
     CaseInput input;
     const Engine& first = engine_presets().front();
-    input.preset = first.name;
-    input.engine = first;
+    takePreset(input, first);
     if (dated) {
         input.job.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
     }
@@ -128,7 +161,33 @@ void V8PlugsViewModel::apply(const CaseInput& input) {
     }
 }
 
+void V8PlugsViewModel::newJob() {
+    CaseInput next = freshJob(!journalPath_.isEmpty());
+    next.preset = input_.preset;
+    next.engine = input_.engine;
+    next.crankshaft = input_.crankshaft;
+    next.process = input_.process;
+    next.tolerance = input_.tolerance;
+    next.plug = input_.plug;
+    next.job.technician = input_.job.technician;
+    jobId_ = 0;
+    jobRevision_ = 0;
+    history()->clear();
+    lastEdit_.clear();
+    setTitle({});
+    apply(next);
+    draftStale_ = false;
+    draftTimer_.stop();
+}
+
 // ------------------------------------------------------------------------------------- engines
+
+void V8PlugsViewModel::reloadEngines() {
+    if (journal_ && journal_->isOpen()) {
+        ownEngines_ = journal_->engines();
+        Q_EMIT enginesChanged();
+    }
+}
 
 QStringList V8PlugsViewModel::engineNames() const {
     QStringList names;
@@ -167,43 +226,67 @@ void V8PlugsViewModel::chooseEngine(int place) {
     }
     lastEdit_.clear();
     if (!isOwnEngine(place)) {
-        const Engine& preset = presets[static_cast<std::size_t>(place)];
         edit(tr("Engine"), [&](CaseInput& input) {
-            input.preset = preset.name;
-            input.engine = preset;
+            takePreset(input, presets[static_cast<std::size_t>(place)]);
         });
     } else {
-        const JournalEngine& own =
-            ownEngines_.at(place - static_cast<int>(engine_presets().size()));
+        const JournalEngine& own = ownEngines_.at(place - static_cast<int>(presets.size()));
         try {
-            const Json input{{"engine", parse_json(own.values.toStdString())},
-                             {"process", "repair"}};
-            const CaseInput read = read_input(input, Completeness::as_is);
-            edit(tr("Engine"), [&](CaseInput& next) {
-                next.preset.clear();
-                next.engine = read.engine;
-                next.engine.name = own.name.toStdString();
+            const Engine engine = readOwnEngine(own);
+            edit(tr("Engine"), [&](CaseInput& input) {
+                input.preset.clear();
+                input.engine = engine;
+                if (!engine.has_new_plug) {
+                    input.crankshaft = Crankshaft::standard;
+                }
             });
         } catch (const InputError& error) {
-            setJournalTrouble(own.name + QStringLiteral(": ") + QString::fromUtf8(error.what()));
+            setJournalTrouble(tr("The values kept for the engine “%1” cannot be read: %2")
+                                  .arg(own.name, QString::fromUtf8(error.what())));
         }
     }
     lastEdit_.clear();
-    if (input_.crankshaft == Crankshaft::new_plugs && !input_.engine.has_new_plug) {
-        edit(tr("Crankshaft"), [](CaseInput& input) { input.crankshaft = Crankshaft::standard; });
-    }
 }
 
-QString V8PlugsViewModel::saveEngineAs(const QString& name) {
+bool V8PlugsViewModel::hasOwnEngine(const QString& name) const {
+    return std::any_of(ownEngines_.cbegin(), ownEngines_.cend(), [&](const JournalEngine& own) {
+        return own.name.compare(name.trimmed(), Qt::CaseInsensitive) == 0;
+    });
+}
+
+QString V8PlugsViewModel::engineNameTrouble(const QString& name) const {
     const QString trimmed = name.trimmed();
     if (trimmed.isEmpty()) {
         return tr("The engine needs a name.");
     }
-    if (find_preset(trimmed.toStdString()) != nullptr) {
+    QStringList presets;
+    for (const Engine& preset : engine_presets()) {
+        presets
+            << QString::fromStdString(preset.name)
+            << v8_text::engineName(words_, preset.name).replace(QChar(0x00A0), QLatin1Char(' '));
+    }
+    if (find_preset(trimmed.toStdString()) != nullptr ||
+        presets.contains(trimmed, Qt::CaseInsensitive)) {
         return tr("“%1” is the name of a preset; choose another.").arg(trimmed);
+    }
+    return {};
+}
+
+QString V8PlugsViewModel::saveEngineAs(const QString& name) {
+    const QString trimmed = name.trimmed();
+    const QString trouble = engineNameTrouble(trimmed);
+    if (!trouble.isEmpty()) {
+        return trouble;
     }
     if (!openJournal()) {
         return journalTrouble_;
+    }
+    // A name that differs in capitals alone is the same engine.
+    for (const JournalEngine& own : std::as_const(ownEngines_)) {
+        if (own.name != trimmed && own.name.compare(trimmed, Qt::CaseInsensitive) == 0 &&
+            !journal_->removeEngine(own.name)) {
+            return journal_->lastError();
+        }
     }
     CaseInput own = input_;
     own.preset.clear();
@@ -221,6 +304,30 @@ QString V8PlugsViewModel::saveEngineAs(const QString& name) {
     return {};
 }
 
+QString V8PlugsViewModel::renameEngine(const QString& from, const QString& to) {
+    const QString trimmed = to.trimmed();
+    const QString trouble = engineNameTrouble(trimmed);
+    if (!trouble.isEmpty()) {
+        return trouble;
+    }
+    if (from.compare(trimmed, Qt::CaseInsensitive) != 0 && hasOwnEngine(trimmed)) {
+        return tr("“%1” is the name of another engine of your own; choose another.").arg(trimmed);
+    }
+    if (!openJournal()) {
+        return journalTrouble_;
+    }
+    if (!journal_->renameEngine(from, trimmed)) {
+        return journal_->lastError();
+    }
+    ownEngines_ = journal_->engines();
+    if (QString::fromStdString(input_.engine.name) == from) {
+        edit(tr("Rename engine"),
+             [&](CaseInput& input) { input.engine.name = trimmed.toStdString(); });
+    }
+    Q_EMIT enginesChanged();
+    return {};
+}
+
 QString V8PlugsViewModel::removeEngine(const QString& name) {
     if (!openJournal()) {
         return journalTrouble_;
@@ -233,10 +340,26 @@ QString V8PlugsViewModel::removeEngine(const QString& name) {
     return {};
 }
 
+bool V8PlugsViewModel::ownEngineChanged() const {
+    const int place = engineIndex();
+    if (!isOwnEngine(place)) {
+        return false;
+    }
+    try {
+        return readOwnEngine(ownEngines_.at(place - static_cast<int>(engine_presets().size()))) !=
+               input_.engine;
+    } catch (const InputError&) {
+        return true;
+    }
+}
+
 QString V8PlugsViewModel::engineNote() const {
     const Engine* preset = find_preset(input_.preset);
     if (preset == nullptr) {
-        return {};
+        return ownEngineChanged()
+                   ? tr("The values differ from those kept under this name; “Keep as own engine” "
+                        "keeps these.")
+                   : QString();
     }
     if (!preset->steel_plug_mass) {
         return tr(

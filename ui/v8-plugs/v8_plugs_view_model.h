@@ -45,17 +45,25 @@ class V8PlugsViewModel : public SceneViewModel {
     void edit(const QString& name, const std::function<void(v8_plugs::CaseInput&)>& mutate);
 
     // ------------------------------------------------------------------------------- engines
+    /// Reads the user's own engines again: another program may have kept one.
+    void reloadEngines();
     /// Presets of the paper, then the user's own.
     QStringList engineNames() const;
     /// Takes an engine over by its place in engineNames().
     void chooseEngine(int index);
     /// Place of the present engine in engineNames(); -1 where it is neither.
     int engineIndex() const;
-    /// Keeps the present engine under the name among the user's own.
+    /// True where the user keeps an engine of that name, whatever its capitals.
+    bool hasOwnEngine(const QString& name) const;
+    /// Keeps the present engine under the name among the user's own, in place of one that has it.
     /// @return an empty string, or what went wrong
     QString saveEngineAs(const QString& name);
+    /// The same return.
+    QString renameEngine(const QString& from, const QString& to);
     QString removeEngine(const QString& name);
     bool isOwnEngine(int index) const;
+    /// True where the sheet's values are not those kept under the engine's name.
+    bool ownEngineChanged() const;
     /// Where the engine's values come from, and what the user should know of them.
     QString engineNote() const;
 
@@ -71,6 +79,8 @@ class V8PlugsViewModel : public SceneViewModel {
     QString isoText() const;
     QString plugWeightText() const;
     QString assignmentText() const;
+    /// Columns of the weigh-in sheet that are begun but do not count yet.
+    QStringList weighInGaps() const;
 
     QStringList optionColumns() const;
     QVector<QStringList> optionRows() const;
@@ -86,6 +96,7 @@ class V8PlugsViewModel : public SceneViewModel {
     /// Mean, spread and warning of one column of the weigh-in sheet.
     struct ColumnNote {
         QString mean;
+        QString deviation;  ///< of the mean from nominal, with its sign
         QString spread;
         bool tooWide = false;
         QString toolTip;
@@ -129,6 +140,7 @@ class V8PlugsViewModel : public SceneViewModel {
 
   private:
     void apply(const v8_plugs::CaseInput& input);
+    QString engineNameTrouble(const QString& name) const;
     void push(const QString& name, const v8_plugs::CaseInput& next, int mergeNumber);
     void setJournalTrouble(const QString& text);
     QByteArray formText() const;

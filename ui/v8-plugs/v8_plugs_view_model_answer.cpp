@@ -54,42 +54,7 @@ QString V8PlugsViewModel::excessText() const {
 }
 
 QStringList V8PlugsViewModel::troubles() const {
-    QStringList list;
-    for (const EngineConflict& conflict : engine_conflicts(input_.engine)) {
-        const bool steel = conflict.key == "max_steel_reduction_g";
-        const double mass =
-            (steel ? input_.engine.steel_plug_mass : input_.engine.aluminium_plug_mass).value();
-        list << tr("%1: must be less than the plug's mass, %2.")
-                    .arg(v8_text::fieldName(words_, conflict.key), v8_text::grams(words_, mass, 3));
-    }
-    if (input_.plug) {
-        const auto geometry = input_.plug->geometry();
-        if (geometry && geometry_fault(*geometry)) {
-            list
-                << (geometry->bore_depth >= geometry->height
-                        ? tr("The bore is as deep as the plug is high: there is no bottom.")
-                        : tr("The bore is wider than the root of the thread, %1: there is no wall.")
-                              .arg(v8_text::millimetres(words_, geometry->thread.root_diameter())));
-        }
-        if (input_.plug->bore_diameter.has_value() != input_.plug->bore_depth.has_value()) {
-            list << tr("A bore needs both its diameter and its depth.");
-        }
-    }
-    list << v8_text::massWarnings(words_, solution_);
-    if (input_.weigh_in) {
-        for (const Part part : all_parts) {
-            const auto s = statistics((*input_.weigh_in)[part]);
-            if (s && !s->within_permitted) {
-                list << tr("%1: spread %2, permitted %3 (heaviest: cylinder %4, lightest: %5).")
-                            .arg(v8_text::partName(words_, part), v8_text::grams(words_, s->spread),
-                                 v8_text::grams(words_,
-                                                (*input_.weigh_in)[part].permitted_spread.value()))
-                            .arg(s->heaviest + 1)
-                            .arg(s->lightest + 1);
-            }
-        }
-    }
-    return list;
+    return v8_text::troubles(words_, input_, solution_);
 }
 
 QString V8PlugsViewModel::shiftText() const {
@@ -97,7 +62,7 @@ QString V8PlugsViewModel::shiftText() const {
         return {};
     }
     const auto chosen = v8_text::chosenOption(solution_);
-    return v8_text::shiftText(words_, input_,
+    return v8_text::shiftText(words_, input_, solution_,
                               chosen ? *chosen : *solution_.option(OptionId::steel_machined));
 }
 
@@ -143,8 +108,13 @@ QString V8PlugsViewModel::assignmentText() const {
     return v8_text::assignmentText(words_, solution_);
 }
 
+QStringList V8PlugsViewModel::weighInGaps() const {
+    return v8_text::weighInGaps(words_, input_);
+}
+
 QStringList V8PlugsViewModel::optionColumns() const {
-    return {tr("Option"), tr("const., g"), tr("reach, g"), tr("needed, g"), tr("left, g·mm")};
+    return {tr("Option"),    tr("const., g"), tr("slope"),     tr("reach, g"),
+            tr("needed, g"), tr("left, g"),   tr("left, g·mm")};
 }
 
 QVector<QStringList> V8PlugsViewModel::optionRows() const {
@@ -153,14 +123,21 @@ QVector<QStringList> V8PlugsViewModel::optionRows() const {
         const auto& option = solution_.option(id);
         const QString name = v8_text::optionName(words_, id);
         if (!option) {
-            rows << QStringList{name, dash, dash, dash, dash};
+            rows << QStringList{name, dash, dash, dash, dash, dash, dash};
             continue;
         }
-        rows << QStringList{(option->feasible ? QStringLiteral("✓ ") : QStringLiteral("✗ ")) + name,
-                            words_.number(option->constant / gram, 3),
-                            words_.number(option->maximum / gram, 3),
-                            words_.number(option->required_reduction / gram, 3),
-                            words_.number(option->residual_unbalance / gramMillimetre, 1)};
+        const bool fitted =
+            needs_new_crankshaft(id) == (input_.crankshaft == Crankshaft::new_plugs);
+        const QString mark = option->feasible ? QStringLiteral("✓") : QStringLiteral("✗");
+        rows << QStringList{
+            // in brackets what the crankshaft that is fitted does not allow
+            (fitted ? mark : QStringLiteral("(%1)").arg(mark)) + QLatin1Char(' ') + name,
+            words_.number(option->constant / gram, 3),
+            words_.number(option->slope, 3),
+            words_.number(option->maximum / gram, 3),
+            words_.number(option->required_reduction / gram, 3),
+            words_.number(option->residual_mass / gram, 3),
+            words_.number(option->residual_unbalance / gramMillimetre, 1)};
     }
     return rows;
 }
@@ -171,7 +148,12 @@ QString V8PlugsViewModel::optionToolTip(int row) const {
     if (!option) {
         return tr("The engine has no such plug, or its data are missing.");
     }
-    QStringList text{
+    const bool fitted = needs_new_crankshaft(id) == (input_.crankshaft == Crankshaft::new_plugs);
+    QStringList text;
+    if (!fitted) {
+        text << tr("For the other crankshaft.");
+    }
+    text << QStringList{
         tr("%1: %2.").arg(v8_text::optionName(words_, id),
                           v8_text::verdict(words_, *option, input_.tolerance)),
         tr("At most %1 may come off a plug; slope k_y = %2, %3°.")
@@ -181,7 +163,7 @@ QString V8PlugsViewModel::optionToolTip(int row) const {
     if (!boring.isEmpty()) {
         text << boring;
     }
-    text << v8_text::shiftText(words_, input_, *option);
+    text << v8_text::shiftText(words_, input_, solution_, *option);
     return text.join(QLatin1Char('\n'));
 }
 
@@ -292,7 +274,7 @@ QVector<QStringList> V8PlugsViewModel::crankpinRows() const {
 }
 
 V8PlugsViewModel::ColumnNote V8PlugsViewModel::columnNote(Part part) const {
-    ColumnNote note{dash, dash, false, {}};
+    ColumnNote note{dash, dash, dash, false, {}};
     if (!input_.weigh_in) {
         return note;
     }
@@ -301,6 +283,11 @@ V8PlugsViewModel::ColumnNote V8PlugsViewModel::columnNote(Part part) const {
         return note;
     }
     note.mean = words_.number(s->mean / gram, 2);
+    if (const auto& nominal = (*input_.weigh_in)[part].nominal) {
+        const double deviation = (s->mean - *nominal) / gram;
+        note.deviation =
+            (deviation >= 0.005 ? QStringLiteral("+") : QString()) + words_.number(deviation, 2);
+    }
     note.spread = words_.number(s->spread / gram, 2);
     note.tooWide = !s->within_permitted;
     note.toolTip = tr("%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.")

@@ -73,7 +73,7 @@ JournalJob V8PlugsViewModel::journalJob() const {
             const std::string_view name = option_name(option.id);
             job.recommended = QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
             job.reduction = option.reduction / gram;
-            if (const auto& weights = solution_.bob_weights[index(option.id)]) {
+            if (const auto& weights = solution_.bob_weights[static_cast<std::size_t>(option.id)]) {
                 job.bobWeight = weights->after.sum() / gram;
             }
         }
@@ -166,25 +166,6 @@ QString V8PlugsViewModel::copyJob(qint64 id) {
     return takeForm(job->form, 0, 0, true);
 }
 
-void V8PlugsViewModel::newJob() {
-    CaseInput next = freshJob(!journalPath_.isEmpty());
-    next.preset = input_.preset;
-    next.engine = input_.engine;
-    next.crankshaft = input_.crankshaft;
-    next.process = input_.process;
-    next.tolerance = input_.tolerance;
-    next.plug = input_.plug;
-    next.job.technician = input_.job.technician;
-    jobId_ = 0;
-    jobRevision_ = 0;
-    history()->clear();
-    lastEdit_.clear();
-    setTitle({});
-    apply(next);
-    draftStale_ = false;
-    draftTimer_.stop();
-}
-
 void V8PlugsViewModel::flushDraft() {
     draftTimer_.stop();
     if (!draftStale_ || !journal_ || !journal_->isOpen() || history()->isClean()) {
@@ -198,6 +179,8 @@ void V8PlugsViewModel::flushDraft() {
     if (journal_->saveDraft(draft)) {
         draftStale_ = false;
         draftKept_ = true;
+    } else if (journal_->wasBusy()) {
+        draftTimer_.start();
     } else {
         setJournalTrouble(journal_->lastError());
     }

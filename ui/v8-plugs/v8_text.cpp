@@ -72,216 +72,6 @@ QString millimetres(const Words& words, double metres, int decimals) {
                     words.translate("V8", "mm", "unit"));
 }
 
-QString unitName(const Words& words, std::string_view unit) {
-    if (unit == "g") {
-        return words.translate("V8", "g", "unit");
-    }
-    if (unit == "mm") {
-        return words.translate("V8", "mm", "unit");
-    }
-    if (unit == "g·mm") {
-        return words.translate("V8", "g·mm", "unit");
-    }
-    if (unit == "kg") {
-        return words.translate("V8", "kg", "unit");
-    }
-    if (unit == "kg/m³") {
-        return words.translate("V8", "kg/m³", "unit");
-    }
-    if (unit == "mm/s") {
-        return words.translate("V8", "mm/s", "unit");
-    }
-    if (unit == "min⁻¹") {
-        return words.translate("V8", "min⁻¹", "unit");
-    }
-    return QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
-}
-
-QString engineName(const Words& words, const std::string& name) {
-    QString text = QString::fromStdString(name);
-    if (find_preset(name) == nullptr || !text.endsWith(QLatin1String(" l"))) {
-        return text;
-    }
-    return withUnit(words.plain(text.chopped(2).toDouble(), 2),
-                    words.translate("V8", "l", "litre"));
-}
-
-QString fieldName(const Words& words, std::string_view key) {
-    if (key == "crank_radius_mm") {
-        return words.translate("V8", "Crank radius r");
-    }
-    if (key == "plug_radius_mm") {
-        return words.translate("V8", "Plug radius r_p");
-    }
-    if (key == "new_plug_radius_mm") {
-        return words.translate("V8", "New plug radius r_pn");
-    }
-    if (key == "steel_plug_mass_g") {
-        return words.translate("V8", "Steel plug m_p");
-    }
-    if (key == "aluminium_plug_mass_g") {
-        return words.translate("V8", "Aluminium plug m_a");
-    }
-    if (key == "new_steel_plug_mass_g") {
-        return words.translate("V8", "New steel plug m_pn");
-    }
-    if (key == "new_aluminium_plug_mass_g") {
-        return words.translate("V8", "New aluminium plug m_an");
-    }
-    if (key == "max_steel_reduction_g") {
-        return words.translate("V8", "Most off steel plug Δm_pm");
-    }
-    if (key == "max_aluminium_reduction_g") {
-        return words.translate("V8", "Most off aluminium plug Δm_am");
-    }
-    if (key == "rod_coefficient") {
-        return words.translate("V8", "Rod coefficient k_r");
-    }
-    if (key == "oil_mass_g") {
-        return words.translate("V8", "Oil in a crankpin m_m");
-    }
-    if (key == "oil_coefficient") {
-        return words.translate("V8", "Oil coefficient k_m");
-    }
-    if (key == "reciprocating_mass_g") {
-        return words.translate("V8", "Reciprocating mass m_j");
-    }
-    if (key == "rotating_mass_g") {
-        return words.translate("V8", "Rotating mass m_R");
-    }
-    if (key == "piston") {
-        return words.translate("V8", "Improved piston Δm_pi");
-    }
-    if (key == "rod_big_end") {
-        return words.translate("V8", "Rod big end Δm_be");
-    }
-    if (key == "repair_piston_and_rings") {
-        return words.translate("V8", "Repair piston and rings Δm_rp");
-    }
-    if (key == "repair_bearing") {
-        return words.translate("V8", "Repair shells Δm_sh");
-    }
-    if (key == "tolerance_g_mm") {
-        return words.translate("V8", "Residual unbalance allowed");
-    }
-    return QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size()));
-}
-
-QString optionName(const Words& words, OptionId option) {
-    switch (option) {
-        case OptionId::steel_machined:
-            return words.translate("V8", "Machine today's steel plugs");
-        case OptionId::steel_to_aluminium:
-            return words.translate("V8", "Aluminium plugs");
-        case OptionId::new_steel_to_steel:
-            return words.translate("V8", "New crankshaft, today's steel plugs");
-        case OptionId::new_steel_to_aluminium:
-            return words.translate("V8", "New crankshaft, aluminium plugs");
-    }
-    return {};
-}
-
-QString lineName(const Words& words, BobWeightLine::Part part) {
-    switch (part) {
-        case BobWeightLine::Part::reciprocating:
-            return words.translate("V8", "Reciprocating mass m_j");
-        case BobWeightLine::Part::piston:
-            return words.translate("V8", "Improved piston Δm_pi");
-        case BobWeightLine::Part::repair_piston_and_rings:
-            return words.translate("V8", "Repair piston and rings Δm_rp");
-        case BobWeightLine::Part::rotating:
-            return words.translate("V8", "Rotating mass m_R");
-        case BobWeightLine::Part::plugs:
-            return words.translate("V8", "Plug");
-        case BobWeightLine::Part::rod_big_end:
-            return words.translate("V8", "Rod big end Δm_be");
-        case BobWeightLine::Part::repair_bearing:
-            return words.translate("V8", "Repair shells Δm_sh");
-        case BobWeightLine::Part::oil:
-            return words.translate("V8", "Oil m_m");
-    }
-    return {};
-}
-
-QString shortLine(const Words& words, const BobWeightLine& line) {
-    QString name;
-    switch (line.part) {
-        case BobWeightLine::Part::reciprocating:
-            name = words.translate("V8", "reciprocating m_j");
-            break;
-        case BobWeightLine::Part::piston:
-            name = words.translate("V8", "piston Δm_pi");
-            break;
-        case BobWeightLine::Part::repair_piston_and_rings:
-            name = words.translate("V8", "rep. piston Δm_rp");
-            break;
-        case BobWeightLine::Part::rotating:
-            name = words.translate("V8", "rotating m_R");
-            break;
-        case BobWeightLine::Part::plugs:
-            name = words.translate("V8", "plug");
-            break;
-        case BobWeightLine::Part::rod_big_end:
-            name = words.translate("V8", "big end Δm_be");
-            break;
-        case BobWeightLine::Part::repair_bearing:
-            name = words.translate("V8", "rep. shells Δm_sh");
-            break;
-        case BobWeightLine::Part::oil:
-            name = words.translate("V8", "oil m_m");
-            break;
-    }
-    return words.plain(line.factor, 3) + QStringLiteral(" × ") + name;
-}
-
-QString shortOption(const Words& words, OptionId option) {
-    switch (option) {
-        case OptionId::steel_machined:
-            return words.translate("V8", "steel");
-        case OptionId::steel_to_aluminium:
-            return words.translate("V8", "aluminium");
-        case OptionId::new_steel_to_steel:
-            return words.translate("V8", "new shaft, steel");
-        case OptionId::new_steel_to_aluminium:
-            return words.translate("V8", "new shaft, aluminium");
-    }
-    return {};
-}
-
-QString partName(const Words& words, Part part) {
-    switch (part) {
-        case Part::piston:
-            return words.translate("V8", "Piston");
-        case Part::pin:
-            return words.translate("V8", "Pin");
-        case Part::rings:
-            return words.translate("V8", "Rings");
-        case Part::rod_big_end:
-            return words.translate("V8", "Rod, big end");
-        case Part::rod_small_end:
-            return words.translate("V8", "Rod, small end");
-        case Part::shells:
-            return words.translate("V8", "Shells");
-    }
-    return {};
-}
-
-QString processName(const Words& words, Process process) {
-    return process == Process::manufacture ? words.translate("V8", "Manufacture")
-                                           : words.translate("V8", "Repair");
-}
-
-QString crankshaftName(const Words& words, Crankshaft crankshaft) {
-    return crankshaft == Crankshaft::standard
-               ? words.translate("V8", "Standard")
-               : words.translate("V8", "Made for plugs of the new design");
-}
-
-QString materialName(const Words& words, PlugMaterial material) {
-    return material == PlugMaterial::steel ? words.translate("V8", "Steel")
-                                           : words.translate("V8", "Aluminium");
-}
-
 QString advice(const Words& words, const CaseInput& input, const Solution& solution) {
     if (!solution.advice || !solution.unbalanced_mass) {
         return {};
@@ -392,14 +182,18 @@ QString verdict(const Words& words, const Option& option, double tolerance) {
            against(words, option.residual_unbalance, tolerance);
 }
 
-QStringList massWarnings(const Words& words, const Solution& solution) {
+QStringList massWarnings(const Words& words, const CaseInput& input, const Solution& solution) {
     QStringList warnings;
+    const auto geometry = input.plug ? input.plug->geometry() : std::nullopt;
+    const bool solid = geometry && geometry->bore_depth <= 0.0;
     const auto warn = [&](const std::optional<PlugMass>& mass, PlugMaterial material) {
         if (mass && !mass->fits) {
-            warnings << words
-                            .translate("V8",
-                                       "%1 plug: a plug of these dimensions weighs %2, but %3 was "
-                                       "typed. Weigh it.")
+            warnings << (solid ? words.translate("V8",
+                                                 "%1 plug: solid it weighs %2, but %3 was typed. "
+                                                 "Give its bore or weigh it.")
+                               : words.translate("V8",
+                                                 "%1 plug: a plug of these dimensions weighs %2, "
+                                                 "but %3 was typed. Weigh it."))
                             .arg(materialName(words, material), grams(words, mass->geometry, 1),
                                  grams(words, mass->typed, 2));
         }
@@ -409,15 +203,113 @@ QStringList massWarnings(const Words& words, const Solution& solution) {
     return warnings;
 }
 
-QString shiftText(const Words& words, const CaseInput& input, const Option& option) {
+QStringList weighInGaps(const Words& words, const CaseInput& input) {
+    QStringList gaps;
+    if (!input.weigh_in) {
+        return gaps;
+    }
+    for (const Part part : all_parts) {
+        const PartColumn& column = (*input.weigh_in)[part];
+        if (column.is_complete() || column.is_empty()) {
+            continue;
+        }
+        const QString name = partName(words, part);
+        gaps << (column.nominal
+                     ? words.translate("V8", "%1: %2 of 8 weighed; nominal counts until all are.")
+                           .arg(name)
+                           .arg(statistics(column)->count)
+                     : words.translate("V8", "%1: the weights do not count without a nominal mass.")
+                           .arg(name));
+    }
+    return gaps;
+}
+
+namespace {
+
+QStringList engineTroubles(const Words& words, const Engine& engine) {
+    QStringList list;
+    for (const EngineConflict& conflict : engine_conflicts(engine)) {
+        const bool steel = conflict.key == "max_steel_reduction_g";
+        const double mass = (steel ? engine.steel_plug_mass : engine.aluminium_plug_mass).value();
+        list << words.translate("V8", "%1: must be less than the plug's mass, %2.")
+                    .arg(fieldName(words, conflict.key), grams(words, mass, 3));
+    }
+    return list;
+}
+
+QStringList plugTroubles(const Words& words, const PlugSheet& plug) {
+    QStringList list;
+    const auto geometry = plug.geometry();
+    if (geometry && geometry_fault(*geometry)) {
+        list << (geometry->bore_depth >= geometry->height
+                     ? words.translate(
+                           "V8", "The bore is as deep as the plug is high: there is no bottom.")
+                     : words
+                           .translate("V8",
+                                      "The bore is wider than the root of the thread, %1: there is "
+                                      "no wall.")
+                           .arg(millimetres(words, geometry->thread.root_diameter())));
+    }
+    if (plug.bore_diameter.has_value() != plug.bore_depth.has_value()) {
+        list << words.translate("V8", "A bore needs both its diameter and its depth.");
+    }
+    return list;
+}
+
+QStringList spreadTroubles(const Words& words, const WeighIn& sheet) {
+    QStringList list;
+    for (const Part part : all_parts) {
+        const auto s = statistics(sheet[part]);
+        if (s && !s->within_permitted) {
+            list << words
+                        .translate(
+                            "V8",
+                            "%1: spread %2, permitted %3 (heaviest: cylinder %4, lightest: %5).")
+                        .arg(partName(words, part), grams(words, s->spread),
+                             grams(words, sheet[part].permitted_spread.value()))
+                        .arg(s->heaviest + 1)
+                        .arg(s->lightest + 1);
+        }
+    }
+    return list;
+}
+
+}  // namespace
+
+QStringList troubles(const Words& words, const CaseInput& input, const Solution& solution) {
+    QStringList list = engineTroubles(words, input.engine);
+    if (input.plug) {
+        list << plugTroubles(words, *input.plug);
+    }
+    list << massWarnings(words, input, solution);
+    if (input.changes_from_weigh_in) {
+        list << weighInGaps(words, input);
+    }
+    if (input.weigh_in) {
+        list << spreadTroubles(words, *input.weigh_in);
+    }
+    return list;
+}
+
+QString shiftText(const Words& words, const CaseInput& input, const Solution& solution,
+                  const Option& option) {
     const double plug = option.plug_mass_unmachined - option.reduction;
-    return words
-        .translate("V8",
-                   "Neglected by the method: the plug's centre of mass moves by 0.8 to 1.2 mm when "
-                   "it is bored, which is worth %1 to %2 beside the %3 allowed.")
-        .arg(words.number(shift_unbalance(plug, smallest_shift) / gramMillimetre, 1),
-             gramMillimetres(words, shift_unbalance(plug, largest_shift)),
-             gramMillimetres(words, input.tolerance));
+    QString text =
+        words
+            .translate("V8",
+                       "Neglected by the method: the plug's centre of mass moves by 0.8 to 1.2 mm "
+                       "when it is bored, which is worth %1 to %2 beside the %3 allowed.")
+            .arg(words.number(shift_unbalance(plug, smallest_shift) / gramMillimetre, 1),
+                 gramMillimetres(words, shift_unbalance(plug, largest_shift)),
+                 gramMillimetres(words, input.tolerance));
+    const auto& boring = solution.boring[index(option.id)];
+    if (boring && boring->cuts && boring->limit == Boring::Limit::none) {
+        text += QLatin1Char(' ') +
+                words.translate("V8", "Bored as planned here it moves by %1: %2.")
+                    .arg(millimetres(words, boring->shift),
+                         gramMillimetres(words, shift_unbalance(plug, boring->shift)));
+    }
+    return text;
 }
 
 std::optional<Option> chosenOption(const Solution& solution) {

@@ -43,10 +43,17 @@ QString boring(const Words& words, const v8_plugs::CaseInput& input,
 QString verdict(const Words& words, const v8_plugs::Option& option, double tolerance);
 /// Where a typed mass does not fit the plug's dimensions: what the dimensions would weigh. Empty
 /// where it fits or nothing is known.
-QStringList massWarnings(const Words& words, const v8_plugs::Solution& solution);
-/// What the shift of the plug's centre of mass is worth for an option, beside the tolerance.
+QStringList massWarnings(const Words& words, const v8_plugs::CaseInput& input,
+                         const v8_plugs::Solution& solution);
+/// Columns of the weigh-in sheet that are begun but do not count yet.
+QStringList weighInGaps(const Words& words, const v8_plugs::CaseInput& input);
+/// Rules broken, masses that do not fit, columns half weighed, spreads too wide.
+QStringList troubles(const Words& words, const v8_plugs::CaseInput& input,
+                     const v8_plugs::Solution& solution);
+/// What the shift of the plug's centre of mass is worth for an option, beside the tolerance: the
+/// paper's range, and the bore's own where one is planned.
 QString shiftText(const Words& words, const v8_plugs::CaseInput& input,
-                  const v8_plugs::Option& option);
+                  const v8_plugs::Solution& solution, const v8_plugs::Option& option);
 /// The option that the answer is about: the recommended one, else the one that leaves least;
 /// nothing where nothing is needed or known.
 std::optional<v8_plugs::Option> chosenOption(const v8_plugs::Solution& solution);

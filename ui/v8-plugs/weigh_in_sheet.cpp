@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include "theme/theme.h"
@@ -18,6 +19,8 @@ namespace ravnoves {
 using namespace v8_plugs;
 
 namespace {
+
+constexpr int cellHeight = 30;  // all of the sheet has to be seen on 800 lines
 
 QString keyOf(Part part) {
     const std::string_view key = part_key(part);
@@ -40,7 +43,7 @@ WeighInSheet::WeighInSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm
     numbering_->setObjectName(QStringLiteral("cylinder_numbering"));
     numbering_->addItems({tr("1 and 5, 2 and 6, … (bank by bank)"), tr("1 and 2, 3 and 4, …")});
     numbering_->setToolTip(tr("Which two cylinders share a crankpin."));
-    numbering_->setMinimumHeight(30);
+    numbering_->setMinimumHeight(cellHeight);
     numbering_->setAccessibleName(tr("Cylinders of a crankpin"));
     numberingLabel->setBuddy(numbering_);
     head->addWidget(numberingLabel, 1, 0);
@@ -51,7 +54,7 @@ WeighInSheet::WeighInSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm
 
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(Theme::gap);
-    grid->setVerticalSpacing(3);
+    grid->setVerticalSpacing(2);
     const QStringList rows{tr("nominal, g"), tr("permitted spread, g")};
     constexpr int firstCylinder = 3;
     constexpr int meanRow = firstCylinder + cylinder_count;
@@ -69,7 +72,8 @@ WeighInSheet::WeighInSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm
         rowLabel(firstCylinder + cylinder, QString::number(cylinder + 1));
     }
     rowLabel(meanRow, tr("mean, g"));
-    rowLabel(meanRow + 1, tr("spread, g"));
+    rowLabel(meanRow + 1, tr("to nominal, g"));
+    rowLabel(meanRow + 2, tr("spread, g"));
     grid->setColumnMinimumWidth(0, 58);
 
     const Words words;
@@ -136,7 +140,8 @@ WeighInSheet::WeighInSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm
             return label;
         };
         fields.mean = note(meanRow);
-        fields.spread = note(meanRow + 1);
+        fields.deviation = note(meanRow + 1);
+        fields.spread = note(meanRow + 2);
         columns_.push_back(fields);
         ++place;
     }
@@ -149,7 +154,22 @@ WeighInSheet::WeighInSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm
     summary_ = new QLabel(this);
     summary_->setWordWrap(true);
     summary_->setFont(Theme::font(Theme::baseSize, true));
-    column_->addWidget(summary_);
+    move_ = new QPushButton(tr("&Move them here"), this);
+    move_->setObjectName(QStringLiteral("move_parts"));
+    move_->setToolTip(tr("The weights change places on this sheet as the parts do."));
+    move_->setMinimumHeight(cellHeight);
+    connect(move_, &QPushButton::clicked, this, [this] {
+        const auto assignment = model_->solution().assignment;
+        if (assignment) {
+            model_->edit(tr("Move parts"), [&](CaseInput& input) {
+                input.weigh_in = reassigned(input.weigh_in.value(), *assignment);
+            });
+        }
+    });
+    auto* found = new QHBoxLayout;
+    found->addWidget(summary_, 1);
+    found->addWidget(move_, 0, Qt::AlignTop);
+    column_->addLayout(found);
     crankpins_ = new ResultTable(this);
     crankpins_->setAccessibleName(tr("Excess on each crankpin, as weighed and after moving"));
     crankpins_->setColumns(model_->crankpinColumns());
@@ -191,7 +211,7 @@ NumberField* WeighInSheet::addField(const QString& name, const QString& accessib
     field->setAccessibleName(accessible);
     field->setHint(hint);
     field->setMinimumWidth(44);
-    field->setMinimumHeight(28);
+    field->setMinimumHeight(cellHeight);
     field->setFont(Theme::font(Theme::titleSize));
     connect(field, &NumberField::troubleChanged, this, [this, accessible](const QString& trouble) {
         trouble_->setText(trouble.isEmpty() ? QString()
@@ -227,10 +247,16 @@ void WeighInSheet::showInput() {
         fields.spread->setText(note.tooWide ? note.spread + QStringLiteral(" !") : note.spread);
         fields.spread->setToolTip(note.toolTip);
         fields.mean->setToolTip(note.toolTip);
+        fields.deviation->setText(note.deviation);
+        fields.deviation->setToolTip(note.toolTip);
         const Theme& theme = Theme::instance();
         colourText(fields.spread, note.tooWide ? theme.error() : theme.text());
     }
-    summary_->setText(model_->assignmentText());
+    QStringList summary = model_->weighInGaps();
+    summary << model_->assignmentText();
+    summary.removeAll(QString());
+    summary_->setText(summary.join(QLatin1Char('\n')));
+    move_->setVisible(model_->solution().assignment && model_->solution().assignment->moved > 0);
     const auto assignment = model_->assignmentRows();
     assignment_->setRows(assignment);
     assignment_->setVisible(!assignment.isEmpty());

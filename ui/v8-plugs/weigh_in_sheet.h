@@ -7,6 +7,7 @@
 #include "v8-plugs/weigh_in.h"
 
 class QCheckBox;
+class QPushButton;
 
 namespace ravnoves {
 
@@ -27,6 +28,7 @@ class WeighInSheet : public SheetForm {
         NumberField* permitted;
         std::array<NumberField*, v8_plugs::cylinder_count> mass;
         QLabel* mean;
+        QLabel* deviation;  ///< of the mean from nominal
         QLabel* spread;
     };
 
@@ -39,6 +41,7 @@ class WeighInSheet : public SheetForm {
     QComboBox* numbering_;
     QLabel* trouble_;
     QLabel* summary_;
+    QPushButton* move_;
     ResultTable* assignment_;
     ResultTable* crankpins_;
 };

@@ -291,12 +291,62 @@ TEST_F(JobCardTest, NothingIsLeftOutWhenThereIsMuchToSay) {
     const QString text = rows.join(u' ').simplified();
     EXPECT_TRUE(text.contains(u"Ближе всего «Алюминиевые пробки»"_s));
     EXPECT_FALSE(text.contains(u'…') && text.contains(u"вместо допус…"_s));
-    EXPECT_TRUE(text.contains(u"Какой комплект в какой цилиндр"_s));
+    EXPECT_TRUE(text.contains(u"Массы деталей по цилиндрам"_s));
     EXPECT_TRUE(text.contains(u"M22×1,5"_s));
     EXPECT_TRUE(text.contains(u"Исполнитель, подпись"_s));
     // Nothing is cut off: an ellipsis stands only where there is room to write by hand.
     static const QRegularExpression cut(u"\\w…"_s);
     EXPECT_FALSE(cut.match(text).hasMatch()) << qPrintable(text);
+}
+
+TEST_F(JobCardTest, OnePageWithLongTextsAndAllSheets) {
+    Json input = workshopInput();
+    input["job"]["engine_number"] = std::string(60, '8') + "-end1";
+    input["job"]["crankshaft_number"] = std::string(60, '0') + "-end2";
+    std::string customer;
+    std::string notes;
+    for (int i = 0; i < 8; ++i) {
+        customer += "Workshop № ";
+    }
+    for (int i = 0; i < 20; ++i) {
+        notes += "Oversize ";
+    }
+    input["job"]["customer"] = customer + "end3";
+    input["job"]["technician"] =
+        "Ivanov-Petrov-Sidorov Alexander Konstantinovich, second shift end4";
+    input["job"]["notes"] = notes + "end5";
+    Json weighIn = Json::object();
+    for (const char* part : {"piston", "pin", "rings", "rod_big_end", "rod_small_end", "shells"}) {
+        weighIn[part] = {
+            {"nominal_g", 600},
+            {"permitted_spread_g", 1},
+            {"mass_g", {601.11, 602.22, 603.33, 604.44, 605.55, 606.66, 607.77, 608.88}}};
+    }
+    input["weigh_in"] = weighIn;
+    input["mass_changes_from"] = "typed";
+    input["plug"] = parse_json(R"({"thread": "M22x1.5", "height_mm": 14, "bore_diameter_mm": 14,
+        "bore_depth_mm": 6, "cutter_diameter_mm": 14, "minimum_wall_mm": 1.5,
+        "minimum_bottom_mm": 2})");
+    for (const QString& language : {u"en"_s, u"ru"_s}) {
+        const QString text = cardText(input, language).join(u' ').simplified();
+        for (const QString& end :
+             {language == u"ru"_s ? u"Метод пренебрегает"_s : u"Neglected by the method"_s,
+              u"end1"_s, u"end2"_s, u"end3"_s, u"end4"_s, u"end5"_s,
+              language == u"ru"_s ? u"608,88"_s : u"608.88"_s,
+              language == u"ru"_s ? u"605,00"_s : u"605.00"_s,
+              language == u"ru"_s ? u"7,77 !"_s : u"7.77 !"_s}) {
+            EXPECT_TRUE(text.contains(end)) << qPrintable(end) << " in " << qPrintable(text);
+        }
+    }
+    compare(input, u"en"_s);
+}
+
+TEST_F(JobCardTest, SaysWhatMustNotBeOverlooked) {
+    Json input = workshopInput();
+    input["plug"] = parse_json(R"({"thread": "M22x1.5", "height_mm": 14})");
+    const QString text = cardText(input, u"en"_s).join(u' ').simplified();
+    EXPECT_TRUE(text.contains(u"Steel plug: solid it weighs 38.2"_s));
+    EXPECT_TRUE(text.contains(u"Neglected by the method"_s));
 }
 
 TEST_F(JobCardTest, HalfFilledJobSaysWhatIsMissing) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QDir>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonDocument>
@@ -10,6 +11,8 @@
 #include <QProcess>
 #include <QRandomGenerator>
 #include <QRegularExpression>
+#include <QSqlDatabase>
+#include <QSqlQuery>
 #include <QTemporaryDir>
 #include <QThread>
 #include <algorithm>
@@ -181,6 +184,12 @@ TEST_F(JournalTest, KeepsTheUsersEngines) {
     EXPECT_EQ(journal.engines().at(1).values, QByteArray(R"({"crank_radius_mm":40.5})"));
     ASSERT_TRUE(journal.removeEngine(u"A"_s));
     EXPECT_EQ(journal.engines().size(), 1);
+    ASSERT_TRUE(journal.saveEngine({u"B"_s, "{}"}));
+    EXPECT_TRUE(journal.renameEngine(u"B"_s, u"C"_s));
+    EXPECT_FALSE(journal.renameEngine(u"B"_s, u"D"_s));       // gone
+    EXPECT_FALSE(journal.renameEngine(u"C"_s, u"ГАЗ-53"_s));  // taken
+    EXPECT_EQ(journal.engines().size(), 2);
+    EXPECT_EQ(journal.engines().at(1).values, QByteArray(R"({"crank_radius_mm":40.5})"));
 }
 
 TEST_F(JournalTest, ExportsCsvThatASpreadsheetReads) {
@@ -201,6 +210,60 @@ TEST_F(JournalTest, ExportsCsvThatASpreadsheetReads) {
     // A place that cannot be written is said, and nothing else changes.
     EXPECT_FALSE(journal.exportCsv(path(u"nowhere/out.csv"_s), {}));
     EXPECT_TRUE(journal.lastError().contains(u"nowhere"_s));
+}
+
+TEST_F(JournalTest, CsvFollowsTheLanguageAndHoldsNoFormulas) {
+    JournalJob job = exampleJob(u"=HYPERLINK(\"http://x\")"_s);
+    job.id = 7;
+    job.customer = u"+7 495 123"_s;
+    job.technician = u"@SUM(A1)"_s;
+    job.engine = u"-1,5"_s;
+    const QString english = Journal::csvText({job}, QLocale(QLocale::English));
+    EXPECT_TRUE(
+        english.contains(u"\r\n7,\"'=HYPERLINK(\"\"http://x\"\")\",2024-05-31,'+7 495 "
+                         u"123,'@SUM(A1),\"'-1,5\",repair,"
+                         "4.3225,steel-machined,1.83"_s))
+        << qPrintable(english);
+    const QString russian = Journal::csvText({job}, QLocale(QLocale::Russian));
+    EXPECT_TRUE(russian.startsWith(u"id;engine_number;date;"_s)) << qPrintable(russian);
+    EXPECT_TRUE(russian.contains(u";repair;4,3225;steel-machined;1,83"_s)) << qPrintable(russian);
+    // A reduction below nothing is a number, not a text.
+    job.unbalancedMass = -0.5;
+    EXPECT_TRUE(Journal::csvText({job}, QLocale::c()).contains(u",repair,-0.5,"_s));
+}
+
+TEST_F(JournalTest, WritesAreOnDiskWhenTheCallReturns) {
+    // A killed program cannot show this; a power cut would.
+    Journal journal(path());
+    ASSERT_TRUE(journal.open());
+    QSqlQuery query(QSqlDatabase::database(QSqlDatabase::connectionNames().constFirst()));
+    ASSERT_TRUE(query.exec(u"PRAGMA journal_mode"_s) && query.next());
+    EXPECT_EQ(query.value(0).toString(), u"wal"_s);
+    ASSERT_TRUE(query.exec(u"PRAGMA synchronous"_s) && query.next());
+    EXPECT_EQ(query.value(0).toInt(), 2);  // FULL: the log is synced at every commit
+}
+
+TEST_F(JournalTest, DraftsDoNotWaitForAnotherProgramsWrite) {
+    Journal journal(path());
+    ASSERT_TRUE(journal.open());
+    {
+        QSqlDatabase other = QSqlDatabase::addDatabase(u"QSQLITE"_s, u"other"_s);
+        other.setDatabaseName(path());
+        ASSERT_TRUE(other.open());
+        QSqlQuery query(other);
+        ASSERT_TRUE(query.exec(u"BEGIN IMMEDIATE"_s));
+        QElapsedTimer clock;
+        clock.start();
+        JournalDraft draft;
+        draft.form = "{}";
+        EXPECT_FALSE(journal.saveDraft(draft));
+        EXPECT_TRUE(journal.wasBusy());
+        EXPECT_LT(clock.elapsed(), 5000);  // a job would wait for 15 s
+        ASSERT_TRUE(query.exec(u"ROLLBACK"_s));
+        EXPECT_TRUE(journal.saveDraft(draft));
+        EXPECT_FALSE(journal.wasBusy());
+    }
+    QSqlDatabase::removeDatabase(u"other"_s);
 }
 
 class DamagedJournal : public JournalTest, public ::testing::WithParamInterface<int> {};

@@ -8,13 +8,19 @@
 #include <QDialog>
 #include <QDir>
 #include <QFile>
+#include <QInputDialog>
 #include <QInputMethodEvent>
 #include <QLabel>
 #include <QMessageBox>
+#include <QPrintPreviewDialog>
+#include <QPrintPreviewWidget>
 #include <QPrinter>
 #include <QProcess>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalSpy>
+#include <QSqlDatabase>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -22,6 +28,7 @@
 
 #include "events.h"
 #include "plot/plot_view.h"
+#include "theme/theme.h"
 #include "v8-plugs/checked_field.h"
 #include "v8-plugs/job_card.h"
 #include "v8-plugs/journal_dialog.h"
@@ -168,8 +175,8 @@ TEST_F(V8PageTest, EveryFieldIsLargeNamedAndExplained) {
             const QString name = each->objectName();
             EXPECT_FALSE(name.isEmpty());
             EXPECT_GE(each->minimumHeight(), qobject_cast<QCheckBox*>(each) != nullptr ? 0
-                                             : sheet == 2                              ? 26
-                                                                                       : 32)
+                                             : sheet == 2                              ? 30
+                                                                                       : 34)
                 << qPrintable(name);
             if (qobject_cast<QCheckBox*>(each) == nullptr) {
                 EXPECT_FALSE(each->accessibleName().isEmpty()) << qPrintable(name);
@@ -242,6 +249,138 @@ TEST_F(V8PageTest, ImpossibleEntriesAreRefusedInWords) {
     EXPECT_NEAR(model->input().plug->thread->diameter, 0.03, 1e-12);
 }
 
+TEST_F(V8PageTest, EmptiedFieldTakesTheNextDigitsAlone) {
+    // What an empty field means (0, 5 g·mm, 7850 kg/m³) must not join what is typed next.
+    const struct {
+        const char* name;
+        const char* typed;
+        double usual;
+    } cases[] = {{"tolerance_g_mm", "3", 5.0},
+                 {"rod_big_end", "1.5", 0.0},
+                 {"steel_density_kg_m3", "7900", 7850.0},
+                 {"front_share", "0.4", 0.5}};
+    for (const auto& each : cases) {
+        NumberField* target = field(each.name);
+        type(target, QLatin1String(each.typed));
+        target->setFocus();
+        QTest::keyClick(target, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClick(target, Qt::Key_Delete);
+        EXPECT_TRUE(target->text().isEmpty()) << each.name;
+        QTest::keyClicks(target, QLatin1String(each.typed));
+        EXPECT_EQ(target->text(), QLatin1String(each.typed)) << each.name;
+        EXPECT_NEAR(target->value().value(), QString::fromLatin1(each.typed).toDouble(), 1e-12);
+        // Left empty it shows what counts.
+        QTest::keyClick(target, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClick(target, Qt::Key_Delete);
+        QTest::keyClick(target, Qt::Key_Return);
+        EXPECT_NEAR(target->value().value(), each.usual, 1e-12) << each.name;
+        EXPECT_FALSE(target->text().isEmpty()) << each.name;
+    }
+}
+
+TEST_F(V8PageTest, RefusedEntryStaysUntilItIsMended) {
+    NumberField* mass = field("steel_plug_mass_g");
+    type(mass, u"-5"_s);
+    EXPECT_EQ(QApplication::focusWidget(), mass);  // Enter does not pass it over
+    QTest::keyClick(mass, Qt::Key_Tab);
+    NumberField* other = field("rod_coefficient");
+    type(other, u"0.5"_s);
+    EXPECT_EQ(mass->text(), u"-5"_s);
+    EXPECT_FALSE(mass->trouble().isEmpty());
+    EXPECT_EQ(model->input().engine.steel_plug_mass, find_preset("4.25 l")->steel_plug_mass);
+    // The tab says so, and neither journal nor card take the job without a word.
+    page.sheets()->setCurrentIndex(0);
+    EXPECT_TRUE(page.sheets()->tabBar()->tabTextColor(1).isValid());
+    QString asked;
+    const auto reply = [&](QMessageBox::StandardButton button) {
+        whenModal<QMessageBox>([&asked, button](QMessageBox* box) {
+            asked = box->text();
+            QTest::mouseClick(box->button(button), Qt::LeftButton);
+        });
+    };
+    reply(QMessageBox::Cancel);
+    press(Qt::Key_F2);
+    EXPECT_TRUE(asked.contains(u"Steel plug m_p"_s)) << qPrintable(asked);
+    EXPECT_EQ(model->jobId(), 0);
+    reply(QMessageBox::Ignore);
+    press(Qt::Key_F2);
+    EXPECT_GT(model->jobId(), 0);
+    page.sheets()->setCurrentIndex(1);
+    type(mass, u"25"_s);
+    EXPECT_TRUE(mass->trouble().isEmpty());
+    EXPECT_FALSE(page.sheets()->tabBar()->tabTextColor(1).isValid());
+    EXPECT_NEAR(*model->input().engine.steel_plug_mass, 25 * gram, 1e-12);
+}
+
+TEST_F(V8PageTest, SheetsNeedNoScrollingSideways) {
+    for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
+        page.sheets()->setCurrentIndex(sheet);
+        QApplication::processEvents();
+        auto* scroll = qobject_cast<QScrollArea*>(page.sheets()->widget(sheet));
+        ASSERT_NE(scroll, nullptr);
+        EXPECT_LE(scroll->widget()->width(), scroll->viewport()->width()) << sheet;
+        for (QWidget* each : page.fieldsOf(sheet)) {
+            const int end = each->mapTo(scroll->widget(), QPoint(each->width(), 0)).x();
+            EXPECT_LE(end, scroll->viewport()->width()) << qPrintable(each->objectName());
+        }
+    }
+}
+
+TEST_F(V8PageTest, OwnEnginesByKeyboard) {
+    page.sheets()->setCurrentIndex(1);
+    auto* keep = find<QPushButton>("save_engine");
+    auto* rename = find<QPushButton>("rename_engine");
+    auto* remove = find<QPushButton>("remove_engine");
+    EXPECT_FALSE(rename->isEnabled());
+    EXPECT_FALSE(remove->isEnabled());
+    const auto giveName = [&](QPushButton* button, const QString& name) {
+        whenModal<QInputDialog>([name](QInputDialog* dialog) {
+            dialog->setTextValue(name);
+            QTest::keyClick(dialog, Qt::Key_Return);
+        });
+        button->setFocus();
+        QTest::keyClick(button, Qt::Key_Space);
+    };
+    type("steel_plug_mass_g", u"25"_s);
+    giveName(keep, u"ZMZ-53"_s);
+    EXPECT_EQ(model->engineNames().constLast(), u"ZMZ-53"_s);
+    EXPECT_TRUE(rename->isEnabled());
+    giveName(rename, u"ZMZ-66"_s);
+    EXPECT_EQ(model->engineNames().constLast(), u"ZMZ-66"_s);
+    EXPECT_EQ(model->input().engine.name, "ZMZ-66");
+    // The same name again, in other capitals: asked first.
+    type("steel_plug_mass_g", u"26"_s);
+    EXPECT_TRUE(model->ownEngineChanged());
+    EXPECT_FALSE(model->engineNote().isEmpty());
+    const auto keepAnd = [&](QMessageBox::StandardButton button) {
+        whenModal<QInputDialog>([button](QInputDialog* dialog) {
+            answer(button);
+            dialog->setTextValue(u"zmz-66"_s);
+            QTest::keyClick(dialog, Qt::Key_Return);
+        });
+        QTest::mouseClick(keep, Qt::LeftButton);
+    };
+    keepAnd(QMessageBox::No);
+    EXPECT_TRUE(model->ownEngineChanged());
+    keepAnd(QMessageBox::Yes);
+    EXPECT_FALSE(model->ownEngineChanged());
+    EXPECT_EQ(model->engineNames().size(), 8);
+    answer(QMessageBox::Yes);
+    QTest::mouseClick(remove, Qt::LeftButton);
+    EXPECT_EQ(model->engineNames().size(), 7);
+    EXPECT_FALSE(remove->isEnabled());
+}
+
+TEST_F(V8PageTest, TheWindowAsksForTheJournal) {
+    type("engine_number", u"7"_s);
+    answer(QMessageBox::Save);
+    EXPECT_EQ(page.askToSave(), true);
+    EXPECT_EQ(model->journal()->search({}).size(), 1);
+    type("engine_number", u"8"_s);
+    answer(QMessageBox::Cancel);
+    EXPECT_EQ(page.askToSave(), false);
+}
+
 TEST_F(V8PageTest, WeighInSheetByKeyboard) {
     page.sheets()->setCurrentIndex(2);
     type("nominal_piston", u"600"_s);
@@ -256,6 +395,18 @@ TEST_F(V8PageTest, WeighInSheetByKeyboard) {
     EXPECT_NEAR(*(*model->input().weigh_in)[Part::piston].mass[7], 607 * gram, 1e-12);
     EXPECT_TRUE(label("troubles").contains(u"Piston: spread 7.00"_s));
     EXPECT_NEAR(model->solution().changes.repair_piston_and_rings, 0.0, 1e-12);
+    // The parts change places on the sheet too, once they did on the bench.
+    auto* move = find<QPushButton>("move_parts");
+    ASSERT_TRUE(move->isVisible());
+    const auto spread = [&] { return model->solution().crankpin_excess; };
+    const auto wanted = model->solution().assigned_excess;
+    EXPECT_NE(spread(), wanted);
+    move->setFocus();
+    QTest::keyClick(move, Qt::Key_Space);
+    EXPECT_EQ(spread(), wanted);
+    EXPECT_EQ(model->solution().assignment->moved, 0);
+    EXPECT_FALSE(move->isVisible());
+    model->history()->undo();
     auto* use = find<QCheckBox>("changes_from_weigh_in");
     use->setFocus();
     QTest::keyClick(use, Qt::Key_Space);
@@ -295,6 +446,35 @@ TEST_F(V8PageTest, PlotsShowLinesLimitsAndToday) {
                     1e-9);
         EXPECT_FALSE(plot->valueAt(curve, option->max_reduction / gram + 0.01));
     }
+    // Today's excess as a line, the option chosen as a ring on it.
+    const Option& chosen = *model->solution().advice->option;
+    const QImage picture = page.compensationPlot()->grab().toImage();
+    const auto near = [](const QColor& a, const QColor& b) {
+        return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) +
+                   std::abs(a.blue() - b.blue()) <
+               60;
+    };
+    const double excess = *model->solution().unbalanced_mass / gram;
+    const int row = qRound(plot->toPixel(0.0, excess).y());
+    int today = 0;
+    for (int x = qRound(plot->plotArea().left()); x < plot->plotArea().right(); ++x) {
+        for (int y = row - 1; y <= row + 1; ++y) {
+            today += near(picture.pixelColor(x, y), Theme::instance().curve(6)) ? 1 : 0;
+        }
+    }
+    EXPECT_GT(today, 12);
+    const QPoint ring = plot->toPixel(chosen.reduction / gram, excess).toPoint();
+    int around = 0;
+    for (int dx = -9; dx <= 9; ++dx) {
+        for (int dy = -9; dy <= 9; ++dy) {
+            const bool onRing = dx * dx + dy * dy >= 16;
+            around += onRing && near(picture.pixelColor(ring.x() + dx, ring.y() + dy),
+                                     Theme::instance().curve(static_cast<int>(chosen.id)))
+                          ? 1
+                          : 0;
+        }
+    }
+    EXPECT_GT(around, 20);
     // Fig. 2: Δk = Δr / r.
     for (std::size_t i = 0; i < shift_curves.size(); ++i) {
         EXPECT_NEAR(*page.shiftPlot()->valueAt(static_cast<int>(i), 1.2),
@@ -400,6 +580,47 @@ TEST_F(V8PageTest, CardIsPrintedOnOnePageAsThePdfIs) {
     model->setCardLanguage(u"ru"_s);
     ASSERT_EQ(page.writeCard(exported), QString());
     EXPECT_TRUE(textOf(exported).contains(u"Номер двигателя"_s));
+}
+
+TEST_F(V8PageTest, PreviewShowsTheCardOnOnePage) {
+    int pages = 0;
+    whenModal<QPrintPreviewDialog>([&pages](QPrintPreviewDialog* dialog) {
+        if (auto* preview = dialog->findChild<QPrintPreviewWidget*>()) {
+            pages = preview->pageCount();
+        }
+        dialog->reject();
+    });
+    for (QAction* action : page.sceneActions()) {
+        if (action != nullptr && action->objectName() == u"preview_card"_s) {
+            action->trigger();
+        }
+    }
+    EXPECT_EQ(pages, 1);
+}
+
+TEST_F(V8PageTest, LongJournalSaysThatTheListIsCutAndExportsAll) {
+    JournalJob job;
+    job.date = QDate(2024, 5, 31);
+    QSqlDatabase database = QSqlDatabase::database(QSqlDatabase::connectionNames().constFirst());
+    database.transaction();  // one sync for all
+    for (int i = 0; i < 1005; ++i) {
+        job.id = 0;
+        job.engineNumber = u"many %1"_s.arg(i);
+        ASSERT_EQ(model->journal()->save(job), Journal::Saved::Yes);
+    }
+    database.commit();
+    JournalDialog dialog(model->journal());
+    EXPECT_EQ(dialog.findChild<QTableWidget*>(u"journal_table"_s)->rowCount(), 1000);
+    bool said = false;
+    for (const QLabel* each : dialog.findChildren<QLabel*>()) {
+        said = said || each->text().contains(u"1000"_s);
+    }
+    EXPECT_TRUE(said);
+    const QString file = QDir(folder.path()).filePath(u"list.csv"_s);
+    EXPECT_EQ(dialog.exportTo(file), QString());
+    QFile list(file);
+    ASSERT_TRUE(list.open(QIODevice::ReadOnly));
+    EXPECT_EQ(list.readAll().count('\n'), 1006);  // and the headings
 }
 
 TEST_F(V8PageTest, JournalDialogExportsWhatItLists) {

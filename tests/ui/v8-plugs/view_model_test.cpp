@@ -50,6 +50,23 @@ TEST_F(V8ViewModelTest, ResultIsTheCommandLines) {
               u"Replace all 8 plugs by aluminium ones lightened by 0.56\u00A0g each."_s);
 }
 
+TEST_F(V8ViewModelTest, OptionsWithConstantSlopeReachNeedAndWhatIsLeft) {
+    V8PlugsViewModel model({});
+    model.loadInput(example("v8-4.25-repair.case.json"), {});
+    const auto rows = model.optionRows();
+    ASSERT_EQ(rows.size(), 4);
+    EXPECT_EQ(rows.at(0), (QStringList{u"✓ Machine today's steel plugs"_s, u"0.000"_s, u"2.360"_s,
+                                       u"4.604"_s, u"1.832"_s, u"0.000"_s, u"0.0"_s}));
+    // For the other crankshaft, in brackets; 4.3225 − 6.25281 g times 40 mm.
+    EXPECT_EQ(rows.at(3),
+              (QStringList{u"(✗) New crankshaft, aluminium plugs"_s, u"6.253"_s, u"2.360"_s,
+                           u"7.867"_s, u"−0.818"_s, u"−1.930"_s, u"−77.2"_s}));
+    EXPECT_EQ(model.optionColumns().size(), rows.at(0).size());
+    EXPECT_TRUE(model.optionToolTip(3).startsWith(u"For the other crankshaft."_s));
+    model.edit(u"crankshaft"_s, [](CaseInput& input) { input.crankshaft = Crankshaft::new_plugs; });
+    EXPECT_TRUE(model.optionRows().at(2).constFirst().startsWith(u"✓ "_s));
+}
+
 TEST_F(V8ViewModelTest, HalfFilledSheetNamesWhatIsMissing) {
     V8PlugsViewModel model({});
     // 4.25 l: the paper gives no nominal masses; options are known, bob weights are not.
@@ -88,6 +105,7 @@ TEST_F(V8ViewModelTest, EditsMergeAndUndo) {
 
 TEST_F(V8ViewModelTest, RulesBetweenFieldsAreNamedNotLost) {
     V8PlugsViewModel model({});
+    model.edit(u"sizes"_s, [](CaseInput& input) { input.plug.reset(); });
     model.edit(u"limit"_s, [](CaseInput& input) { input.engine.max_steel_reduction = 3 * gram; });
     EXPECT_EQ(
         model.troubles(),
@@ -112,8 +130,66 @@ TEST_F(V8ViewModelTest, RulesBetweenFieldsAreNamedNotLost) {
     EXPECT_TRUE(model.plugWeightText().contains(u" in steel"_s));
 }
 
+TEST_F(V8ViewModelTest, PresetsBringThePrintedSizesAndLeaveTypedOnes) {
+    V8PlugsViewModel model({});
+    EXPECT_EQ(*model.input().plug, printed_plug("4.25 l"));
+    EXPECT_NEAR(model.input().plug->thread->diameter, 22e-3, 1e-12);
+    // The printed masses do not fit the printed sizes, and that is said from the start.
+    ASSERT_EQ(model.troubles().size(), 2);
+    EXPECT_TRUE(model.troubles().constFirst().startsWith(u"Steel plug: solid it weighs 38"_s));
+    EXPECT_TRUE(model.troubles().constFirst().contains(u"2.79"_s));
+    model.edit(u"cutter"_s, [](CaseInput& input) { input.plug->cutter_diameter = 14e-3; });
+    model.chooseEngine(1);  // 6 l
+    EXPECT_NEAR(model.input().plug->thread->diameter, 30e-3, 1e-12);
+    EXPECT_NEAR(*model.input().plug->height, 11e-3, 1e-12);
+    EXPECT_NEAR(*model.input().plug->cutter_diameter, 14e-3, 1e-12);
+    model.chooseEngine(3);  // 8.32 l: none printed
+    EXPECT_FALSE(model.input().plug->thread);
+    model.edit(u"height"_s, [](CaseInput& input) { input.plug->height = 12.5e-3; });
+    model.chooseEngine(0);
+    EXPECT_FALSE(model.input().plug->thread);
+    EXPECT_NEAR(*model.input().plug->height, 12.5e-3, 1e-12);
+}
+
+TEST_F(V8ViewModelTest, ColumnsHalfWeighedAreNamed) {
+    V8PlugsViewModel model({});
+    model.edit(u"weigh"_s, [](CaseInput& input) {
+        input.plug.reset();
+        input.weigh_in.emplace();
+        (*input.weigh_in)[Part::pin].nominal = 150 * gram;
+        (*input.weigh_in)[Part::pin].mass[0] = 151 * gram;
+        (*input.weigh_in)[Part::rings].mass.fill(60 * gram);
+    });
+    ASSERT_EQ(model.weighInGaps().size(), 2);
+    EXPECT_EQ(model.weighInGaps().at(0), u"Pin: 1 of 8 weighed; nominal counts until all are."_s);
+    EXPECT_TRUE(model.weighInGaps().at(1).startsWith(u"Rings: the weights do not count"_s));
+    EXPECT_TRUE(model.troubles().isEmpty());  // typed changes count
+    EXPECT_EQ(model.columnNote(Part::pin).deviation, u"+1.00"_s);
+    model.edit(u"source"_s, [](CaseInput& input) { input.changes_from_weigh_in = true; });
+    EXPECT_EQ(model.troubles(), model.weighInGaps());
+}
+
+TEST_F(V8ViewModelTest, ShiftOfThePlannedBoreIsSaid) {
+    V8PlugsViewModel model({});
+    model.loadInput(example("v8-4.25-repair.case.json"), {});
+    EXPECT_TRUE(model.shiftText().contains(u"1.5 to 2.3"_s)) << qPrintable(model.shiftText());
+    EXPECT_FALSE(model.shiftText().contains(u"Bored as planned"_s));
+    model.edit(u"plug"_s, [](CaseInput& input) {
+        input.plug.emplace();
+        input.plug->thread = Thread{22e-3, 1.5e-3};
+        input.plug->height = 14e-3;
+        input.plug->cutter_diameter = 14e-3;
+    });
+    const Boring& boring = *model.solution().boring[0];
+    EXPECT_GT(boring.shift, 0.0);
+    // By hand: 233.3 mm³ cut 6.24 mm above the middle of 4861 mm³.
+    EXPECT_TRUE(model.shiftText().contains(u"Bored as planned here it moves by 0.31\u00A0mm"_s))
+        << qPrintable(model.shiftText());
+}
+
 TEST_F(V8ViewModelTest, SpreadAbovePermittedIsWarnedOf) {
     V8PlugsViewModel model({});
+    model.edit(u"sizes"_s, [](CaseInput& input) { input.plug.reset(); });
     model.edit(u"weigh"_s, [](CaseInput& input) {
         input.weigh_in.emplace();
         PartColumn& pistons = (*input.weigh_in)[Part::piston];
@@ -200,6 +276,7 @@ TEST_F(V8ViewModelTest, OwnEnginesAreKept) {
         });
         EXPECT_FALSE(model.saveEngineAs(u"6 l"_s).isEmpty());
         EXPECT_FALSE(model.saveEngineAs(u"  "_s).isEmpty());
+        EXPECT_FALSE(model.saveEngineAs(u"4.25 L"_s).isEmpty());
         EXPECT_EQ(model.saveEngineAs(u"КамАЗ-740"_s), QString());
         EXPECT_EQ(model.engineIndex(), 7);
     }
@@ -210,7 +287,37 @@ TEST_F(V8ViewModelTest, OwnEnginesAreKept) {
     EXPECT_EQ(later.input().engine.name, "КамАЗ-740");
     EXPECT_DOUBLE_EQ(*later.input().engine.steel_plug_mass, 22.75 * gram);
     EXPECT_FALSE(later.input().engine.has_new_plug);
-    EXPECT_EQ(later.removeEngine(u"КамАЗ-740"_s), QString());
+    EXPECT_FALSE(later.ownEngineChanged());
+    EXPECT_TRUE(later.hasOwnEngine(u" камаз-740 "_s));
+    // Renamed: the sheet follows; a name that is taken is refused.
+    EXPECT_FALSE(later.renameEngine(u"КамАЗ-740"_s, u"6 l"_s).isEmpty());
+    EXPECT_EQ(later.renameEngine(u"КамАЗ-740"_s, u"КамАЗ-7403"_s), QString());
+    EXPECT_EQ(later.input().engine.name, "КамАЗ-7403");
+    EXPECT_EQ(later.engineIndex(), 7);
+    EXPECT_EQ(later.saveEngineAs(u"Second"_s), QString());
+    EXPECT_FALSE(later.renameEngine(u"Second"_s, u"камаз-7403"_s).isEmpty());
+    EXPECT_EQ(later.engineNames().size(), 9);
+    // A name in other capitals replaces, it does not stand beside.
+    EXPECT_EQ(later.saveEngineAs(u"SECOND"_s), QString());
+    EXPECT_EQ(later.engineNames().size(), 9);
+    EXPECT_FALSE(later.renameEngine(u"not kept"_s, u"other"_s).isEmpty());
+    // Values that are damaged are said, and the sheet stays.
+    ASSERT_TRUE(later.journal()->saveEngine({u"Broken"_s, "{\"crank_radius_mm\":"}));
+    V8PlugsViewModel last(path());
+    ASSERT_TRUE(last.openJournal());
+    const CaseInput before = last.input();
+    last.chooseEngine(static_cast<int>(last.engineNames().indexOf(u"Broken"_s)));
+    EXPECT_EQ(last.input(), before);
+    EXPECT_TRUE(last.journalTrouble().contains(u"Broken"_s));
+    EXPECT_EQ(last.removeEngine(u"Broken"_s), QString());
+    // What another program kept is there once the page is looked at again.
+    EXPECT_EQ(last.saveEngineAs(u"Elsewhere"_s), QString());
+    EXPECT_FALSE(later.hasOwnEngine(u"Elsewhere"_s));
+    later.reloadEngines();
+    EXPECT_TRUE(later.hasOwnEngine(u"Elsewhere"_s));
+    EXPECT_EQ(later.removeEngine(u"Elsewhere"_s), QString());
+    EXPECT_EQ(later.removeEngine(u"КамАЗ-7403"_s), QString());
+    EXPECT_EQ(later.removeEngine(u"SECOND"_s), QString());
     EXPECT_EQ(later.engineNames().size(), 7);
     EXPECT_EQ(later.engineIndex(), -1);
 }

@@ -30,7 +30,11 @@ int main(int argc, char** argv) {
         const QByteArray text = QJsonDocument(form).toJson(QJsonDocument::Compact);
         ravnoves::JournalDraft draft;
         draft.form = text;
-        if (!journal.saveDraft(draft)) {
+        bool kept = journal.saveDraft(draft);
+        while (!kept && journal.wasBusy()) {
+            kept = journal.saveDraft(draft);  // as the page does a little later
+        }
+        if (!kept) {
             std::fprintf(stderr, "%s\n", qPrintable(journal.lastError()));
             return 1;
         }

@@ -1,0 +1,328 @@
+#include "v8-plugs/card_painter.h"
+
+#include <QDate>
+#include <algorithm>
+#include <cmath>
+
+#include "v8-plugs/plug_drawing.h"
+#include "v8-plugs/v8_text.h"
+
+namespace ravnoves {
+
+using namespace v8_plugs;
+
+namespace {
+
+constexpr double left = CardPage::left;
+constexpr double full = CardPage::full;
+constexpr double right = CardPage::right;
+
+constexpr double gram = 1e-3;
+constexpr double gramMillimetre = 1e-6;
+constexpr double degree = 3.14159265358979323846 / 180.0;
+
+const QColor cutColour(0xB0, 0x30, 0x10);
+
+constexpr double inputRow = 3.6;  // mm
+
+const QString missing = QStringLiteral("—");
+
+}  // namespace
+
+void CardPainter::paint() {
+    constexpr double gap = 2.2;
+    constexpr double machineTop = 241.5;
+    constexpr double signaturesTop = 273.5;
+    double y = head(CardPage::top);
+    y = answer(y + gap);
+    y = inputs(y + gap);
+    y = options(y + gap);
+    y = bobWeights(y + gap);
+    y = weighIn(y + gap);
+    y = remarks(y + gap, machineTop - gap - notesHeight());
+    notes(y + gap, machineTop - gap);
+    machine(machineTop);
+    signatures(signaturesTop);
+}
+
+QString CardPainter::grams(double mass, int decimals) const {
+    return words_.number(mass / gram, decimals);
+}
+
+QString CardPainter::notesText() const {
+    return QString::fromStdString(input_.job.notes).simplified();
+}
+
+QString CardPainter::engineName() const {
+    const QString name = v8_text::engineName(words_, input_.engine.name);
+    return name.isEmpty() ? words_.translate("JobCard", "custom") : name;
+}
+
+QString CardPainter::dateText() const {
+    const QDate date = QDate::fromString(QString::fromStdString(input_.job.date), Qt::ISODate);
+    if (!date.isValid()) {
+        return QString::fromStdString(input_.job.date);
+    }
+    return words_.locale().language() == QLocale::Russian
+               ? date.toString(QStringLiteral("dd.MM.yyyy"))
+               : date.toString(Qt::ISODate);
+}
+
+double CardPainter::head(double y) {
+    sheet_.text(left, y, full * 0.7,
+                words_.translate("JobCard", "Job card: crankpin plugs and bob weights"), 14,
+                Qt::AlignLeft, true);
+    sheet_.text(left + full * 0.7, y + 1.2, full * 0.3,
+                words_.translate("JobCard", "V-8 engine %1").arg(engineName()), 10, Qt::AlignRight,
+                true);
+    y += 7.5;
+    sheet_.line(left, y, right, y, 0.5, CardPage::ink);
+    y += 1.5;
+    const double third = full / 3.0;
+    const auto text = [](const std::string& value) { return QString::fromStdString(value); };
+    sheet_.blank(left, y, third, words_.translate("JobCard", "Engine number"),
+                 text(input_.job.engine_number));
+    sheet_.blank(left + third, y, third, words_.translate("JobCard", "Crankshaft number"),
+                 text(input_.job.crankshaft_number));
+    sheet_.blank(left + 2 * third, y, third + 3, words_.translate("JobCard", "Date"), dateText());
+    y += 9.5;
+    sheet_.blank(left, y, third, words_.translate("JobCard", "Customer"),
+                 text(input_.job.customer));
+    sheet_.blank(left + third, y, third, words_.translate("JobCard", "Technician"),
+                 text(input_.job.technician));
+    sheet_.blank(left + 2 * third, y, third + 3, words_.translate("JobCard", "Work · crankshaft"),
+                 v8_text::processName(words_, input_.process) + QStringLiteral(" · ") +
+                     v8_text::crankshaftName(words_, input_.crankshaft));
+    return y + 8.5;
+}
+
+double CardPainter::answer(double y) {
+    QString fact;
+    QString action;
+    QStringList more;
+    if (solution_.advice) {
+        const double excess = *solution_.unbalanced_mass;
+        fact = words_.translate("JobCard", "Excess on each crankpin Δm_y = %1 (%2)")
+                   .arg(v8_text::grams(words_, excess, 3),
+                        v8_text::gramMillimetres(
+                            words_, excess * input_.engine.crank_radius.value_or(0.0)));
+        action = v8_text::advice(words_, input_, solution_);
+        if (solution_.advice->kind == Advice::Kind::option) {
+            more << v8_text::boring(words_, input_, solution_, solution_.advice->option->id);
+        }
+        more << v8_text::bobWeightCheck(words_, input_, solution_);
+        more.removeAll(QString());
+    } else {
+        action = words_.translate("JobCard", "The data are not complete; nothing can be advised.");
+    }
+    const double inner = left + 3.0;
+    const double room = full - 6.0;
+    const auto content = [&](double from) {
+        double at = from;
+        at += sheet_.paragraph(inner, at, room, fact, 9, 1);
+        at += sheet_.paragraph(inner, at + 0.4, room, action, 11.5, 4, true) + 0.4;
+        return at + sheet_.paragraph(inner, at + 0.4, room, more.join(QLatin1Char(' ')), 9, 3);
+    };
+    sheet_.setMeasuring(true);
+    const double height = content(0.0) + 3.6;
+    sheet_.setMeasuring(false);
+    sheet_.box(left, y, full, height, CardPage::shade, CardPage::ink, 0.3);
+    content(y + 1.6);
+    return y + height;
+}
+
+double CardPainter::inputs(double y) {
+    constexpr double gap = 4.0;
+    constexpr double engineWidth = 117.0;
+    const double height = engineTable(y, engineWidth);
+    changesTable(left + engineWidth + gap, y, full - engineWidth - gap);
+    return y + height;
+}
+
+double CardPainter::engineTable(double y, double width) {
+    sheet_.heading(left, y, width, words_.translate("JobCard", "Engine"));
+    CardTable engine({{34, Qt::AlignLeft},
+                      {13},
+                      {7.5, Qt::AlignLeft},
+                      {42, Qt::AlignLeft},
+                      {13},
+                      {7.5, Qt::AlignLeft}},
+                     7.5, inputRow);
+    const auto fields = engine_fields();
+    const std::size_t half = (fields.size() + 1) / 2;
+    const auto cells = [&](std::size_t i) -> QStringList {
+        if (i >= fields.size()) {
+            return {QString(), QString(), QString()};
+        }
+        const EngineField& field = fields[i];
+        const auto& value = input_.engine.*field.member;
+        return {v8_text::fieldName(words_, field.spec.key),
+                value ? words_.plain(in_unit(*value, field.spec), 4) : missing,
+                v8_text::unitName(words_, field.spec.unit)};
+    };
+    for (std::size_t i = 0; i < half; ++i) {
+        engine.add({cells(i) + cells(i + half)});
+    }
+    return 5.2 + engine.draw(sheet_, left, y + 5.2);
+}
+
+void CardPainter::changesTable(double x, double y, double width) {
+    sheet_.heading(x, y, width, words_.translate("JobCard", "Heavier than nominal by"));
+    CardTable changes({{width - 23, Qt::AlignLeft}, {13}, {10, Qt::AlignLeft}}, 7.5, inputRow);
+    for (const MassChangeField& field : mass_change_fields()) {
+        if (field.repair_only && input_.process == Process::manufacture) {
+            continue;
+        }
+        changes.add({{v8_text::fieldName(words_, field.spec.key),
+                      words_.plain(solution_.changes.*field.member / gram, 3), unitGram()}});
+    }
+    changes.add(
+        {{words_.translate("JobCard", "Excess Δm_y"),
+          solution_.unbalanced_mass ? grams(*solution_.unbalanced_mass, 3) : missing, unitGram()},
+         true,
+         true});
+    changes.add({{v8_text::fieldName(words_, "tolerance_g_mm"),
+                  words_.plain(in_unit(input_.tolerance, tolerance_field), 2), unitUnbalance()}});
+    changes.draw(sheet_, x, y + 5.2);
+}
+
+double CardPainter::options(double y) {
+    sheet_.heading(left, y, full, words_.translate("JobCard", "Options, in the order of cost"));
+    CardTable table({{60, Qt::AlignLeft}, {17}, {17}, {20}, {20}, {22}, {26, Qt::AlignRight}}, 7.5,
+                    3.8);
+    const QString g = unitGram();
+    table.head({QString(), words_.translate("JobCard", "constant, %1").arg(g),
+                words_.translate("JobCard", "reach, %1").arg(g),
+                words_.translate("JobCard", "needed, %1").arg(g),
+                words_.translate("JobCard", "limit, %1").arg(g),
+                words_.translate("JobCard", "left, %1").arg(unitUnbalance()),
+                words_.translate("JobCard", "verdict")});
+    const auto chosen = v8_text::chosenOption(solution_);
+    const bool recommended = solution_.advice && solution_.advice->kind == Advice::Kind::option;
+    for (const OptionId id : all_options) {
+        const auto& option = solution_.option(id);
+        if (!option) {
+            table.add({{v8_text::optionName(words_, id), missing, missing, missing, missing,
+                        missing, words_.translate("JobCard", "no such plug")}});
+            continue;
+        }
+        const bool fitted =
+            needs_new_crankshaft(id) == (input_.crankshaft == Crankshaft::new_plugs);
+        const bool best = recommended && chosen && chosen->id == id;
+        table.add({{v8_text::optionName(words_, id), words_.number(option->constant / gram, 3),
+                    words_.number(option->maximum / gram, 3),
+                    words_.number(option->required_reduction / gram, 3),
+                    words_.number(option->max_reduction / gram, 3),
+                    words_.number(option->residual_unbalance / gramMillimetre, 1),
+                    !fitted            ? words_.translate("JobCard", "other crankshaft")
+                    : option->feasible ? words_.translate("JobCard", "works")
+                                       : words_.translate("JobCard", "does not work")},
+                   best,
+                   best});
+    }
+    double height = 5.0 + table.draw(sheet_, left, y + 5.0);
+    sheet_.text(
+        left, y + height + 0.4, full,
+        words_
+            .translate("JobCard",
+                       "Each compensates constant + k_y × lightening of one plug, k_y = %1 "
+                       "(slope %2°); needed: lightening of one plug.")
+            .arg(solution_.plugs ? words_.number(solution_.plugs->coefficients().k_y, 3) : missing,
+                 solution_.plugs
+                     ? words_.number(std::atan(solution_.plugs->coefficients().k_y) / degree, 1)
+                     : missing),
+        6.8, Qt::AlignLeft, false, CardPage::grey);
+    return y + height + 3.6;
+}
+
+double CardPainter::bobWeights(double y) {
+    const double tableWidth = 112.0;
+    sheet_.heading(left, y, tableWidth,
+                   words_.translate("JobCard", "Bob weight on each crankpin, %1").arg(unitGram()));
+    double height = 0.0;
+    if (solution_.nominal && solution_.before) {
+        height = bobWeightTable(y + 5.0);
+    } else {
+        QStringList names;
+        for (const EngineField* field : missing_fields(input_.engine, true)) {
+            names << v8_text::fieldName(words_, field->spec.key);
+        }
+        height = sheet_.paragraph(left, y + 5.4, tableWidth,
+                                  words_.translate("JobCard", "Not known without: %1.")
+                                      .arg(names.join(QStringLiteral(", "))),
+                                  8, 4);
+    }
+    const double x = left + tableWidth + 4.0;
+    const double width = full - tableWidth - 4.0;
+    sheet_.heading(x, y, width, words_.translate("JobCard", "Plug"));
+    const double drawingHeight = std::max(height + 1.0, 44.0);
+    plug(x, y + 5.4, width, drawingHeight - 1.0);
+    return y + 5.0 + std::max(height, drawingHeight);
+}
+
+double CardPainter::bobWeightTable(double y) {
+    const auto chosen = v8_text::chosenOption(solution_);
+    const BobWeight& nominal = *solution_.nominal;
+    const BobWeight& before = *solution_.before;
+    const BobWeight* after =
+        chosen ? &solution_.bob_weights[static_cast<std::size_t>(chosen->id)]->after : nullptr;
+    CardTable table({{44, Qt::AlignLeft}, {14}, {18}, {18}, {18}}, 7.5, 3.5);
+    table.head({words_.translate("JobCard", "factor × mass"), words_.translate("JobCard", "factor"),
+                words_.translate("JobCard", "nominal"), words_.translate("JobCard", "before"),
+                words_.translate("JobCard", "after")});
+    const auto product = [&](const BobWeight* weight, BobWeightLine::Part part) {
+        if (weight != nullptr) {
+            for (const BobWeightLine& line : weight->lines) {
+                if (line.part == part) {
+                    return words_.number(line.product() / gram, 3);
+                }
+            }
+        }
+        return missing;
+    };
+    for (const BobWeightLine& line : before.lines) {
+        QString name = v8_text::lineName(words_, line.part);
+        if (line.part == BobWeightLine::Part::plugs) {
+            const double mass =
+                chosen ? chosen->plug_mass_unmachined - chosen->reduction : line.mass;
+            name = words_.translate("JobCard", "Plug (after: %1)")
+                       .arg(v8_text::grams(words_, mass, 3));
+        }
+        table.add({{name, words_.plain(line.factor, 4), product(&nominal, line.part),
+                    product(&before, line.part), product(after, line.part)}});
+    }
+    table.add({{words_.translate("JobCard", "Sum: bob weight"), QString(),
+                words_.number(nominal.sum() / gram, 3), words_.number(before.sum() / gram, 3),
+                after != nullptr ? words_.number(after->sum() / gram, 3) : missing},
+               true,
+               true});
+    double height = table.draw(sheet_, left, y);
+    sheet_.text(left, y + height + 0.8, 112, v8_text::hang(words_, solution_), 10, Qt::AlignLeft,
+                true);
+    return height + 5.5;
+}
+
+void CardPainter::plug(double x, double y, double w, double h) {
+    const DrawingStyle style{CardPage::ink, CardPage::hair,   CardPage::ink,
+                             cutColour,     sheet_.font(7.5), 0.35 * sheet_.unit()};
+    const QRectF target = sheet_.rect(x, y, w, h);
+    const auto geometry = input_.plug ? input_.plug->geometry() : std::nullopt;
+    if (!geometry || geometry_fault(*geometry)) {
+        drawPlugSketch(sheet_.painter(), target, style, words_);
+        return;
+    }
+    PlugDrawing drawing;
+    drawing.plug = *geometry;
+    const auto chosen = v8_text::chosenOption(solution_);
+    if (chosen && chosen->reduction > 0.0) {
+        const auto& boring = solution_.boring[static_cast<std::size_t>(chosen->id)];
+        if (boring && boring->cuts) {
+            drawing.cutterDiameter = input_.plug->cutter_diameter;
+            drawing.cutDepth = boring->depth;
+            drawing.impossible = boring->limit != Boring::Limit::none;
+        }
+    }
+    drawPlug(sheet_.painter(), target, drawing, style, words_);
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "v8-plugs/card_page.h"
+#include "v8-plugs/case_input.h"
+#include "v8-plugs/solver.h"
+#include "v8-plugs/words.h"
+
+namespace ravnoves {
+
+/// Paints the sections of the job card one below the other. The lower part (machine, signatures)
+/// has its fixed place; notes and warnings share what the sections above leave.
+class CardPainter {
+  public:
+    CardPainter(CardPage& sheet, const v8_plugs::CaseInput& input,
+                const v8_plugs::Solution& solution, const Words& words)
+        : sheet_(sheet), input_(input), solution_(solution), words_(words) {}
+
+    void paint();
+
+  private:
+    // Each section begins at y (mm) and returns where it ends.
+    double head(double y);
+    double answer(double y);
+    double inputs(double y);
+    double options(double y);
+    double bobWeights(double y);
+    double weighIn(double y);
+    double remarks(double y, double end);
+    void notes(double y, double end);
+    void machine(double y);
+    void signatures(double y);
+
+    double engineTable(double y, double width);
+    void changesTable(double x, double y, double width);
+    double bobWeightTable(double y);
+    void plug(double x, double y, double w, double h);
+    double notesPoints() const;
+    double notesHeight() const;
+
+    QString grams(double mass, int decimals = 2) const;
+    QString unitGram() const { return words_.translate("V8", "g", "unit"); }
+    QString unitUnbalance() const { return words_.translate("V8", "g·mm", "unit"); }
+    QString engineName() const;
+    QString dateText() const;
+    QString notesText() const;
+
+    CardPage& sheet_;
+    const v8_plugs::CaseInput& input_;
+    const v8_plugs::Solution& solution_;
+    const Words& words_;
+};
+
+}  // namespace ravnoves

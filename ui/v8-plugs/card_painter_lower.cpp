@@ -1,0 +1,198 @@
+// The lower half of the job card: weights of the parts, remarks, notes, machine, signatures.
+
+#include <algorithm>
+#include <cmath>
+
+#include "v8-plugs/card_painter.h"
+#include "v8-plugs/v8_text.h"
+
+namespace ravnoves {
+
+using namespace v8_plugs;
+
+namespace {
+
+constexpr double left = CardPage::left;
+constexpr double full = CardPage::full;
+constexpr double right = CardPage::right;
+
+constexpr double gramMillimetre = 1e-6;
+
+const QString missing = QStringLiteral("—");
+
+}  // namespace
+
+/// The weights of the parts, and which set goes to which cylinder, under the same columns.
+double CardPainter::weighIn(double y) {
+    if (!input_.weigh_in ||
+        std::all_of(input_.weigh_in->columns.begin(), input_.weigh_in->columns.end(),
+                    [](const PartColumn& c) { return c.is_empty(); })) {
+        return y - 2.2;  // no section, no gap
+    }
+    sheet_.heading(
+        left, y, full,
+        words_.translate("JobCard", "Weights of the parts by cylinder, %1").arg(unitGram()));
+    constexpr double nameWidth = 34.0;
+    constexpr double numberWidth = 13.0;
+    std::vector<CardTable::Column> columns{{nameWidth, Qt::AlignLeft}, {numberWidth}};
+    for (int i = 0; i < cylinder_count; ++i) {
+        columns.push_back({(full - nameWidth - 3 * numberWidth) / cylinder_count});
+    }
+    columns.insert(columns.end(), 2, {numberWidth});
+    CardTable table(columns, 7.2, 3.2);
+    QStringList head{words_.translate("JobCard", "Cylinder"),
+                     words_.translate("JobCard", "nominal")};
+    for (int i = 1; i <= cylinder_count; ++i) {
+        head << QString::number(i);
+    }
+    head << words_.translate("JobCard", "mean") << words_.translate("JobCard", "spread");
+    table.head(head);
+    for (const Part part : all_parts) {
+        const PartColumn& column = (*input_.weigh_in)[part];
+        const auto found = statistics(column);
+        if (!found) {
+            continue;
+        }
+        QStringList row{v8_text::partName(words_, part),
+                        column.nominal ? grams(*column.nominal) : missing};
+        for (const auto& mass : column.mass) {
+            row << (mass ? grams(*mass) : missing);
+        }
+        row << grams(found->mean)
+            << grams(found->spread) + (found->within_permitted ? QString() : QStringLiteral(" !"));
+        table.add({row});
+    }
+    if (solution_.assignment) {
+        const auto add = [&](const QString& name, const std::vector<int>& from) {
+            QStringList row{name, QString()};
+            for (const int cylinder : from) {
+                row << QString::number(cylinder + 1);
+            }
+            table.add({row, true, true});
+        };
+        add(words_.translate("JobCard", "Piston set from"), solution_.assignment->pistons);
+        add(words_.translate("JobCard", "Rod set from"), solution_.assignment->rods);
+    }
+    double height = 5.0 + table.draw(sheet_, left, y + 5.0);
+    const QString summary = v8_text::assignmentText(words_, solution_);
+    if (!summary.isEmpty()) {
+        sheet_.text(left, y + height + 0.3, full, summary, 7.5);
+        height += 3.8;
+    }
+    return y + height;
+}
+
+/// What the technician should not overlook, and what the method neglects.
+double CardPainter::remarks(double y, double end) {
+    constexpr double points = 7.0;
+    CaseInput shown = input_;
+    shown.weigh_in.reset();  // its table above marks what is too far apart or missing
+    shown.changes_from_weigh_in = false;
+    QStringList list = v8_text::troubles(words_, shown, solution_);
+    if (solution_.plugs) {
+        const auto chosen = v8_text::chosenOption(solution_);
+        list << v8_text::shiftText(words_, input_, solution_,
+                                   chosen ? *chosen : *solution_.option(OptionId::steel_machined));
+    }
+    const int lines = static_cast<int>((end - y) / sheet_.lineHeight(points));
+    if (list.isEmpty() || lines < 1) {
+        return y;
+    }
+    return y + sheet_.paragraph(left, y, full, list.join(QLatin1Char(' ')), points, lines);
+}
+
+/// More than a line is set smaller.
+double CardPainter::notesPoints() const {
+    return sheet_.textWidth(notesText(), 8.5) <= CardPage::full ? 8.5 : 7.2;
+}
+
+double CardPainter::notesHeight() const {
+    const double points = notesPoints();
+    const double lines = std::ceil(sheet_.textWidth(notesText(), points) / full * 1.05);
+    return 5.2 + 2.6 + std::clamp(lines, 1.0, 3.0) * sheet_.lineHeight(points);
+}
+
+void CardPainter::machine(double y) {
+    sheet_.heading(left, y, full, words_.translate("JobCard", "Balancing machine"));
+    QString limits;
+    if (solution_.balancing && input_.balancing) {
+        const BalancingCheck check = input_.balancing->check().value();
+        limits =
+            words_.translate("JobCard", "ISO 21940-11, G %1, %2 kg at %3 min⁻¹: U_per = %4 in all.")
+                .arg(words_.plain(in_unit(check.grade, grade_field), 2),
+                     words_.plain(check.rotor_mass, 2),
+                     words_.plain(in_unit(check.service_speed, service_speed_field), 0),
+                     v8_text::gramMillimetres(words_, solution_.balancing->permissible));
+    } else {
+        limits = words_.translate("JobCard", "ISO 21940-11: no grade, mass and speed given.");
+    }
+    sheet_.text(left, y + 5.2, full, limits, 8);
+    CardTable table({{44, Qt::AlignLeft},
+                     {38},
+                     {38, Qt::AlignHCenter},
+                     {31, Qt::AlignHCenter},
+                     {31, Qt::AlignHCenter}},
+                    8, 6.2);
+    table.head({words_.translate("JobCard", "Correction plane"),
+                words_.translate("JobCard", "permissible, %1").arg(unitUnbalance()),
+                words_.translate("JobCard", "reading, %1").arg(unitUnbalance()),
+                words_.translate("JobCard", "angle, °"), words_.translate("JobCard", "verdict")});
+    const BalancingSheet sheet = input_.balancing.value_or(BalancingSheet{});
+    const QString byHand = QStringLiteral("…………………");
+    const auto row = [&](const QString& name, const PlaneVerdict* plane,
+                         std::optional<double> BalancingSheet::*member) {
+        const std::optional<double>& reading = sheet.*member;
+        const bool judged = plane != nullptr && plane->passes.has_value();
+        table.add(
+            {{name,
+              plane != nullptr ? words_.number(plane->permissible / gramMillimetre, 1) : missing,
+              reading ? words_.number(*reading / gramMillimetre, 1) : byHand, byHand,
+              !judged          ? byHand
+              : *plane->passes ? words_.translate("JobCard", "passes")
+                               : words_.translate("JobCard", "fails")}});
+    };
+    row(words_.translate("JobCard", "Front (pulley)"),
+        solution_.balancing ? &solution_.balancing->front : nullptr,
+        &BalancingSheet::front_reading);
+    row(words_.translate("JobCard", "Rear (flywheel)"),
+        solution_.balancing ? &solution_.balancing->rear : nullptr, &BalancingSheet::rear_reading);
+    table.draw(sheet_, left, y + 9.2);
+}
+
+/// What the technician typed, and lines to write on.
+void CardPainter::notes(double y, double end) {
+    constexpr double lineStep = 6.5;
+    if (end - y < 9.0) {
+        return;
+    }
+    sheet_.heading(left, y, full, words_.translate("JobCard", "Notes"));
+    y += 5.2;
+    const double points = notesPoints();
+    const int lines = std::max(1, static_cast<int>((end - y) / sheet_.lineHeight(points)));
+    y += sheet_.paragraph(left, y, full, notesText(), points, lines);
+    for (y += lineStep; y < end; y += lineStep) {
+        sheet_.line(left, y, right, y);
+    }
+}
+
+void CardPainter::signatures(double y) {
+    const double third = full / 3.0;
+    const QStringList captions{words_.translate("JobCard", "Technician, signature"),
+                               words_.translate("JobCard", "Inspector, signature"),
+                               words_.translate("JobCard", "Date")};
+    for (int i = 0; i < 3; ++i) {
+        const double x = left + i * third;
+        sheet_.line(x, y + 7.0, x + third - 6.0, y + 7.0, 0.2, CardPage::ink);
+        sheet_.text(x, y + 7.3, third - 6.0, captions.at(i), 7, Qt::AlignLeft, false,
+                    CardPage::grey);
+    }
+    sheet_.text(left, y + 13.0, full,
+                words_
+                    .translate("JobCard",
+                               "Ravnoves %1 · method: A. D. Nazarov, equations (3)–(24) · masses "
+                               "in grams, radii in millimetres")
+                    .arg(QStringLiteral(RAVNOVES_VERSION)),
+                6.5, Qt::AlignLeft, false, CardPage::grey);
+}
+
+}  // namespace ravnoves
