@@ -133,9 +133,9 @@ std::optional<double> check(const AngleCase& cycle, const std::vector<Expected>&
         phi.push_back(angle * degree);
         value.push_back(moment(angle));
     };
-    constexpr double step_deg = 0.25;
-    for (double a = 0.0; a < 720.0; a += step_deg) {
-        take(a);
+    constexpr int steps_per_degree = 4;
+    for (int i = 0; i < 720 * steps_per_degree; ++i) {
+        take(static_cast<double>(i) / steps_per_degree);
     }
     for (const double a : cycle.angle_deg) {
         take(a);

@@ -21,7 +21,7 @@ inertia_moments::CylinderOrders<Scalar> series_cylinder_orders(const SliderCrank
     const Scalar K = crank.relative_offset();
     // A polynomial in e^{iθ} by orders −top…top. Of a real function: only 0…top are kept, as
     // a_k cos kθ + b_k sin kθ.
-    const auto top = static_cast<std::size_t>(2 * terms);
+    const auto top = 2 * static_cast<std::size_t>(terms);
     std::vector<Scalar> a(top + 3, Scalar(0));
     std::vector<Scalar> b(top + 3, Scalar(0));
     a[0] = Scalar(1);

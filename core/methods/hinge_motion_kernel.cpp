@@ -61,7 +61,7 @@ Scalar time_of_turn(const MotionCase& motion, double tolerance) {
             sum += 1 / speed_at(mechanism, Scalar(motion.input.angular_speed),
                                 Scalar(motion.start_speed), Scalar(sin(phi)), Scalar(cos(phi)));
         }
-        const Scalar time = sum * turn / n;
+        Scalar time = sum * turn / n;
         if (abs(Scalar(time - last)) < tolerance * time) {
             return time;
         }
@@ -147,7 +147,7 @@ Method<MotionCase> fixed_step(MethodInfo info, double slopes_per_step,
     method.info.has_order = true;
     method.prepare = [integrate](const MotionCase& motion, const Setting& setting) -> Run {
         return [&motion, integrate, per_turn = setting.value](std::span<double> out) {
-            const std::string refusal = why_not(motion);
+            std::string refusal = why_not(motion);
             if (refusal.empty()) {
                 const auto steps = std::lround(per_turn * motion.turns);
                 out[0] = 0.0;
