@@ -661,678 +661,678 @@
     <name>ravnoves::BalanceShaftPage</name>
     <message>
         <source>&amp;Piston</source>
-        <translation type="unfinished"></translation>
+        <translation>Порше&amp;нь</translation>
     </message>
     <message>
         <source>Mass of the piston. TMZ-650D: 0.645 kg (0.640). Source: Gots and Klevtsov, Table 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Масса поршня. ТМЗ-650Д: 0,645 кг (0,640). Источник: Гоц и Клевцов, табл. 1.</translation>
     </message>
     <message>
         <source>Piston p&amp;in</source>
-        <translation type="unfinished"></translation>
+        <translation>Поршневой пале&amp;ц</translation>
     </message>
     <message>
         <source>Mass of the piston pin. TMZ-650D: 0.241 kg. Source: Table 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Масса поршневого пальца. ТМЗ-650Д: 0,241 кг. Источник: табл. 1.</translation>
     </message>
     <message>
         <source>Rin&amp;gs</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Кольца</translation>
     </message>
     <message>
         <source>Mass of the piston rings. TMZ-650D: 0.1 kg. Source: Table 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Масса поршневых колец. ТМЗ-650Д: 0,1 кг. Источник: табл. 1.</translation>
     </message>
     <message>
         <source>Rod, small-&amp;end share</source>
-        <translation type="unfinished"></translation>
+        <translation>Доля шат&amp;уна у пальца</translation>
     </message>
     <message>
         <source>Part of the rod&apos;s mass that moves with the piston. TMZ-650D: 0.33 kg of 0.950 kg. Source: Table 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Часть массы шатуна, отнесённая к оси поршневого пальца. ТМЗ-650Д: 0,33 кг из 0,950 кг. Источник: табл. 1.</translation>
     </message>
     <message>
         <source>&amp;Play</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Пуск</translation>
     </message>
     <message>
         <source>Turn the crank</source>
-        <translation type="unfinished"></translation>
+        <translation>Вращать кривошип</translation>
     </message>
     <message>
         <source>Go to the α of the least &amp;range</source>
-        <translation type="unfinished"></translation>
+        <translation>К α наименьшего &amp;размаха</translation>
     </message>
     <message>
         <source>Go to the α of the least R&amp;MS</source>
-        <translation type="unfinished"></translation>
+        <translation>К α наименьшего &amp;СКЗ</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Пауза</translation>
     </message>
     <message>
         <source>Pause (Space)</source>
-        <translation type="unfinished"></translation>
+        <translation>Пауза (пробел)</translation>
     </message>
     <message>
         <source>Play (Space)</source>
-        <translation type="unfinished"></translation>
+        <translation>Пуск (пробел)</translation>
     </message>
     <message>
         <source>Engine</source>
-        <translation type="unfinished">Двигатель</translation>
+        <translation>Двигатель</translation>
     </message>
     <message>
         <source>Own values</source>
-        <translation type="unfinished"></translation>
+        <translation>Свои значения</translation>
     </message>
     <message>
         <source>P&amp;reset</source>
-        <translation type="unfinished"></translation>
+        <translation>Обра&amp;зец</translation>
     </message>
     <message>
         <source>TMZ-650D: the single-cylinder diesel of Gots and Klevtsov, Tables 1 and 2</source>
-        <translation type="unfinished"></translation>
+        <translation>ТМЗ-650Д: одноцилиндровый дизель из статьи Гоца и Клевцова, табл. 1 и 2</translation>
     </message>
     <message>
         <source>Preset TMZ-650D</source>
-        <translation type="unfinished"></translation>
+        <translation>Образец ТМЗ-650Д</translation>
     </message>
     <message>
         <source>&amp;Speed n</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Частота вращения n</translation>
     </message>
     <message>
         <source>Crankshaft speed. TMZ-650D: 3600 min⁻¹ (the paper prints ω = 376.8 rad/s, with π ≈ 3.14).</source>
-        <translation type="unfinished"></translation>
+        <translation>Частота вращения коленчатого вала. ТМЗ-650Д: 3600 мин⁻¹ (в статье ω = 376,8 рад/с при π ≈ 3,14).</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Частота</translation>
     </message>
     <message>
         <source>ω</source>
-        <translation type="unfinished"></translation>
+        <translation>ω</translation>
     </message>
     <message>
         <source>Angular speed, n π / 30</source>
-        <translation type="unfinished"></translation>
+        <translation>Угловая скорость, n π / 30</translation>
     </message>
     <message>
         <source>&amp;Crank radius r</source>
-        <translation type="unfinished"></translation>
+        <translation>Радиус кр&amp;ивошипа r</translation>
     </message>
     <message>
         <source>Half the stroke. TMZ-650D: 46 mm (stroke 92 mm).</source>
-        <translation type="unfinished"></translation>
+        <translation>Половина хода поршня. ТМЗ-650Д: 46 мм (ход 92 мм).</translation>
     </message>
     <message>
         <source>Crank radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Радиус кривошипа</translation>
     </message>
     <message>
         <source>Rod lengt&amp;h L</source>
-        <translation type="unfinished"></translation>
+        <translation>Д&amp;лина шатуна L</translation>
     </message>
     <message>
         <source>Between the centres of the rod&apos;s eyes; only the picture uses it. Empty: r / 0.3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Между центрами головок шатуна; нужна только для рисунка. Пусто: r / 0,3.</translation>
     </message>
     <message>
         <source>auto</source>
-        <translation type="unfinished"></translation>
+        <translation>авто</translation>
     </message>
     <message>
         <source>Rod length</source>
-        <translation type="unfinished"></translation>
+        <translation>Длина шатуна</translation>
     </message>
     <message>
         <source>Reciprocating masses</source>
-        <translation type="unfinished"></translation>
+        <translation>Поступательные массы</translation>
     </message>
     <message>
         <source>Whole rod with she&amp;lls</source>
-        <translation type="unfinished"></translation>
+        <translation>Шатун с вклад&amp;ышами</translation>
     </message>
     <message>
         <source>Its small-end share above is a part of it; the rest turns with the crankpin and is balanced by the crank&apos;s own counterweights. TMZ-650D: 0.950 ± 0.015 kg. Source: Table 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Доля у пальца, указанная выше, — его часть; остальное вращается с шатунной шейкой и уравновешено противовесами самого коленчатого вала. ТМЗ-650Д: 0,950 ± 0,015 кг. Источник: табл. 1.</translation>
     </message>
     <message>
         <source>any</source>
-        <translation type="unfinished"></translation>
+        <translation>любая</translation>
     </message>
     <message>
         <source>Rod mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Масса шатуна</translation>
     </message>
     <message>
         <source>Sum mⱼ</source>
-        <translation type="unfinished"></translation>
+        <translation>Сумма mⱼ</translation>
     </message>
     <message>
         <source>Reciprocating mass: the sum of the parts. TMZ-650D: 1.316 kg.</source>
-        <translation type="unfinished"></translation>
+        <translation>Возвратно-поступательно движущаяся масса: сумма частей. ТМЗ-650Д: 1,316 кг.</translation>
     </message>
     <message>
         <source>Counterweights and shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>Противовесы и вал</translation>
     </message>
     <message>
         <source>Coun&amp;terweight radius ρ₁</source>
-        <translation type="unfinished"></translation>
+        <translation>Радиус про&amp;тивовеса ρ₁</translation>
     </message>
     <message>
         <source>From the axis to the centre of mass of each of the two equal counterweights. TMZ-650D: 46 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>От оси до центра масс каждого из двух одинаковых противовесов. ТМЗ-650Д: 46 мм.</translation>
     </message>
     <message>
         <source>Counterweight radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Радиус противовеса</translation>
     </message>
     <message>
         <source>Counterweight &amp;mass m₁</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Масса противовеса m₁</translation>
     </message>
     <message>
         <source>Empty: by equation (1), m₁ = mⱼ r / (2 ρ₁). A number overrides it. TMZ-650D: 0.658 kg.</source>
-        <translation type="unfinished"></translation>
+        <translation>Пусто: по формуле (1), m₁ = mⱼ r / (2 ρ₁). Число её заменяет. ТМЗ-650Д: 0,658 кг.</translation>
     </message>
     <message>
         <source>by (1)</source>
-        <translation type="unfinished"></translation>
+        <translation>по (1)</translation>
     </message>
     <message>
         <source>Counterweight mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Масса противовеса</translation>
     </message>
     <message>
         <source>Centre &amp;distance l</source>
-        <translation type="unfinished"></translation>
+        <translation>Ме&amp;жосевое расстояние l</translation>
     </message>
     <message>
         <source>From the crank axis to the shaft axis. The paper does not print it; 100.15 mm follows from the printed amplitude 430.39 N·m.</source>
-        <translation type="unfinished"></translation>
+        <translation>От оси коленчатого вала до оси балансирного. В статье не напечатано; 100,15 мм следует из напечатанной амплитуды 430,39 Н·м.</translation>
     </message>
     <message>
         <source>Centre distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Межосевое расстояние</translation>
     </message>
     <message>
         <source>Sizes for picture and envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>Размеры для рисунка и габарита</translation>
     </message>
     <message>
         <source>Cylinder &amp;bore</source>
-        <translation type="unfinished"></translation>
+        <translation>Ди&amp;аметр цилиндра</translation>
     </message>
     <message>
         <source>Empty: the stroke, 2 r.</source>
-        <translation type="unfinished"></translation>
+        <translation>Пусто: равен ходу, 2 r.</translation>
     </message>
     <message>
         <source>Crank swing radi&amp;us</source>
-        <translation type="unfinished"></translation>
+        <translation>Радиус оборота криво&amp;шипа</translation>
     </message>
     <message>
         <source>Circle swept by crank and counterweight. Empty: 1.3 times the larger of r and ρ₁.</source>
-        <translation type="unfinished"></translation>
+        <translation>Окружность, описываемая кривошипом с противовесом. Пусто: 1,3 большего из r и ρ₁.</translation>
     </message>
     <message>
         <source>Shaft swin&amp;g radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Радиус &amp;оборота вала</translation>
     </message>
     <message>
         <source>Circle swept by the balance shaft. Empty: 1.3 ρ₁.</source>
-        <translation type="unfinished"></translation>
+        <translation>Окружность, описываемая балансирным валом. Пусто: 1,3 ρ₁.</translation>
     </message>
     <message>
         <source>Gear tip r&amp;adius</source>
-        <translation type="unfinished"></translation>
+        <translation>Радиус вершин зу&amp;бьев</translation>
     </message>
     <message>
         <source>Tip circle of each of the two gears. Empty: l/2, the pitch circle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Окружность вершин каждой из двух шестерён. Пусто: l/2, делительная окружность.</translation>
     </message>
     <message>
         <source>Housing &amp;wall and gap</source>
-        <translation type="unfinished"></translation>
+        <translation>Ст&amp;енка и зазор</translation>
     </message>
     <message>
         <source>Added around every circle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Добавляются вокруг каждой окружности.</translation>
     </message>
     <message>
         <source>Wall</source>
-        <translation type="unfinished"></translation>
+        <translation>Стенка</translation>
     </message>
     <message>
         <source>straight lines</source>
-        <translation type="unfinished"></translation>
+        <translation>отрезки прямых</translation>
     </message>
     <message>
         <source>periodic cubic spline</source>
-        <translation type="unfinished"></translation>
+        <translation>кубический сплайн</translation>
     </message>
     <message>
         <source>Torque between the rows of its table</source>
-        <translation type="unfinished"></translation>
+        <translation>Момент между строками таблицы</translation>
     </message>
     <message>
         <source>I&amp;nterpolation</source>
-        <translation type="unfinished"></translation>
+        <translation>Интерпол&amp;яция</translation>
     </message>
     <message>
         <source>The paper&apos;s table has a row every 15°; criteria are those of the curve between the rows, not of the rows alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>В таблице статьи строка через 15°; критерии относятся к кривой между строками, а не к одним строкам.</translation>
     </message>
     <message>
         <source>Interpolation</source>
-        <translation type="unfinished"></translation>
+        <translation>Интерполяция</translation>
     </message>
     <message>
         <source>Inputs</source>
-        <translation type="unfinished"></translation>
+        <translation>Данные</translation>
     </message>
     <message>
         <source>Torque</source>
-        <translation type="unfinished"></translation>
+        <translation>Момент</translation>
     </message>
     <message>
         <source>Shaft angle &amp;α</source>
-        <translation type="unfinished"></translation>
+        <translation>Угол вала &amp;α</translation>
     </message>
     <message>
         <source>Angle from the cylinder axis to the line of centres, in the direction of rotation; 90° is beside the crank. 0 to 360°, steps of 0.1°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Угол от оси цилиндра до линии центров по направлению вращения; 90° — сбоку от коленчатого вала. От 0 до 360°, шаг 0,1°.</translation>
     </message>
     <message>
         <source>Mea&amp;ns</source>
-        <translation type="unfinished"></translation>
+        <translation>Сре&amp;дние</translation>
     </message>
     <message>
         <source>both</source>
-        <translation type="unfinished"></translation>
+        <translation>оба</translation>
     </message>
     <message>
         <source>cycle integral</source>
-        <translation type="unfinished"></translation>
+        <translation>интеграл за цикл</translation>
     </message>
     <message>
         <source>paper&apos;s nodes</source>
-        <translation type="unfinished"></translation>
+        <translation>узлы статьи</translation>
     </message>
     <message>
         <source>Which means the plots show</source>
-        <translation type="unfinished"></translation>
+        <translation>Какие средние показаны на графиках</translation>
     </message>
     <message>
         <source>The mean of Mₛ over a cycle is 0 at every α. The paper averages 25 nodes and counts the end of the cycle twice; that alone makes its mean differ from 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Среднее Mₛ за цикл равно 0 при любом α. В статье усреднены 25 узлов, и конец цикла учтён дважды; только поэтому её среднее не равно 0.</translation>
     </message>
     <message>
         <source>Moments</source>
-        <translation type="unfinished"></translation>
+        <translation>Моменты</translation>
     </message>
     <message>
         <source>Cycle</source>
-        <translation type="unfinished"></translation>
+        <translation>Цикл</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Габарит</translation>
     </message>
     <message>
         <source>Orders</source>
-        <translation type="unfinished"></translation>
+        <translation>Порядки</translation>
     </message>
     <message>
         <source>φ, °</source>
-        <translation type="unfinished"></translation>
+        <translation>φ, °</translation>
     </message>
     <message>
         <source>α, °</source>
-        <translation type="unfinished"></translation>
+        <translation>α, °</translation>
     </message>
     <message>
         <source>N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>Н·м</translation>
     </message>
     <message>
         <source>Moments over the cycle</source>
-        <translation type="unfinished"></translation>
+        <translation>Моменты за цикл</translation>
     </message>
     <message>
         <source>Tipping moment, −M_id</source>
-        <translation type="unfinished"></translation>
+        <translation>Опрокидывающий момент, −M_id</translation>
     </message>
     <message>
         <source>Moment of the balance shaft, P₁ l sin(α + φ), (4)</source>
-        <translation type="unfinished"></translation>
+        <translation>Момент балансирного вала, P₁ l sin(α + φ), (4)</translation>
     </message>
     <message>
         <source>Moment on the mounts, Mᵤₚ + Mₛ, (5)</source>
-        <translation type="unfinished"></translation>
+        <translation>Момент на опорах, Mᵤₚ + Mₛ, (5)</translation>
     </message>
     <message>
         <source>Range and RMS over α</source>
-        <translation type="unfinished"></translation>
+        <translation>Размах и СКЗ от α</translation>
     </message>
     <message>
         <source>mean Mₛ, N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>среднее Mₛ, Н·м</translation>
     </message>
     <message>
         <source>Range of Mᵤₚₛ, max − min</source>
-        <translation type="unfinished"></translation>
+        <translation>Размах Mᵤₚₛ, наибольшее минус наименьшее</translation>
     </message>
     <message>
         <source>RMS</source>
-        <translation type="unfinished"></translation>
+        <translation>СКЗ</translation>
     </message>
     <message>
         <source>RMS of Mᵤₚₛ about its mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Среднее квадратическое отклонение Mᵤₚₛ от среднего</translation>
     </message>
     <message>
         <source>Mₛ mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Mₛ среднее</translation>
     </message>
     <message>
         <source>Cycle mean of Mₛ: 0 at every α</source>
-        <translation type="unfinished"></translation>
+        <translation>Среднее Mₛ за цикл: 0 при любом α</translation>
     </message>
     <message>
         <source>Mₛ mean (paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>Mₛ среднее (статья)</translation>
     </message>
     <message>
         <source>Mean of 25 nodes, the end counted twice</source>
-        <translation type="unfinished"></translation>
+        <translation>Среднее по 25 узлам, конец учтён дважды</translation>
     </message>
     <message>
         <source>Means over α</source>
-        <translation type="unfinished"></translation>
+        <translation>Средние от α</translation>
     </message>
     <message>
         <source>Mₛₘ</source>
-        <translation type="unfinished"></translation>
+        <translation>Mₛₘ</translation>
     </message>
     <message>
         <source>Cycle mean of Mₛ</source>
-        <translation type="unfinished"></translation>
+        <translation>Среднее Mₛ за цикл</translation>
     </message>
     <message>
         <source>Mᵤₚₛₘ</source>
-        <translation type="unfinished"></translation>
+        <translation>Mᵤₚₛₘ</translation>
     </message>
     <message>
         <source>Cycle mean of Mᵤₚₛ</source>
-        <translation type="unfinished"></translation>
+        <translation>Среднее Mᵤₚₛ за цикл</translation>
     </message>
     <message>
         <source>Mₛₘ (paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>Mₛₘ (статья)</translation>
     </message>
     <message>
         <source>Mᵤₚₛₘ (paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>Mᵤₚₛₘ (статья)</translation>
     </message>
     <message>
         <source>Node mean of Mᵤₚ plus that of Mₛ</source>
-        <translation type="unfinished"></translation>
+        <translation>Среднее Mᵤₚ по узлам плюс среднее Mₛ</translation>
     </message>
     <message>
         <source>Play or pause the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Пуск или пауза рисунка</translation>
     </message>
     <message>
         <source>&amp;φ</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;φ</translation>
     </message>
     <message>
         <source>Crank angle of the picture; 0 is top dead centre</source>
-        <translation type="unfinished"></translation>
+        <translation>Угол поворота кривошипа на рисунке; 0 — верхняя мёртвая точка</translation>
     </message>
     <message>
         <source>Criteria of the three moments</source>
-        <translation type="unfinished"></translation>
+        <translation>Критерии трёх моментов</translation>
     </message>
     <message>
         <source>Go</source>
-        <translation type="unfinished"></translation>
+        <translation>Взять</translation>
     </message>
     <message>
         <source>Go to the α of the least range</source>
-        <translation type="unfinished"></translation>
+        <translation>Взять α наименьшего размаха</translation>
     </message>
     <message>
         <source>Go to the α of the least RMS</source>
-        <translation type="unfinished"></translation>
+        <translation>Взять α наименьшего СКЗ</translation>
     </message>
     <message>
         <source>Forces, masses and sizes</source>
-        <translation type="unfinished"></translation>
+        <translation>Силы, массы и размеры</translation>
     </message>
     <message>
         <source> kg</source>
-        <translation type="unfinished"></translation>
+        <translation> кг</translation>
     </message>
     <message>
         <source>%1 kg of it are not listed above.</source>
-        <translation type="unfinished"></translation>
+        <translation>Из них %1 кг выше не перечислены.</translation>
     </message>
     <message>
         <source> rad/s</source>
-        <translation type="unfinished"></translation>
+        <translation> рад/с</translation>
     </message>
     <message>
         <source>Forces</source>
-        <translation type="unfinished"></translation>
+        <translation>Силы</translation>
     </message>
     <message>
         <source>Relief</source>
-        <translation type="unfinished"></translation>
+        <translation>Проточка</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::BalanceShaftViewModel</name>
     <message>
         <source>Every α is as good as any other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Все α одинаково хороши.</translation>
     </message>
     <message>
         <source>Open case</source>
-        <translation type="unfinished">Открытие задачи</translation>
+        <translation>Открытие задачи</translation>
     </message>
     <message>
         <source>New case</source>
-        <translation type="unfinished">Новая задача</translation>
+        <translation>Новая задача</translation>
     </message>
     <message>
         <source>Torque source</source>
-        <translation type="unfinished"></translation>
+        <translation>Источник момента</translation>
     </message>
     <message>
         <source>Pressure trace</source>
-        <translation type="unfinished"></translation>
+        <translation>Индикаторная диаграмма</translation>
     </message>
     <message>
         <source>Move shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>Поворот вала</translation>
     </message>
     <message>
         <source>N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>Н·м</translation>
     </message>
     <message>
         <source>Mᵤₚ</source>
-        <translation type="unfinished"></translation>
+        <translation>Mᵤₚ</translation>
     </message>
     <message>
         <source>Mₛ</source>
-        <translation type="unfinished"></translation>
+        <translation>Mₛ</translation>
     </message>
     <message>
         <source>Mᵤₚₛ</source>
-        <translation type="unfinished"></translation>
+        <translation>Mᵤₚₛ</translation>
     </message>
     <message>
         <source>change</source>
-        <translation type="unfinished"></translation>
+        <translation>измен.</translation>
     </message>
     <message>
         <source>range</source>
-        <translation type="unfinished"></translation>
+        <translation>размах</translation>
     </message>
     <message>
         <source>RMS</source>
-        <translation type="unfinished"></translation>
+        <translation>СКЗ</translation>
     </message>
     <message>
         <source>mean</source>
-        <translation type="unfinished"></translation>
+        <translation>среднее</translation>
     </message>
     <message>
         <source>nodes</source>
-        <translation type="unfinished"></translation>
+        <translation>по узлам</translation>
     </message>
     <message>
         <source>max</source>
-        <translation type="unfinished"></translation>
+        <translation>макс.</translation>
     </message>
     <message>
         <source>min</source>
-        <translation type="unfinished"></translation>
+        <translation>мин.</translation>
     </message>
     <message>
         <source>Quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Величина</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>Значение</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Ед.</translation>
     </message>
     <message>
         <source>N</source>
-        <translation type="unfinished"></translation>
+        <translation>Н</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished">мм</translation>
+        <translation>мм</translation>
     </message>
     <message>
         <source>Inertia force Pⱼ₁, max</source>
-        <translation type="unfinished"></translation>
+        <translation>Сила инерции Pⱼ₁, макс.</translation>
     </message>
     <message>
         <source>Counterweight m₁</source>
-        <translation type="unfinished"></translation>
+        <translation>Противовес m₁</translation>
     </message>
     <message>
         <source>kg</source>
-        <translation type="unfinished">кг</translation>
+        <translation>кг</translation>
     </message>
     <message>
         <source>Counterweight force P₁</source>
-        <translation type="unfinished"></translation>
+        <translation>Сила противовеса P₁</translation>
     </message>
     <message>
         <source>Amplitude of Mₛ, P₁ l</source>
-        <translation type="unfinished"></translation>
+        <translation>Амплитуда Mₛ, P₁ l</translation>
     </message>
     <message>
         <source>First order&apos;s share of Mᵤₚ</source>
-        <translation type="unfinished"></translation>
+        <translation>Доля 1-го порядка в Mᵤₚ</translation>
     </message>
     <message>
         <source>Envelope, width × height</source>
-        <translation type="unfinished"></translation>
+        <translation>Габарит, ширина × высота</translation>
     </message>
     <message>
         <source>Indicated mean effective pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>Среднее индикаторное давление</translation>
     </message>
     <message>
         <source>bar</source>
-        <translation type="unfinished"></translation>
+        <translation>бар</translation>
     </message>
     <message>
         <source>Indicated work per cycle</source>
-        <translation type="unfinished"></translation>
+        <translation>Индикаторная работа за цикл</translation>
     </message>
     <message>
         <source>J</source>
-        <translation type="unfinished"></translation>
+        <translation>Дж</translation>
     </message>
     <message>
         <source>Indicated power</source>
-        <translation type="unfinished"></translation>
+        <translation>Индикаторная мощность</translation>
     </message>
     <message>
         <source>kW</source>
-        <translation type="unfinished"></translation>
+        <translation>кВт</translation>
     </message>
     <message>
         <source>Mean torque</source>
-        <translation type="unfinished"></translation>
+        <translation>Средний крутящий момент</translation>
     </message>
     <message>
         <source>Peak pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>Наибольшее давление</translation>
     </message>
     <message>
         <source>at crank angle</source>
-        <translation type="unfinished"></translation>
+        <translation>при угле поворота</translation>
     </message>
     <message>
         <source>Displacement</source>
-        <translation type="unfinished"></translation>
+        <translation>Рабочий объём</translation>
     </message>
     <message>
         <source>cm³</source>
-        <translation type="unfinished"></translation>
+        <translation>см³</translation>
     </message>
     <message>
         <source>Clearance volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Объём камеры сгорания</translation>
     </message>
     <message>
         <source>Heat per cycle</source>
-        <translation type="unfinished"></translation>
+        <translation>Теплота за цикл</translation>
     </message>
     <message>
         <source>Least range %2 N·m at %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>Наименьший размах %2 Н·м при %1°</translation>
     </message>
     <message>
         <source>Least RMS %2 N·m at %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>Наименьшее СКЗ %2 Н·м при %1°</translation>
     </message>
     <message>
         <source>The shaft makes no moment, so its angle changes nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Вал не создаёт момента, его угол ничего не меняет.</translation>
     </message>
     <message>
         <source>No α makes the range smaller than without a shaft: at best %1 N·m against %2 N·m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ни при каком α размах не меньше, чем без вала: в лучшем случае %1 Н·м против %2 Н·м.</translation>
     </message>
     <message>
         <source>No α makes the RMS smaller than without a shaft: at best %1 N·m against %2 N·m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ни при каком α СКЗ не меньше, чем без вала: в лучшем случае %1 Н·м против %2 Н·м.</translation>
     </message>
     <message>
         <source>The counterweight given balances %1 % of the first-order inertia force; equation (1) asks for %2 kg.</source>
-        <translation type="unfinished"></translation>
+        <translation>Заданный противовес уравновешивает %1 % силы инерции первого порядка; по формуле (1) нужно %2 кг.</translation>
     </message>
     <message>
         <source>The torque holds an inertia torque of mⱼ r² ω² = %1 N·m; the masses and the speed entered give %2 N·m. It fits these masses at %3 min⁻¹, or %4 kg at this speed.</source>
-        <translation type="unfinished"></translation>
+        <translation>В крутящем моменте содержится момент сил инерции mⱼ r² ω² = %1 Н·м, а введённые массы и частота вращения дают %2 Н·м. Он соответствует этим массам при %3 мин⁻¹ или %4 кг при этой частоте.</translation>
     </message>
 </context>
 <context>
@@ -1362,39 +1362,39 @@
     <name>ravnoves::CounterweightView</name>
     <message>
         <source>Rotating masses and counterweights</source>
-        <translation type="unfinished"></translation>
+        <translation>Вращающиеся массы и противовесы</translation>
     </message>
     <message>
         <source>The crank from the front with crankpin 1 up; angles from crankpin 1, counter-clockwise, lags against the rotation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Вал спереди, шатунная шейка 1 вверху; углы от шейки 1 против часовой стрелки, отставания — против вращения.</translation>
     </message>
     <message>
         <source>force Σ e^{iκ} = %1 at %2; opposite: %3 against the rotation</source>
-        <translation type="unfinished"></translation>
+        <translation>сила Σ e^{iκ} = %1 под углом %2; противоположно: %3 против вращения</translation>
     </message>
     <message>
         <source>moment Σ z e^{iκ} = %1 mm at %2; opposite: %3 against the rotation</source>
-        <translation type="unfinished"></translation>
+        <translation>момент Σ z e^{iκ} = %1 мм под углом %2; противоположно: %3 против вращения</translation>
     </message>
     <message>
         <source>%1: %2 g at ρ %3 mm, %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 г на ρ %3 мм, %4</translation>
     </message>
     <message>
         <source>front web</source>
-        <translation type="unfinished"></translation>
+        <translation>передняя щека</translation>
     </message>
     <message>
         <source>rear web</source>
-        <translation type="unfinished"></translation>
+        <translation>задняя щека</translation>
     </message>
     <message>
         <source>(switched off)</source>
-        <translation type="unfinished"></translation>
+        <translation>(выключены)</translation>
     </message>
     <message>
         <source>No counterweights: switch them on under Balancing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Противовесов нет: включите их на вкладке «Баланс».</translation>
     </message>
 </context>
 <context>
@@ -1402,591 +1402,592 @@
     <message>
         <source>The torque is a table.
 Choose “pressure trace” or “computed cycle” on the Torque tab to see gas and inertia torque, pressure and indicator diagram.</source>
-        <translation type="unfinished"></translation>
+        <translation>Крутящий момент задан таблицей.
+Выберите на вкладке «Момент» «давление» или «расчётный цикл», чтобы увидеть моменты сил газов и инерции, давление и индикаторную диаграмму.</translation>
     </message>
     <message>
         <source>Engine torque and its parts</source>
-        <translation type="unfinished"></translation>
+        <translation>Крутящий момент и его части</translation>
     </message>
     <message>
         <source>φ, °</source>
-        <translation type="unfinished"></translation>
+        <translation>φ, °</translation>
     </message>
     <message>
         <source>N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>Н·м</translation>
     </message>
     <message>
         <source>gas</source>
-        <translation type="unfinished"></translation>
+        <translation>газы</translation>
     </message>
     <message>
         <source>−(p − p₀) A s′</source>
-        <translation type="unfinished"></translation>
+        <translation>−(p − p₀) A s′</translation>
     </message>
     <message>
         <source>inertia</source>
-        <translation type="unfinished"></translation>
+        <translation>инерция</translation>
     </message>
     <message>
         <source>−mⱼ ω² s′ s″</source>
-        <translation type="unfinished"></translation>
+        <translation>−mⱼ ω² s′ s″</translation>
     </message>
     <message>
         <source>M_id</source>
-        <translation type="unfinished"></translation>
+        <translation>M_id</translation>
     </message>
     <message>
         <source>Engine torque, gas plus inertia</source>
-        <translation type="unfinished"></translation>
+        <translation>Крутящий момент: газы плюс инерция</translation>
     </message>
     <message>
         <source>Cylinder pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>Давление в цилиндре</translation>
     </message>
     <message>
         <source>bar</source>
-        <translation type="unfinished"></translation>
+        <translation>бар</translation>
     </message>
     <message>
         <source>p</source>
-        <translation type="unfinished"></translation>
+        <translation>p</translation>
     </message>
     <message>
         <source>Indicator diagram, p–V</source>
-        <translation type="unfinished"></translation>
+        <translation>Индикаторная диаграмма p–V</translation>
     </message>
     <message>
         <source>Work, pressures and power of the cycle</source>
-        <translation type="unfinished"></translation>
+        <translation>Работа, давления и мощность цикла</translation>
     </message>
     <message>
         <source>Cycle</source>
-        <translation type="unfinished"></translation>
+        <translation>Цикл</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>Значение</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Ед.</translation>
     </message>
     <message>
         <source>V, cm³</source>
-        <translation type="unfinished"></translation>
+        <translation>V, см³</translation>
     </message>
     <message>
         <source>V without clearance, cm³</source>
-        <translation type="unfinished"></translation>
+        <translation>V без камеры сгорания, см³</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::CylinderEditor</name>
     <message>
         <source>Add a cylinder below</source>
-        <translation type="unfinished"></translation>
+        <translation>Добавить цилиндр ниже</translation>
     </message>
     <message>
         <source>Remove the selected cylinders</source>
-        <translation type="unfinished"></translation>
+        <translation>Удалить выбранные цилиндры</translation>
     </message>
     <message>
         <source>Copy (Ctrl+C)</source>
-        <translation type="unfinished"></translation>
+        <translation>Копировать (Ctrl+C)</translation>
     </message>
     <message>
         <source>E&amp;ven firing</source>
-        <translation type="unfinished"></translation>
+        <translation>Равном. &amp;чередование</translation>
     </message>
     <message>
         <source>Sets the crankpins so that the cylinders fire at even intervals over 720° in the firing order: against the in-line engine they are shifted by γ + 2 φ_TDC (the paper prints γ + φ_TDC; its own angle, 21°40′, is the one with 2).</source>
-        <translation type="unfinished"></translation>
+        <translation>Ставит шатунные шейки так, чтобы вспышки чередовались равномерно за 720° в порядке работы: относительно рядного двигателя шейки смещены на γ + 2 φ_ВМТ (в статье напечатано γ + φ_ВМТ; её же угол 21°40′ получается с двойкой).</translation>
     </message>
     <message>
         <source>Cylinders</source>
-        <translation type="unfinished"></translation>
+        <translation>Цилиндры</translation>
     </message>
     <message>
         <source>The cylinders of the layout chosen. Editing one makes this a table of your own; Ctrl+V pastes from a spreadsheet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Цилиндры выбранной компоновки. Правка делает таблицу вашей собственной; Ctrl+V вставляет из электронной таблицы.</translation>
     </message>
     <message>
         <source>Your own table. Double-click a cell to edit; Ctrl+V pastes from a spreadsheet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ваша таблица. Двойной щелчок — правка ячейки; Ctrl+V вставляет из электронной таблицы.</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::CylinderTableModel</name>
     <message>
         <source>Cylinder %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Цилиндр %1: %2</translation>
     </message>
     <message>
         <source>Cylinder %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Цилиндр %1</translation>
     </message>
     <message>
         <source>z, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>z, мм</translation>
     </message>
     <message>
         <source>β, °</source>
-        <translation type="unfinished"></translation>
+        <translation>β, °</translation>
     </message>
     <message>
         <source>e, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>e, мм</translation>
     </message>
     <message>
         <source>κ, °</source>
-        <translation type="unfinished"></translation>
+        <translation>κ, °</translation>
     </message>
     <message>
         <source>Axial position, positive towards cylinder 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Положение вдоль вала, положительное в сторону цилиндра 1</translation>
     </message>
     <message>
         <source>Direction of the cylinder&apos;s axis, counter-clockwise from up</source>
-        <translation type="unfinished"></translation>
+        <translation>Направление оси цилиндра, против часовой стрелки от вертикали</translation>
     </message>
     <message>
         <source>Distance of the cylinder&apos;s axis from the crank axis, positive on the counter-clockwise side</source>
-        <translation type="unfinished"></translation>
+        <translation>Дезаксаж: расстояние оси цилиндра от оси вала, положительное в сторону против часовой стрелки</translation>
     </message>
     <message>
         <source>Crankpin, counter-clockwise from crankpin 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Шатунная шейка, против часовой стрелки от шейки 1</translation>
     </message>
     <message>
         <source>Add cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>Добавление цилиндра</translation>
     </message>
     <message>
         <source>An engine has at least one cylinder.</source>
-        <translation type="unfinished"></translation>
+        <translation>В двигателе хотя бы один цилиндр.</translation>
     </message>
     <message>
         <source>Remove cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>Удаление цилиндра</translation>
     </message>
     <message>
         <source>At most %1 cylinders.</source>
-        <translation type="unfinished"></translation>
+        <translation>Не больше %1 цилиндров.</translation>
     </message>
     <message>
         <source>Line %1, column %2: %3 is no number that fits here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Строка %1, столбец %2: %3 — не число или сюда не подходит.</translation>
     </message>
     <message>
         <source>The clipboard holds no numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>В буфере обмена нет чисел.</translation>
     </message>
     <message>
         <source>Paste cylinders</source>
-        <translation type="unfinished"></translation>
+        <translation>Вставка цилиндров</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::ElasticHingePage</name>
     <message>
         <source>&amp;Play</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Пуск</translation>
     </message>
     <message>
         <source>Play the computed motion in slow motion</source>
-        <translation type="unfinished"></translation>
+        <translation>Показать рассчитанное движение замедленно</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Пауза</translation>
     </message>
     <message>
         <source>Pause (Space)</source>
-        <translation type="unfinished"></translation>
+        <translation>Пауза (пробел)</translation>
     </message>
     <message>
         <source>Play (Space)</source>
-        <translation type="unfinished"></translation>
+        <translation>Пуск (пробел)</translation>
     </message>
     <message>
         <source>&amp;ω</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;ω</translation>
     </message>
     <message>
         <source>rad/s</source>
-        <translation type="unfinished"></translation>
+        <translation>рад/с</translation>
     </message>
     <message>
         <source>Crank speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Угловая скорость</translation>
     </message>
     <message>
         <source>Crank speed that the hinges are designed for. Paper: 100, 300 and 500 rad/s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Угловая скорость кривошипа, на которую рассчитаны шарниры. В статье 100, 300 и 500 рад/с.</translation>
     </message>
     <message>
         <source>&amp;λ</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;λ</translation>
     </message>
     <message>
         <source>Ratio λ</source>
-        <translation type="unfinished"></translation>
+        <translation>Отношение λ</translation>
     </message>
     <message>
         <source>Crank radius to rod length. Paper: 0.3. Below 1; λ = 1 can be drawn with the series only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Радиус кривошипа к длине шатуна. В статье 0,3. Меньше 1; λ = 1 можно начертить только с рядом.</translation>
     </message>
     <message>
         <source>&amp;c</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;c</translation>
     </message>
     <message>
         <source>kN/m</source>
-        <translation type="unfinished"></translation>
+        <translation>кН/м</translation>
     </message>
     <message>
         <source>Stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>Жёсткость</translation>
     </message>
     <message>
         <source>Stiffness of the spring of the crank&apos;s hinge. Paper: 20 000 kN/m. A softer spring gives more relief.</source>
-        <translation type="unfinished"></translation>
+        <translation>Жёсткость пружины шарнира кривошипа. В статье 20 000 кН/м. У более мягкой пружины перепад больше.</translation>
     </message>
     <message>
         <source>&amp;ρ₀</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;ρ₀</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished">мм</translation>
+        <translation>мм</translation>
     </message>
     <message>
         <source>Guide radius ρ₀</source>
-        <translation type="unfinished"></translation>
+        <translation>Радиус направляющей ρ₀</translation>
     </message>
     <message>
         <source>Radius of the guide at φ = 0. Below ℓ₀/2 the spring is compressed, above it is stretched. Paper: 90 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Радиус направляющей при φ = 0. Меньше ℓ₀/2 — пружина сжата, больше — растянута. В статье 90 мм.</translation>
     </message>
     <message>
         <source>ℓ&amp;₂</source>
-        <translation type="unfinished"></translation>
+        <translation>ℓ&amp;₂</translation>
     </message>
     <message>
         <source>Counterweight&apos;s distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Вынос противовеса</translation>
     </message>
     <message>
         <source>From the crankpin to the counterweight on the rod. Paper: 50, 100 and 150 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>От шатунной шейки до противовеса на шатуне. В статье 50, 100 и 150 мм.</translation>
     </message>
     <message>
         <source>&amp;error</source>
-        <translation type="unfinished"></translation>
+        <translation>по&amp;гр.</translation>
     </message>
     <message>
         <source>µm</source>
-        <translation type="unfinished"></translation>
+        <translation>мкм</translation>
     </message>
     <message>
         <source>Profile error</source>
-        <translation type="unfinished"></translation>
+        <translation>Погрешность профиля</translation>
     </message>
     <message>
         <source>Amplitude of the waves on the guide&apos;s profile as it is made. Good grinding leaves a few micrometres.</source>
-        <translation type="unfinished"></translation>
+        <translation>Амплитуда волн на профиле изготовленной направляющей. После хорошего шлифования — несколько микрометров.</translation>
     </message>
     <message>
         <source>Inputs</source>
-        <translation type="unfinished"></translation>
+        <translation>Данные</translation>
     </message>
     <message>
         <source>Search</source>
-        <translation type="unfinished"></translation>
+        <translation>Подбор</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Чертёж</translation>
     </message>
     <message>
         <source>Play or pause the motion</source>
-        <translation type="unfinished"></translation>
+        <translation>Пуск или пауза движения</translation>
     </message>
     <message>
         <source>without hinge</source>
-        <translation type="unfinished"></translation>
+        <translation>без шарнира</translation>
     </message>
     <message>
         <source>crank hinge</source>
-        <translation type="unfinished"></translation>
+        <translation>у кривошипа</translation>
     </message>
     <message>
         <source>both hinges</source>
-        <translation type="unfinished"></translation>
+        <translation>оба шарнира</translation>
     </message>
     <message>
         <source>off design</source>
-        <translation type="unfinished"></translation>
+        <translation>вне расчёта</translation>
     </message>
     <message>
         <source>Which motion is played</source>
-        <translation type="unfinished"></translation>
+        <translation>Какое движение показано</translation>
     </message>
     <message>
         <source>Which of the computed motions the picture plays</source>
-        <translation type="unfinished"></translation>
+        <translation>Какое из рассчитанных движений показывает рисунок</translation>
     </message>
     <message>
         <source>&amp;φ</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;φ</translation>
     </message>
     <message>
         <source>Crank angle of the picture, counter-clockwise from the slider line</source>
-        <translation type="unfinished"></translation>
+        <translation>Угол кривошипа на рисунке, против часовой стрелки от линии ползуна</translation>
     </message>
     <message>
         <source>Take this pre&amp;load</source>
-        <translation type="unfinished"></translation>
+        <translation>Взять &amp;этот преднатяг</translation>
     </message>
     <message>
         <source>Take this sti&amp;ffness</source>
-        <translation type="unfinished"></translation>
+        <translation>Взять эту жёсткост&amp;ь</translation>
     </message>
     <message>
         <source>What the design gives</source>
-        <translation type="unfinished"></translation>
+        <translation>Что даёт конструкция</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::ElasticHingeViewModel</name>
     <message>
         <source>Zotov and Sviridov 2021</source>
-        <translation type="unfinished"></translation>
+        <translation>Зотов и Свиридов 2021</translation>
     </message>
     <message>
         <source>Open case</source>
-        <translation type="unfinished">Открытие задачи</translation>
+        <translation>Открытие задачи</translation>
     </message>
     <message>
         <source>New case</source>
-        <translation type="unfinished">Новая задача</translation>
+        <translation>Новая задача</translation>
     </message>
     <message>
         <source>No spring is given.</source>
-        <translation type="unfinished"></translation>
+        <translation>Пружина не задана.</translation>
     </message>
     <message>
         <source>None: at λ = 1 the mechanism locks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Нет: при λ = 1 механизм заклинивает.</translation>
     </message>
     <message>
         <source>None: the hinge has no energy to give out, its guide is a circle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Нет: шарниру нечего отдавать, его направляющая — окружность.</translation>
     </message>
     <message>
         <source>None: a spring of %1 mm that gets no shorter than %2 mm leaves no room for this relief.</source>
-        <translation type="unfinished"></translation>
+        <translation>Нет: пружина %1 мм, которая не сжимается короче %2 мм, не оставляет места для такого перепада.</translation>
     </message>
     <message>
         <source>None: with a spring of %1 mm this relief needs an outer diameter of at least %2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Нет: при пружине %1 мм для такого перепада нужен наружный диаметр не меньше %2 мм.</translation>
     </message>
     <message>
         <source>None: the roller of radius %1 mm undercuts every guide with this relief.</source>
-        <translation type="unfinished"></translation>
+        <translation>Нет: ролик радиусом %1 мм подрезает любую направляющую с таким перепадом.</translation>
     </message>
     <message>
         <source>None: the stiffness that would be needed is out of range.</source>
-        <translation type="unfinished"></translation>
+        <translation>Нет: нужная жёсткость вне допустимых пределов.</translation>
     </message>
     <message>
         <source>c = %1 kN/m, ρ₀ = %2 mm: relief %3 mm within %4 mm; the spring is at least %5 mm long, bears up to %6 kN and stores up to %7 J.</source>
-        <translation type="unfinished"></translation>
+        <translation>c = %1 кН/м, ρ₀ = %2 мм: перепад %3 мм в пределах %4 мм; пружина не короче %5 мм, несёт до %6 кН и запасает до %7 Дж.</translation>
     </message>
     <message>
         <source>Take over the guide found</source>
-        <translation type="unfinished"></translation>
+        <translation>Взята найденная направляющая</translation>
     </message>
     <message>
         <source>Preload that the guide needs</source>
-        <translation type="unfinished"></translation>
+        <translation>Нужный преднатяг</translation>
     </message>
     <message>
         <source>Stiffness that the guide needs</source>
-        <translation type="unfinished"></translation>
+        <translation>Нужная жёсткость</translation>
     </message>
     <message>
         <source>At λ = 1 the mechanism locks: there is no guide and no motion. The series still draws M₁₂ and the side force.</source>
-        <translation type="unfinished"></translation>
+        <translation>При λ = 1 механизм заклинивает: нет ни направляющей, ни движения. Ряд по-прежнему даёт M₁₂ и боковую силу.</translation>
     </message>
     <message>
         <source>No spring is given, so there is no guide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Пружина не задана, направляющей нет.</translation>
     </message>
     <message>
         <source>No guide: the spring would have to be compressed by %1 mm of its %2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Направляющей нет: пружину пришлось бы сжать на %1 мм из её %2 мм.</translation>
     </message>
     <message>
         <source>No guide: from φ = %1° on the spring would have to give out more than it stores (most at %2°). It needs a preload |ℓ₀/2 − ρ₀| of %3 mm and has %4 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Направляющей нет: начиная с φ = %1° пружина должна отдать больше, чем запасла (больше всего при %2°). Нужен преднатяг |ℓ₀/2 − ρ₀| %3 мм, а есть %4 мм</translation>
     </message>
     <message>
         <source>, or with this preload a stiffness of %1 kN/m</source>
-        <translation type="unfinished"></translation>
+        <translation>, или при этом преднатяге жёсткость %1 кН/м</translation>
     </message>
     <message>
         <source>The roller of radius %1 mm undercuts the guide: at most %2 mm follow it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ролик радиусом %1 мм подрезает направляющую: годится не больше %2 мм.</translation>
     </message>
     <message>
         <source>The guide exists, but with the printed sign it stores what the mechanism takes up: the crank does not keep its speed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Направляющая существует, но с напечатанным знаком она запасает то, что поглощает механизм: кривошип не сохраняет скорость.</translation>
     </message>
     <message>
         <source>The guide exists, but cannot be made: with a relief of %1 mm a profile error of %2 µm changes its moment by up to %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Направляющая существует, но её нельзя изготовить: при перепаде %1 мм погрешность профиля %2 мкм меняет её момент до %3.</translation>
     </message>
     <message>
         <source>The guide exists: relief %1 mm; a profile error of %2 µm changes its moment by up to %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Направляющая существует: перепад %1 мм; погрешность профиля %2 мкм меняет её момент до %3.</translation>
     </message>
     <message>
         <source>Quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Величина</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>Значение</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Ед.</translation>
     </message>
     <message>
         <source>N</source>
-        <translation type="unfinished"></translation>
+        <translation>Н</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished">мм</translation>
+        <translation>мм</translation>
     </message>
     <message>
         <source>Relief of the guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Перепад направляющей</translation>
     </message>
     <message>
         <source>Preload needed / given</source>
-        <translation type="unfinished"></translation>
+        <translation>Преднатяг нужен / есть</translation>
     </message>
     <message>
         <source>Spring travel</source>
-        <translation type="unfinished"></translation>
+        <translation>Ход пружины</translation>
     </message>
     <message>
         <source>Largest spring force</source>
-        <translation type="unfinished"></translation>
+        <translation>Сила пружины, макс.</translation>
     </message>
     <message>
         <source>kN</source>
-        <translation type="unfinished"></translation>
+        <translation>кН</translation>
     </message>
     <message>
         <source>Moment error from %1 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>Погр. момента, %1 мкм</translation>
     </message>
     <message>
         <source>N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>Н·м</translation>
     </message>
     <message>
         <source>Least curvature radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Радиус кривизны, мин.</translation>
     </message>
     <message>
         <source>Largest roller radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Радиус ролика, макс.</translation>
     </message>
     <message>
         <source>any</source>
-        <translation type="unfinished"></translation>
+        <translation>любой</translation>
     </message>
     <message>
         <source>∮ M₁₂ dφ</source>
-        <translation type="unfinished"></translation>
+        <translation>∮ M₁₂ dφ</translation>
     </message>
     <message>
         <source>J</source>
-        <translation type="unfinished"></translation>
+        <translation>Дж</translation>
     </message>
     <message>
         <source>Side force without hinge</source>
-        <translation type="unfinished"></translation>
+        <translation>Бок. сила без шарнира</translation>
     </message>
     <message>
         <source>Side force with rod hinge</source>
-        <translation type="unfinished"></translation>
+        <translation>Бок. сила с шарниром</translation>
     </message>
     <message>
         <source>Counterweight P₄</source>
-        <translation type="unfinished"></translation>
+        <translation>Противовес P₄</translation>
     </message>
     <message>
         <source>kg</source>
-        <translation type="unfinished">кг</translation>
+        <translation>кг</translation>
     </message>
     <message>
         <source>reverses</source>
-        <translation type="unfinished"></translation>
+        <translation>реверс</translation>
     </message>
     <message>
         <source>Ripple without hinge</source>
-        <translation type="unfinished"></translation>
+        <translation>Неравном. без шарнира</translation>
     </message>
     <message>
         <source>Ripple with hinge</source>
-        <translation type="unfinished"></translation>
+        <translation>Неравном. с шарниром</translation>
     </message>
     <message>
         <source>Ripple from %1 rad/s</source>
-        <translation type="unfinished"></translation>
+        <translation>Неравном. от %1 рад/с</translation>
     </message>
     <message>
         <source>The series is off by %1 in cos ψ at φ = %2°; use the exact kinematics for a design.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ряд ошибается в cos ψ на %1 при φ = %2°; для проекта берите точную кинематику.</translation>
     </message>
     <message>
         <source>Equation (9) as printed has the wrong sign at the counterweight&apos;s inertia: the slider would still bear up to %1 N. Newton–Euler makes the side force zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>В напечатанной формуле (9) неверен знак инерции противовеса: ползун нёс бы ещё до %1 Н. По Ньютону–Эйлеру боковая сила равна нулю.</translation>
     </message>
     <message>
         <source>%1: %2…%3 rad/s, drift %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2…%3 рад/с, уход %4</translation>
     </message>
     <message>
         <source>%1: the crank stops after %2 turns and would turn back</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: через %2 оборота кривошип останавливается и пошёл бы назад</translation>
     </message>
     <message>
         <source>%1: only %2 turns in %3 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: только %2 оборота за %3 с</translation>
     </message>
     <message>
         <source>without hinge</source>
-        <translation type="unfinished"></translation>
+        <translation>без шарнира</translation>
     </message>
     <message>
         <source>crank hinge</source>
-        <translation type="unfinished"></translation>
+        <translation>шарнир кривошипа</translation>
     </message>
     <message>
         <source>both hinges</source>
-        <translation type="unfinished"></translation>
+        <translation>оба шарнира</translation>
     </message>
     <message>
         <source>from %1 rad/s</source>
-        <translation type="unfinished"></translation>
+        <translation>от %1 рад/с</translation>
     </message>
 </context>
 <context>
@@ -2068,2092 +2069,2092 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <name>ravnoves::EngineView</name>
     <message>
         <source>Engine from the front and the crank from the side</source>
-        <translation type="unfinished"></translation>
+        <translation>Двигатель спереди и коленчатый вал сбоку</translation>
     </message>
     <message>
         <source>To scale; the crank turns counter-clockwise. Drag to turn it, Space plays and pauses, the arrow keys step.</source>
-        <translation type="unfinished"></translation>
+        <translation>В масштабе; вал вращается против часовой стрелки. Поворачивается мышью, пробел — пуск и пауза, стрелки — по шагу.</translation>
     </message>
     <message>
         <source>φ = %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>φ = %1°</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::EnvelopeView</name>
     <message>
         <source>Overall size over α</source>
-        <translation type="unfinished"></translation>
+        <translation>Габарит от α</translation>
     </message>
     <message>
         <source>α, °</source>
-        <translation type="unfinished"></translation>
+        <translation>α, °</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished">мм</translation>
+        <translation>мм</translation>
     </message>
     <message>
         <source>width</source>
-        <translation type="unfinished"></translation>
+        <translation>ширина</translation>
     </message>
     <message>
         <source>height</source>
-        <translation type="unfinished"></translation>
+        <translation>высота</translation>
     </message>
     <message>
         <source>Range against overall size, α along the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Размах и габарит, вдоль кривой меняется α</translation>
     </message>
     <message>
         <source>ΔMᵤₚₛ, N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>ΔMᵤₚₛ, Н·м</translation>
     </message>
     <message>
         <source>every α</source>
-        <translation type="unfinished"></translation>
+        <translation>все α</translation>
     </message>
     <message>
         <source>nothing better</source>
-        <translation type="unfinished"></translation>
+        <translation>лучше нет</translation>
     </message>
     <message>
         <source>No other α has both a smaller box and a smaller range</source>
-        <translation type="unfinished"></translation>
+        <translation>Нет другого α, при котором и габарит, и размах меньше</translation>
     </message>
     <message>
         <source>present α</source>
-        <translation type="unfinished"></translation>
+        <translation>нынешний α</translation>
     </message>
     <message>
         <source>The box around cylinder, crank circle, shaft circle and gears, with the wall, in the front view. It is not checked that the shaft clears cylinder and rod. Radii, bore and wall are on the Inputs tab. Click either chart to set α.</source>
-        <translation type="unfinished"></translation>
+        <translation>Прямоугольник вокруг цилиндра, окружностей кривошипа, вала и шестерён со стенкой, вид спереди. Не проверяется, проходит ли вал мимо цилиндра и шатуна. Радиусы, диаметр и стенка — на вкладке «Данные». Щелчок по любому графику задаёт α.</translation>
     </message>
     <message>
         <source>width × height, cm²</source>
-        <translation type="unfinished"></translation>
+        <translation>ширина × высота, см²</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::FiringWheel</name>
     <message>
         <source>Firing order</source>
-        <translation type="unfinished"></translation>
+        <translation>Порядок работы</translation>
     </message>
     <message>
         <source>One four-stroke cycle of 720°, counter-clockwise from the top: cylinders in the order of firing, the intervals between them, the present crank angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Один четырёхтактный цикл, 720°, против часовой стрелки сверху: цилиндры в порядке работы, интервалы между вспышками, нынешний угол кривошипа.</translation>
     </message>
     <message>
         <source>No firing order given.</source>
-        <translation type="unfinished"></translation>
+        <translation>Порядок работы не задан.</translation>
     </message>
     <message>
         <source>The order %1 cannot be run through in two turns of this crank.</source>
-        <translation type="unfinished"></translation>
+        <translation>Порядок %1 нельзя пройти за два оборота этого вала.</translation>
     </message>
     <message>
         <source>even, every %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>равномерно, через %1°</translation>
     </message>
     <message>
         <source>uneven, %1° to %2°</source>
-        <translation type="unfinished"></translation>
+        <translation>неравномерно, от %1° до %2°</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::ForcesView</name>
     <message>
         <source>Share &amp;κ</source>
-        <translation type="unfinished"></translation>
+        <translation>Доля &amp;κ</translation>
     </message>
     <message>
         <source>Part of mⱼ r balanced on the crank alone, without a shaft. The force then runs on an ellipse: a line at 0 and 1, a circle at ½.</source>
-        <translation type="unfinished"></translation>
+        <translation>Часть mⱼ r, уравновешенная на самом коленчатом валу, без балансирного. Сила тогда описывает эллипс: отрезок при 0 и 1, окружность при ½.</translation>
     </message>
     <message>
         <source>Share κ</source>
-        <translation type="unfinished"></translation>
+        <translation>Доля κ</translation>
     </message>
     <message>
         <source>Force on the engine</source>
-        <translation type="unfinished"></translation>
+        <translation>Сила на двигатель</translation>
     </message>
     <message>
         <source>across, kN</source>
-        <translation type="unfinished"></translation>
+        <translation>поперёк, кН</translation>
     </message>
     <message>
         <source>along the cylinder, kN</source>
-        <translation type="unfinished"></translation>
+        <translation>вдоль цилиндра, кН</translation>
     </message>
     <message>
         <source>crank only, 1st + 2nd</source>
-        <translation type="unfinished"></translation>
+        <translation>без вала, 1-й + 2-й</translation>
     </message>
     <message>
         <source>First and second order without a shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>Первый и второй порядок без балансирного вала</translation>
     </message>
     <message>
         <source>crank only, 1st</source>
-        <translation type="unfinished"></translation>
+        <translation>без вала, 1-й</translation>
     </message>
     <message>
         <source>First order without a shaft: an ellipse</source>
-        <translation type="unfinished"></translation>
+        <translation>Первый порядок без балансирного вала: эллипс</translation>
     </message>
     <message>
         <source>with shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>с валом</translation>
     </message>
     <message>
         <source>With the shaft the first order is a point; the second order along the cylinder stays</source>
-        <translation type="unfinished"></translation>
+        <translation>С валом первый порядок — точка; остаётся второй порядок вдоль цилиндра</translation>
     </message>
     <message>
         <source>Forces with and without a shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>Силы с валом и без вала</translation>
     </message>
     <message>
         <source>Force</source>
-        <translation type="unfinished"></translation>
+        <translation>Сила</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>Значение</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Ед.</translation>
     </message>
     <message>
         <source>Teeth z of each gear</source>
-        <translation type="unfinished"></translation>
+        <translation>Число зубьев z шестерни</translation>
     </message>
     <message>
         <source>Teeth of each of the two equal gears.</source>
-        <translation type="unfinished"></translation>
+        <translation>Зубья каждой из двух одинаковых шестерён.</translation>
     </message>
     <message>
         <source>Teeth k by which the shaft is out</source>
-        <translation type="unfinished"></translation>
+        <translation>Вал смещён на k зубьев</translation>
     </message>
     <message>
         <source>The shaft is assembled k teeth ahead of its right place: a phase error of 360° k / z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Вал собран на k зубьев вперёд от верного места: ошибка фазы 360° k / z.</translation>
     </message>
     <message>
         <source>Backlash, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Боковой зазор, мм</translation>
     </message>
     <message>
         <source>Circumferential play at the pitch circle, whose radius is l/2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Окружной зазор на делительной окружности радиусом l/2.</translation>
     </message>
     <message>
         <source>&amp;z</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;z</translation>
     </message>
     <message>
         <source>&amp;k</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;k</translation>
     </message>
     <message>
         <source>play, &amp;mm</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;зазор, мм</translation>
     </message>
     <message>
         <source>Teeth</source>
-        <translation type="unfinished"></translation>
+        <translation>Зубья</translation>
     </message>
     <message>
         <source>Shifted teeth</source>
-        <translation type="unfinished"></translation>
+        <translation>Смещение зубьев</translation>
     </message>
     <message>
         <source>Backlash</source>
-        <translation type="unfinished"></translation>
+        <translation>Боковой зазор</translation>
     </message>
     <message>
         <source>Mᵤₚₛ with gear error</source>
-        <translation type="unfinished"></translation>
+        <translation>Mᵤₚₛ с ошибкой зацепления</translation>
     </message>
     <message>
         <source>φ, °</source>
-        <translation type="unfinished"></translation>
+        <translation>φ, °</translation>
     </message>
     <message>
         <source>N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>Н·м</translation>
     </message>
     <message>
         <source>play, low</source>
-        <translation type="unfinished"></translation>
+        <translation>зазор, низ</translation>
     </message>
     <message>
         <source>play</source>
-        <translation type="unfinished"></translation>
+        <translation>зазор</translation>
     </message>
     <message>
         <source>Band that the play of the gears leaves</source>
-        <translation type="unfinished"></translation>
+        <translation>Полоса, которую оставляет зазор в зацеплении</translation>
     </message>
     <message>
         <source>right</source>
-        <translation type="unfinished"></translation>
+        <translation>верно</translation>
     </message>
     <message>
         <source>Shaft in its right place</source>
-        <translation type="unfinished"></translation>
+        <translation>Вал на своём месте</translation>
     </message>
     <message>
         <source>k teeth out</source>
-        <translation type="unfinished"></translation>
+        <translation>сдвиг k</translation>
     </message>
     <message>
         <source>Shaft k teeth out</source>
-        <translation type="unfinished"></translation>
+        <translation>Вал сдвинут на k зубьев</translation>
     </message>
     <message>
         <source>Effect of gear error and play</source>
-        <translation type="unfinished"></translation>
+        <translation>Действие ошибки зацепления и зазора</translation>
     </message>
     <message>
         <source>Gears</source>
-        <translation type="unfinished"></translation>
+        <translation>Шестерни</translation>
     </message>
     <message>
         <source>N</source>
-        <translation type="unfinished"></translation>
+        <translation>Н</translation>
     </message>
     <message>
         <source>1st order, P</source>
-        <translation type="unfinished"></translation>
+        <translation>1-й порядок, P</translation>
     </message>
     <message>
         <source>along, (1 − κ) P</source>
-        <translation type="unfinished"></translation>
+        <translation>вдоль, (1 − κ) P</translation>
     </message>
     <message>
         <source>across, κ P</source>
-        <translation type="unfinished"></translation>
+        <translation>поперёк, κ P</translation>
     </message>
     <message>
         <source>1st with shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>1-й с валом</translation>
     </message>
     <message>
         <source>2nd order, λ P</source>
-        <translation type="unfinished"></translation>
+        <translation>2-й порядок, λ P</translation>
     </message>
     <message>
         <source>on crank, κ mⱼ r</source>
-        <translation type="unfinished"></translation>
+        <translation>на валу, κ mⱼ r</translation>
     </message>
     <message>
         <source>g·mm</source>
-        <translation type="unfinished">г·мм</translation>
+        <translation>г·мм</translation>
     </message>
     <message>
         <source>First-order inertia force, mⱼ r ω²</source>
-        <translation type="unfinished"></translation>
+        <translation>Сила инерции первого порядка, mⱼ r ω²</translation>
     </message>
     <message>
         <source>Half-axis of the ellipse along the cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>Полуось эллипса вдоль цилиндра</translation>
     </message>
     <message>
         <source>Half-axis of the ellipse across the cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>Полуось эллипса поперёк цилиндра</translation>
     </message>
     <message>
         <source>First order that the shaft&apos;s two counterweights leave</source>
-        <translation type="unfinished"></translation>
+        <translation>Первый порядок, который оставляют два противовеса вала</translation>
     </message>
     <message>
         <source>Second order along the cylinder; stays with and without a shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>Второй порядок вдоль цилиндра; остаётся с валом и без вала</translation>
     </message>
     <message>
         <source>Static moment of the counterweight on the crank</source>
-        <translation type="unfinished"></translation>
+        <translation>Статический момент противовеса на коленчатом валу</translation>
     </message>
     <message>
         <source>phase error</source>
-        <translation type="unfinished"></translation>
+        <translation>ошибка фазы</translation>
     </message>
     <message>
         <source>force left</source>
-        <translation type="unfinished"></translation>
+        <translation>остаток силы</translation>
     </message>
     <message>
         <source>range</source>
-        <translation type="unfinished"></translation>
+        <translation>размах</translation>
     </message>
     <message>
         <source>RMS</source>
-        <translation type="unfinished"></translation>
+        <translation>СКЗ</translation>
     </message>
     <message>
         <source>play, ±</source>
-        <translation type="unfinished"></translation>
+        <translation>зазор, ±</translation>
     </message>
     <message>
         <source>range in play</source>
-        <translation type="unfinished"></translation>
+        <translation>размах с зазором</translation>
     </message>
     <message>
         <source>360° k / z</source>
-        <translation type="unfinished"></translation>
+        <translation>360° k / z</translation>
     </message>
     <message>
         <source>Constant force that turns against the crank, 2 P₁ |sin(δ/2)|</source>
-        <translation type="unfinished"></translation>
+        <translation>Постоянная сила, вращающаяся против кривошипа, 2 P₁ |sin(δ/2)|</translation>
     </message>
     <message>
         <source>ΔMᵤₚₛ, shaft in its right place → k teeth out</source>
-        <translation type="unfinished"></translation>
+        <translation>ΔMᵤₚₛ, вал на своём месте → сдвинут на k зубьев</translation>
     </message>
     <message>
         <source>RMS of Mᵤₚₛ, shaft in its right place → k teeth out</source>
-        <translation type="unfinished"></translation>
+        <translation>СКЗ Mᵤₚₛ, вал на своём месте → сдвинут на k зубьев</translation>
     </message>
     <message>
         <source>The shaft wanders this far to either side: play / l</source>
-        <translation type="unfinished"></translation>
+        <translation>На столько вал отходит в каждую сторону: зазор / l</translation>
     </message>
     <message>
         <source>Least and largest ΔMᵤₚₛ while the shaft wanders</source>
-        <translation type="unfinished"></translation>
+        <translation>Наименьший и наибольший ΔMᵤₚₛ, пока вал ходит в зазоре</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::GuideExportForm</name>
     <message>
         <source>Guide for the machine shop</source>
-        <translation type="unfinished"></translation>
+        <translation>Направляющая для цеха</translation>
     </message>
     <message>
         <source>crank, for M</source>
-        <translation type="unfinished"></translation>
+        <translation>кривошип, для M</translation>
     </message>
     <message>
         <source>crank, for M₁</source>
-        <translation type="unfinished"></translation>
+        <translation>кривошип, для M₁</translation>
     </message>
     <message>
         <source>rod, for M₁₂</source>
-        <translation type="unfinished"></translation>
+        <translation>шатун, для M₁₂</translation>
     </message>
     <message>
         <source>&amp;Hinge</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Шарнир</translation>
     </message>
     <message>
         <source>Which hinge&apos;s guide is written</source>
-        <translation type="unfinished"></translation>
+        <translation>Направляющая какого шарнира записывается</translation>
     </message>
     <message>
         <source>compressed</source>
-        <translation type="unfinished"></translation>
+        <translation>сжата</translation>
     </message>
     <message>
         <source>stretched</source>
-        <translation type="unfinished"></translation>
+        <translation>растянута</translation>
     </message>
     <message>
         <source>S&amp;pring</source>
-        <translation type="unfinished"></translation>
+        <translation>Пру&amp;жина</translation>
     </message>
     <message>
         <source>The side of its free length on which the spring works</source>
-        <translation type="unfinished"></translation>
+        <translation>По какую сторону от свободной длины работает пружина</translation>
     </message>
     <message>
         <source>guide turns</source>
-        <translation type="unfinished"></translation>
+        <translation>направляющая</translation>
     </message>
     <message>
         <source>spring turns</source>
-        <translation type="unfinished"></translation>
+        <translation>пружина</translation>
     </message>
     <message>
         <source>&amp;What turns</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Что вращается</translation>
     </message>
     <message>
         <source>In the paper the guide turns with the crank and the spring stands still: the roller then runs backwards in the guide&apos;s own axes, and the drawing is the mirror image of the plot</source>
-        <translation type="unfinished"></translation>
+        <translation>В статье направляющая вращается с кривошипом, а пружина неподвижна: ролик тогда бежит в осях направляющей назад, и чертёж зеркален графику</translation>
     </message>
     <message>
         <source>Chord to&amp;lerance</source>
-        <translation type="unfinished"></translation>
+        <translation>До&amp;пуск хорды</translation>
     </message>
     <message>
         <source>DXF: the polyline leaves the curve by no more than that</source>
-        <translation type="unfinished"></translation>
+        <translation>DXF: ломаная отходит от кривой не дальше</translation>
     </message>
     <message>
         <source>S&amp;tep of the table</source>
-        <translation type="unfinished"></translation>
+        <translation>Ша&amp;г таблицы</translation>
     </message>
     <message>
         <source>CSV: step of the crank angle</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV: шаг угла кривошипа</translation>
     </message>
     <message>
         <source>Write D&amp;XF…</source>
-        <translation type="unfinished"></translation>
+        <translation>Записать D&amp;XF…</translation>
     </message>
     <message>
         <source>Closed polylines in mm, 1:1: layers PROFILE, ROLLER_PATH, AXIS, NOTE</source>
-        <translation type="unfinished"></translation>
+        <translation>Замкнутые ломаные в мм, 1:1: слои PROFILE, ROLLER_PATH, AXIS, NOTE</translation>
     </message>
     <message>
         <source>Write &amp;CSV…</source>
-        <translation type="unfinished"></translation>
+        <translation>Записать &amp;CSV…</translation>
     </message>
     <message>
         <source>Crank angle, polar angle, radius, x and y of path and profile; °, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Угол кривошипа, полярный угол, радиус, x и y пути и профиля; °, мм</translation>
     </message>
     <message>
         <source>DXF drawing (*.dxf)</source>
-        <translation type="unfinished"></translation>
+        <translation>Чертёж DXF (*.dxf)</translation>
     </message>
     <message>
         <source>CSV table (*.csv)</source>
-        <translation type="unfinished">Таблица CSV (*.csv)</translation>
+        <translation>Таблица CSV (*.csv)</translation>
     </message>
     <message>
         <source>This guide does not exist; see the answer on the right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Такой направляющей нет, см. ответ справа.</translation>
     </message>
     <message>
         <source>The roller undercuts this guide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ролик подрезает эту направляющую.</translation>
     </message>
     <message>
         <source>The profile is offset from the path of the roller&apos;s centre by the roller&apos;s radius.</source>
-        <translation type="unfinished"></translation>
+        <translation>Профиль отстоит от пути центра ролика на радиус ролика.</translation>
     </message>
     <message>
         <source>Export guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Запись направляющей</translation>
     </message>
     <message>
         <source>%1 written</source>
-        <translation type="unfinished"></translation>
+        <translation>Записано: %1</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::GuideSearchForm</name>
     <message>
         <source>Finds stiffness and preload that give the crank&apos;s guide a relief that can be made, with the free length, the roller and the side of the spring as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Находит жёсткость и преднатяг, при которых перепад направляющей кривошипа можно изготовить; свободная длина, ролик и сторона пружины остаются.</translation>
     </message>
     <message>
         <source>Wanted</source>
-        <translation type="unfinished"></translation>
+        <translation>Требуется</translation>
     </message>
     <message>
         <source>R&amp;elief</source>
-        <translation type="unfinished"></translation>
+        <translation>Пере&amp;пад</translation>
     </message>
     <message>
         <source>Difference between the guide&apos;s largest and least radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Разность наибольшего и наименьшего радиусов направляющей</translation>
     </message>
     <message>
         <source>&amp;Outer diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Наружный диаметр</translation>
     </message>
     <message>
         <source>Guide and rollers must fit in it</source>
-        <translation type="unfinished"></translation>
+        <translation>В него должны поместиться направляющая и ролики</translation>
     </message>
     <message>
         <source>&amp;Shortest spring</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Кратчайшая пружина</translation>
     </message>
     <message>
         <source>The spring gets no shorter than that (its solid length). Empty: 0.4 ℓ₀.</source>
-        <translation type="unfinished"></translation>
+        <translation>Короче пружина не бывает (витки сомкнуты). Пусто: 0,4 ℓ₀.</translation>
     </message>
     <message>
         <source>0.4 ℓ₀</source>
-        <translation type="unfinished"></translation>
+        <translation>0,4 ℓ₀</translation>
     </message>
     <message>
         <source>Found</source>
-        <translation type="unfinished"></translation>
+        <translation>Найдено</translation>
     </message>
     <message>
         <source>&amp;Take it over</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Взять найденное</translation>
     </message>
     <message>
         <source>Sets c and ρ₀ to the values found</source>
-        <translation type="unfinished"></translation>
+        <translation>Задаёт найденные c и ρ₀</translation>
     </message>
     <message>
         <source>Wanted relief</source>
-        <translation type="unfinished"></translation>
+        <translation>Требуемый перепад</translation>
     </message>
     <message>
         <source>Outer diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Наружный диаметр</translation>
     </message>
     <message>
         <source>Shortest spring</source>
-        <translation type="unfinished"></translation>
+        <translation>Кратчайшая пружина</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::HelpWindow</name>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>Справка</translation>
     </message>
     <message>
         <source>There is no help on this page yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Справки по этой странице ещё нет.</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::HingeInputs</name>
     <message>
         <source>Mechanism</source>
-        <translation type="unfinished"></translation>
+        <translation>Механизм</translation>
     </message>
     <message>
         <source>Own values</source>
-        <translation type="unfinished"></translation>
+        <translation>Свои значения</translation>
     </message>
     <message>
         <source>Zotov and Sviridov</source>
-        <translation type="unfinished"></translation>
+        <translation>Зотов и Свиридов</translation>
     </message>
     <message>
         <source>&amp;Preset</source>
-        <translation type="unfinished"></translation>
+        <translation>Образе&amp;ц</translation>
     </message>
     <message>
         <source>The mechanism of the paper, with ρ₀ = 90 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Механизм из статьи, ρ₀ = 90 мм</translation>
     </message>
     <message>
         <source>weights, N</source>
-        <translation type="unfinished"></translation>
+        <translation>веса, Н</translation>
     </message>
     <message>
         <source>masses, kg</source>
-        <translation type="unfinished"></translation>
+        <translation>массы, кг</translation>
     </message>
     <message>
         <source>Given &amp;as</source>
-        <translation type="unfinished"></translation>
+        <translation>З&amp;аданы</translation>
     </message>
     <message>
         <source>The paper gives weights. With masses gravity may be 0: a mechanism that lies flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>В статье даны веса. С массами ускорение может быть 0: механизм лежит горизонтально.</translation>
     </message>
     <message>
         <source>Weights or masses</source>
-        <translation type="unfinished"></translation>
+        <translation>Веса или массы</translation>
     </message>
     <message>
         <source>&amp;Crank radius r</source>
-        <translation type="unfinished"></translation>
+        <translation>Радиус &amp;кривошипа r</translation>
     </message>
     <message>
         <source>From the crank&apos;s axis to the crankpin; the rod is r/λ long. Paper: 50 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>От оси кривошипа до шатунной шейки; длина шатуна r/λ. В статье 50 мм.</translation>
     </message>
     <message>
         <source>Crank radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Радиус кривошипа</translation>
     </message>
     <message>
         <source>exact</source>
-        <translation type="unfinished"></translation>
+        <translation>точная</translation>
     </message>
     <message>
         <source>paper&apos;s series</source>
-        <translation type="unfinished"></translation>
+        <translation>ряд статьи</translation>
     </message>
     <message>
         <source>&amp;Kinematics of M₁₂</source>
-        <translation type="unfinished"></translation>
+        <translation>Кинема&amp;тика M₁₂</translation>
     </message>
     <message>
         <source>The paper&apos;s series for cos ψ is good for small λ only; the exact one needs λ &lt; 1. M and the crank&apos;s guide are always exact.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ряд статьи для cos ψ годится лишь при малых λ; точная требует λ &lt; 1. M и направляющая кривошипа всегда точные.</translation>
     </message>
     <message>
         <source>Kinematics</source>
-        <translation type="unfinished"></translation>
+        <translation>Кинематика</translation>
     </message>
     <message>
         <source>C&amp;rank P₁</source>
-        <translation type="unfinished"></translation>
+        <translation>Кр&amp;ивошип P₁</translation>
     </message>
     <message>
         <source>C&amp;rank m₁</source>
-        <translation type="unfinished"></translation>
+        <translation>Кр&amp;ивошип m₁</translation>
     </message>
     <message>
         <source>The crank is a uniform bar of length r. Paper: 5 N.</source>
-        <translation type="unfinished"></translation>
+        <translation>Кривошип — однородный стержень длины r. В статье 5 Н.</translation>
     </message>
     <message>
         <source>Ro&amp;d P₂</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Шатун P₂</translation>
     </message>
     <message>
         <source>Ro&amp;d m₂</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Шатун m₂</translation>
     </message>
     <message>
         <source>The rod is a uniform bar of length r/λ. Paper: 6.5 N.</source>
-        <translation type="unfinished"></translation>
+        <translation>Шатун — однородный стержень длины r/λ. В статье 6,5 Н.</translation>
     </message>
     <message>
         <source>S&amp;lider P₃</source>
-        <translation type="unfinished"></translation>
+        <translation>П&amp;олзун P₃</translation>
     </message>
     <message>
         <source>S&amp;lider m₃</source>
-        <translation type="unfinished"></translation>
+        <translation>П&amp;олзун m₃</translation>
     </message>
     <message>
         <source>Paper: 6 N.</source>
-        <translation type="unfinished"></translation>
+        <translation>В статье 6 Н.</translation>
     </message>
     <message>
         <source>&amp;Gravity g</source>
-        <translation type="unfinished"></translation>
+        <translation>Ускорение &amp;g</translation>
     </message>
     <message>
         <source>The paper takes 9.82 m/s²; the standard value is 9.80665 m/s².</source>
-        <translation type="unfinished"></translation>
+        <translation>В статье 9,82 м/с²; стандартное значение 9,80665 м/с².</translation>
     </message>
     <message>
         <source>Gravity</source>
-        <translation type="unfinished"></translation>
+        <translation>Ускорение свободного падения</translation>
     </message>
     <message>
         <source>Springs and guides</source>
-        <translation type="unfinished"></translation>
+        <translation>Пружины и направляющие</translation>
     </message>
     <message>
         <source>&amp;Free length ℓ₀</source>
-        <translation type="unfinished"></translation>
+        <translation>Свобо&amp;дная длина ℓ₀</translation>
     </message>
     <message>
         <source>Length of the unloaded spring of the crank&apos;s hinge. Paper: 200 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Длина ненапряжённой пружины шарнира кривошипа. В статье 200 мм.</translation>
     </message>
     <message>
         <source>Free length</source>
-        <translation type="unfinished"></translation>
+        <translation>Свободная длина</translation>
     </message>
     <message>
         <source>keeps the energy</source>
-        <translation type="unfinished"></translation>
+        <translation>хранит энергию</translation>
     </message>
     <message>
         <source>as printed (1)</source>
-        <translation type="unfinished"></translation>
+        <translation>как в (1)</translation>
     </message>
     <message>
         <source>Sign of the g&amp;uide</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Знак направляющей</translation>
     </message>
     <message>
         <source>A spring that keeps the crank&apos;s speed gives out what the mechanism takes up: Π = const − (T + V). Equation (1) as printed has a plus.</source>
-        <translation type="unfinished"></translation>
+        <translation>Пружина, сохраняющая скорость кривошипа, отдаёт то, что поглощает механизм: Π = const − (T + V). В напечатанной формуле (1) стоит плюс.</translation>
     </message>
     <message>
         <source>Sign of the guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Знак направляющей</translation>
     </message>
     <message>
         <source>Own spring for the rod&apos;s &amp;hinge</source>
-        <translation type="unfinished"></translation>
+        <translation>Своя пр&amp;ужина у шатуна</translation>
     </message>
     <message>
         <source>Else the rod&apos;s hinge has the same spring as the crank&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>Иначе у шарнира шатуна такая же пружина, как у кривошипа</translation>
     </message>
     <message>
         <source>Spring of the rod&apos;s hinge</source>
-        <translation type="unfinished"></translation>
+        <translation>Пружина шарнира шатуна</translation>
     </message>
     <message>
         <source>Its &amp;stiffness c</source>
-        <translation type="unfinished"></translation>
+        <translation>Её &amp;жёсткость c</translation>
     </message>
     <message>
         <source>Of the rod hinge&apos;s own spring</source>
-        <translation type="unfinished"></translation>
+        <translation>Собственной пружины шарнира шатуна</translation>
     </message>
     <message>
         <source>Its free length &amp;ℓ₀</source>
-        <translation type="unfinished"></translation>
+        <translation>Её своб. длина &amp;ℓ₀</translation>
     </message>
     <message>
         <source>Its radius ρ&amp;₀</source>
-        <translation type="unfinished"></translation>
+        <translation>Её радиус ρ&amp;₀</translation>
     </message>
     <message>
         <source>Of the rod hinge&apos;s own guide at θ = 0</source>
-        <translation type="unfinished"></translation>
+        <translation>Направляющей самого шарнира шатуна при θ = 0</translation>
     </message>
     <message>
         <source>Counterweight on the rod</source>
-        <translation type="unfinished"></translation>
+        <translation>Противовес на шатуне</translation>
     </message>
     <message>
         <source>Counter&amp;weight beyond the crankpin</source>
-        <translation type="unfinished"></translation>
+        <translation>Противовес за ше&amp;йкой</translation>
     </message>
     <message>
         <source>At the distance ℓ₂ beyond the crankpin (slider above). With the weight of (10) the rod&apos;s hinge makes the side force zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>На расстоянии ℓ₂ за шатунной шейкой (ползунок выше). С весом по (10) шарнир шатуна обращает боковую силу в нуль.</translation>
     </message>
     <message>
         <source>Counterweight</source>
-        <translation type="unfinished"></translation>
+        <translation>Противовес</translation>
     </message>
     <message>
         <source>Weight P&amp;₄</source>
-        <translation type="unfinished"></translation>
+        <translation>Вес P&amp;₄</translation>
     </message>
     <message>
         <source>Mass m&amp;₄</source>
-        <translation type="unfinished"></translation>
+        <translation>Масса m&amp;₄</translation>
     </message>
     <message>
         <source>Empty: solved from (10), P₄ ℓ₂ = (P₃ + P₂/2) ℓ, so that M₁₂ has no mean.</source>
-        <translation type="unfinished"></translation>
+        <translation>Пусто: находится из (10), P₄ ℓ₂ = (P₃ + P₂/2) ℓ, чтобы у M₁₂ не было среднего.</translation>
     </message>
     <message>
         <source>by (10)</source>
-        <translation type="unfinished"></translation>
+        <translation>по (10)</translation>
     </message>
     <message>
         <source>Counterweight P₄</source>
-        <translation type="unfinished"></translation>
+        <translation>Противовес P₄</translation>
     </message>
     <message>
         <source>as printed (9)</source>
-        <translation type="unfinished"></translation>
+        <translation>как в (9)</translation>
     </message>
     <message>
         <source>Newton–Euler</source>
-        <translation type="unfinished"></translation>
+        <translation>Ньютон–Эйлер</translation>
     </message>
     <message>
         <source>&amp;Inertia in M₁₂</source>
-        <translation type="unfinished"></translation>
+        <translation>Инерци&amp;я в M₁₂</translation>
     </message>
     <message>
         <source>Equation (9) as printed has the wrong sign at the counterweight&apos;s inertia forces; with moments about A the side force vanishes.</source>
-        <translation type="unfinished"></translation>
+        <translation>В напечатанной формуле (9) неверен знак сил инерции противовеса; если взять моменты относительно A, боковая сила исчезает.</translation>
     </message>
     <message>
         <source>Counterweight&apos;s inertia</source>
-        <translation type="unfinished"></translation>
+        <translation>Инерция противовеса</translation>
     </message>
     <message>
         <source>Making the guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Изготовление направляющей</translation>
     </message>
     <message>
         <source>Roller radi&amp;us</source>
-        <translation type="unfinished"></translation>
+        <translation>Радиус ро&amp;лика</translation>
     </message>
     <message>
         <source>ρ is the path of the roller&apos;s centre; the profile is offset from it by the roller&apos;s radius. The paper takes 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>ρ — путь центра ролика; профиль отстоит от него на радиус ролика. В статье 0.</translation>
     </message>
     <message>
         <source>Roller radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Радиус ролика</translation>
     </message>
     <message>
         <source>Error &amp;waves</source>
-        <translation type="unfinished"></translation>
+        <translation>Вол&amp;н погрешности</translation>
     </message>
     <message>
         <source>The profile&apos;s error is taken as so many waves in one turn: 1 is a guide out of centre, 2 an oval one. A whole number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Погрешность профиля — столько волн за оборот: 1 — эксцентричность, 2 — овальность. Целое число.</translation>
     </message>
     <message>
         <source>Error waves</source>
-        <translation type="unfinished"></translation>
+        <translation>Волны погрешности</translation>
     </message>
     <message>
         <source>Motion</source>
-        <translation type="unfinished"></translation>
+        <translation>Движение</translation>
     </message>
     <message>
         <source>Tur&amp;ns</source>
-        <translation type="unfinished"></translation>
+        <translation>О&amp;бороты</translation>
     </message>
     <message>
         <source>Turns of the crank to compute</source>
-        <translation type="unfinished"></translation>
+        <translation>Сколько оборотов кривошипа рассчитать</translation>
     </message>
     <message>
         <source>Turns</source>
-        <translation type="unfinished"></translation>
+        <translation>Обороты</translation>
     </message>
     <message>
         <source>Off-design sp&amp;eed</source>
-        <translation type="unfinished"></translation>
+        <translation>Нерасчётная &amp;ω</translation>
     </message>
     <message>
         <source>A start away from the design speed ω, for comparison: the hinge is exact at one speed only. Empty: 1.2 ω.</source>
-        <translation type="unfinished"></translation>
+        <translation>Пуск с другой скорости, для сравнения: шарнир точен только при одной скорости. Пусто: 1,2 ω.</translation>
     </message>
     <message>
         <source>1.2 ω</source>
-        <translation type="unfinished"></translation>
+        <translation>1,2 ω</translation>
     </message>
     <message>
         <source>Off-design speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Нерасчётная скорость</translation>
     </message>
     <message>
         <source>S&amp;tart angle</source>
-        <translation type="unfinished"></translation>
+        <translation>На&amp;чальный угол</translation>
     </message>
     <message>
         <source>Crank angle at which the motion starts</source>
-        <translation type="unfinished"></translation>
+        <translation>Угол кривошипа, с которого начинается движение</translation>
     </message>
     <message>
         <source>Start angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Начальный угол</translation>
     </message>
     <message>
         <source>&amp;Moment on the crank</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Момент на кривошипе</translation>
     </message>
     <message>
         <source>A constant moment that drives the crank; negative brakes it</source>
-        <translation type="unfinished"></translation>
+        <translation>Постоянный момент, вращающий кривошип; отрицательный — тормозит</translation>
     </message>
     <message>
         <source>Moment on the crank</source>
-        <translation type="unfinished"></translation>
+        <translation>Момент на кривошипе</translation>
     </message>
     <message>
         <source>With the profile &amp;error</source>
-        <translation type="unfinished"></translation>
+        <translation>С погр&amp;ешностью профиля</translation>
     </message>
     <message>
         <source>The crank&apos;s guide as it was made, with the waves of the profile error: the crank&apos;s speed then follows them</source>
-        <translation type="unfinished"></translation>
+        <translation>Направляющая кривошипа как изготовлена, с волнами погрешности профиля: скорость кривошипа следует за ними</translation>
     </message>
     <message>
         <source>Profile error in the motion</source>
-        <translation type="unfinished"></translation>
+        <translation>Погрешность профиля в движении</translation>
     </message>
     <message>
         <source>Families of curves</source>
-        <translation type="unfinished"></translation>
+        <translation>Семейства кривых</translation>
     </message>
     <message>
         <source>Crank speeds that the plots compare, rad/s. Paper: 100, 300, 500.</source>
-        <translation type="unfinished"></translation>
+        <translation>Угловые скорости, которые сравнивают графики, рад/с. В статье 100, 300, 500.</translation>
     </message>
     <message>
         <source>Speeds ω, rad/s&amp;;</source>
-        <translation type="unfinished"></translation>
+        <translation>Скорости ω, рад/с&amp;;</translation>
     </message>
     <message>
         <source>λ that the side force is compared for. Paper: 0.3, 0.4, 0.6, 0.8, 1 (1 with the series only).</source>
-        <translation type="unfinished"></translation>
+        <translation>λ, для которых сравнивается боковая сила. В статье 0,3, 0,4, 0,6, 0,8, 1 (1 — только с рядом).</translation>
     </message>
     <message>
         <source>Ratios &amp;λ</source>
-        <translation type="unfinished"></translation>
+        <translation>Отношения &amp;λ</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::HingeMechanismView</name>
     <message>
         <source>Picture of the mechanism with its hinges</source>
-        <translation type="unfinished"></translation>
+        <translation>Рисунок механизма с шарнирами</translation>
     </message>
     <message>
         <source>The mechanism to scale, the guide&apos;s relief enlarged as in the plot. The guide turns with the crank, the spring stands still. Space plays the computed motion in slow motion, dragging turns the crank.</source>
-        <translation type="unfinished"></translation>
+        <translation>Механизм в масштабе, перепад направляющей увеличен, как на графике. Направляющая вращается с кривошипом, пружина неподвижна. Пробел показывает рассчитанное движение замедленно, мышью кривошип поворачивается.</translation>
     </message>
     <message>
         <source>φ = %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>φ = %1°</translation>
     </message>
     <message>
         <source>ω = %1 rad/s</source>
-        <translation type="unfinished"></translation>
+        <translation>ω = %1 рад/с</translation>
     </message>
     <message>
         <source>relief × %1</source>
-        <translation type="unfinished"></translation>
+        <translation>перепад × %1</translation>
     </message>
     <message>
         <source>%1 times slower</source>
-        <translation type="unfinished"></translation>
+        <translation>замедлено в %1 раз</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::HingePlots</name>
     <message>
         <source>What the roller touches: the path of its centre offset by its radius</source>
-        <translation type="unfinished"></translation>
+        <translation>То, чего касается ролик: путь его центра, смещённый на радиус ролика</translation>
     </message>
     <message>
         <source>&amp;Guides</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Направляющие</translation>
     </message>
     <message>
         <source>R&amp;od hinge</source>
-        <translation type="unfinished"></translation>
+        <translation>Шату&amp;н</translation>
     </message>
     <message>
         <source>Sid&amp;e force</source>
-        <translation type="unfinished"></translation>
+        <translation>Бо&amp;ковая сила</translation>
     </message>
     <message>
         <source>Crank &amp;moment</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Момент</translation>
     </message>
     <message>
         <source>Mo&amp;tion</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Движение</translation>
     </message>
     <message>
         <source>φ, °</source>
-        <translation type="unfinished"></translation>
+        <translation>φ, °</translation>
     </message>
     <message>
         <source>crank, for M</source>
-        <translation type="unfinished"></translation>
+        <translation>кривошип, для M</translation>
     </message>
     <message>
         <source>crank, for M₁</source>
-        <translation type="unfinished"></translation>
+        <translation>кривошип, для M₁</translation>
     </message>
     <message>
         <source>rod, for M₁₂</source>
-        <translation type="unfinished"></translation>
+        <translation>шатун, для M₁₂</translation>
     </message>
     <message>
         <source>Which guide is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Какая направляющая показана</translation>
     </message>
     <message>
         <source>The hinge between frame and crank alone (M), the same beside the rod&apos;s hinge (M₁), or the hinge between crank and rod, whose guide goes by θ = φ + ψ</source>
-        <translation type="unfinished"></translation>
+        <translation>Только шарнир между стойкой и кривошипом (M), он же вместе с шарниром шатуна (M₁) или шарнир между кривошипом и шатуном, чья направляющая идёт по θ = φ + ψ</translation>
     </message>
     <message>
         <source>&amp;Relief ×</source>
-        <translation type="unfinished"></translation>
+        <translation>Перепа&amp;д ×</translation>
     </message>
     <message>
         <source>The pictures enlarge the guide&apos;s relief by this factor; 1 is to scale</source>
-        <translation type="unfinished"></translation>
+        <translation>На рисунках перепад направляющей увеличен во столько раз; 1 — в масштабе</translation>
     </message>
     <message>
         <source>a&amp;uto</source>
-        <translation type="unfinished"></translation>
+        <translation>а&amp;вто</translation>
     </message>
     <message>
         <source>Choose the factor by the relief</source>
-        <translation type="unfinished"></translation>
+        <translation>Выбрать увеличение по перепаду</translation>
     </message>
     <message>
         <source>Guides</source>
-        <translation type="unfinished"></translation>
+        <translation>Направляющие</translation>
     </message>
     <message>
         <source>x, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>x, мм</translation>
     </message>
     <message>
         <source>y, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>y, мм</translation>
     </message>
     <message>
         <source>ρ₀</source>
-        <translation type="unfinished"></translation>
+        <translation>ρ₀</translation>
     </message>
     <message>
         <source>ℓ₀ − ρ₀</source>
-        <translation type="unfinished"></translation>
+        <translation>ℓ₀ − ρ₀</translation>
     </message>
     <message>
         <source>compressed</source>
-        <translation type="unfinished"></translation>
+        <translation>сжата</translation>
     </message>
     <message>
         <source>Guide of the compressed spring, minus in (3)</source>
-        <translation type="unfinished"></translation>
+        <translation>Направляющая сжатой пружины, минус в (3)</translation>
     </message>
     <message>
         <source>stretched</source>
-        <translation type="unfinished"></translation>
+        <translation>растянута</translation>
     </message>
     <message>
         <source>Guide of the stretched spring, plus in (3)</source>
-        <translation type="unfinished"></translation>
+        <translation>Направляющая растянутой пружины, плюс в (3)</translation>
     </message>
     <message>
         <source>ρ over the turn, from its value at 0°</source>
-        <translation type="unfinished"></translation>
+        <translation>ρ за оборот, от значения при 0°</translation>
     </message>
     <message>
         <source>M₁₂ and its potential part</source>
-        <translation type="unfinished"></translation>
+        <translation>M₁₂ и его потенциальная часть</translation>
     </message>
     <message>
         <source>N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>Н·м</translation>
     </message>
     <message>
         <source>M₁₂</source>
-        <translation type="unfinished"></translation>
+        <translation>M₁₂</translation>
     </message>
     <message>
         <source>Moment on the rod that makes the side force zero, (4), with a counterweight (9)</source>
-        <translation type="unfinished"></translation>
+        <translation>Момент на шатуне, при котором боковая сила равна нулю, (4), с противовесом (9)</translation>
     </message>
     <message>
         <source>potential part</source>
-        <translation type="unfinished"></translation>
+        <translation>потенц. часть</translation>
     </message>
     <message>
         <source>M₁₂ less its mean, (5)</source>
-        <translation type="unfinished"></translation>
+        <translation>M₁₂ минус его среднее, (5)</translation>
     </message>
     <message>
         <source>series</source>
-        <translation type="unfinished"></translation>
+        <translation>ряд</translation>
     </message>
     <message>
         <source>M₁₂ by the other kinematics, for comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>M₁₂ по другой кинематике, для сравнения</translation>
     </message>
     <message>
         <source>M₁₂ at several ω</source>
-        <translation type="unfinished"></translation>
+        <translation>M₁₂ при нескольких ω</translation>
     </message>
     <message>
         <source>Side force with rod hinge, several λ</source>
-        <translation type="unfinished"></translation>
+        <translation>Боковая сила с шарниром шатуна, несколько λ</translation>
     </message>
     <message>
         <source>N</source>
-        <translation type="unfinished"></translation>
+        <translation>Н</translation>
     </message>
     <message>
         <source>Side force without hinge, several ω</source>
-        <translation type="unfinished"></translation>
+        <translation>Боковая сила без шарнира, несколько ω</translation>
     </message>
     <message>
         <source>10 × with hinge</source>
-        <translation type="unfinished"></translation>
+        <translation>10 × с шарниром</translation>
     </message>
     <message>
         <source>Ten times the side force with the rod&apos;s hinge: the same at every ω</source>
-        <translation type="unfinished"></translation>
+        <translation>Десятикратная боковая сила с шарниром шатуна: одна и та же при любой ω</translation>
     </message>
     <message>
         <source>Moment that keeps the crank&apos;s speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Момент, сохраняющий скорость кривошипа</translation>
     </message>
     <message>
         <source>M</source>
-        <translation type="unfinished"></translation>
+        <translation>M</translation>
     </message>
     <message>
         <source>Without the rod&apos;s hinge, d(T + V)/dφ</source>
-        <translation type="unfinished"></translation>
+        <translation>Без шарнира шатуна, d(T + V)/dφ</translation>
     </message>
     <message>
         <source>M₁</source>
-        <translation type="unfinished"></translation>
+        <translation>M₁</translation>
     </message>
     <message>
         <source>With the rod&apos;s hinge, M + M₁₂ (1 + ψ′), (8); with a counterweight M₁*, (11)</source>
-        <translation type="unfinished"></translation>
+        <translation>С шарниром шатуна, M + M₁₂ (1 + ψ′), (8); с противовесом M₁*, (11)</translation>
     </message>
     <message>
         <source>M₁ at several ω</source>
-        <translation type="unfinished"></translation>
+        <translation>M₁ при нескольких ω</translation>
     </message>
     <message>
         <source>Crank speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Угловая скорость кривошипа</translation>
     </message>
     <message>
         <source>turns</source>
-        <translation type="unfinished"></translation>
+        <translation>обороты</translation>
     </message>
     <message>
         <source>rad/s</source>
-        <translation type="unfinished"></translation>
+        <translation>рад/с</translation>
     </message>
     <message>
         <source>without hinge</source>
-        <translation type="unfinished"></translation>
+        <translation>без шарнира</translation>
     </message>
     <message>
         <source>The bare mechanism, from the design speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Механизм без шарниров, с расчётной скорости</translation>
     </message>
     <message>
         <source>crank hinge</source>
-        <translation type="unfinished"></translation>
+        <translation>шарнир кривошипа</translation>
     </message>
     <message>
         <source>With the crank&apos;s hinge, from the design speed</source>
-        <translation type="unfinished"></translation>
+        <translation>С шарниром кривошипа, с расчётной скорости</translation>
     </message>
     <message>
         <source>both hinges</source>
-        <translation type="unfinished"></translation>
+        <translation>оба шарнира</translation>
     </message>
     <message>
         <source>With the rod&apos;s hinge and the crank&apos;s beside it, from the design speed</source>
-        <translation type="unfinished"></translation>
+        <translation>С шарниром шатуна и рядом с ним шарниром кривошипа, с расчётной скорости</translation>
     </message>
     <message>
         <source>off design</source>
-        <translation type="unfinished"></translation>
+        <translation>вне расчёта</translation>
     </message>
     <message>
         <source>With the crank&apos;s hinge, from another speed: the hinge is exact at one speed only</source>
-        <translation type="unfinished"></translation>
+        <translation>С шарниром кривошипа, с другой скорости: шарнир точен только при одной</translation>
     </message>
     <message>
         <source>Part of the motion computed</source>
-        <translation type="unfinished"></translation>
+        <translation>Рассчитанная часть движения</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Отмена</translation>
     </message>
     <message>
         <source>Stop computing the motion</source>
-        <translation type="unfinished"></translation>
+        <translation>Прекратить расчёт движения</translation>
     </message>
     <message>
         <source>Guides, to scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Направляющие в масштабе</translation>
     </message>
     <message>
         <source>Guides, relief × %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Направляющие, перепад × %1</translation>
     </message>
     <message>
         <source>profile</source>
-        <translation type="unfinished"></translation>
+        <translation>профиль</translation>
     </message>
     <message>
         <source>ρ − ρ(0), µm</source>
-        <translation type="unfinished"></translation>
+        <translation>ρ − ρ(0), мкм</translation>
     </message>
     <message>
         <source>ρ − ρ(0), mm</source>
-        <translation type="unfinished"></translation>
+        <translation>ρ − ρ(0), мм</translation>
     </message>
     <message>
         <source>no guide</source>
-        <translation type="unfinished"></translation>
+        <translation>нет направляющей</translation>
     </message>
     <message>
         <source>exact</source>
-        <translation type="unfinished"></translation>
+        <translation>точно</translation>
     </message>
     <message>
         <source>%1 rad/s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 рад/с</translation>
     </message>
     <message>
         <source>M₁*</source>
-        <translation type="unfinished"></translation>
+        <translation>M₁*</translation>
     </message>
     <message>
         <source>M₁* at several ω</source>
-        <translation type="unfinished"></translation>
+        <translation>M₁* при нескольких ω</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::InertiaMomentsPage</name>
     <message>
         <source>&amp;Play</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Пуск</translation>
     </message>
     <message>
         <source>Turn the crank</source>
-        <translation type="unfinished"></translation>
+        <translation>Вращать вал</translation>
     </message>
     <message>
         <source>&amp;Shafts on or off</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Валы вкл/выкл</translation>
     </message>
     <message>
         <source>Switch all balance shafts on, or off when all are on</source>
-        <translation type="unfinished"></translation>
+        <translation>Включить все балансирные валы или выключить, когда все включены</translation>
     </message>
     <message>
         <source>All shafts off</source>
-        <translation type="unfinished"></translation>
+        <translation>Все валы выключены</translation>
     </message>
     <message>
         <source>All shafts on</source>
-        <translation type="unfinished"></translation>
+        <translation>Все валы включены</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Пауза</translation>
     </message>
     <message>
         <source>Pause (Space)</source>
-        <translation type="unfinished"></translation>
+        <translation>Пауза (пробел)</translation>
     </message>
     <message>
         <source>Play (Space)</source>
-        <translation type="unfinished"></translation>
+        <translation>Пуск (пробел)</translation>
     </message>
     <message>
         <source>Engine</source>
-        <translation type="unfinished">Двигатель</translation>
+        <translation>Двигатель</translation>
     </message>
     <message>
         <source>Cylinders</source>
-        <translation type="unfinished"></translation>
+        <translation>Цилиндры</translation>
     </message>
     <message>
         <source>Balancing</source>
-        <translation type="unfinished"></translation>
+        <translation>Баланс</translation>
     </message>
     <message>
         <source>Layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Компоновка</translation>
     </message>
     <message>
         <source>Cylinder la&amp;yout</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Компоновка</translation>
     </message>
     <message>
         <source>A layout of the library, the paper&apos;s engine, or your own table</source>
-        <translation type="unfinished"></translation>
+        <translation>Компоновка из списка, двигатель статьи или ваша таблица</translation>
     </message>
     <message>
         <source>&amp;Firing order</source>
-        <translation type="unfinished"></translation>
+        <translation>Порядок ра&amp;боты</translation>
     </message>
     <message>
         <source>Numbers of the cylinders, for example 1-2-4-5-3. Layouts with crankpins for even firing follow it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Номера цилиндров, например 1-2-4-5-3. Компоновки с шейками для равномерного чередования вспышек следуют ему.</translation>
     </message>
     <message>
         <source>&amp;Spacing a</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Шаг a</translation>
     </message>
     <message>
         <source>Between neighbouring crankpins (in V engines: throws) along the crank. Volkswagen VR5: 63 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Между соседними шатунными шейками (в V-образных — коленами) вдоль вала. Volkswagen VR5: 63 мм.</translation>
     </message>
     <message>
         <source>Spacing</source>
-        <translation type="unfinished"></translation>
+        <translation>Шаг</translation>
     </message>
     <message>
         <source>Sta&amp;gger</source>
-        <translation type="unfinished"></translation>
+        <translation>Смещение ря&amp;дов</translation>
     </message>
     <message>
         <source>From bank 1&apos;s cylinder to bank 2&apos;s at the same throw, along the crank. 0 where the rods are forked.</source>
-        <translation type="unfinished"></translation>
+        <translation>От цилиндра ряда 1 до цилиндра ряда 2 на том же колене, вдоль вала. 0 при вильчатых шатунах.</translation>
     </message>
     <message>
         <source>Stagger</source>
-        <translation type="unfinished"></translation>
+        <translation>Смещение рядов</translation>
     </message>
     <message>
         <source>&amp;Position of cylinder 1</source>
-        <translation type="unfinished"></translation>
+        <translation>П&amp;оложение цилиндра 1</translation>
     </message>
     <message>
         <source>Axial position z of cylinder 1. Volkswagen VR5: 3 a + l_cm = 204.8 mm, with the centre of mass at z = 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Положение z цилиндра 1 вдоль вала. Volkswagen VR5: 3 a + l_цм = 204,8 мм, центр масс при z = 0.</translation>
     </message>
     <message>
         <source>Position of cylinder 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Положение цилиндра 1</translation>
     </message>
     <message>
         <source>Crank gear</source>
-        <translation type="unfinished"></translation>
+        <translation>Кривошипно-шатунный механизм</translation>
     </message>
     <message>
         <source>&amp;Crank radius R</source>
-        <translation type="unfinished"></translation>
+        <translation>Радиус кривошип&amp;а R</translation>
     </message>
     <message>
         <source>Half the stroke (a little less with offset). Volkswagen VR5: 45 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Половина хода (с дезаксажем чуть меньше). Volkswagen VR5: 45 мм.</translation>
     </message>
     <message>
         <source>Crank radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Радиус кривошипа</translation>
     </message>
     <message>
         <source>&amp;λ = R / L</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;λ = R / L</translation>
     </message>
     <message>
         <source>Crank radius over rod length. Volkswagen VR5: 0.265. The crank turns where λ (1 + |e|/R) &lt; 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Радиус кривошипа к длине шатуна. Volkswagen VR5: 0,265. Вал проворачивается, если λ (1 + |e|/R) &lt; 1.</translation>
     </message>
     <message>
         <source>λ</source>
-        <translation type="unfinished"></translation>
+        <translation>λ</translation>
     </message>
     <message>
         <source>Rod length L</source>
-        <translation type="unfinished"></translation>
+        <translation>Длина шатуна L</translation>
     </message>
     <message>
         <source>R / λ</source>
-        <translation type="unfinished"></translation>
+        <translation>R / λ</translation>
     </message>
     <message>
         <source>φ at TDC</source>
-        <translation type="unfinished"></translation>
+        <translation>φ в ВМТ</translation>
     </message>
     <message>
         <source>Top dead centre: arcsin(λK/(1 + λ)), from the cylinder&apos;s axis on the side of its offset. Volkswagen VR5: 3°20′.</source>
-        <translation type="unfinished"></translation>
+        <translation>Верхняя мёртвая точка: arcsin(λK/(1 + λ)), от оси цилиндра в сторону её смещения. Volkswagen VR5: 3°20′.</translation>
     </message>
     <message>
         <source>Re&amp;ciprocating mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Поступательная &amp;масса</translation>
     </message>
     <message>
         <source>Of one cylinder: piston with pin and rings, and the rod&apos;s share unless the rod is a rigid body below. Volkswagen VR5: 0.622 kg.</source>
-        <translation type="unfinished"></translation>
+        <translation>Одного цилиндра: поршень с пальцем и кольцами и доля шатуна, если шатун ниже не задан твёрдым телом. Volkswagen VR5: 0,622 кг.</translation>
     </message>
     <message>
         <source>Reciprocating mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Поступательная масса</translation>
     </message>
     <message>
         <source>R&amp;otating mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Вра&amp;щающаяся масса</translation>
     </message>
     <message>
         <source>Of one throw, reduced to the crank radius: unbalanced part of the throw and the rod&apos;s share unless the rod is a rigid body.</source>
-        <translation type="unfinished"></translation>
+        <translation>Одного колена, приведённая к радиусу кривошипа: неуравновешенная часть колена и доля шатуна, если шатун не задан твёрдым телом.</translation>
     </message>
     <message>
         <source>Rotating mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Вращающаяся масса</translation>
     </message>
     <message>
         <source>&amp;Rod as a rigid body</source>
-        <translation type="unfinished"></translation>
+        <translation>Шатун — &amp;твёрдое тело</translation>
     </message>
     <message>
         <source>Off: the rod&apos;s two shares are in the masses above. On: mass, centre and inertia are given; its shares are added, and what its inertia differs from two masses acts on roll moment and torque.</source>
-        <translation type="unfinished"></translation>
+        <translation>Выкл.: обе доли шатуна входят в массы выше. Вкл.: заданы масса, центр и момент инерции; доли добавляются, а отличие момента инерции от двух масс действует на опрокидывающий и крутящий моменты.</translation>
     </message>
     <message>
         <source>Rigid rod</source>
-        <translation type="unfinished"></translation>
+        <translation>Шатун — твёрдое тело</translation>
     </message>
     <message>
         <source>Rod</source>
-        <translation type="unfinished"></translation>
+        <translation>Шатун</translation>
     </message>
     <message>
         <source>Rod &amp;mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Масса шат&amp;уна</translation>
     </message>
     <message>
         <source>Whole rod</source>
-        <translation type="unfinished"></translation>
+        <translation>Всего шатуна</translation>
     </message>
     <message>
         <source>Centre from &amp;big end</source>
-        <translation type="unfinished"></translation>
+        <translation>Центр от &amp;нижней головки</translation>
     </message>
     <message>
         <source>Centre of mass, from the big end towards the small end</source>
-        <translation type="unfinished"></translation>
+        <translation>Центр масс, от нижней (кривошипной) головки к верхней</translation>
     </message>
     <message>
         <source>&amp;Inertia</source>
-        <translation type="unfinished"></translation>
+        <translation>Момент &amp;инерции</translation>
     </message>
     <message>
         <source>About its centre of mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Относительно центра масс</translation>
     </message>
     <message>
         <source>Balance shafts</source>
-        <translation type="unfinished"></translation>
+        <translation>Балансирные валы</translation>
     </message>
     <message>
         <source>exact orders</source>
-        <translation type="unfinished"></translation>
+        <translation>точные порядки</translation>
     </message>
     <message>
         <source>two-term form</source>
-        <translation type="unfinished"></translation>
+        <translation>два члена</translation>
     </message>
     <message>
         <source>&amp;Designed for</source>
-        <translation type="unfinished"></translation>
+        <translation>Рассчитаны &amp;для</translation>
     </message>
     <message>
         <source>The paper designs its shafts for the two-term form; what they leave of the exact order is then what the two-term form leaves out.</source>
-        <translation type="unfinished"></translation>
+        <translation>В статье валы рассчитаны по двучленной формуле; их остаток от точного порядка — то, что двучленная формула отбрасывает.</translation>
     </message>
     <message>
         <source>Design of the shafts</source>
-        <translation type="unfinished"></translation>
+        <translation>Расчёт валов</translation>
     </message>
     <message>
         <source>k order, L distance of the weights (mm), ρ their radius (mm), δ error of phase (°)</source>
-        <translation type="unfinished"></translation>
+        <translation>k — порядок, L — расстояние между грузами (мм), ρ — их радиус (мм), δ — ошибка фазы (°)</translation>
     </message>
     <message>
         <source>&amp;Add shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>До&amp;бавить вал</translation>
     </message>
     <message>
         <source>&amp;Counterweights on the end webs</source>
-        <translation type="unfinished"></translation>
+        <translation>Противовесы на крайних &amp;щеках</translation>
     </message>
     <message>
         <source>Two weights that cancel force and moment of the rotating masses, and a share of the forward part of the first order</source>
-        <translation type="unfinished"></translation>
+        <translation>Два груза, гасящие силу и момент вращающихся масс и долю прямой части первого порядка</translation>
     </message>
     <message>
         <source>Counterweights</source>
-        <translation type="unfinished"></translation>
+        <translation>Противовесы</translation>
     </message>
     <message>
         <source>&amp;Front web at z</source>
-        <translation type="unfinished"></translation>
+        <translation>Передняя щека, &amp;z</translation>
     </message>
     <message>
         <source>Axial position of the front weight</source>
-        <translation type="unfinished"></translation>
+        <translation>Положение переднего груза вдоль вала</translation>
     </message>
     <message>
         <source>Front &amp;radius ρ</source>
-        <translation type="unfinished"></translation>
+        <translation>П&amp;ередний радиус ρ</translation>
     </message>
     <message>
         <source>Of the front weight&apos;s centre of mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Центра масс переднего груза</translation>
     </message>
     <message>
         <source>R&amp;ear web at z</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Задняя щека, z</translation>
     </message>
     <message>
         <source>Axial position of the rear weight</source>
-        <translation type="unfinished"></translation>
+        <translation>Положение заднего груза вдоль вала</translation>
     </message>
     <message>
         <source>Rear ra&amp;dius ρ</source>
-        <translation type="unfinished"></translation>
+        <translation>З&amp;адний радиус ρ</translation>
     </message>
     <message>
         <source>Of the rear weight&apos;s centre of mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Центра масс заднего груза</translation>
     </message>
     <message>
         <source>&amp;Share of order 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Дол&amp;я 1-го порядка</translation>
     </message>
     <message>
         <source>Of the forward part of the reciprocating first order; 1 in a cross-plane V8 cancels it wholly, in a single it is the balance for half the reciprocating mass.</source>
-        <translation type="unfinished"></translation>
+        <translation>Прямой части первого порядка поступательных масс; 1 в V8 с крестообразным валом гасит её целиком, в одноцилиндровом уравновешивает половину поступательной массы.</translation>
     </message>
     <message>
         <source>Bank an&amp;gle γ</source>
-        <translation type="unfinished"></translation>
+        <translation>Угол развала &amp;γ</translation>
     </message>
     <message>
         <source>Between the banks, 0 to 180°. Crankpins for even firing follow it; those of a table stay, and its bank angles are scaled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Между рядами, от 0 до 180°. Шейки для равномерного чередования вспышек следуют ему; шейки таблицы остаются, а её углы рядов меняются пропорционально.</translation>
     </message>
     <message>
         <source>O&amp;ffset e</source>
-        <translation type="unfinished"></translation>
+        <translation>Дезакса&amp;ж e</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished">мм</translation>
+        <translation>мм</translation>
     </message>
     <message>
         <source>Distance of the cylinder axes from the crank axis, as far as the mechanism does not lock. Of a table: the largest; the others are scaled with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Расстояние осей цилиндров от оси вала, пока механизм не заклинивает. В таблице — наибольшее; остальные меняются пропорционально.</translation>
     </message>
     <message>
         <source>Speed &amp;n</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Частота n</translation>
     </message>
     <message>
         <source>min⁻¹</source>
-        <translation type="unfinished">мин⁻¹</translation>
+        <translation>мин⁻¹</translation>
     </message>
     <message>
         <source>Crankshaft speed; forces and moments grow with its square.</source>
-        <translation type="unfinished"></translation>
+        <translation>Частота вращения; силы и моменты растут как её квадрат.</translation>
     </message>
     <message>
         <source>Centre of mass &amp;z</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Центр масс z</translation>
     </message>
     <message>
         <source>Axial position of the point that moments refer to, in the coordinates of the cylinders; positive towards cylinder 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Положение вдоль вала точки, относительно которой берутся моменты, в координатах цилиндров; положительное в сторону цилиндра 1.</translation>
     </message>
     <message>
         <source>Order 1</source>
-        <translation type="unfinished"></translation>
+        <translation>1-й порядок</translation>
     </message>
     <message>
         <source>Order 2</source>
-        <translation type="unfinished"></translation>
+        <translation>2-й порядок</translation>
     </message>
     <message>
         <source>φ, °</source>
-        <translation type="unfinished"></translation>
+        <translation>φ, °</translation>
     </message>
     <message>
         <source>M, N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>M, Н·м</translation>
     </message>
     <message>
         <source>My 2-term</source>
-        <translation type="unfinished"></translation>
+        <translation>My, 2 члена</translation>
     </message>
     <message>
         <source>Vertical plane, the paper&apos;s formulas (1) and (2), Fig. 6</source>
-        <translation type="unfinished"></translation>
+        <translation>Вертикальная плоскость, формулы статьи (1) и (2), рис. 6</translation>
     </message>
     <message>
         <source>Mx 2-term</source>
-        <translation type="unfinished"></translation>
+        <translation>Mx, 2 члена</translation>
     </message>
     <message>
         <source>Horizontal plane, the paper&apos;s formulas (3) and (4), Fig. 6</source>
-        <translation type="unfinished"></translation>
+        <translation>Горизонтальная плоскость, формулы статьи (3) и (4), рис. 6</translation>
     </message>
     <message>
         <source>My</source>
-        <translation type="unfinished"></translation>
+        <translation>My</translation>
     </message>
     <message>
         <source>In the vertical plane, exact</source>
-        <translation type="unfinished"></translation>
+        <translation>В вертикальной плоскости, точно</translation>
     </message>
     <message>
         <source>Mx</source>
-        <translation type="unfinished"></translation>
+        <translation>Mx</translation>
     </message>
     <message>
         <source>In the horizontal plane, exact</source>
-        <translation type="unfinished"></translation>
+        <translation>В горизонтальной плоскости, точно</translation>
     </message>
     <message>
         <source>My left</source>
-        <translation type="unfinished"></translation>
+        <translation>My остаток</translation>
     </message>
     <message>
         <source>Vertical plane, with rotating masses and with the counterweights and shafts that are on</source>
-        <translation type="unfinished"></translation>
+        <translation>Вертикальная плоскость, с вращающимися массами и включёнными противовесами и валами</translation>
     </message>
     <message>
         <source>Mx left</source>
-        <translation type="unfinished"></translation>
+        <translation>Mx остаток</translation>
     </message>
     <message>
         <source>Horizontal plane, likewise</source>
-        <translation type="unfinished"></translation>
+        <translation>Горизонтальная плоскость, так же</translation>
     </message>
     <message>
         <source>Forces</source>
-        <translation type="unfinished"></translation>
+        <translation>Силы</translation>
     </message>
     <message>
         <source>Moments</source>
-        <translation type="unfinished"></translation>
+        <translation>Моменты</translation>
     </message>
     <message>
         <source>Fx, N</source>
-        <translation type="unfinished"></translation>
+        <translation>Fx, Н</translation>
     </message>
     <message>
         <source>Mx, N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>Mx, Н·м</translation>
     </message>
     <message>
         <source>Fy, N</source>
-        <translation type="unfinished"></translation>
+        <translation>Fy, Н</translation>
     </message>
     <message>
         <source>My, N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>My, Н·м</translation>
     </message>
     <message>
         <source>1st</source>
-        <translation type="unfinished"></translation>
+        <translation>1-й</translation>
     </message>
     <message>
         <source>Exact first order (Fig. 5)</source>
-        <translation type="unfinished"></translation>
+        <translation>Точный первый порядок (рис. 5)</translation>
     </message>
     <message>
         <source>2nd</source>
-        <translation type="unfinished"></translation>
+        <translation>2-й</translation>
     </message>
     <message>
         <source>Exact second order (Fig. 5)</source>
-        <translation type="unfinished"></translation>
+        <translation>Точный второй порядок (рис. 5)</translation>
     </message>
     <message>
         <source>all</source>
-        <translation type="unfinished"></translation>
+        <translation>все</translation>
     </message>
     <message>
         <source>All orders of the reciprocating parts</source>
-        <translation type="unfinished"></translation>
+        <translation>Все порядки возвратно-поступательно движущихся масс</translation>
     </message>
     <message>
         <source>left</source>
-        <translation type="unfinished"></translation>
+        <translation>остаток</translation>
     </message>
     <message>
         <source>All orders with rotating masses, and with the counterweights and shafts that are on</source>
-        <translation type="unfinished"></translation>
+        <translation>Все порядки с вращающимися массами и включёнными противовесами и валами</translation>
     </message>
     <message>
         <source>Hodographs</source>
-        <translation type="unfinished"></translation>
+        <translation>Годографы</translation>
     </message>
     <message>
         <source>&amp;logarithmic</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;логарифм.</translation>
     </message>
     <message>
         <source>Six decades, so that the high orders can be seen</source>
-        <translation type="unfinished"></translation>
+        <translation>Шесть декад, чтобы были видны высокие порядки</translation>
     </message>
     <message>
         <source>Orders</source>
-        <translation type="unfinished"></translation>
+        <translation>Порядки</translation>
     </message>
     <message>
         <source>Roll moment on the engine</source>
-        <translation type="unfinished"></translation>
+        <translation>Опрокидывающий момент двигателя</translation>
     </message>
     <message>
         <source>N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>Н·м</translation>
     </message>
     <message>
         <source>Mz</source>
-        <translation type="unfinished"></translation>
+        <translation>Mz</translation>
     </message>
     <message>
         <source>Roll moment on the engine: the sum of the two</source>
-        <translation type="unfinished"></translation>
+        <translation>Опрокидывающий момент двигателя: сумма двух</translation>
     </message>
     <message>
         <source>of offsets and rods</source>
-        <translation type="unfinished"></translation>
+        <translation>смещений и шатунов</translation>
     </message>
     <message>
         <source>Moment of the inertia forces about the crank axis: −Σ e F and the couples of rigid rods</source>
-        <translation type="unfinished"></translation>
+        <translation>Момент сил инерции относительно оси вала: −Σ e F и пары твёрдых шатунов</translation>
     </message>
     <message>
         <source>reaction torque</source>
-        <translation type="unfinished"></translation>
+        <translation>реакция</translation>
     </message>
     <message>
         <source>Reaction of the inertia torque on the crank, −Σ F ds/dφ</source>
-        <translation type="unfinished"></translation>
+        <translation>Реакция инерционного крутящего момента, −Σ F ds/dφ</translation>
     </message>
     <message>
         <source>Roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Опрокид.</translation>
     </message>
     <message>
         <source>Shafts</source>
-        <translation type="unfinished"></translation>
+        <translation>Валы</translation>
     </message>
     <message>
         <source>Firing</source>
-        <translation type="unfinished"></translation>
+        <translation>Вспышки</translation>
     </message>
     <message>
         <source>Play or pause the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Пуск или пауза рисунка</translation>
     </message>
     <message>
         <source>&amp;φ</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;φ</translation>
     </message>
     <message>
         <source>Crank angle of the picture, from cylinder 1&apos;s axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Угол кривошипа на рисунке, от оси цилиндра 1</translation>
     </message>
     <message>
         <source>Amplitudes and phases by order and plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Амплитуды и фазы по порядкам и плоскостям</translation>
     </message>
     <message>
         <source>±kω</source>
-        <translation type="unfinished"></translation>
+        <translation>±kω</translation>
     </message>
     <message>
         <source>Forward and backward rotating parts by order</source>
-        <translation type="unfinished"></translation>
+        <translation>Прямые и обратные вращающиеся части по порядкам</translation>
     </message>
     <message>
         <source>Weights</source>
-        <translation type="unfinished"></translation>
+        <translation>Грузы</translation>
     </message>
     <message>
         <source>Rotating masses and counterweights</source>
-        <translation type="unfinished"></translation>
+        <translation>Вращающиеся массы и противовесы</translation>
     </message>
     <message>
         <source>Left</source>
-        <translation type="unfinished"></translation>
+        <translation>Остаток</translation>
     </message>
     <message>
         <source>What is left over, by order</source>
-        <translation type="unfinished"></translation>
+        <translation>Что остаётся, по порядкам</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> мм</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::InertiaMomentsViewModel</name>
     <message>
         <source>Single</source>
-        <translation type="unfinished"></translation>
+        <translation>Одноцилиндровый</translation>
     </message>
     <message>
         <source>In-line 2, 180°</source>
-        <translation type="unfinished"></translation>
+        <translation>Рядный 2, 180°</translation>
     </message>
     <message>
         <source>In-line 2, 360°</source>
-        <translation type="unfinished"></translation>
+        <translation>Рядный 2, 360°</translation>
     </message>
     <message>
         <source>In-line 3</source>
-        <translation type="unfinished"></translation>
+        <translation>Рядный 3</translation>
     </message>
     <message>
         <source>In-line 4</source>
-        <translation type="unfinished"></translation>
+        <translation>Рядный 4</translation>
     </message>
     <message>
         <source>In-line 5</source>
-        <translation type="unfinished"></translation>
+        <translation>Рядный 5</translation>
     </message>
     <message>
         <source>In-line 6</source>
-        <translation type="unfinished"></translation>
+        <translation>Рядный 6</translation>
     </message>
     <message>
         <source>V-twin 45°</source>
-        <translation type="unfinished"></translation>
+        <translation>V2 45°</translation>
     </message>
     <message>
         <source>V-twin 60°</source>
-        <translation type="unfinished"></translation>
+        <translation>V2 60°</translation>
     </message>
     <message>
         <source>V-twin 90°</source>
-        <translation type="unfinished"></translation>
+        <translation>V2 90°</translation>
     </message>
     <message>
         <source>V6 60°, split pins</source>
-        <translation type="unfinished"></translation>
+        <translation>V6 60°, смещённые шейки</translation>
     </message>
     <message>
         <source>V6 90°, split pins</source>
-        <translation type="unfinished"></translation>
+        <translation>V6 90°, смещённые шейки</translation>
     </message>
     <message>
         <source>V8, cross-plane</source>
-        <translation type="unfinished"></translation>
+        <translation>V8, крестообразный вал</translation>
     </message>
     <message>
         <source>V8, flat-plane</source>
-        <translation type="unfinished"></translation>
+        <translation>V8, плоский вал</translation>
     </message>
     <message>
         <source>Flat twin</source>
-        <translation type="unfinished"></translation>
+        <translation>Оппозитный 2</translation>
     </message>
     <message>
         <source>Flat 4</source>
-        <translation type="unfinished"></translation>
+        <translation>Оппозитный 4</translation>
     </message>
     <message>
         <source>Flat 6</source>
-        <translation type="unfinished"></translation>
+        <translation>Оппозитный 6</translation>
     </message>
     <message>
         <source>VR5</source>
-        <translation type="unfinished"></translation>
+        <translation>VR5</translation>
     </message>
     <message>
         <source>VR6</source>
-        <translation type="unfinished"></translation>
+        <translation>VR6</translation>
     </message>
     <message>
         <source>W12</source>
-        <translation type="unfinished"></translation>
+        <translation>W12</translation>
     </message>
     <message>
         <source>Open case</source>
-        <translation type="unfinished">Открытие задачи</translation>
+        <translation>Открытие задачи</translation>
     </message>
     <message>
         <source>New case</source>
-        <translation type="unfinished">Новая задача</translation>
+        <translation>Новая задача</translation>
     </message>
     <message>
         <source>Cylinder %1 cannot be joined: its rod reaches the piston at no crank angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Цилиндр %1 собрать нельзя: его шатун не достаёт до поршня ни при каком угле кривошипа.</translation>
     </message>
     <message>
         <source>The mechanism of cylinder %1 locks with its crank at %2° turning forward and at %3° turning back, from the cylinder&apos;s axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Механизм цилиндра %1 заклинивает при угле кривошипа %2° при вращении вперёд и %3° назад, от оси цилиндра.</translation>
     </message>
     <message>
         <source>Own table</source>
-        <translation type="unfinished"></translation>
+        <translation>Своя таблица</translation>
     </message>
     <message>
         <source>VR%1</source>
-        <translation type="unfinished"></translation>
+        <translation>VR%1</translation>
     </message>
     <message>
         <source>Layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Компоновка</translation>
     </message>
     <message>
         <source>Even firing needs a firing order.</source>
-        <translation type="unfinished"></translation>
+        <translation>Для равномерного чередования нужен порядок работы.</translation>
     </message>
     <message>
         <source>Even firing</source>
-        <translation type="unfinished"></translation>
+        <translation>Равномерное чередование</translation>
     </message>
     <message>
         <source>The firing order must name each cylinder from 1 to %1 once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Порядок работы должен назвать каждый цилиндр от 1 до %1 один раз.</translation>
     </message>
     <message>
         <source>Firing order</source>
-        <translation type="unfinished"></translation>
+        <translation>Порядок работы</translation>
     </message>
     <message>
         <source>Bank angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Угол развала</translation>
     </message>
     <message>
         <source>Offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Дезаксаж</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Частота вращения</translation>
     </message>
     <message>
         <source>Centre of mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Центр масс</translation>
     </message>
     <message>
         <source>Add shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>Добавление вала</translation>
     </message>
     <message>
         <source>Remove shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>Удаление вала</translation>
     </message>
     <message>
         <source>Shaft on</source>
-        <translation type="unfinished"></translation>
+        <translation>Вал включён</translation>
     </message>
     <message>
         <source>Shaft off</source>
-        <translation type="unfinished"></translation>
+        <translation>Вал выключен</translation>
     </message>
     <message>
         <source>F</source>
-        <translation type="unfinished"></translation>
+        <translation>F</translation>
     </message>
     <message>
         <source>M</source>
-        <translation type="unfinished"></translation>
+        <translation>M</translation>
     </message>
     <message>
         <source>N; N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>Н; Н·м</translation>
     </message>
     <message>
         <source>exact</source>
-        <translation type="unfinished"></translation>
+        <translation>точно</translation>
     </message>
     <message>
         <source>phase, °</source>
-        <translation type="unfinished"></translation>
+        <translation>фаза, °</translation>
     </message>
     <message>
         <source>two-term</source>
-        <translation type="unfinished"></translation>
+        <translation>2 члена</translation>
     </message>
     <message>
         <source>diff., %</source>
-        <translation type="unfinished"></translation>
+        <translation>откл., %</translation>
     </message>
     <message>
         <source>+kω</source>
-        <translation type="unfinished"></translation>
+        <translation>+kω</translation>
     </message>
     <message>
         <source>at, °</source>
-        <translation type="unfinished"></translation>
+        <translation>угол, °</translation>
     </message>
     <message>
         <source>−kω</source>
-        <translation type="unfinished"></translation>
+        <translation>−kω</translation>
     </message>
     <message>
         <source>Shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>Вал</translation>
     </message>
     <message>
         <source>cancels</source>
-        <translation type="unfinished"></translation>
+        <translation>гасит</translation>
     </message>
     <message>
         <source>mρ, g·mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mρ, г·мм</translation>
     </message>
     <message>
         <source>left</source>
-        <translation type="unfinished"></translation>
+        <translation>остаток</translation>
     </message>
     <message>
         <source>Rotating masses</source>
-        <translation type="unfinished"></translation>
+        <translation>Вращающиеся массы</translation>
     </message>
     <message>
         <source>value</source>
-        <translation type="unfinished"></translation>
+        <translation>значение</translation>
     </message>
     <message>
         <source>angle, °</source>
-        <translation type="unfinished">угол, °</translation>
+        <translation>угол, °</translation>
     </message>
     <message>
         <source>lag, °</source>
-        <translation type="unfinished"></translation>
+        <translation>отст., °</translation>
     </message>
     <message>
         <source>Force, N</source>
-        <translation type="unfinished"></translation>
+        <translation>Сила, Н</translation>
     </message>
     <message>
         <source>Moment, N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>Момент, Н·м</translation>
     </message>
     <message>
         <source>against the force</source>
-        <translation type="unfinished"></translation>
+        <translation>против силы</translation>
     </message>
     <message>
         <source>against the moment</source>
-        <translation type="unfinished"></translation>
+        <translation>против момента</translation>
     </message>
     <message>
         <source>, g·mm</source>
-        <translation type="unfinished"></translation>
+        <translation>, г·мм</translation>
     </message>
     <message>
         <source>, g</source>
-        <translation type="unfinished"></translation>
+        <translation>, г</translation>
     </message>
     <message>
         <source>Front web</source>
-        <translation type="unfinished"></translation>
+        <translation>Передняя щека</translation>
     </message>
     <message>
         <source>Rear web</source>
-        <translation type="unfinished"></translation>
+        <translation>Задняя щека</translation>
     </message>
     <message>
         <source>before</source>
-        <translation type="unfinished">до</translation>
+        <translation>до</translation>
     </message>
     <message>
         <source>left, %</source>
-        <translation type="unfinished"></translation>
+        <translation>ост., %</translation>
     </message>
     <message>
         <source>A mechanism is so near locking that the exact orders are less accurate than usual.</source>
-        <translation type="unfinished"></translation>
+        <translation>Механизм так близок к заклиниванию, что точные порядки менее точны, чем обычно.</translation>
     </message>
     <message numerus="yes">
         <source>and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>и ещё %n</numerusform>
+            <numerusform>и ещё %n</numerusform>
+            <numerusform>и ещё %n</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 left out (%2 % of the largest)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 отброшен (%2 % наибольшего)</translation>
     </message>
     <message>
         <source>%1 %2 % off</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: ошибка %2 %</translation>
     </message>
     <message>
         <source>Two-term is not enough: order %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Двух членов мало: порядок %1.</translation>
     </message>
     <message>
         <source>VW VR5 (paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>VW VR5 (статья)</translation>
     </message>
 </context>
 <context>
@@ -4595,222 +4596,222 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <name>ravnoves::MainWindow</name>
     <message>
         <source>%1: this page is still to come.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: этой страницы ещё нет.</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Файл</translation>
     </message>
     <message>
         <source>&amp;New case</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Новая задача</translation>
     </message>
     <message>
         <source>&amp;Open case…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Открыть задачу…</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
-        <translation type="unfinished"></translation>
+        <translation>Открыть не&amp;давнюю</translation>
     </message>
     <message>
         <source>&amp;Save case</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Сохранить задачу</translation>
     </message>
     <message>
         <source>Save case &amp;as…</source>
-        <translation type="unfinished"></translation>
+        <translation>Сохранить задачу &amp;как…</translation>
     </message>
     <message>
         <source>Save page as &amp;picture…</source>
-        <translation type="unfinished"></translation>
+        <translation>Сохранить страницу как &amp;рисунок…</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>В&amp;ыход</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Правка</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Отменить</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Вернуть</translation>
     </message>
     <message>
         <source>Copy results as &amp;text</source>
-        <translation type="unfinished"></translation>
+        <translation>Копировать результаты как &amp;текст</translation>
     </message>
     <message>
         <source>Results copied as text</source>
-        <translation type="unfinished"></translation>
+        <translation>Результаты скопированы как текст</translation>
     </message>
     <message>
         <source>Copy results as &amp;CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>Копировать результаты как &amp;CSV</translation>
     </message>
     <message>
         <source>Results copied as CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>Результаты скопированы как CSV</translation>
     </message>
     <message>
         <source>&amp;Scene</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Раздел</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Вид</translation>
     </message>
     <message>
         <source>Reset &amp;zoom of all plots</source>
-        <translation type="unfinished"></translation>
+        <translation>Сбросить &amp;масштаб всех графиков</translation>
     </message>
     <message>
         <source>&amp;Full screen</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Полный экран</translation>
     </message>
     <message>
         <source>&amp;Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Тема</translation>
     </message>
     <message>
         <source>As the &amp;desktop</source>
-        <translation type="unfinished"></translation>
+        <translation>Как на рабочем &amp;столе</translation>
     </message>
     <message>
         <source>&amp;Light</source>
-        <translation type="unfinished"></translation>
+        <translation>С&amp;ветлая</translation>
     </message>
     <message>
         <source>&amp;Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Тёмная</translation>
     </message>
     <message>
         <source>L&amp;anguage</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Язык</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Язык</translation>
     </message>
     <message>
         <source>The language changes when the program starts again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Язык сменится при следующем запуске программы.</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Справка</translation>
     </message>
     <message>
         <source>&amp;About this page: formulas and sources</source>
-        <translation type="unfinished"></translation>
+        <translation>Об этой &amp;странице: формулы и источники</translation>
     </message>
     <message>
         <source>&amp;Case files and command line</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Файлы задач и командная строка</translation>
     </message>
     <message>
         <source>&amp;Keys and mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Клавиши и мышь</translation>
     </message>
     <message>
         <source>About &amp;Ravnoves</source>
-        <translation type="unfinished"></translation>
+        <translation>О &amp;программе Ravnoves</translation>
     </message>
     <message>
         <source>Main toolbar</source>
-        <translation type="unfinished"></translation>
+        <translation>Главная панель</translation>
     </message>
     <message>
         <source>%1: the page for “%2” is still to come.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: страницы «%2» ещё нет.</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Несохранённые изменения</translation>
     </message>
     <message>
         <source>Save the changes of “%1”?</source>
-        <translation type="unfinished"></translation>
+        <translation>Сохранить изменения в «%1»?</translation>
     </message>
     <message>
         <source>Open case</source>
-        <translation type="unfinished">Открытие задачи</translation>
+        <translation>Открыть задачу</translation>
     </message>
     <message>
         <source>Ravnoves cases (*.case.json *.json);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Задачи Ravnoves (*.case.json *.json);;Все файлы (*)</translation>
     </message>
     <message>
         <source>Save case</source>
-        <translation type="unfinished"></translation>
+        <translation>Сохранить задачу</translation>
     </message>
     <message>
         <source>Saved %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Сохранено: %1</translation>
     </message>
     <message>
         <source>Ravnoves cases (*.case.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Задачи Ravnoves (*.case.json)</translation>
     </message>
     <message>
         <source>Save page as picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Сохранить страницу как рисунок</translation>
     </message>
     <message>
         <source>PNG picture (*.png)</source>
-        <translation type="unfinished"></translation>
+        <translation>Рисунок PNG (*.png)</translation>
     </message>
     <message>
         <source>%1 cannot be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Не удалось записать %1.</translation>
     </message>
     <message>
         <source>No files yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Файлов ещё нет</translation>
     </message>
     <message>
         <source>About Ravnoves</source>
-        <translation type="unfinished"></translation>
+        <translation>О программе Ravnoves</translation>
     </message>
     <message>
         <source>&lt;h3&gt;Ravnoves %1&lt;/h3&gt;&lt;p&gt;The engine-balancing workbench.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later; it comes without any warranty.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;h3&gt;Ravnoves %1&lt;/h3&gt;&lt;p&gt;Рабочее место для уравновешивания двигателей.&lt;/p&gt;&lt;p&gt;Свободная программа на условиях GNU General Public License версии 3 или более поздней; без каких-либо гарантий.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::MechanismView</name>
     <message>
         <source>Front view of the mechanism</source>
-        <translation type="unfinished"></translation>
+        <translation>Механизм, вид спереди</translation>
     </message>
     <message>
         <source>Front view to scale; the crank turns clockwise. Drag the shaft to change α, drag elsewhere to turn the crank, Space plays and pauses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Вид спереди в масштабе; коленчатый вал вращается по часовой стрелке. Потяните вал — меняется α, потяните в другом месте — поворачивается кривошип; пробел — пуск и пауза.</translation>
     </message>
     <message>
         <source>φ = %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>φ = %1°</translation>
     </message>
     <message>
         <source>%1 × %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 мм</translation>
     </message>
     <message>
         <source>Pⱼ₁</source>
-        <translation type="unfinished"></translation>
+        <translation>Pⱼ₁</translation>
     </message>
     <message>
         <source>P₁ crank</source>
-        <translation type="unfinished"></translation>
+        <translation>P₁ кривошип</translation>
     </message>
     <message>
         <source>P₁ shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>P₁ вал</translation>
     </message>
 </context>
 <context>
@@ -4836,152 +4837,152 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <name>ravnoves::NumberListField</name>
     <message>
         <source>“%1” is not a number.</source>
-        <translation type="unfinished">«%1» — не число.</translation>
+        <translation>«%1» — не число.</translation>
     </message>
     <message>
         <source>The value %1.</source>
-        <translation type="unfinished">Значение %1.</translation>
+        <translation>Значение %1.</translation>
     </message>
     <message numerus="yes">
         <source>At most %n value(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Не больше %n значения.</numerusform>
+            <numerusform>Не больше %n значений.</numerusform>
+            <numerusform>Не больше %n значений.</numerusform>
         </translation>
     </message>
     <message>
         <source>Each value %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Каждое значение %1.</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::OrderBars</name>
     <message>
         <source>Amplitudes by order</source>
-        <translation type="unfinished"></translation>
+        <translation>Амплитуды по порядкам</translation>
     </message>
     <message>
         <source>exact</source>
-        <translation type="unfinished"></translation>
+        <translation>точно</translation>
     </message>
     <message>
         <source>two-term</source>
-        <translation type="unfinished"></translation>
+        <translation>2 члена</translation>
     </message>
     <message>
         <source>left over</source>
-        <translation type="unfinished"></translation>
+        <translation>остаток</translation>
     </message>
     <message>
         <source>F, N</source>
-        <translation type="unfinished"></translation>
+        <translation>F, Н</translation>
     </message>
     <message>
         <source>M, N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>M, Н·м</translation>
     </message>
     <message>
         <source>Mz, N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>Mz, Н·м</translation>
     </message>
     <message>
         <source>log</source>
-        <translation type="unfinished"></translation>
+        <translation>лог.</translation>
     </message>
     <message>
         <source>nothing in any order</source>
-        <translation type="unfinished"></translation>
+        <translation>нет ни одного порядка</translation>
     </message>
     <message>
         <source>Order %1: exact %2, two-term %3, left over %4</source>
-        <translation type="unfinished"></translation>
+        <translation>Порядок %1: точно %2, два члена %3, остаток %4</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::OrdersView</name>
     <message>
         <source>Order spectrum of the moment</source>
-        <translation type="unfinished"></translation>
+        <translation>Спектр порядков момента</translation>
     </message>
     <message>
         <source>order (per turn of the crank)</source>
-        <translation type="unfinished"></translation>
+        <translation>порядок (за оборот вала)</translation>
     </message>
     <message>
         <source>N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>Н·м</translation>
     </message>
     <message>
         <source>Without a shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>Без балансирного вала</translation>
     </message>
     <message>
         <source>With the shaft at the present α</source>
-        <translation type="unfinished"></translation>
+        <translation>С балансирным валом при нынешнем α</translation>
     </message>
     <message>
         <source>A four-stroke cycle has half orders. A shaft at crank speed changes order 1 alone; the best RMS is where it opposes that order.</source>
-        <translation type="unfinished"></translation>
+        <translation>У четырёхтактного цикла есть половинные порядки. Вал, вращающийся со скоростью коленчатого, меняет только порядок 1; лучшее СКЗ там, где он ему противоположен.</translation>
     </message>
     <message>
         <source>Order spectrum</source>
-        <translation type="unfinished"></translation>
+        <translation>Спектр порядков</translation>
     </message>
     <message>
         <source>Order</source>
-        <translation type="unfinished"></translation>
+        <translation>Порядок</translation>
     </message>
     <message>
         <source>Mᵤₚ, N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>Mᵤₚ, Н·м</translation>
     </message>
     <message>
         <source>phase, °</source>
-        <translation type="unfinished"></translation>
+        <translation>фаза, °</translation>
     </message>
     <message>
         <source>Mᵤₚₛ, N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>Mᵤₚₛ, Н·м</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::PlotView</name>
     <message>
         <source>Show %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Показать: %1</translation>
     </message>
     <message>
         <source>Show or hide %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Показать или скрыть: %1</translation>
     </message>
     <message>
         <source>%1 cannot be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Не удалось записать %1.</translation>
     </message>
     <message>
         <source>Reset zoom</source>
-        <translation type="unfinished"></translation>
+        <translation>Сбросить масштаб</translation>
     </message>
     <message>
         <source>Copy data as CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>Копировать данные как CSV</translation>
     </message>
     <message>
         <source>Copy picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Копировать рисунок</translation>
     </message>
     <message>
         <source>Save picture…</source>
-        <translation type="unfinished"></translation>
+        <translation>Сохранить рисунок…</translation>
     </message>
     <message>
         <source>Save picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Сохранение рисунка</translation>
     </message>
     <message>
         <source>PNG picture (*.png);;SVG drawing (*.svg)</source>
-        <translation type="unfinished"></translation>
+        <translation>Рисунок PNG (*.png);;Чертёж SVG (*.svg)</translation>
     </message>
 </context>
 <context>
@@ -5125,256 +5126,256 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <name>ravnoves::RelievedShaftDrawing</name>
     <message>
         <source>Drawing of the shaft with a relieved middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Чертёж вала с проточкой</translation>
     </message>
     <message>
         <source>No shaft of these sizes</source>
-        <translation type="unfinished"></translation>
+        <translation>Вала таких размеров нет</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::RelievedShaftView</name>
     <message>
         <source>Shaft with a relieved middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Вал с проточкой в средней части</translation>
     </message>
     <message>
         <source>Size that follows from the others</source>
-        <translation type="unfinished"></translation>
+        <translation>Размер, который следует из остальных</translation>
     </message>
     <message>
         <source>depth h</source>
-        <translation type="unfinished"></translation>
+        <translation>глубина h</translation>
     </message>
     <message>
         <source>length b</source>
-        <translation type="unfinished"></translation>
+        <translation>длина b</translation>
     </message>
     <message>
         <source>diameter D</source>
-        <translation type="unfinished"></translation>
+        <translation>диаметр D</translation>
     </message>
     <message>
         <source>nothing, only check</source>
-        <translation type="unfinished"></translation>
+        <translation>ничего, проверить</translation>
     </message>
     <message>
         <source>&amp;Find</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Найти</translation>
     </message>
     <message>
         <source>Two sizes are given, the third follows from the unbalance m₁ ρ₁.</source>
-        <translation type="unfinished"></translation>
+        <translation>Два размера заданы, третий следует из дисбаланса m₁ ρ₁.</translation>
     </message>
     <message>
         <source>&amp;Diameter D</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Диаметр D</translation>
     </message>
     <message>
         <source>Of the round bar; also the circle that the shaft sweeps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Круглого прутка; это и окружность, которую описывает вал.</translation>
     </message>
     <message>
         <source>Depth &amp;h</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Глубина h</translation>
     </message>
     <message>
         <source>Of the segment that is milled away, from the bar&apos;s surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Снятого сегмента, от поверхности прутка.</translation>
     </message>
     <message>
         <source>&amp;Length b</source>
-        <translation type="unfinished"></translation>
+        <translation>Длин&amp;а b</translation>
     </message>
     <message>
         <source>Over which the segment is milled away.</source>
-        <translation type="unfinished"></translation>
+        <translation>На которой снят сегмент.</translation>
     </message>
     <message>
         <source>Densit&amp;y</source>
-        <translation type="unfinished"></translation>
+        <translation>Плотно&amp;сть</translation>
     </message>
     <message>
         <source>Of the bar. Steel 7850, cast iron 7200, tungsten alloy 17500.</source>
-        <translation type="unfinished"></translation>
+        <translation>Прутка. Сталь 7850, чугун 7200, вольфрамовый сплав 17500.</translation>
     </message>
     <message>
         <source>Density</source>
-        <translation type="unfinished">Плотность</translation>
+        <translation>Плотность</translation>
     </message>
     <message>
         <source>&amp;Elastic modulus</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Модуль упругости</translation>
     </message>
     <message>
         <source>For the sag under the shaft&apos;s own centrifugal load. Steel 210, cast iron 170, tungsten alloy 360.</source>
-        <translation type="unfinished"></translation>
+        <translation>Для прогиба под собственной центробежной нагрузкой. Сталь 210, чугун 170, вольфрамовый сплав 360.</translation>
     </message>
     <message>
         <source>Elastic modulus</source>
-        <translation type="unfinished"></translation>
+        <translation>Модуль упругости</translation>
     </message>
     <message>
         <source>E&amp;xport drawing (DXF)…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Чертёж (DXF)…</translation>
     </message>
     <message>
         <source>Section and side view, real size, for the machine shop</source>
-        <translation type="unfinished"></translation>
+        <translation>Сечение и вид сбоку в натуральную величину, для цеха</translation>
     </message>
     <message>
         <source>Sizes and masses of the shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>Размеры и массы вала</translation>
     </message>
     <message>
         <source>Shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>Вал</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>Значение</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Ед.</translation>
     </message>
     <message>
         <source>Relieved shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>Вал с проточкой</translation>
     </message>
     <message>
         <source>Size to find</source>
-        <translation type="unfinished"></translation>
+        <translation>Искомый размер</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished">мм</translation>
+        <translation>мм</translation>
     </message>
     <message>
         <source>unbalance needed, m₁ ρ₁</source>
-        <translation type="unfinished"></translation>
+        <translation>нужен дисбаланс</translation>
     </message>
     <message>
         <source>g·mm</source>
-        <translation type="unfinished">г·мм</translation>
+        <translation>г·мм</translation>
     </message>
     <message>
         <source>unbalance of the shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>дисбаланс вала</translation>
     </message>
     <message>
         <source>width of the flat</source>
-        <translation type="unfinished"></translation>
+        <translation>ширина лыски</translation>
     </message>
     <message>
         <source>mass of the relieved part</source>
-        <translation type="unfinished"></translation>
+        <translation>масса части</translation>
     </message>
     <message>
         <source>kg</source>
-        <translation type="unfinished">кг</translation>
+        <translation>кг</translation>
     </message>
     <message>
         <source>mass milled away</source>
-        <translation type="unfinished"></translation>
+        <translation>снятая масса</translation>
     </message>
     <message>
         <source>radius of its centre of mass</source>
-        <translation type="unfinished"></translation>
+        <translation>радиус её ц. м.</translation>
     </message>
     <message>
         <source>critical bar radius</source>
-        <translation type="unfinished"></translation>
+        <translation>мин. радиус</translation>
     </message>
     <message>
         <source>critical length</source>
-        <translation type="unfinished"></translation>
+        <translation>мин. длина</translation>
     </message>
     <message>
         <source>sag at speed</source>
-        <translation type="unfinished"></translation>
+        <translation>прогиб</translation>
     </message>
     <message>
         <source>bending stress</source>
-        <translation type="unfinished"></translation>
+        <translation>напр. изгиба</translation>
     </message>
     <message>
         <source>MPa</source>
-        <translation type="unfinished"></translation>
+        <translation>МПа</translation>
     </message>
     <message>
         <source>The smallest bar that can have the unbalance at this length</source>
-        <translation type="unfinished"></translation>
+        <translation>Наименьший пруток, дающий дисбаланс при этой длине</translation>
     </message>
     <message>
         <source>The shortest relief that can have it with this bar</source>
-        <translation type="unfinished"></translation>
+        <translation>Кратчайшая проточка, дающая его с этим прутком</translation>
     </message>
     <message>
         <source>Of the relieved part on two supports under its own centrifugal load</source>
-        <translation type="unfinished"></translation>
+        <translation>Части с проточкой на двух опорах под собственной центробежной нагрузкой</translation>
     </message>
     <message>
         <source>Feasible, but more than half of the bar is milled away: a depth of %1 mm gives the same unbalance and a stiffer shaft.</source>
-        <translation type="unfinished"></translation>
+        <translation>Осуществимо, но снято больше половины прутка: глубина %1 мм даёт тот же дисбаланс и более жёсткий вал.</translation>
     </message>
     <message>
         <source>Feasible.</source>
-        <translation type="unfinished"></translation>
+        <translation>Осуществимо.</translation>
     </message>
     <message>
         <source>These sizes give %1 % of the unbalance that is needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Эти размеры дают %1 % нужного дисбаланса.</translation>
     </message>
     <message>
         <source>The bar is too thin: its diameter must be at least %1 mm, or the relieved length at least %2 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Пруток слишком тонок: нужен диаметр не меньше %1 мм или длина проточки не меньше %2 мм.</translation>
     </message>
     <message>
         <source>There is no such shaft: no unbalance is needed, or it is beyond these sizes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Такого вала нет: дисбаланс не нужен или недостижим при этих размерах.</translation>
     </message>
     <message>
         <source>Export drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Запись чертежа</translation>
     </message>
     <message>
         <source>DXF drawings (*.dxf)</source>
-        <translation type="unfinished"></translation>
+        <translation>Чертежи DXF (*.dxf)</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::ResultTable</name>
     <message>
         <source>Copy selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Копировать выделенное</translation>
     </message>
     <message>
         <source>Copy table as text</source>
-        <translation type="unfinished"></translation>
+        <translation>Копировать таблицу как текст</translation>
     </message>
     <message>
         <source>Copy table as CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>Копировать таблицу как CSV</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::SceneList</name>
     <message>
         <source>Balance shaft</source>
-        <translation>Урав. вал</translation>
+        <translation>Балансирный вал</translation>
     </message>
     <message>
         <source>Where the balance shaft of a single-cylinder engine goes</source>
-        <translation>Где поставить уравновешивающий вал одноцилиндрового двигателя</translation>
+        <translation>Где поставить балансирный вал одноцилиндрового двигателя</translation>
     </message>
     <message>
         <source>Elastic hinges</source>
-        <translation>Шарниры</translation>
+        <translation>Упругие шарниры</translation>
     </message>
     <message>
         <source>Spring guides that hold the crank speed constant</source>
-        <translation>Пружинные направляющие, удерживающие частоту вращения постоянной</translation>
+        <translation>Пружинные направляющие, сохраняющие угловую скорость кривошипа</translation>
     </message>
     <message>
         <source>V-8 workshop</source>
@@ -5386,7 +5387,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Inertia moments</source>
-        <translation>Моменты</translation>
+        <translation>Моменты сил инерции</translation>
     </message>
     <message>
         <source>Forces and moments of VR5 and any other cylinder layout</source>
@@ -5405,186 +5406,186 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <name>ravnoves::ShaftRow</name>
     <message>
         <source>Shaft %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Вал %1</translation>
     </message>
     <message>
         <source>%1 is on</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 включён</translation>
     </message>
     <message>
         <source>Switched on, the shaft counts in what is left over.</source>
-        <translation type="unfinished"></translation>
+        <translation>Включённый вал учитывается в остатке.</translation>
     </message>
     <message>
         <source>k </source>
-        <translation type="unfinished"></translation>
+        <translation>k </translation>
     </message>
     <message>
         <source>Order of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Порядок: %1</translation>
     </message>
     <message>
         <source>Order that the shaft cancels; it turns k times as fast as the crank. 1 to %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Порядок, который гасит вал; он вращается в k раз быстрее коленчатого. От 1 до %1.</translation>
     </message>
     <message>
         <source>Order of the shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>Порядок вала</translation>
     </message>
     <message>
         <source>+kω</source>
-        <translation type="unfinished"></translation>
+        <translation>+kω</translation>
     </message>
     <message>
         <source>−kω</source>
-        <translation type="unfinished"></translation>
+        <translation>−kω</translation>
     </message>
     <message>
         <source>Direction of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Направление: %1</translation>
     </message>
     <message>
         <source>With the crank (+kω) or against it (−kω)</source>
-        <translation type="unfinished"></translation>
+        <translation>По вращению коленчатого вала (+kω) или против (−kω)</translation>
     </message>
     <message>
         <source>Direction of the shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>Направление вала</translation>
     </message>
     <message>
         <source>moment</source>
-        <translation type="unfinished"></translation>
+        <translation>момент</translation>
     </message>
     <message>
         <source>force</source>
-        <translation type="unfinished"></translation>
+        <translation>сила</translation>
     </message>
     <message>
         <source>Task of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Задача: %1</translation>
     </message>
     <message>
         <source>Two opposite weights against a moment, one against a force</source>
-        <translation type="unfinished"></translation>
+        <translation>Два противоположных груза против момента, один против силы</translation>
     </message>
     <message>
         <source>Task of the shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>Задача вала</translation>
     </message>
     <message>
         <source>Remove this shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>Удалить этот вал</translation>
     </message>
     <message>
         <source>Remove %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Удалить: %1</translation>
     </message>
     <message>
         <source>&amp;L</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;L</translation>
     </message>
     <message>
         <source>Distance of the weights of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Расстояние между грузами: %1</translation>
     </message>
     <message>
         <source>&amp;ρ</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;ρ</translation>
     </message>
     <message>
         <source>Radius of the weights of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Радиус грузов: %1</translation>
     </message>
     <message>
         <source>Radius of the weights&apos; centres of mass; gives their mass. Empty: only mρ is given.</source>
-        <translation type="unfinished"></translation>
+        <translation>Радиус центров масс грузов; даёт их массу. Пусто: известно только mρ.</translation>
     </message>
     <message>
         <source>&amp;δ</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;δ</translation>
     </message>
     <message>
         <source>Error of phase of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ошибка фазы: %1</translation>
     </message>
     <message>
         <source>Error of the shaft&apos;s phase, ahead in its own direction: 0 when it is timed right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ошибка фазы вала, вперёд по его вращению: 0, если он установлен верно.</translation>
     </message>
     <message>
         <source>Place of the shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>Место вала</translation>
     </message>
     <message>
         <source>Radius of the shaft&apos;s weights</source>
-        <translation type="unfinished"></translation>
+        <translation>Радиус грузов вала</translation>
     </message>
     <message>
         <source>Phase of the shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>Фаза вала</translation>
     </message>
     <message>
         <source>&amp;z</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;z</translation>
     </message>
     <message>
         <source>c. m.</source>
-        <translation type="unfinished"></translation>
+        <translation>ц. м.</translation>
     </message>
     <message>
         <source>Distance between the two weights along the shaft</source>
-        <translation type="unfinished"></translation>
+        <translation>Расстояние между двумя грузами вдоль вала</translation>
     </message>
     <message>
         <source>Axial position of the weight; empty: at the point that moments refer to</source>
-        <translation type="unfinished"></translation>
+        <translation>Положение груза вдоль вала; пусто: в точке, относительно которой берутся моменты</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::ShaftView</name>
     <message>
         <source>Balance shafts: arrangement and phases</source>
-        <translation type="unfinished"></translation>
+        <translation>Балансирные валы: расположение и фазы</translation>
     </message>
     <message>
         <source>Each shaft seen from the front at the present crank angle. Red: what it cancels; the weights lie opposite. Dashed: cylinder 1&apos;s axis and crankpin 1. Click a shaft to switch it; arrow keys and Space do the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Каждый вал спереди при нынешнем угле кривошипа. Красное: что он гасит; грузы лежат напротив. Штрих: ось цилиндра 1 и шейка 1. Щелчок включает и выключает вал; стрелки и пробел — тоже.</translation>
     </message>
     <message>
         <source>No balance shafts. “Add shaft” under Balancing makes one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Балансирных валов нет. Их добавляет «Добавить вал» на вкладке «Баланс».</translation>
     </message>
     <message>
         <source>on</source>
-        <translation type="unfinished"></translation>
+        <translation>вкл.</translation>
     </message>
     <message>
         <source>off</source>
-        <translation type="unfinished"></translation>
+        <translation>выкл.</translation>
     </message>
     <message>
         <source>N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>Н·м</translation>
     </message>
     <message>
         <source>N</source>
-        <translation type="unfinished"></translation>
+        <translation>Н</translation>
     </message>
     <message>
         <source>mρ %1 g·mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mρ %1 г·мм</translation>
     </message>
     <message>
         <source>m %1 g</source>
-        <translation type="unfinished"></translation>
+        <translation>m %1 г</translation>
     </message>
     <message>
         <source>%1 → %2 %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 → %2 %3</translation>
     </message>
     <message>
         <source>nothing to cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>гасить нечего</translation>
     </message>
 </context>
 <context>
@@ -5622,440 +5623,440 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <name>ravnoves::SpeedView</name>
     <message>
         <source>Speed &amp;n</source>
-        <translation type="unfinished"></translation>
+        <translation>Частота &amp;n</translation>
     </message>
     <message>
         <source>min⁻¹</source>
-        <translation type="unfinished">мин⁻¹</translation>
+        <translation>мин⁻¹</translation>
     </message>
     <message>
         <source>Speed of the engine; the inertia torque of a computed torque follows it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Частота вращения двигателя; за ней следует инерционная часть рассчитанного момента.</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Частота вращения</translation>
     </message>
     <message>
         <source>&amp;Load, IMEP</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Нагрузка, p_i</translation>
     </message>
     <message>
         <source>bar</source>
-        <translation type="unfinished"></translation>
+        <translation>бар</translation>
     </message>
     <message>
         <source>Indicated mean effective pressure of the computed cycle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Среднее индикаторное давление рассчитанного цикла.</translation>
     </message>
     <message>
         <source>Load</source>
-        <translation type="unfinished"></translation>
+        <translation>Нагрузка</translation>
     </message>
     <message>
         <source>Band from, min⁻¹</source>
-        <translation type="unfinished"></translation>
+        <translation>Диапазон от, мин⁻¹</translation>
     </message>
     <message>
         <source>Band to, min⁻¹</source>
-        <translation type="unfinished"></translation>
+        <translation>Диапазон до, мин⁻¹</translation>
     </message>
     <message>
         <source>Speed band</source>
-        <translation type="unfinished"></translation>
+        <translation>Диапазон частот</translation>
     </message>
     <message>
         <source>&amp;Band</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Диапазон</translation>
     </message>
     <message>
         <source>&amp;to</source>
-        <translation type="unfinished">п&amp;о</translation>
+        <translation>д&amp;о</translation>
     </message>
     <message>
         <source>range</source>
-        <translation type="unfinished"></translation>
+        <translation>размах</translation>
     </message>
     <message>
         <source>RMS</source>
-        <translation type="unfinished"></translation>
+        <translation>СКЗ</translation>
     </message>
     <message>
         <source>Criterion of the map</source>
-        <translation type="unfinished"></translation>
+        <translation>Критерий карты</translation>
     </message>
     <message>
         <source>&amp;Map of</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Карта</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Отмена</translation>
     </message>
     <message>
         <source>Best α over speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Лучший α от частоты</translation>
     </message>
     <message>
         <source>α, °</source>
-        <translation type="unfinished"></translation>
+        <translation>α, °</translation>
     </message>
     <message>
         <source>α of the least range at each speed</source>
-        <translation type="unfinished"></translation>
+        <translation>α наименьшего размаха при каждой частоте</translation>
     </message>
     <message>
         <source>α of the least RMS at each speed</source>
-        <translation type="unfinished"></translation>
+        <translation>α наименьшего СКЗ при каждой частоте</translation>
     </message>
     <message>
         <source>Map over α and speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Карта по α и частоте</translation>
     </message>
     <message>
         <source>n, min⁻¹</source>
-        <translation type="unfinished"></translation>
+        <translation>n, мин⁻¹</translation>
     </message>
     <message>
         <source>best α</source>
-        <translation type="unfinished"></translation>
+        <translation>лучший α</translation>
     </message>
     <message>
         <source>Go</source>
-        <translation type="unfinished"></translation>
+        <translation>Взять</translation>
     </message>
     <message>
         <source>Go to the α that is least bad over the band</source>
-        <translation type="unfinished"></translation>
+        <translation>Взять α, наименее плохой во всём диапазоне</translation>
     </message>
     <message>
         <source>Cancelled. Any change of the input solves again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Отменено. Любое изменение данных запускает расчёт снова.</translation>
     </message>
     <message>
         <source>The load can be moved when the torque is a computed cycle (Torque tab).</source>
-        <translation type="unfinished"></translation>
+        <translation>Нагрузку можно менять, когда момент — расчётный цикл (вкладка «Момент»).</translation>
     </message>
     <message>
         <source>The shaft cannot be studied over speed with this torque: it is a table that does not belong to the masses and speed entered, so the part that follows the speed is not known. Rebuild it (Torque tab) or choose a pressure trace or a computed cycle.</source>
-        <translation type="unfinished"></translation>
+        <translation>По частоте вращения вал с этим моментом исследовать нельзя: это таблица, не соответствующая введённым массам и частоте, и та часть, что следует за частотой, неизвестна. Пересоберите её (вкладка «Момент») или возьмите давление или расчётный цикл.</translation>
     </message>
     <message>
         <source>least bad %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>наименее плох %1°</translation>
     </message>
     <message>
         <source>Least bad α over the band, by the %1 against the engine without a shaft: %2°. At its worst speed, %3 min⁻¹, the %1 is %4 % %5.</source>
-        <translation type="unfinished"></translation>
+        <translation>Наименее плохой α в диапазоне (%1 против двигателя без вала): %2°. При худшей частоте, %3 мин⁻¹, %1 на %4 % %5.</translation>
     </message>
     <message>
         <source>larger</source>
-        <translation type="unfinished"></translation>
+        <translation>больше</translation>
     </message>
     <message>
         <source>smaller</source>
-        <translation type="unfinished"></translation>
+        <translation>меньше</translation>
     </message>
     <message>
         <source>%1 ÷ without: %2…%3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ÷ без вала: %2…%3</translation>
     </message>
     <message>
         <source>Range</source>
-        <translation type="unfinished"></translation>
+        <translation>Размах</translation>
     </message>
     <message>
         <source>The criterion with the shaft over that without it at the same speed; dark is small, light is large. Click to set α and, with a computed torque, the speed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Критерий с валом, делённый на критерий без вала при той же частоте; тёмное — мало, светлое — много. Щелчок задаёт α и, при рассчитанном моменте, частоту.</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::TorqueSourceEditor</name>
     <message>
         <source>table</source>
-        <translation type="unfinished"></translation>
+        <translation>таблица</translation>
     </message>
     <message>
         <source>pressure trace</source>
-        <translation type="unfinished"></translation>
+        <translation>давление</translation>
     </message>
     <message>
         <source>computed cycle</source>
-        <translation type="unfinished"></translation>
+        <translation>расчётный цикл</translation>
     </message>
     <message>
         <source>Tor&amp;que from</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Момент из</translation>
     </message>
     <message>
         <source>A table is taken as it is. From a pressure trace or a computed cycle the torque is gas torque plus inertia torque of the masses and speed entered, so it follows both.</source>
-        <translation type="unfinished"></translation>
+        <translation>Таблица берётся как есть. По давлению или расчётному циклу момент — это газы плюс инерция введённых масс при введённой частоте, так что он следует за обоими.</translation>
     </message>
     <message>
         <source>&amp;Bore</source>
-        <translation type="unfinished"></translation>
+        <translation>Диаметр &amp;цилиндра</translation>
     </message>
     <message>
         <source>Diameter of the cylinder. TMZ-650D: 95.5 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Диаметр цилиндра. ТМЗ-650Д: 95,5 мм.</translation>
     </message>
     <message>
         <source>O&amp;ffset e</source>
-        <translation type="unfinished"></translation>
+        <translation>Дезакса&amp;ж e</translation>
     </message>
     <message>
         <source>Distance of the cylinder axis from the crank axis, positive on the side to which the crankpin moves first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Расстояние оси цилиндра от оси вала, положительное в ту сторону, куда шатунная шейка движется сначала.</translation>
     </message>
     <message>
         <source>Crankcase &amp;pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>Давление в &amp;картере</translation>
     </message>
     <message>
         <source>Absolute pressure under the piston, p₀.</source>
-        <translation type="unfinished"></translation>
+        <translation>Абсолютное давление под поршнем, p₀.</translation>
     </message>
     <message>
         <source>Use its speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Взять её частоту</translation>
     </message>
     <message>
         <source>Set the speed at which the masses entered have the inertia torque that is in the table.</source>
-        <translation type="unfinished"></translation>
+        <translation>Задать частоту вращения, при которой введённые массы дают инерционный момент, содержащийся в таблице.</translation>
     </message>
     <message>
         <source>Rebuild torque</source>
-        <translation type="unfinished"></translation>
+        <translation>Пересобрать</translation>
     </message>
     <message>
         <source>Take the fitted inertia torque out of the table and put that of the masses and speed entered in.</source>
-        <translation type="unfinished"></translation>
+        <translation>Вычесть из таблицы подобранный инерционный момент и прибавить момент введённых масс при введённой частоте.</translation>
     </message>
     <message>
         <source>Use the torque&apos;s speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Взять частоту момента</translation>
     </message>
     <message>
         <source>No inertia torque can be read off this table, so it cannot be checked against the masses and speed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Инерционный момент из этой таблицы не читается, поэтому сверить её с массами и частотой нельзя.</translation>
     </message>
     <message>
         <source>This torque does not belong to the masses and speed entered. On its gas-exchange stroke it holds mⱼ r² ω² = %1 N·m (λ %2); entered are %3 N·m. It would fit %4 min⁻¹ with these masses, or %5 kg at this speed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Этот момент не соответствует введённым массам и частоте. На такте газообмена в нём mⱼ r² ω² = %1 Н·м (λ %2); введено %3 Н·м. Он соответствовал бы %4 мин⁻¹ с этими массами или %5 кг при этой частоте.</translation>
     </message>
     <message>
         <source>The inertia torque in this table fits the masses and speed: mⱼ r² ω² = %1 N·m against %2 N·m entered.</source>
-        <translation type="unfinished"></translation>
+        <translation>Инерционный момент в этой таблице соответствует массам и частоте: mⱼ r² ω² = %1 Н·м против введённых %2 Н·м.</translation>
     </message>
     <message>
         <source>Measured cylinder pressure over 720° as a CSV file: crank angle from top dead centre before intake, absolute pressure (bar unless the heading says kPa, MPa, Pa or psi).</source>
-        <translation type="unfinished"></translation>
+        <translation>Измеренное давление в цилиндре за 720° в файле CSV: угол поворота от верхней мёртвой точки перед впуском, абсолютное давление (в барах, если в заголовке нет kPa, MPa, Pa или psi).</translation>
     </message>
     <message>
         <source>&amp;Read CSV file…</source>
-        <translation type="unfinished"></translation>
+        <translation>Про&amp;читать CSV…</translation>
     </message>
     <message>
         <source>Cylinder</source>
-        <translation type="unfinished">Цилиндр</translation>
+        <translation>Цилиндр</translation>
     </message>
     <message>
         <source>The rod length is on the Inputs tab.</source>
-        <translation type="unfinished"></translation>
+        <translation>Длина шатуна — на вкладке «Данные».</translation>
     </message>
     <message>
         <source>Read pressure trace</source>
-        <translation type="unfinished"></translation>
+        <translation>Чтение давления</translation>
     </message>
     <message>
         <source>Tables (*.csv *.txt *.tsv);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Таблицы (*.csv *.txt *.tsv);;Все файлы (*)</translation>
     </message>
     <message>
         <source>A plain four-stroke cycle: constant pressures for gas exchange, polytropic compression, one Wiebe heat release, polytropic expansion.</source>
-        <translation type="unfinished"></translation>
+        <translation>Простой четырёхтактный цикл: газообмен при постоянных давлениях, политропное сжатие, одно тепловыделение по Вибе, политропное расширение.</translation>
     </message>
     <message>
         <source>Gas exchange and compression</source>
-        <translation type="unfinished"></translation>
+        <translation>Газообмен и сжатие</translation>
     </message>
     <message>
         <source>Compression &amp;ratio ε</source>
-        <translation type="unfinished"></translation>
+        <translation>Степень сжатия &amp;ε</translation>
     </message>
     <message>
         <source>Largest over smallest volume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Наибольший объём к наименьшему.</translation>
     </message>
     <message>
         <source>&amp;Intake pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>Давление вп&amp;уска</translation>
     </message>
     <message>
         <source>Absolute, constant over intake.</source>
-        <translation type="unfinished"></translation>
+        <translation>Абсолютное, постоянное на впуске.</translation>
     </message>
     <message>
         <source>E&amp;xhaust pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>Давление в&amp;ыпуска</translation>
     </message>
     <message>
         <source>Absolute, constant over exhaust.</source>
-        <translation type="unfinished"></translation>
+        <translation>Абсолютное, постоянное на выпуске.</translation>
     </message>
     <message>
         <source>Exponent, &amp;compression</source>
-        <translation type="unfinished"></translation>
+        <translation>Показатель сж&amp;атия</translation>
     </message>
     <message>
         <source>Polytropic exponent until combustion begins; about 1.32 to 1.38.</source>
-        <translation type="unfinished"></translation>
+        <translation>Показатель политропы до начала сгорания, около 1,32–1,38.</translation>
     </message>
     <message>
         <source>Exponent, ex&amp;pansion</source>
-        <translation type="unfinished"></translation>
+        <translation>Показатель рас&amp;ширения</translation>
     </message>
     <message>
         <source>Polytropic exponent of combustion and expansion; about 1.22 to 1.32.</source>
-        <translation type="unfinished"></translation>
+        <translation>Показатель политропы сгорания и расширения, около 1,22–1,32.</translation>
     </message>
     <message>
         <source>Combustion</source>
-        <translation type="unfinished"></translation>
+        <translation>Сгорание</translation>
     </message>
     <message>
         <source>from the other</source>
-        <translation type="unfinished"></translation>
+        <translation>из другого</translation>
     </message>
     <message>
         <source>I&amp;MEP</source>
-        <translation type="unfinished"></translation>
+        <translation>Давл&amp;ение p_i</translation>
     </message>
     <message>
         <source>Indicated mean effective pressure over 720°; the heat that gives it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Среднее индикаторное давление за 720°; теплота, которая его даёт, находится.</translation>
     </message>
     <message>
         <source>&amp;Heat</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Теплота</translation>
     </message>
     <message>
         <source>Heat released per cycle; instead of the IMEP.</source>
-        <translation type="unfinished"></translation>
+        <translation>Теплота, выделенная за цикл; вместо p_i.</translation>
     </message>
     <message>
         <source>&amp;Start of combustion</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Начало сгорания</translation>
     </message>
     <message>
         <source>Crank angle; 360° is the firing top dead centre.</source>
-        <translation type="unfinished"></translation>
+        <translation>Угол поворота кривошипа; 360° — верхняя мёртвая точка сгорания.</translation>
     </message>
     <message>
         <source>&amp;Duration</source>
-        <translation type="unfinished"></translation>
+        <translation>Продо&amp;лжительность</translation>
     </message>
     <message>
         <source>Crank angle from the start to the end of heat release.</source>
-        <translation type="unfinished"></translation>
+        <translation>Угол поворота от начала до конца тепловыделения.</translation>
     </message>
     <message>
         <source>&amp;Wiebe exponent m</source>
-        <translation type="unfinished"></translation>
+        <translation>Показатель Ви&amp;бе m</translation>
     </message>
     <message>
         <source>Form exponent of Wiebe&apos;s law; 0.5 to 1.5 for diesels, 2 to 4 for petrol engines.</source>
-        <translation type="unfinished"></translation>
+        <translation>Показатель характера сгорания по Вибе; 0,5–1,5 для дизелей, 2–4 для бензиновых двигателей.</translation>
     </message>
     <message>
         <source>%1: %2.</source>
-        <translation type="unfinished">%1: %2.</translation>
+        <translation>%1: %2.</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::TorqueTableEditor</name>
     <message>
         <source>Engine torque over one four-stroke cycle, 720°. Paste a whole table from a spreadsheet, or type.</source>
-        <translation type="unfinished"></translation>
+        <translation>Крутящий момент за один четырёхтактный цикл, 720°. Вставьте таблицу из электронной таблицы или введите.</translation>
     </message>
     <message>
         <source>Import CSV file…</source>
-        <translation type="unfinished"></translation>
+        <translation>Прочитать CSV…</translation>
     </message>
     <message>
         <source>Import torque table</source>
-        <translation type="unfinished"></translation>
+        <translation>Чтение таблицы момента</translation>
     </message>
     <message>
         <source>Tables (*.csv *.txt *.tsv);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Таблицы (*.csv *.txt *.tsv);;Все файлы (*)</translation>
     </message>
     <message>
         <source>Export CSV file…</source>
-        <translation type="unfinished"></translation>
+        <translation>Записать CSV…</translation>
     </message>
     <message>
         <source>Export torque table</source>
-        <translation type="unfinished"></translation>
+        <translation>Запись таблицы момента</translation>
     </message>
     <message>
         <source>CSV tables (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Таблицы CSV (*.csv)</translation>
     </message>
     <message>
         <source>Copy (Ctrl+C)</source>
-        <translation type="unfinished"></translation>
+        <translation>Копировать (Ctrl+C)</translation>
     </message>
     <message>
         <source>Insert a row below</source>
-        <translation type="unfinished"></translation>
+        <translation>Вставить строку ниже</translation>
     </message>
     <message>
         <source>Delete the selected rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Удалить выбранные строки</translation>
     </message>
     <message>
         <source>Torque table</source>
-        <translation type="unfinished"></translation>
+        <translation>Таблица момента</translation>
     </message>
     <message>
         <source>Edit torque table</source>
-        <translation type="unfinished"></translation>
+        <translation>Правка таблицы момента</translation>
     </message>
     <message>
         <source>The last valid table holds until this is mended.</source>
-        <translation type="unfinished"></translation>
+        <translation>Пока это не исправлено, действует последняя верная таблица.</translation>
     </message>
     <message>
         <source>Read %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Прочитано: %1.</translation>
     </message>
     <message>
         <source>The clipboard holds no table.</source>
-        <translation type="unfinished"></translation>
+        <translation>В буфере обмена нет таблицы.</translation>
     </message>
     <message>
         <source>Not pasted: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Не вставлено: %1</translation>
     </message>
 </context>
 <context>
     <name>ravnoves::TorqueTableModel</name>
     <message>
         <source>Row %1: “%2” is not a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Строка %1: «%2» — не число.</translation>
     </message>
     <message>
         <source>Torque table</source>
-        <translation type="unfinished"></translation>
+        <translation>Таблица момента</translation>
     </message>
     <message>
         <source>φ, °</source>
-        <translation type="unfinished"></translation>
+        <translation>φ, °</translation>
     </message>
     <message>
         <source>M_id, N·m</source>
-        <translation type="unfinished"></translation>
+        <translation>M_id, Н·м</translation>
     </message>
 </context>
 <context>
