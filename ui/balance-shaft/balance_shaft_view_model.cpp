@@ -8,6 +8,7 @@
 #include "balance-shaft/scene.h"
 #include "case-file/input_error.h"
 #include "shell/input_command.h"
+#include "widgets/error_text.h"
 #include "widgets/number_text.h"
 
 namespace ravnoves {
@@ -102,7 +103,7 @@ QString BalanceShaftViewModel::edit(const QString& name,
     try {
         const Solver probe(next);
     } catch (const InputError& error) {
-        QString why = QString::fromUtf8(error.what());
+        QString why = errorText(error);
         Q_EMIT refused(why);
         return why;
     }

@@ -15,6 +15,7 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "theme/theme.h"
+#include "widgets/error_text.h"
 #include "widgets/form_section.h"
 #include "widgets/number_text.h"
 #include "widgets/panel.h"
@@ -231,6 +232,7 @@ NumberField* RelievedShaftView::addSize(FormSection* form, const QString& label,
                                         const FieldSpec& spec, const QString& hint,
                                         std::optional<double> RelievedShaftSizes::*member) {
     NumberField* size = form->addNumber(label, spec, hint);
+    size->setDigits(6);  // a size that was found has more than fit
     const double unit = spec.to_si;
     connect(size, &NumberField::valueEdited, this, [this, member, unit](std::optional<double> v) {
         model_->edit(tr("Relieved shaft"), [&](Input& input) {
@@ -338,10 +340,8 @@ void RelievedShaftView::showAll() {
 QString RelievedShaftView::exportDxf(const QString& path) const {
     try {
         write_text_file(path.toStdString(), balance_shaft::relieved_shaft_dxf(shaft_, {}));
-    } catch (const InputError& error) {
-        return path + QStringLiteral(": ") + QString::fromUtf8(error.what());
     } catch (const std::exception& error) {
-        return QString::fromUtf8(error.what());
+        return path + QStringLiteral(": ") + errorText(error);
     }
     return {};
 }

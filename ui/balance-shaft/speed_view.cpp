@@ -15,6 +15,7 @@
 #include "plot/plot_view.h"
 #include "theme/theme.h"
 #include "widgets/background_job.h"
+#include "widgets/error_text.h"
 #include "widgets/form_section.h"
 #include "widgets/number_text.h"
 #include "widgets/panel.h"
@@ -264,7 +265,7 @@ void SpeedView::solveAgain() {
             }
             result->study = std::move(study);
         } catch (const InputError& error) {
-            trouble = QString::fromUtf8(error.what());
+            trouble = errorText(error);
         }
         return std::function<void()>([this, result, trouble, input] {
             study_ = *result;

@@ -14,10 +14,12 @@
 
 #include "balance-shaft/balance_shaft_view_model.h"
 #include "balance-shaft/inertia_check.h"
+#include "balance-shaft/table_text.h"
 #include "balance-shaft/torque_table_editor.h"
 #include "case-file/input_error.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/error_text.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
 #include "widgets/number_text.h"
@@ -327,11 +329,10 @@ QString TorqueSourceEditor::importTrace(const QString& path) {
         if (!why.isEmpty()) {
             return path + QStringLiteral(": ") + why;
         }
-        trace_->setText(
-            tr("%1: %2.").arg(QFileInfo(path).fileName(), QString::fromStdString(read.describe())));
+        trace_->setText(tr("%1: %2.").arg(QFileInfo(path).fileName(), tableText(read)));
         return {};
     } catch (const InputError& error) {
-        return path + QStringLiteral(": ") + QString::fromUtf8(error.what());
+        return path + QStringLiteral(": ") + errorText(error);
     }
 }
 

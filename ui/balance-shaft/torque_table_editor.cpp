@@ -18,6 +18,7 @@
 #include "case-file/input_error.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/error_text.h"
 #include "widgets/form_section.h"
 
 namespace ravnoves {
@@ -69,7 +70,7 @@ TorqueTableEditor::TorqueTableEditor(BalanceShaftViewModel* model, QWidget* pare
                             balance_shaft::write_torque_table(model_->input().torque.table));
         } catch (const InputError& error) {
             QMessageBox::warning(this, tr("Export torque table"),
-                                 path + QStringLiteral(": ") + QString::fromUtf8(error.what()));
+                                 path + QStringLiteral(": ") + errorText(error));
         }
     });
     addTool(QStringLiteral("copy"), tr("Copy (Ctrl+C)"), [this] { copy(); });
@@ -131,7 +132,7 @@ QString TorqueTableEditor::importFile(const QString& path) {
         say(tr("Read %1.").arg(what), false);
         return {};
     } catch (const InputError& error) {
-        return path + QStringLiteral(": ") + QString::fromUtf8(error.what());
+        return path + QStringLiteral(": ") + errorText(error);
     }
 }
 
@@ -151,7 +152,7 @@ void TorqueTableEditor::paste() {
         if (block) {
             table_->pasteBlock(view_->currentIndex().row(), view_->currentIndex().column(), text);
         } else {
-            say(tr("Not pasted: %1").arg(QString::fromUtf8(error.what())), true);
+            say(tr("Not pasted: %1").arg(errorText(error)), true);
         }
     }
 }

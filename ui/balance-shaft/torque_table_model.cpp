@@ -3,8 +3,10 @@
 #include <QColor>
 #include <QLocale>
 
+#include "balance-shaft/table_text.h"
 #include "case-file/input_error.h"
 #include "theme/theme.h"
+#include "widgets/error_text.h"
 #include "widgets/number_text.h"
 
 namespace ravnoves {
@@ -50,7 +52,7 @@ void TorqueTableModel::check() {
         try {
             balance_shaft::check_torque_table(table, tr("Torque table").toStdString());
         } catch (const InputError& error) {
-            trouble = QString::fromUtf8(error.what());
+            trouble = errorText(error);
         }
     }
     const bool newTrouble = trouble != trouble_;
@@ -106,7 +108,7 @@ QString TorqueTableModel::replaceByText(const QString& text) {
     if (differs) {
         Q_EMIT tableEdited();
     }
-    return QString::fromStdString(read.describe());
+    return tableText(read);
 }
 
 void TorqueTableModel::pasteBlock(int row, int column, const QString& text) {

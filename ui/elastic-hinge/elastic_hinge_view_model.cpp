@@ -8,6 +8,7 @@
 #include "case-file/input_error.h"
 #include "elastic-hinge/case_io.h"
 #include "shell/input_command.h"
+#include "widgets/error_text.h"
 #include "widgets/number_text.h"
 
 namespace ravnoves {
@@ -174,7 +175,7 @@ QString ElasticHingeViewModel::edit(const QString& name,
     try {
         prepared_ = solved(next);
     } catch (const InputError& error) {
-        QString why = QString::fromUtf8(error.what());
+        QString why = errorText(error);
         Q_EMIT refused(why);
         return why;
     }
@@ -628,7 +629,7 @@ QString ElasticHingeViewModel::exportGuide(const QString& path, Hinge hinge,
                                        : elastic_hinge::guide_dxf(guide, drawing);
         write_text_file(std::filesystem::path(QFile::encodeName(path).toStdString()), text);
     } catch (const std::exception& error) {
-        return path + QStringLiteral(": ") + QString::fromUtf8(error.what());
+        return path + QStringLiteral(": ") + errorText(error);
     }
     return {};
 }

@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "widgets/error_text.h"
+
 namespace ravnoves {
 
 using elastic_hinge::HingeSet;
@@ -149,7 +151,7 @@ std::shared_ptr<const HingeMotions> MotionRunner::compute(Job& job) {
             before += 1.0;
         }
     } catch (const std::exception& error) {
-        motions->trouble = QString::fromUtf8(error.what());
+        motions->trouble = errorText(error);
     }
     return motions;
 }

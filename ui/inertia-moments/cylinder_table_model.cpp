@@ -96,11 +96,10 @@ bool CylinderTableModel::setData(const QModelIndex& index, const QVariant& value
     const ColumnInfo& info = column(index.column());
     const auto number = readFormNumber(value.toString());
     if (!number || !info.field->range.contains(*number)) {
-        const QString unit = QString::fromUtf8(info.field->unit.data(),
-                                               static_cast<qsizetype>(info.field->unit.size()));
-        Q_EMIT troubleChanged(tr("Cylinder %1: %2")
-                                  .arg(QString::number(index.row() + 1),
-                                       rangeText(info.field->range, unit, QLocale())));
+        Q_EMIT troubleChanged(
+            tr("Cylinder %1: %2")
+                .arg(QString::number(index.row() + 1),
+                     rangeText(info.field->range, unitText(info.field->unit), QLocale())));
         return false;
     }
     const QString why = model_->edit(tr("Cylinder %1").arg(index.row() + 1), [&](Input& input) {

@@ -11,6 +11,7 @@
 #include "inertia-moments/case_io.h"
 #include "inertia-moments/preset.h"
 #include "shell/input_command.h"
+#include "widgets/error_text.h"
 #include "widgets/number_text.h"
 
 namespace ravnoves {
@@ -220,7 +221,7 @@ QString InertiaMomentsViewModel::edit(const QString& name,
     try {
         probe_ = inertia_moments::solve(next);
     } catch (const InputError& error) {
-        QString why = explain(next, QString::fromUtf8(error.what()));
+        QString why = explain(next, errorText(error));
         Q_EMIT refused(why);
         return why;
     }

@@ -14,6 +14,7 @@
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
+#include "widgets/number_text.h"
 
 namespace ravnoves {
 
@@ -99,10 +100,9 @@ class ShaftRow : public QWidget {
         const auto number = [&](QLabel*& label, const QString& text, const FieldSpec& spec,
                                 const QString& name, const QString& hint) {
             auto* target = new NumberField(spec, this);
-            target->setRange(spec.range, FormSection::unitText(spec.unit));
+            target->setRange(spec.range, unitText(spec.unit));
             target->setHint(hint);
-            target->setAccessibleName(name + QStringLiteral(", ") +
-                                      FormSection::unitText(spec.unit));
+            target->setAccessibleName(name + QStringLiteral(", ") + unitText(spec.unit));
             target->setMinimumWidth(36);
             label = new QLabel(text, this);
             label->setBuddy(target);
@@ -159,7 +159,7 @@ class ShaftRow : public QWidget {
         const FieldSpec& place = moment ? field::weight_distance : field::shaft_position;
         if (moment_ != moment) {
             moment_ = moment;
-            length_->setRange(place.range, FormSection::unitText(place.unit));
+            length_->setRange(place.range, unitText(place.unit));
             length_->setOptional(!moment);
             length_->setPlaceholderText(moment ? QString() : tr("c. m."));
             length_->setHint(moment ? tr("Distance between the two weights along the shaft")

@@ -1,6 +1,7 @@
 #include "widgets/form_section.h"
 
 #include "theme/theme.h"
+#include "widgets/number_text.h"
 
 namespace ravnoves {
 
@@ -50,10 +51,6 @@ FormSection::FormSection(const QString& title, QWidget* parent) : QWidget(parent
     grid_->setColumnMinimumWidth(1, 84);
     grid_->setColumnMinimumWidth(2, 34);
     column->addLayout(grid_);
-}
-
-QString FormSection::unitText(std::string_view unit) {
-    return QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
 }
 
 NumberField* FormSection::addNumber(const QString& label, const FieldSpec& spec,

@@ -28,9 +28,6 @@ class FormSection : public QWidget {
     /// A row that shows a computed value; returns the value's label.
     QLabel* addResult(const QString& label, const QString& hint = {});
 
-    /// Units and labels the form knows by another word than the case file ("deg" → "°").
-    static QString unitText(std::string_view unit);
-
   private:
     QGridLayout* grid_;
     int row_ = 0;

@@ -20,8 +20,7 @@ NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
 }
 
 NumberField::NumberField(const FieldSpec& spec, QWidget* parent) : NumberField(parent) {
-    setRange(spec.range,
-             QString::fromUtf8(spec.unit.data(), static_cast<qsizetype>(spec.unit.size())));
+    setRange(spec.range, unitText(spec.unit));
 }
 
 void NumberField::setRange(const Range& range, const QString& unit) {

@@ -1,6 +1,8 @@
 #include "widgets/number_text.h"
 
 #include <QCoreApplication>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "case-file/decimal.h"
@@ -14,6 +16,22 @@ QLocale plain(QLocale locale) {
     return locale;
 }
 
+/// Units that a language may write with letters of its own; the rest ("°") stays.
+constexpr std::array units{
+    QT_TRANSLATE_NOOP("ravnoves::Unit", "mm"),    QT_TRANSLATE_NOOP("ravnoves::Unit", "kg"),
+    QT_TRANSLATE_NOOP("ravnoves::Unit", "g"),     QT_TRANSLATE_NOOP("ravnoves::Unit", "g·mm"),
+    QT_TRANSLATE_NOOP("ravnoves::Unit", "N"),     QT_TRANSLATE_NOOP("ravnoves::Unit", "N/m"),
+    QT_TRANSLATE_NOOP("ravnoves::Unit", "N·m"),   QT_TRANSLATE_NOOP("ravnoves::Unit", "kN/m"),
+    QT_TRANSLATE_NOOP("ravnoves::Unit", "J"),     QT_TRANSLATE_NOOP("ravnoves::Unit", "bar"),
+    QT_TRANSLATE_NOOP("ravnoves::Unit", "kPa"),   QT_TRANSLATE_NOOP("ravnoves::Unit", "MPa"),
+    QT_TRANSLATE_NOOP("ravnoves::Unit", "GPa"),   QT_TRANSLATE_NOOP("ravnoves::Unit", "Pa"),
+    QT_TRANSLATE_NOOP("ravnoves::Unit", "kg/m³"), QT_TRANSLATE_NOOP("ravnoves::Unit", "kg·m²"),
+    QT_TRANSLATE_NOOP("ravnoves::Unit", "m/s²"),  QT_TRANSLATE_NOOP("ravnoves::Unit", "mm/s"),
+    QT_TRANSLATE_NOOP("ravnoves::Unit", "min⁻¹"), QT_TRANSLATE_NOOP("ravnoves::Unit", "rad/s"),
+    QT_TRANSLATE_NOOP("ravnoves::Unit", "rad"),   QT_TRANSLATE_NOOP("ravnoves::Unit", "µm"),
+    QT_TRANSLATE_NOOP("ravnoves::Unit", "s"),     QT_TRANSLATE_NOOP("ravnoves::Unit", "cm³"),
+};
+
 QString withUnit(const QString& number, const QString& unit) {
     if (unit.isEmpty()) {
         return number;
@@ -22,6 +40,14 @@ QString withUnit(const QString& number, const QString& unit) {
 }
 
 }  // namespace
+
+QString unitText(std::string_view unit) {
+    const auto* const known = std::find(units.begin(), units.end(), unit);
+    if (known != units.end()) {
+        return QCoreApplication::translate("ravnoves::Unit", *known);
+    }
+    return QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
+}
 
 QString formNumber(double value, const QLocale& locale, int significant) {
     if (!std::isfinite(value)) {

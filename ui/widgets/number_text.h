@@ -3,6 +3,7 @@
 #include <QLocale>
 #include <QString>
 #include <optional>
+#include <string_view>
 
 #include "case-file/range.h"
 
@@ -21,6 +22,9 @@ QString rangeText(const Range& range, const QString& unit, const QLocale& locale
 
 /// One digit and a power of ten, for errors and drifts: "8·10⁻¹³"; 0 is "0".
 QString powerNumber(double value, const QLocale& locale);
+
+/// A unit of core ("mm", "min⁻¹") as the language writes it.
+QString unitText(std::string_view unit);
 
 /// Fixed decimals with the locale's decimal sign and a true minus.
 QString fixedNumber(double value, int decimals, const QLocale& locale);
