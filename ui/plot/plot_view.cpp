@@ -26,6 +26,7 @@
 #include "plot/thin_polyline.h"
 #include "plot/ticks.h"
 #include "theme/theme.h"
+#include "widgets/csv_format.h"
 
 namespace ravnoves {
 
@@ -95,6 +96,7 @@ PlotView::PlotView(const QString& title, QWidget* parent)
     scene_->addItem(chart_);
     chart_->setBackgroundVisible(false);
     chart_->legend()->hide();
+    chart_->setLocalizeNumbers(true);
     chart_->setAnimationOptions(QChart::NoAnimation);
     chart_->layout()->setContentsMargins(0, 0, 0, 0);
     chart_->setMargins(QMargins());
@@ -940,6 +942,7 @@ std::optional<double> PlotView::valueAt(int number, double x) const {
 }
 
 QString PlotView::dataAsCsv() const {
+    const CsvFormat csv;
     const auto quoted = [](QString text) {
         return QLatin1Char('"') + text.replace(QLatin1Char('"'), QLatin1String("\"\"")) +
                QLatin1Char('"');
@@ -949,11 +952,11 @@ QString PlotView::dataAsCsv() const {
         if (!curve->shown || curve->x.empty()) {
             continue;
         }
-        text += quoted(x_->spec.title) + QLatin1Char(',') + quoted(curve->style.name) +
-                QLatin1Char('\n');
+        text +=
+            quoted(x_->spec.title) + csv.separator + quoted(curve->style.name) + QLatin1Char('\n');
         for (std::size_t i = 0; i < curve->x.size(); ++i) {
-            text += QString::number(curve->x[i], 'g', 17) + QLatin1Char(',') +
-                    QString::number(curve->y[i], 'g', 17) + QLatin1Char('\n');
+            text += csv.number(curve->x[i]) + csv.separator + csv.number(curve->y[i]) +
+                    QLatin1Char('\n');
         }
         text += QLatin1Char('\n');
     }

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "theme/theme.h"
+#include "widgets/csv_format.h"
 
 namespace ravnoves {
 
@@ -92,14 +93,9 @@ void ResultTable::setCellToolTip(int row, int column, const QString& text) {
 }
 
 QString ResultTable::joined(QChar separator, bool selectionOnly) const {
+    const CsvFormat csv;
     const auto written = [&](const QString& text) {
-        if (separator == QLatin1Char('\t') ||
-            (!text.contains(separator) && !text.contains(QLatin1Char('"')))) {
-            return text;
-        }
-        QString inner = text;
-        return QLatin1Char('"') + inner.replace(QLatin1Char('"'), QLatin1String("\"\"")) +
-               QLatin1Char('"');
+        return separator == QLatin1Char('\t') ? text : csv.field(text);
     };
     QString text;
     QStringList line;
@@ -128,7 +124,7 @@ QString ResultTable::asText() const {
     return joined(QLatin1Char('\t'), false);
 }
 QString ResultTable::asCsv() const {
-    return joined(QLatin1Char(','), false);
+    return joined(CsvFormat().separator, false);
 }
 
 void ResultTable::copySelection() {

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QChar>
+#include <QLocale>
+#include <QString>
+
+namespace ravnoves {
+
+/// How spreadsheets of a language read CSV: those with a decimal comma take the semicolon between
+/// the columns.
+struct CsvFormat {
+    explicit CsvFormat(const QLocale& locale = QLocale())
+        : point(locale.decimalPoint()),
+          separator(point == QLatin1String(",") ? QLatin1Char(';') : QLatin1Char(',')) {}
+
+    /// A number to its last digit.
+    QString number(double value) const {
+        return QString::number(value, 'g', 17).replace(QLatin1Char('.'), point);
+    }
+
+    /// Text or a number as it is shown: the true minus becomes the one that spreadsheets know.
+    QString field(QString text) const {
+        if (text.size() > 1 && text.front() == QChar(0x2212) && text[1].isDigit()) {
+            text[0] = QLatin1Char('-');
+        }
+        if (text.contains(separator) || text.contains(QLatin1Char('"'))) {
+            text.replace(QLatin1Char('"'), QLatin1String("\"\""));
+            return QLatin1Char('"') + text + QLatin1Char('"');
+        }
+        return text;
+    }
+
+    QString point;
+    QChar separator;
+};
+
+}  // namespace ravnoves
