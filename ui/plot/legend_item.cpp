@@ -9,8 +9,21 @@ namespace ravnoves {
 
 namespace {
 
-constexpr double strokeLength = 16.0;
+constexpr double strokeLength = 18.0;
 constexpr double inset = 5.0;
+
+constexpr double strokeWidth = 2.6;
+
+/// A stroke whose dashes fill the short sample evenly; Qt's own end in a sliver.
+QPen samplePen(const QColor& colour, Qt::PenStyle style) {
+    QPen pen(colour, strokeWidth, style, Qt::FlatCap);
+    if (style == Qt::DashLine) {
+        pen.setDashPattern({7.0 / strokeWidth, 4.0 / strokeWidth});  // 7 + 4 + 7 = strokeLength
+    } else if (style == Qt::DotLine) {
+        pen.setDashPattern({2.4 / strokeWidth, 2.8 / strokeWidth});  // four dots
+    }
+    return pen;
+}
 
 QFont itemFont() {
     return Theme::font(Theme::smallSize + 1);
@@ -44,7 +57,7 @@ void LegendItem::draw(QPainter& painter, const QRectF& rect) const {
     }
     const double middle = rect.center().y();
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(stroke, 2.6, pen_, Qt::FlatCap));
+    painter.setPen(samplePen(stroke, pen_));
     painter.drawLine(QPointF(rect.left() + inset, middle),
                      QPointF(rect.left() + inset + strokeLength, middle));
     QFont font = itemFont();
