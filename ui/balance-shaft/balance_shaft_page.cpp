@@ -194,7 +194,7 @@ QWidget* BalanceShaftPage::buildInputs() {
     auto* engine = new FormSection(tr("Engine"), form);
     preset_ = new QComboBox(form);
     preset_->addItem(tr("Own values"));
-    preset_->addItem(QStringLiteral("TMZ-650D"));
+    preset_->addItem(tr("TMZ-650D"));
     engine->addWidget(
         tr("P&reset"), preset_, {},
         tr("TMZ-650D: the single-cylinder diesel of Gots and Klevtsov, Tables 1 and 2"));

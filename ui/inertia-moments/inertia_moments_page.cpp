@@ -614,7 +614,7 @@ QWidget* InertiaMomentsPage::buildCharts() {
     shaftView_ = new ShaftView(model_, charts_);
     charts_->addTab(shaftView_, tr("Shafts"));
     weightView_ = new CounterweightView(model_, charts_);
-    charts_->addTab(weightView_, tr("Counterweights"));
+    charts_->addTab(weightView_, tr("Weights"));
     firing_ = new FiringWheel(model_, charts_);
     charts_->addTab(firing_, tr("Firing"));
     connect(charts_, &QTabWidget::currentChanged, this, [this](int index) {

@@ -26,6 +26,7 @@
 #include "shell/scene_page.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/error_text.h"
 
 namespace ravnoves {
 
@@ -33,6 +34,18 @@ namespace {
 
 constexpr int navigationWidth = 104;
 constexpr int recentFiles = 8;
+
+/// A title that is wider than `room`, broken at the last blank where the first line fits.
+QString inTwoLines(QString title, const QFontMetrics& metrics, int room) {
+    if (metrics.horizontalAdvance(title) <= room) {
+        return title;
+    }
+    qsizetype at = title.lastIndexOf(QLatin1Char(' '));
+    while (at > 0 && metrics.horizontalAdvance(title.left(at)) > room) {
+        at = title.lastIndexOf(QLatin1Char(' '), at - 1);
+    }
+    return at > 0 ? title.replace(at, 1, QLatin1Char('\n')) : title;
+}
 
 /// A page that does not exist yet says so in one line.
 QWidget* comingPage(const SceneInfo& info, QWidget* parent) {
@@ -113,6 +126,8 @@ void MainWindow::buildNavigation() {
         entry.button->setIconSize(QSize(28, 28));
         entry.button->setAutoRaise(true);
         entry.button->setFont(Theme::font(Theme::smallSize));
+        entry.action->setIconText(inTwoLines(entry.info.title, entry.button->fontMetrics(),
+                                             navigationWidth - 2 * Theme::gap - Theme::space));
         entry.button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         entry.button->setMinimumHeight(58);
         entry.button->setFocusPolicy(Qt::TabFocus);
@@ -388,7 +403,7 @@ QString MainWindow::openCase(const QString& path) {
         rememberFile(path);
         return {};
     } catch (const InputError& error) {
-        return path + QStringLiteral(": ") + QString::fromUtf8(error.what());
+        return path + QStringLiteral(": ") + errorText(error);
     }
 }
 
@@ -399,7 +414,7 @@ QString MainWindow::saveCase(const QString& path) {
                             model->inputJson()};
         write_text_file(fsPath(path), write_case(file).dump(2) + "\n");
     } catch (const InputError& error) {
-        return path + QStringLiteral(": ") + QString::fromUtf8(error.what());
+        return path + QStringLiteral(": ") + errorText(error);
     }
     current().path = path;
     model->history()->setClean();

@@ -2,7 +2,7 @@
 
 #include <QApplication>
 #include <QFontDatabase>
-#include <QStyleFactory>
+#include <QProxyStyle>
 #include <array>
 
 #include "theme/desktop_colour_scheme.h"
@@ -10,6 +10,18 @@
 namespace ravnoves {
 
 namespace {
+
+/// Fusion with narrower tabs, so that seven of them fit beside each other in a small window.
+class DenseTabs : public QProxyStyle {
+  public:
+    DenseTabs() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+    int pixelMetric(PixelMetric metric, const QStyleOption* option,
+                    const QWidget* widget) const override {
+        return metric == PM_TabBarTabHSpace ? 2 * Theme::space
+                                            : QProxyStyle::pixelMetric(metric, option, widget);
+    }
+};
 
 QString bundledFamily() {
     static const QString family = [] {
@@ -30,7 +42,7 @@ Theme& Theme::instance() {
 }
 
 void Theme::install(Mode mode) {
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setStyle(new DenseTabs);
     QApplication::setFont(font());
     mode_ = mode;
     watchDesktop();
