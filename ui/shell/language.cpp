@@ -16,6 +16,22 @@ QString& installed() {
     return code;
 }
 
+/// Loads a translation; the application owns it.
+void install(const QString& file, const QString& folder) {
+    auto* translator = new QTranslator(QCoreApplication::instance());
+    if (translator->load(file, folder)) {
+        QCoreApplication::installTranslator(translator);
+    } else {
+        delete translator;
+    }
+}
+
+/// A translator that goes takes its texts along.
+void removeAll() {
+    qDeleteAll(QCoreApplication::instance()->findChildren<QTranslator*>(
+        QString(), Qt::FindDirectChildrenOnly));
+}
+
 const QString settingsKey = QStringLiteral("view/language");
 
 }  // namespace
@@ -38,6 +54,7 @@ std::vector<Language> availableLanguages() {
 }
 
 void installLanguage(const QString& code) {
+    removeAll();
     QString wanted = code;
     if (wanted.isEmpty()) {
         wanted = QSettings().value(settingsKey).toString();
@@ -62,16 +79,10 @@ void installLanguage(const QString& code) {
     if (installed() == QLatin1String("en")) {
         return;
     }
-    auto* own = new QTranslator(QCoreApplication::instance());
-    if (own->load(QStringLiteral(":/i18n/ravnoves_%1.qm").arg(installed()))) {
-        QCoreApplication::installTranslator(own);
-    }
+    install(QStringLiteral("ravnoves_") + installed(), QStringLiteral(":/i18n"));
     // Qt's own texts (standard buttons, file dialogs).
-    auto* qt = new QTranslator(QCoreApplication::instance());
-    if (qt->load(QStringLiteral("qtbase_") + installed(),
-                 QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
-        QCoreApplication::installTranslator(qt);
-    }
+    install(QStringLiteral("qtbase_") + installed(),
+            QLibraryInfo::path(QLibraryInfo::TranslationsPath));
 }
 
 QString currentLanguage() {

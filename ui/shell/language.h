@@ -13,8 +13,9 @@ struct Language {
 /// English and every language with a translation in the program (:/i18n/ravnoves_CODE.qm).
 std::vector<Language> availableLanguages();
 
-/// Installs the translation and the number format of a language. An empty code is the language the
-/// user chose, else that of the desktop where there is a translation, else English.
+/// Installs the translation and the number format of a language, in place of those before. An empty
+/// code is the language the user chose, else that of the desktop where there is a translation, else
+/// English.
 void installLanguage(const QString& code = {});
 /// The code that installLanguage() settled on.
 QString currentLanguage();
