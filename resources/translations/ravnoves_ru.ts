@@ -237,6 +237,57 @@
     </message>
 </context>
 <context>
+    <name>TableText</name>
+    <message>
+        <source>separated by semicolons</source>
+        <translation>разделитель — точка с запятой</translation>
+    </message>
+    <message>
+        <source>separated by commas</source>
+        <translation>разделитель — запятая</translation>
+    </message>
+    <message>
+        <source>separated by tabs</source>
+        <translation>разделитель — табуляция</translation>
+    </message>
+    <message>
+        <source>separated by blanks</source>
+        <translation>разделитель — пробел</translation>
+    </message>
+    <message>
+        <source>%1 rows</source>
+        <translation>строк: %1</translation>
+    </message>
+    <message>
+        <source>decimal comma</source>
+        <translation>десятичная запятая</translation>
+    </message>
+    <message>
+        <source>angles in radians</source>
+        <translation>углы в радианах</translation>
+    </message>
+    <message>
+        <source>angles in degrees</source>
+        <translation>углы в градусах</translation>
+    </message>
+    <message>
+        <source>with a header</source>
+        <translation>с заголовком</translation>
+    </message>
+    <message>
+        <source>pressure in %1</source>
+        <translation>давление: %1</translation>
+    </message>
+    <message>
+        <source>360° repeated to 720°</source>
+        <translation>360° повторены до 720°</translation>
+    </message>
+    <message>
+        <source>end joined to the start</source>
+        <translation>конец сведён с началом</translation>
+    </message>
+</context>
+<context>
     <name>V8</name>
     <message>
         <source>g</source>
@@ -1134,6 +1185,10 @@
     <message>
         <source>Relief</source>
         <translation>Проточка</translation>
+    </message>
+    <message>
+        <source>TMZ-650D</source>
+        <translation>ТМЗ-650Д</translation>
     </message>
 </context>
 <context>
@@ -4158,6 +4213,581 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::InputError</name>
+    <message>
+        <source>must be from %1 to %2</source>
+        <translation>должно быть от %1 до %2</translation>
+    </message>
+    <message>
+        <source>must be greater than %1 and less than %2</source>
+        <translation>должно быть больше %1 и меньше %2</translation>
+    </message>
+    <message>
+        <source>must be greater than %1 and at most %2</source>
+        <translation>должно быть больше %1 и не больше %2</translation>
+    </message>
+    <message>
+        <source>must be at least %1 and less than %2</source>
+        <translation>должно быть не меньше %1 и меньше %2</translation>
+    </message>
+    <message>
+        <source>must be greater than %1</source>
+        <translation>должно быть больше %1</translation>
+    </message>
+    <message>
+        <source>must be at least %1</source>
+        <translation>должно быть не меньше %1</translation>
+    </message>
+    <message>
+        <source>must be less than %1</source>
+        <translation>должно быть меньше %1</translation>
+    </message>
+    <message>
+        <source>must be at most %1</source>
+        <translation>должно быть не больше %1</translation>
+    </message>
+    <message>
+        <source>must be a finite number</source>
+        <translation>должно быть конечным числом</translation>
+    </message>
+    <message>
+        <source>must be a number</source>
+        <translation>должно быть числом</translation>
+    </message>
+    <message>
+        <source>must be a number or &quot;solve&quot;</source>
+        <translation>должно быть числом или &quot;solve&quot;</translation>
+    </message>
+    <message>
+        <source>must be a whole number from %1 to %2</source>
+        <translation>должно быть целым числом от %1 до %2</translation>
+    </message>
+    <message>
+        <source>must be a list</source>
+        <translation>должно быть списком</translation>
+    </message>
+    <message>
+        <source>must be an object</source>
+        <translation>должно быть объектом</translation>
+    </message>
+    <message>
+        <source>must be a text</source>
+        <translation>должно быть текстом</translation>
+    </message>
+    <message>
+        <source>must be true or false</source>
+        <translation>должно быть true или false</translation>
+    </message>
+    <message>
+        <source>must be a file name</source>
+        <translation>должно быть именем файла</translation>
+    </message>
+    <message>
+        <source>must be a file, not a folder</source>
+        <translation>должно быть файлом, а не папкой</translation>
+    </message>
+    <message>
+        <source>must be one of %1</source>
+        <translation>допустимо одно из: %1</translation>
+    </message>
+    <message>
+        <source>must be one of %1 (the nearest is %2)</source>
+        <translation>допустимо одно из: %1 (ближайшее — %2)</translation>
+    </message>
+    <message>
+        <source>is required and missing</source>
+        <translation>обязательно, но отсутствует</translation>
+    </message>
+    <message>
+        <source>is required and missing (or %1)</source>
+        <translation>обязательно, но отсутствует (или %1)</translation>
+    </message>
+    <message>
+        <source>is required and missing (or &quot;layout&quot; instead)</source>
+        <translation>обязательно, но отсутствует (вместо него годится &quot;layout&quot;)</translation>
+    </message>
+    <message>
+        <source>is required and missing: the preset %1 does not give it</source>
+        <translation>обязательно, но отсутствует: в образце %1 его нет</translation>
+    </message>
+    <message>
+        <source>is not a known key</source>
+        <translation>неизвестный ключ</translation>
+    </message>
+    <message>
+        <source>is not a known key; the nearest is %1</source>
+        <translation>неизвестный ключ; ближайший — %1</translation>
+    </message>
+    <message>
+        <source>is nested more than %1 levels deep</source>
+        <translation>вложено глубже %1 уровней</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>пусто</translation>
+    </message>
+    <message>
+        <source>is not valid JSON</source>
+        <translation>это не JSON</translation>
+    </message>
+    <message>
+        <source>holds a number that is too large for this program</source>
+        <translation>содержит число, слишком большое для программы</translation>
+    </message>
+    <message>
+        <source>must be at most %1 (a newer program wrote this case; update to open it)</source>
+        <translation>должно быть не больше %1 (задача записана более новой программой; обновите программу)</translation>
+    </message>
+    <message>
+        <source>must be a known scene</source>
+        <translation>раздел неизвестен</translation>
+    </message>
+    <message>
+        <source>must be at most 64 MiB</source>
+        <translation>должно быть не больше 64 МиБ</translation>
+    </message>
+    <message>
+        <source>cannot be read to its end</source>
+        <translation>не читается до конца</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>не читается: %1</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>не удалось записать: %1</translation>
+    </message>
+    <message>
+        <source>must be left out where %1 is given</source>
+        <translation>не должно стоять там, где задано %1</translation>
+    </message>
+    <message>
+        <source>must be left out where the torque&apos;s own object gives it</source>
+        <translation>не должно стоять там, где это задано в самом объекте момента</translation>
+    </message>
+    <message>
+        <source>must hold either heat_J or indicated_mean_effective_pressure_bar</source>
+        <translation>должно содержать либо heat_J, либо indicated_mean_effective_pressure_bar</translation>
+    </message>
+    <message>
+        <source>must hold one of: crank_angle_deg with torque_Nm, csv, pressure, cycle</source>
+        <translation>должно содержать одно из: crank_angle_deg с torque_Nm, csv, pressure, cycle</translation>
+    </message>
+    <message>
+        <source>must be at least %1, what the cycle gives without heat</source>
+        <translation>должно быть не меньше %1: столько цикл даёт без теплоты</translation>
+    </message>
+    <message>
+        <source>must be greater than the crank radius and twice the offset together, %1</source>
+        <translation>должно быть больше радиуса кривошипа вместе с удвоенным дезаксажем, %1</translation>
+    </message>
+    <message>
+        <source>must be greater than the crank radius, %1</source>
+        <translation>должно быть больше радиуса кривошипа, %1</translation>
+    </message>
+    <message>
+        <source>must make a displacement from %1 to %2</source>
+        <translation>должно давать рабочий объём от %1 до %2</translation>
+    </message>
+    <message>
+        <source>must end the combustion before the bottom dead centre at %1</source>
+        <translation>сгорание должно закончиться до нижней мёртвой точки, %1</translation>
+    </message>
+    <message>
+        <source>must be at least from_rpm, %1</source>
+        <translation>должно быть не меньше from_rpm, %1</translation>
+    </message>
+    <message>
+        <source>must add up to more than 0 and to a finite mass</source>
+        <translation>в сумме должна получиться конечная масса больше 0</translation>
+    </message>
+    <message>
+        <source>must be less than the teeth, which must be from %1 to %2</source>
+        <translation>должно быть меньше числа зубьев, а оно — от %1 до %2</translation>
+    </message>
+    <message>
+        <source>must be at most rod_mass_kg, %1</source>
+        <translation>должно быть не больше rod_mass_kg, %1</translation>
+    </message>
+    <message>
+        <source>makes %1 larger than this program can work with (%2) together with the other inputs</source>
+        <translation>вместе с остальными данными: %1 больше того, с чем может работать программа (%2)</translation>
+    </message>
+    <message>
+        <source>the square of the speed</source>
+        <translation>квадрат скорости</translation>
+    </message>
+    <message>
+        <source>the mechanism</source>
+        <translation>механизм</translation>
+    </message>
+    <message>
+        <source>the inertia force</source>
+        <translation>сила инерции</translation>
+    </message>
+    <message>
+        <source>the inertia torque</source>
+        <translation>момент сил инерции</translation>
+    </message>
+    <message>
+        <source>the counterweight&apos;s mass</source>
+        <translation>масса противовеса</translation>
+    </message>
+    <message>
+        <source>the counterweight&apos;s force</source>
+        <translation>сила противовеса</translation>
+    </message>
+    <message>
+        <source>the shaft&apos;s moment</source>
+        <translation>момент вала</translation>
+    </message>
+    <message>
+        <source>the cylinder</source>
+        <translation>цилиндр</translation>
+    </message>
+    <message>
+        <source>the envelope</source>
+        <translation>габарит</translation>
+    </message>
+    <message>
+        <source>must hold two of diameter_mm, depth_mm and length_mm</source>
+        <translation>должно содержать два из diameter_mm, depth_mm и length_mm</translation>
+    </message>
+    <message>
+        <source>must be less than the diameter, %1</source>
+        <translation>должно быть меньше диаметра, %1</translation>
+    </message>
+    <message>
+        <source>there is no shaft to draw: %1</source>
+        <translation>чертить нечего: %1</translation>
+    </message>
+    <message>
+        <source>No unbalance is needed, so there is nothing to mill away.</source>
+        <translation>Дисбаланс не нужен, снимать нечего.</translation>
+    </message>
+    <message>
+        <source>The bar is too thin: over a length of %1 its diameter must be at least %2; with this diameter the relieved length must be at least %3.</source>
+        <translation>Пруток слишком тонок: при длине %1 нужен диаметр не меньше %2, при этом диаметре — длина проточки не меньше %3.</translation>
+    </message>
+    <message>
+        <source>The unbalance needed is beyond any shaft of such sizes.</source>
+        <translation>Нужный дисбаланс недостижим ни для какого вала таких размеров.</translation>
+    </message>
+    <message>
+        <source>These sizes give %1 % of the unbalance that is needed.</source>
+        <translation>Эти размеры дают %1 % нужного дисбаланса.</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>строка %1, столбец %2</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>строка %1</translation>
+    </message>
+    <message>
+        <source>must not separate columns by commas and use decimal commas at once; separate the columns by semicolons</source>
+        <translation>запятая не может и разделять столбцы, и отделять дробную часть; разделите столбцы точкой с запятой</translation>
+    </message>
+    <message>
+        <source>must not repeat the angle of the row before, %1</source>
+        <translation>не должно повторять угол предыдущей строки, %1</translation>
+    </message>
+    <message>
+        <source>must be greater than the angle of the row before, %1</source>
+        <translation>должно быть больше угла предыдущей строки, %1</translation>
+    </message>
+    <message>
+        <source>must be at least %1 more than the angle of the row before, %2</source>
+        <translation>должно быть больше угла предыдущей строки, %2, не меньше чем на %1</translation>
+    </message>
+    <message>
+        <source>must equal the first %1, %2, since the cycle repeats</source>
+        <translation>последнее значение (%1) должно равняться первому, %2: цикл повторяется</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>момент</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>давление</translation>
+    </message>
+    <message>
+        <source>must be text; this looks like a binary file</source>
+        <translation>должен быть текст, а это похоже на двоичный файл</translation>
+    </message>
+    <message>
+        <source>must hold two columns, crank angle and %1</source>
+        <translation>должно быть два столбца: угол поворота и %1</translation>
+    </message>
+    <message>
+        <source>%1 columns</source>
+        <translation>столбцов: %1</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>точек: %1</translation>
+    </message>
+    <message>
+        <source>the table must have at most %1 rows</source>
+        <translation>в таблице должно быть не больше %1 строк</translation>
+    </message>
+    <message>
+        <source>the %1 table must have at least 3 rows</source>
+        <translation>в таблице (%1) должно быть хотя бы 3 строки</translation>
+    </message>
+    <message>
+        <source>the table of 720° must have at most %1 rows</source>
+        <translation>в таблице на 720° должно быть не больше %1 строк</translation>
+    </message>
+    <message>
+        <source>the angles must span 720° (or 360°, or 4π or 2π in radians), the last row repeating the first</source>
+        <translation>углы должны охватывать 720° (или 360°, в радианах 4π или 2π), последняя строка повторяет первую</translation>
+    </message>
+    <message>
+        <source>the angles of neighbouring rows are too close together</source>
+        <translation>углы соседних строк слишком близки</translation>
+    </message>
+    <message>
+        <source>must hold as many numbers as crank_angle_deg, %1</source>
+        <translation>чисел должно быть столько же, сколько в crank_angle_deg, %1</translation>
+    </message>
+    <message>
+        <source>must hold at least 3 numbers</source>
+        <translation>должно быть хотя бы 3 числа</translation>
+    </message>
+    <message>
+        <source>must hold at most %1 numbers</source>
+        <translation>должно быть не больше %1 чисел</translation>
+    </message>
+    <message>
+        <source>must span 720°, the last row repeating the first</source>
+        <translation>углы должны охватывать 720°, последняя строка повторяет первую</translation>
+    </message>
+    <message>
+        <source>must not stand beside weights_N: give the one or the other</source>
+        <translation>не должно стоять рядом с weights_N: задайте одно из двух</translation>
+    </message>
+    <message>
+        <source>there is no guide to export</source>
+        <translation>записывать нечего: направляющей нет</translation>
+    </message>
+    <message>
+        <source>there is no guide to export: %1</source>
+        <translation>записывать нечего: %1</translation>
+    </message>
+    <message>
+        <source>no spring is given for %1</source>
+        <translation>не задана пружина, %1</translation>
+    </message>
+    <message>
+        <source>the crank&apos;s hinge</source>
+        <translation>шарнир кривошипа</translation>
+    </message>
+    <message>
+        <source>the crank&apos;s hinge beside the rod&apos;s</source>
+        <translation>шарнир кривошипа рядом с шарниром шатуна</translation>
+    </message>
+    <message>
+        <source>the rod&apos;s hinge</source>
+        <translation>шарнир шатуна</translation>
+    </message>
+    <message>
+        <source>from a crank angle of %1 the spring would have to give out more energy than it stores (most at %2): the preload |l0/2 - rho0| is %3 mm and must be at least %4 mm</source>
+        <translation>начиная с угла %1 пружина должна отдать больше энергии, чем запасла (больше всего при %2): преднатяг |l0/2 - rho0| равен %3 мм, а нужно не меньше %4 мм</translation>
+    </message>
+    <message>
+        <source>the spring would have to be compressed by %1 mm, its whole free length of %2 mm or more</source>
+        <translation>пружину пришлось бы сжать на %1 мм при её свободной длине %2 мм</translation>
+    </message>
+    <message>
+        <source>chord tolerance</source>
+        <translation>допуск хорды</translation>
+    </message>
+    <message>
+        <source>roller radius</source>
+        <translation>радиус ролика</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>шаг</translation>
+    </message>
+    <message>
+        <source>must be less than %1 mm, else the profile is undercut</source>
+        <translation>должно быть меньше %1 мм, иначе профиль подрезается</translation>
+    </message>
+    <message>
+        <source>is too small for this guide: it would take more than %1 points</source>
+        <translation>слишком мало для этой направляющей: понадобилось бы больше %1 точек</translation>
+    </message>
+    <message>
+        <source>must together be more than 0</source>
+        <translation>в сумме должно быть больше 0</translation>
+    </message>
+    <message>
+        <source>must be less than 1 for the exact kinematics (a rod no longer than the crank locks the mechanism at a crank angle of 90°; &quot;kinematics&quot;: &quot;series&quot; still draws the paper&apos;s curves)</source>
+        <translation>для точной кинематики должно быть меньше 1 (шатун не длиннее кривошипа заклинивает механизм при угле 90°; кривые статьи чертит &quot;kinematics&quot;: &quot;series&quot;)</translation>
+    </message>
+    <message>
+        <source>must be less than 1 for a motion: the mechanism locks</source>
+        <translation>для движения должно быть меньше 1: механизм заклинивает</translation>
+    </message>
+    <message>
+        <source>must make a guide that exists for this motion</source>
+        <translation>для этого движения направляющая должна существовать</translation>
+    </message>
+    <message>
+        <source>must make a guide that exists for this motion: %1</source>
+        <translation>для этого движения направляющая должна существовать: %1</translation>
+    </message>
+    <message>
+        <source>must give the crank and the rod together some mass for a motion</source>
+        <translation>для движения у кривошипа с шатуном должна быть масса</translation>
+    </message>
+    <message>
+        <source>holds values so far apart that the result leaves the range of numbers; bring them nearer to those of a machine</source>
+        <translation>значения так далеки друг от друга, что результат выходит за пределы чисел; приблизьте их к значениям настоящей машины</translation>
+    </message>
+    <message>
+        <source>must be a layout of the library</source>
+        <translation>должно быть компоновкой из списка</translation>
+    </message>
+    <message>
+        <source>must be a layout of the library (the nearest is %1)</source>
+        <translation>должно быть компоновкой из списка (ближайшая — %1)</translation>
+    </message>
+    <message>
+        <source>must not stand beside &quot;layout&quot;: one of the two</source>
+        <translation>не должно стоять рядом с &quot;layout&quot;: одно из двух</translation>
+    </message>
+    <message>
+        <source>must name each cylinder from 1 to %1 once</source>
+        <translation>должно назвать каждый цилиндр от 1 до %1 один раз</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>ничего</translation>
+    </message>
+    <message>
+        <source>must list from 1 to %1 cylinders</source>
+        <translation>цилиндров должно быть от 1 до %1</translation>
+    </message>
+    <message>
+        <source>must be less than 1; %1</source>
+        <translation>должно быть меньше 1; %1</translation>
+    </message>
+    <message>
+        <source>must be less than %1 in size (rod length less crank radius); %2</source>
+        <translation>по величине должно быть меньше %1 (длина шатуна минус радиус кривошипа); %2</translation>
+    </message>
+    <message>
+        <source>the mechanism of cylinder %1 cannot be joined: the rod reaches the piston at no crank angle</source>
+        <translation>механизм цилиндра %1 собрать нельзя: шатун не достаёт до поршня ни при каком угле кривошипа</translation>
+    </message>
+    <message>
+        <source>the mechanism of cylinder %1 locks with the crank at %2 turning forward and at %3 turning back, measured from the cylinder&apos;s axis</source>
+        <translation>механизм цилиндра %1 заклинивает при угле кривошипа %2 при вращении вперёд и %3 назад, от оси цилиндра</translation>
+    </message>
+    <message>
+        <source>must list at most %1 shafts</source>
+        <translation>валов должно быть не больше %1</translation>
+    </message>
+    <message>
+        <source>must differ from front_position_mm by more than %1</source>
+        <translation>должно отличаться от front_position_mm больше чем на %1</translation>
+    </message>
+    <message>
+        <source>must leave both ends of the rod a mass that is not negative</source>
+        <translation>массы обеих головок шатуна должны остаться неотрицательными</translation>
+    </message>
+    <message>
+        <source>sizes, masses and speed together must keep forces and moments under 1e200 N and N·m</source>
+        <translation>размеры, массы и частота вращения вместе должны давать силы и моменты меньше 1e200 Н и Н·м</translation>
+    </message>
+    <message>
+        <source>sizes, masses and speed together must keep m R ω² over 1e-200 N</source>
+        <translation>размеры, массы и частота вращения вместе должны давать m R ω² больше 1e-200 Н</translation>
+    </message>
+    <message>
+        <source>sizes, masses and speed together must keep the balancing masses in the range of numbers</source>
+        <translation>размеры, массы и частота вращения вместе должны держать уравновешивающие массы в пределах чисел</translation>
+    </message>
+    <message>
+        <source>must be null or left out where %1 is null</source>
+        <translation>должно быть null или отсутствовать там, где %1 — null</translation>
+    </message>
+    <message>
+        <source>must be less than the plug&apos;s mass %1</source>
+        <translation>должно быть меньше массы пробки %1</translation>
+    </message>
+    <message>
+        <source>must be an engine object or one of %1</source>
+        <translation>должно быть объектом двигателя или одним из %1</translation>
+    </message>
+    <message>
+        <source>is allowed only where engine is the name of a preset</source>
+        <translation>допустимо, только если engine — имя образца</translation>
+    </message>
+    <message>
+        <source>must be a list of 8 masses, one for each cylinder</source>
+        <translation>должно быть списком из 8 масс, по одной на цилиндр</translation>
+    </message>
+    <message>
+        <source>is required where the bore&apos;s other size is given</source>
+        <translation>обязательно, если задан другой размер полости</translation>
+    </message>
+    <message>
+        <source>must be a plug that can exist: %1</source>
+        <translation>такой пробки быть не может: %1</translation>
+    </message>
+    <message>
+        <source>the bore is as deep as the plug is high: there is no bottom</source>
+        <translation>полость глубиной с пробку: дна нет</translation>
+    </message>
+    <message>
+        <source>the bore is wider than the thread&apos;s root (%1): there is no wall</source>
+        <translation>полость шире впадины резьбы (%1): стенки нет</translation>
+    </message>
+    <message>
+        <source>must be &quot;standard&quot; where the engine has no plug of the new design</source>
+        <translation>должно быть &quot;standard&quot;, если у двигателя нет пробки новой конструкции</translation>
+    </message>
+    <message>
+        <source>is required where mass_changes_from is &quot;weigh-in&quot;</source>
+        <translation>обязательно, если mass_changes_from — &quot;weigh-in&quot;</translation>
+    </message>
+    <message>
+        <source>must be a metric thread with its pitch, like %1</source>
+        <translation>должно быть метрической резьбой с шагом, например %1</translation>
+    </message>
+    <message>
+        <source>the diameter %1 mm</source>
+        <translation>диаметр %1 мм</translation>
+    </message>
+    <message>
+        <source>the pitch %1 mm and a third of the diameter</source>
+        <translation>шаг %1 мм и трети диаметра</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>оба</translation>
+    </message>
+    <message>
+        <source>neither</source>
+        <translation>ни одного</translation>
+    </message>
+    <message>
+        <source>none of them</source>
+        <translation>ни одного</translation>
+    </message>
+    <message>
+        <source>more than one of them</source>
+        <translation>больше одного</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::JobSheet</name>
     <message>
         <source>Job</source>
@@ -6057,6 +6687,105 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>M_id, N·m</source>
         <translation>M_id, Н·м</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::Unit</name>
+    <message>
+        <source>mm</source>
+        <translation>мм</translation>
+    </message>
+    <message>
+        <source>kg</source>
+        <translation>кг</translation>
+    </message>
+    <message>
+        <source>g</source>
+        <translation>г</translation>
+    </message>
+    <message>
+        <source>g·mm</source>
+        <translation>г·мм</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>Н</translation>
+    </message>
+    <message>
+        <source>N/m</source>
+        <translation>Н/м</translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation>Н·м</translation>
+    </message>
+    <message>
+        <source>kN/m</source>
+        <translation>кН/м</translation>
+    </message>
+    <message>
+        <source>J</source>
+        <translation>Дж</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>бар</translation>
+    </message>
+    <message>
+        <source>kPa</source>
+        <translation>кПа</translation>
+    </message>
+    <message>
+        <source>MPa</source>
+        <translation>МПа</translation>
+    </message>
+    <message>
+        <source>GPa</source>
+        <translation>ГПа</translation>
+    </message>
+    <message>
+        <source>Pa</source>
+        <translation>Па</translation>
+    </message>
+    <message>
+        <source>kg/m³</source>
+        <translation>кг/м³</translation>
+    </message>
+    <message>
+        <source>kg·m²</source>
+        <translation>кг·м²</translation>
+    </message>
+    <message>
+        <source>m/s²</source>
+        <translation>м/с²</translation>
+    </message>
+    <message>
+        <source>mm/s</source>
+        <translation>мм/с</translation>
+    </message>
+    <message>
+        <source>min⁻¹</source>
+        <translation>мин⁻¹</translation>
+    </message>
+    <message>
+        <source>rad/s</source>
+        <translation>рад/с</translation>
+    </message>
+    <message>
+        <source>rad</source>
+        <translation>рад</translation>
+    </message>
+    <message>
+        <source>µm</source>
+        <translation>мкм</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>с</translation>
+    </message>
+    <message>
+        <source>cm³</source>
+        <translation>см³</translation>
     </message>
 </context>
 <context>
