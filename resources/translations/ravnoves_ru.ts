@@ -4786,6 +4786,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>more than one of them</source>
         <translation>больше одного</translation>
     </message>
+    <message>
+        <source>, got %1</source>
+        <translation>, получено %1</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::JobSheet</name>
@@ -5750,6 +5754,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>must be at most %1</source>
         <translation>должно быть не больше %1</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2</source>
+        <translation>должно быть от %1 до %2</translation>
+    </message>
+    <message>
+        <source>must be a number</source>
+        <translation>должно быть числом</translation>
     </message>
 </context>
 <context>

@@ -96,7 +96,8 @@ QString errorText(const std::exception& error) {
         text = coreText(input->where()) + QLatin1String(": ") + text;
     }
     if (!input->found().empty()) {
-        text += QCoreApplication::translate(context, ", got %1").arg(coreText(input->found()));
+        text += QCoreApplication::translate("ravnoves::InputError", ", got %1")
+                    .arg(coreText(input->found()));
     }
     return text;
 }

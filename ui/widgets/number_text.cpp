@@ -75,7 +75,8 @@ QString fixedNumber(double value, int decimals, const QLocale& locale) {
 }
 
 QString rangeText(const Range& range, const QString& unit, const QLocale& locale) {
-    const auto tr = [](const char* text) {
+    // Not "tr": lupdate passes over the texts inside a call of that name.
+    const auto inWords = [](const char* text) {
         return QCoreApplication::translate("ravnoves::Range", text);
     };
     const auto number = [&](double value) { return withUnit(formNumber(value, locale), unit); };
@@ -83,7 +84,7 @@ QString rangeText(const Range& range, const QString& unit, const QLocale& locale
     const bool hasMax = std::isfinite(range.max);
     if (hasMin && hasMax) {
         if (!range.min_open && !range.max_open) {
-            return tr(QT_TRANSLATE_NOOP("ravnoves::Range", "must be from %1 to %2"))
+            return inWords(QT_TRANSLATE_NOOP("ravnoves::Range", "must be from %1 to %2"))
                 .arg(formNumber(range.min, locale), number(range.max));
         }
         const char* text =
@@ -93,19 +94,20 @@ QString rangeText(const Range& range, const QString& unit, const QLocale& locale
                                   : QT_TRANSLATE_NOOP("ravnoves::Range",
                                                       "must be greater than %1 and at most %2"))
                 : QT_TRANSLATE_NOOP("ravnoves::Range", "must be at least %1 and less than %2");
-        return tr(text).arg(formNumber(range.min, locale), number(range.max));
+        return inWords(text).arg(formNumber(range.min, locale), number(range.max));
     }
     if (hasMin) {
-        return tr(range.min_open ? QT_TRANSLATE_NOOP("ravnoves::Range", "must be greater than %1")
-                                 : QT_TRANSLATE_NOOP("ravnoves::Range", "must be at least %1"))
+        return inWords(range.min_open
+                           ? QT_TRANSLATE_NOOP("ravnoves::Range", "must be greater than %1")
+                           : QT_TRANSLATE_NOOP("ravnoves::Range", "must be at least %1"))
             .arg(number(range.min));
     }
     if (hasMax) {
-        return tr(range.max_open ? QT_TRANSLATE_NOOP("ravnoves::Range", "must be less than %1")
-                                 : QT_TRANSLATE_NOOP("ravnoves::Range", "must be at most %1"))
+        return inWords(range.max_open ? QT_TRANSLATE_NOOP("ravnoves::Range", "must be less than %1")
+                                      : QT_TRANSLATE_NOOP("ravnoves::Range", "must be at most %1"))
             .arg(number(range.max));
     }
-    return tr(QT_TRANSLATE_NOOP("ravnoves::Range", "must be a number"));
+    return inWords(QT_TRANSLATE_NOOP("ravnoves::Range", "must be a number"));
 }
 
 QString powerNumber(double value, const QLocale& locale) {
