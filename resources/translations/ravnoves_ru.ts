@@ -2119,6 +2119,50 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Engine %1 removed.</source>
         <translation>Двигатель %1 удалён.</translation>
     </message>
+    <message>
+        <source>Half the stroke.</source>
+        <translation>Половина хода поршня.</translation>
+    </message>
+    <message>
+        <source>From the crank axis to the centre of mass of today&apos;s plug.</source>
+        <translation>От оси вала до центра масс существующей пробки.</translation>
+    </message>
+    <message>
+        <source>From the crank axis to the centre of mass of a plug of the new design.</source>
+        <translation>От оси вала до центра масс пробки новой конструкции.</translation>
+    </message>
+    <message>
+        <source>One plug as the scale says, before it is machined.</source>
+        <translation>Одна пробка по весам, до обработки.</translation>
+    </message>
+    <message>
+        <source>One plug of the new design, for which the crankshaft&apos;s counterweights are made.</source>
+        <translation>Одна пробка новой конструкции, под которую сделаны противовесы вала.</translation>
+    </message>
+    <message>
+        <source>The most that the strength of its walls allows to take off one plug.</source>
+        <translation>Сколько можно снять с одной пробки по прочности её стенок.</translation>
+    </message>
+    <message>
+        <source>Design coefficient of the rod: a heavier big end counts (2 + k) times.</source>
+        <translation>Конструктивный коэффициент шатуна: лишняя масса нижней головки учитывается (2 + k) раз.</translation>
+    </message>
+    <message>
+        <source>Oil in the sludge trap of one crankpin of a running engine.</source>
+        <translation>Масло в грязесборнике одной шатунной шейки работающего двигателя.</translation>
+    </message>
+    <message>
+        <source>What the oil counts for on the crankpin&apos;s axis, from its centre of mass.</source>
+        <translation>С каким коэффициентом масло учитывается на оси шейки, по его центру масс.</translation>
+    </message>
+    <message>
+        <source>Nominal mass of piston, pin, rings and the small-end share of the rod, one cylinder.</source>
+        <translation>Номинальная масса поршня, пальца, колец и доли шатуна у пальца, один цилиндр.</translation>
+    </message>
+    <message>
+        <source>Nominal mass of the rod&apos;s big end and its shells, one cylinder.</source>
+        <translation>Номинальная масса нижней головки шатуна с вкладышами, один цилиндр.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::EngineView</name>

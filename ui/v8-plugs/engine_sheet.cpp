@@ -40,56 +40,61 @@ QString withMnemonic(QString label, QString& used) {
 }
 
 QString hintOf(std::string_view key) {
-    const auto tr = [](const char* text) {
+    // Not "tr": lupdate passes over the texts inside a call of that name.
+    const auto inWords = [](const char* text) {
         return QCoreApplication::translate("ravnoves::EngineSheet", text);
     };
     if (key == "crank_radius_mm") {
-        return tr(QT_TRANSLATE_NOOP("ravnoves::EngineSheet", "Half the stroke."));
+        return inWords(QT_TRANSLATE_NOOP("ravnoves::EngineSheet", "Half the stroke."));
     }
     if (key == "plug_radius_mm") {
-        return tr(QT_TRANSLATE_NOOP("ravnoves::EngineSheet",
-                                    "From the crank axis to the centre of mass of today's plug."));
+        return inWords(QT_TRANSLATE_NOOP(
+            "ravnoves::EngineSheet", "From the crank axis to the centre of mass of today's plug."));
     }
     if (key == "new_plug_radius_mm") {
-        return tr(QT_TRANSLATE_NOOP(
+        return inWords(QT_TRANSLATE_NOOP(
             "ravnoves::EngineSheet",
             "From the crank axis to the centre of mass of a plug of the new design."));
     }
     if (key == "steel_plug_mass_g" || key == "aluminium_plug_mass_g") {
-        return tr(QT_TRANSLATE_NOOP("ravnoves::EngineSheet",
-                                    "One plug as the scale says, before it is machined."));
+        return inWords(QT_TRANSLATE_NOOP("ravnoves::EngineSheet",
+                                         "One plug as the scale says, before it is machined."));
     }
     if (key == "new_steel_plug_mass_g" || key == "new_aluminium_plug_mass_g") {
-        return tr(QT_TRANSLATE_NOOP(
+        return inWords(QT_TRANSLATE_NOOP(
             "ravnoves::EngineSheet",
             "One plug of the new design, for which the crankshaft's counterweights are made."));
     }
     if (key == "max_steel_reduction_g" || key == "max_aluminium_reduction_g") {
-        return tr(QT_TRANSLATE_NOOP("ravnoves::EngineSheet",
-                                    "The most that the strength of its walls allows to take off "
-                                    "one plug."));
+        return inWords(
+            QT_TRANSLATE_NOOP("ravnoves::EngineSheet",
+                              "The most that the strength of its walls allows to take off "
+                              "one plug."));
     }
     if (key == "rod_coefficient") {
-        return tr(QT_TRANSLATE_NOOP(
+        return inWords(QT_TRANSLATE_NOOP(
             "ravnoves::EngineSheet",
             "Design coefficient of the rod: a heavier big end counts (2 + k) times."));
     }
     if (key == "oil_mass_g") {
-        return tr(QT_TRANSLATE_NOOP("ravnoves::EngineSheet",
-                                    "Oil in the sludge trap of one crankpin of a running engine."));
+        return inWords(
+            QT_TRANSLATE_NOOP("ravnoves::EngineSheet",
+                              "Oil in the sludge trap of one crankpin of a running engine."));
     }
     if (key == "oil_coefficient") {
-        return tr(QT_TRANSLATE_NOOP(
+        return inWords(QT_TRANSLATE_NOOP(
             "ravnoves::EngineSheet",
             "What the oil counts for on the crankpin's axis, from its centre of mass."));
     }
     if (key == "reciprocating_mass_g") {
-        return tr(QT_TRANSLATE_NOOP("ravnoves::EngineSheet",
-                                    "Nominal mass of piston, pin, rings and the small-end share of "
-                                    "the rod, one cylinder."));
+        return inWords(
+            QT_TRANSLATE_NOOP("ravnoves::EngineSheet",
+                              "Nominal mass of piston, pin, rings and the small-end share of "
+                              "the rod, one cylinder."));
     }
-    return tr(QT_TRANSLATE_NOOP("ravnoves::EngineSheet",
-                                "Nominal mass of the rod's big end and its shells, one cylinder."));
+    return inWords(
+        QT_TRANSLATE_NOOP("ravnoves::EngineSheet",
+                          "Nominal mass of the rod's big end and its shells, one cylinder."));
 }
 
 }  // namespace

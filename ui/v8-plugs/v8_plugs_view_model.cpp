@@ -8,6 +8,7 @@
 #include "case-file/input_error.h"
 #include "shell/input_command.h"
 #include "v8-plugs/v8_text.h"
+#include "widgets/error_text.h"
 
 namespace ravnoves {
 
@@ -242,7 +243,7 @@ void V8PlugsViewModel::chooseEngine(int place) {
             });
         } catch (const InputError& error) {
             setJournalTrouble(tr("The values kept for the engine “%1” cannot be read: %2")
-                                  .arg(own.name, QString::fromUtf8(error.what())));
+                                  .arg(own.name, errorText(error)));
         }
     }
     lastEdit_.clear();

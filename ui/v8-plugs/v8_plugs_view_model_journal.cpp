@@ -5,6 +5,7 @@
 
 #include "case-file/input_error.h"
 #include "v8-plugs/v8_plugs_view_model.h"
+#include "widgets/error_text.h"
 
 namespace ravnoves {
 
@@ -140,7 +141,7 @@ QString V8PlugsViewModel::takeForm(const QByteArray& form, qint64 id, int revisi
         draftTimer_.stop();
         return {};
     } catch (const InputError& error) {
-        return tr("The job's sheet cannot be read: %1").arg(QString::fromUtf8(error.what()));
+        return tr("The job's sheet cannot be read: %1").arg(errorText(error));
     }
 }
 
