@@ -1,28 +1,14 @@
 #include "plot/plot_view.h"
 
-#include <QAction>
-#include <QApplication>
 #include <QChart>
-#include <QClipboard>
-#include <QContextMenuEvent>
-#include <QFileDialog>
 #include <QGraphicsLayout>
 #include <QGraphicsScene>
-#include <QKeyEvent>
-#include <QLogValueAxis>
-#include <QMenu>
-#include <QMessageBox>
-#include <QMouseEvent>
-#include <QPainter>
-#include <QPainterPath>
-#include <QSvgGenerator>
 #include <QValueAxis>
-#include <QWheelEvent>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "plot/legend_item.h"
+#include "plot/plot_view_parts.h"
 #include "plot/thin_polyline.h"
 #include "plot/ticks.h"
 #include "theme/theme.h"
@@ -30,50 +16,11 @@
 
 namespace ravnoves {
 
-struct PlotView::AxisState {
-    Axis spec;
-    QAbstractAxis* chartAxis = nullptr;  // owned by the chart
-    double low = 0.0;                    ///< shown interval
-    double high = 1.0;
-    std::optional<std::pair<double, double>> fixed;
-    double step = 1.0;
-
-    /// Position of a value on the axis, 0 at low and 1 at high.
-    double fraction(double value) const {
-        if (spec.logarithmic) {
-            return (std::log10(std::max(value, 1e-300)) - std::log10(low)) /
-                   (std::log10(high) - std::log10(low));
-        }
-        return (value - low) / (high - low);
-    }
-    double value(double fraction) const {
-        if (spec.logarithmic) {
-            return std::pow(10.0,
-                            std::log10(low) + fraction * (std::log10(high) - std::log10(low)));
-        }
-        return low + fraction * (high - low);
-    }
-};
-
-struct PlotView::Curve {
-    CurveStyle style;
-    QPolygonF pixels;  ///< the line as drawn, thinned
-    LegendItem* button = nullptr;
-    std::vector<double> x;
-    std::vector<double> y;
-    std::vector<double> low;
-    std::vector<double> high;
-    bool ascending = true;  ///< x never decreases, so the cursor may interpolate
-    bool shown = true;
-    bool stale = true;
-};
+using plot::columnPerTick;
+using plot::labelGap;
+using plot::rowPerTick;
 
 namespace {
-
-constexpr int labelGap = 6;
-constexpr double zoomPerStep = 1.2;
-constexpr double columnPerTick = 56.0;  ///< pixels along x that a tick label needs
-constexpr double rowPerTick = 36.0;     ///< and along y
 
 double chooseStep(double span, double pixels, double pixelsPerTick, bool degrees) {
     const int wanted = std::clamp(static_cast<int>(pixels / pixelsPerTick), 2, 16);
@@ -81,6 +28,30 @@ double chooseStep(double span, double pixels, double pixelsPerTick, bool degrees
 }
 
 }  // namespace
+
+std::vector<double> PlotView::AxisState::ownTicks(double pixels, double pixelsPerTick) const {
+    const int wanted = std::clamp(static_cast<int>(pixels / pixelsPerTick), 2, 16);
+    if (spec.logarithmic) {
+        return logarithmicTicks(low, high, wanted);
+    }
+    // Of the labels offered those that keep clear of weightier ones.
+    const double apart = 0.8 * pixelsPerTick / std::max(pixels, 1.0);
+    std::vector<double> ticks;
+    for (const double tick : spec.scale.ticks) {
+        const double at = fraction(tick);
+        const bool clear = std::none_of(ticks.begin(), ticks.end(), [&](double other) {
+            return std::abs(fraction(other) - at) < apart;
+        });
+        if (clear && at > -1e-9 && at < 1.0 + 1e-9) {
+            ticks.push_back(tick);
+        }
+    }
+    return ticks;
+}
+
+QString PlotView::AxisState::ownLabel(double value, const QLocale& locale) const {
+    return spec.label ? spec.label(value) : powerText(value, locale);
+}
 
 PlotView::PlotView(const QString& title, QWidget* parent)
     : QWidget(parent),
@@ -133,14 +104,12 @@ void PlotView::setXAxis(const Axis& spec) {
     x_->low = spec.min;
     x_->high = spec.max;
     zoomed_ = false;
-    if (x_->chartAxis == nullptr ||
-        (qobject_cast<QLogValueAxis*>(x_->chartAxis) != nullptr) != spec.logarithmic) {
-        delete x_->chartAxis;
-        x_->chartAxis = spec.logarithmic ? static_cast<QAbstractAxis*>(new QLogValueAxis)
-                                         : static_cast<QAbstractAxis*>(new QValueAxis);
+    if (x_->chartAxis == nullptr) {
+        x_->chartAxis = new QValueAxis;
         chart_->addAxis(x_->chartAxis, Qt::AlignBottom);
         applyTheme();
     }
+    x_->chartAxis->setVisible(!x_->isOwn());
     seriesStale_ = true;
     chartChanged();
 }
@@ -148,14 +117,12 @@ void PlotView::setXAxis(const Axis& spec) {
 void PlotView::setYAxis(Side side, const Axis& spec) {
     AxisState& state = axis(side);
     state.spec = spec;
-    if (state.chartAxis == nullptr ||
-        (qobject_cast<QLogValueAxis*>(state.chartAxis) != nullptr) != spec.logarithmic) {
-        delete state.chartAxis;
-        state.chartAxis = spec.logarithmic ? static_cast<QAbstractAxis*>(new QLogValueAxis)
-                                           : static_cast<QAbstractAxis*>(new QValueAxis);
+    if (state.chartAxis == nullptr) {
+        state.chartAxis = new QValueAxis;
         chart_->addAxis(state.chartAxis, side == Side::Left ? Qt::AlignLeft : Qt::AlignRight);
         applyTheme();
     }
+    state.chartAxis->setVisible(!state.isOwn());
     if (spec.logarithmic && !(state.low > 0.0)) {
         state.low = 0.1;
         state.high = 1.0;
@@ -236,21 +203,29 @@ void PlotView::setCurve(int number, std::vector<double> x, std::vector<double> y
     x.resize(count);
     y.resize(count);
     std::size_t finite = 0;
+    std::vector<std::size_t> starts;
+    bool left = false;  // a point before this one was left out
     for (std::size_t i = 0; i < count; ++i) {
         const bool drawable = std::isfinite(x[i]) && std::isfinite(y[i]) &&
                               (!x_->spec.logarithmic || x[i] > 0.0) &&
                               (!axis(curve.style.side).spec.logarithmic || y[i] > 0.0);
         if (drawable) {
+            if (left && curve.style.gaps && finite > 0) {
+                starts.push_back(finite);
+            }
             x[finite] = x[i];
             y[finite] = y[i];
             ++finite;
         }
+        left = !drawable;
     }
     x.resize(finite);
     y.resize(finite);
-    if (x == curve.x && y == curve.y) {
+    if (x == curve.x && y == curve.y && starts == curve.starts) {
         return;
     }
+    pointRead_.reset();
+    curve.starts = std::move(starts);
     curve.ascending = std::is_sorted(x.begin(), x.end());
     curve.x = std::move(x);
     curve.y = std::move(y);
@@ -258,11 +233,19 @@ void PlotView::setCurve(int number, std::vector<double> x, std::vector<double> y
     curvesChanged();
 }
 
-void PlotView::setErrorBars(int number, std::vector<double> low, std::vector<double> high) {
+void PlotView::setErrorBars(int number, std::vector<double> low, std::vector<double> high,
+                            Qt::Orientation orientation) {
     Curve& curve = *curves_.at(static_cast<std::size_t>(number));
+    curve.bars = orientation;
     curve.low = std::move(low);
     curve.high = std::move(high);
     curvesChanged();
+}
+
+void PlotView::setPointTexts(int number, QStringList texts) {
+    curves_.at(static_cast<std::size_t>(number))->texts = std::move(texts);
+    pointRead_.reset();
+    update();
 }
 
 void PlotView::setCurveShown(int number, bool shown) {
@@ -271,6 +254,7 @@ void PlotView::setCurveShown(int number, bool shown) {
         return;
     }
     curve.shown = shown;
+    pointRead_.reset();
     if (curve.button != nullptr) {
         curve.button->setChecked(shown);
     }
@@ -326,6 +310,14 @@ void PlotView::setCursorX(std::optional<double> x) {
     }
 }
 
+void PlotView::setFaded(bool faded, const QString& text) {
+    if (faded_ != faded || fadedText_ != text) {
+        faded_ = faded;
+        fadedText_ = text;
+        update();
+    }
+}
+
 void PlotView::setPickable(bool pickable) {
     pickable_ = pickable;
     setCursor(pickable ? Qt::PointingHandCursor : Qt::ArrowCursor);
@@ -370,15 +362,15 @@ void PlotView::applyTheme() {
 }
 
 QString PlotView::axisNumber(double value, const AxisState& state) const {
-    if (state.spec.logarithmic) {
-        return QStringLiteral("1e%1").arg(std::lround(std::log10(value)));
-    }
     return locale().toString(value, 'f', tickDecimals(state.step));
 }
 
 QString PlotView::readoutNumber(double value, const AxisState& state) const {
     const double span = state.high - state.low;
-    if (state.spec.logarithmic || !(span > 0.0)) {
+    if (state.isOwn()) {
+        return state.ownLabel(value, locale());
+    }
+    if (!(span > 0.0)) {
         return locale().toString(value, 'g', 3);
     }
     if (readoutDecimals_ >= 0 && &state != x_.get()) {
@@ -477,16 +469,13 @@ void PlotView::updateTicks() {
     const QRectF area = plotArea();
     const auto apply = [&](AxisState& state, double pixels, double pixelsPerTick) {
         state.step = chooseStep(state.high - state.low, pixels, pixelsPerTick, state.spec.degrees);
-        if (auto* value = qobject_cast<QValueAxis*>(state.chartAxis)) {
+        auto* value = qobject_cast<QValueAxis*>(state.chartAxis);
+        if (value != nullptr && !state.isOwn()) {
             value->setTickType(QValueAxis::TicksDynamic);
             value->setTickAnchor(0.0);
             value->setTickInterval(state.step);
             value->setLabelFormat(QStringLiteral("%.%1f").arg(tickDecimals(state.step)));
             value->setRange(state.low, state.high);
-        } else if (auto* log = qobject_cast<QLogValueAxis*>(state.chartAxis)) {
-            log->setBase(10.0);
-            log->setLabelFormat(QStringLiteral("%.0e"));
-            log->setRange(state.low, state.high);
         }
         if (state.chartAxis != nullptr) {
             state.chartAxis->setTitleText(state.spec.title);
@@ -533,16 +522,6 @@ void PlotView::layoutHeader() {
     }
 }
 
-void PlotView::paintTitle(QPainter& painter) {
-    painter.setFont(Theme::font(Theme::baseSize, true));
-    painter.setPen(Theme::instance().text());
-    const double row = std::ceil(painter.fontMetrics().height()) + Theme::gap;
-    const double room = width() - 2.0 * Theme::margin;
-    painter.drawText(
-        QRectF(Theme::margin, Theme::gap, room, row), Qt::AlignLeft | Qt::AlignVCenter,
-        painter.fontMetrics().elidedText(title_, Qt::ElideRight, static_cast<int>(room)));
-}
-
 void PlotView::layoutChart() {
     layoutHeader();
     const double top = headerHeight_;
@@ -558,8 +537,13 @@ void PlotView::layoutChart() {
         std::ceil(metrics.height() * (x_->spec.title.isEmpty() ? 1.0 : 2.0) + 2.5 * labelGap);
     const double areaHeight = std::max(20.0, height() - top - labelGap - bottom);
     const auto labelWidth = [&](AxisState& state) {
-        if (state.spec.logarithmic) {
-            return metrics.horizontalAdvance(QStringLiteral("1e-00"));
+        if (state.isOwn()) {
+            double widest = 0.0;
+            for (const double tick : state.ownTicks(areaHeight, rowPerTick)) {
+                widest =
+                    std::max(widest, metrics.horizontalAdvance(state.ownLabel(tick, locale())));
+            }
+            return widest;
         }
         // The ticks that updateTicks() will choose decide how many decimals the labels have.
         state.step = chooseStep(state.high - state.low, areaHeight, rowPerTick, state.spec.degrees);
@@ -615,306 +599,28 @@ void PlotView::updateSeries() {
         curve->stale = false;
         const bool drawn = curve->shown && (curve->style.shape == Shape::Line ||
                                             curve->style.shape == Shape::LineAndPoints);
-        curve->pixels.clear();
+        curve->stretches.clear();
         if (!drawn) {
             continue;
         }
-        std::vector<QPointF> pixels(curve->x.size());
-        for (std::size_t i = 0; i < pixels.size(); ++i) {
-            pixels[i] = toPixel(curve->x[i], curve->y[i], curve->style.side);
-        }
-        for (const std::size_t i : thinPolylineIndices(pixels, 0.25)) {
-            curve->pixels.append(pixels[i]);
+        std::size_t from = 0;
+        for (std::size_t next = 0; next <= curve->starts.size(); ++next) {
+            const std::size_t to =
+                next < curve->starts.size() ? curve->starts[next] : curve->x.size();
+            std::vector<QPointF> pixels;
+            pixels.reserve(to - from);
+            for (std::size_t i = from; i < to; ++i) {
+                pixels.push_back(toPixel(curve->x[i], curve->y[i], curve->style.side));
+            }
+            QPolygonF line;
+            for (const std::size_t i : thinPolylineIndices(pixels, 0.25)) {
+                line.append(pixels[i]);
+            }
+            curve->stretches.push_back(std::move(line));
+            from = to;
         }
     }
     seriesStale_ = false;
-}
-
-void PlotView::renderAxes(QPainter& painter) {
-    const QRectF area = plotArea();
-    painter.setRenderHint(QPainter::Antialiasing);
-    paintTitle(painter);
-    if (!image_.isNull()) {
-        painter.save();
-        painter.setClipRect(area);
-        painter.setRenderHint(QPainter::SmoothPixmapTransform);
-        painter.drawImage(QRectF(toPixel(imageValues_.left(), imageValues_.bottom()),
-                                 toPixel(imageValues_.right(), imageValues_.top()))
-                              .normalized(),
-                          image_);
-        painter.restore();
-    }
-    for (const Band& band : bands_) {
-        const double from = toPixel(band.from, left_->low).x();
-        const double to = toPixel(band.to, left_->low).x();
-        const QRectF shade = QRectF(QPointF(from, area.top()), QPointF(to, area.bottom()))
-                                 .normalized()
-                                 .intersected(area);
-        painter.fillRect(shade, band.colour);
-        if (!band.text.isEmpty() && shade.width() > 30) {
-            painter.setPen(Theme::instance().mutedText());
-            painter.setFont(Theme::font(Theme::smallSize));
-            painter.drawText(shade.adjusted(4, 2, -4, -2),
-                             Qt::AlignTop | Qt::AlignHCenter | Qt::TextWordWrap, band.text);
-        }
-    }
-    const QRectF whole(0, 0, width(), height());
-    scene_->render(&painter, whole, whole);
-}
-
-void PlotView::renderCurves(QPainter& painter) {
-    const QRectF area = plotArea();
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.save();
-    painter.setClipRect(area);
-    painter.setBrush(Qt::NoBrush);
-    for (const auto& curve : curves_) {
-        if (curve->shown && !curve->pixels.isEmpty()) {
-            // Round caps and joins are arcs to the stroker: three times the cost, and no pixel of
-            // a smooth curve.
-            painter.setPen(QPen(Theme::instance().curve(curve->style.colour), curve->style.width,
-                                curve->style.pen, Qt::FlatCap, Qt::BevelJoin));
-            painter.drawPolyline(curve->pixels);
-        }
-    }
-    painter.restore();
-    painter.save();
-    painter.setClipRect(area.adjusted(-4, -4, 4, 4));
-    for (const auto& curve : curves_) {
-        if (!curve->shown) {
-            continue;
-        }
-        const QColor colour = Theme::instance().curve(curve->style.colour);
-        if (curve->low.size() == curve->x.size() && curve->high.size() == curve->x.size()) {
-            painter.setPen(QPen(colour, 1.0));
-            for (std::size_t i = 0; i < curve->x.size(); ++i) {
-                const QPointF low = toPixel(curve->x[i], curve->low[i], curve->style.side);
-                const QPointF high = toPixel(curve->x[i], curve->high[i], curve->style.side);
-                painter.drawLine(low, high);
-                for (const QPointF& end : {low, high}) {
-                    painter.drawLine(end - QPointF(3, 0), end + QPointF(3, 0));
-                }
-            }
-        }
-        if (curve->style.shape == Shape::Bars) {
-            painter.setPen(Qt::NoPen);
-            painter.setBrush(colour);
-            const double foot = axis(curve->style.side).spec.logarithmic
-                                    ? area.bottom()
-                                    : toPixel(0.0, 0.0, curve->style.side).y();
-            for (std::size_t i = 0; i < curve->x.size(); ++i) {
-                const double middle = curve->x[i] + curve->style.barShift;
-                const double half = 0.5 * curve->style.barWidth;
-                const QPointF left = toPixel(middle - half, curve->y[i], curve->style.side);
-                const QPointF right = toPixel(middle + half, curve->y[i], curve->style.side);
-                painter.drawRect(
-                    QRectF(QPointF(left.x(), std::clamp(left.y(), area.top(), area.bottom())),
-                           QPointF(right.x(), std::clamp(foot, area.top(), area.bottom())))
-                        .normalized());
-            }
-        } else if (curve->style.shape != Shape::Line) {
-            painter.setPen(QPen(Theme::instance().panel(), 1.0));
-            painter.setBrush(colour);
-            for (std::size_t i = 0; i < curve->x.size(); ++i) {
-                painter.drawEllipse(toPixel(curve->x[i], curve->y[i], curve->style.side), 3.6, 3.6);
-            }
-        }
-    }
-    painter.restore();
-}
-
-void PlotView::paintEvent(QPaintEvent* /*event*/) {
-    if (pictureStale_) {
-        layoutChart();
-        const qreal ratio = devicePixelRatioF();
-        const QSize pixels = (QSizeF(size()) * ratio).toSize();
-        if (picture_.size() != pixels || picture_.devicePixelRatio() != ratio) {
-            for (QPixmap* layer : {&axesPicture_, &picture_}) {
-                *layer = QPixmap(pixels);
-                layer->setDevicePixelRatio(ratio);
-            }
-            axesStale_ = true;
-        }
-        if (axesStale_) {
-            axesPicture_.fill(Theme::instance().panel());
-            QPainter painter(&axesPicture_);
-            renderAxes(painter);
-            axesStale_ = false;
-        }
-        QPainter painter(&picture_);
-        painter.drawPixmap(0, 0, axesPicture_);
-        renderCurves(painter);
-        pictureStale_ = false;
-    }
-    QPainter painter(this);
-    painter.drawPixmap(0, 0, picture_);
-    paintOverlay(painter);
-    if (hasFocus()) {
-        painter.setPen(QPen(Theme::instance().accent(), 1.0));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
-    }
-}
-
-void PlotView::paintOverlay(QPainter& painter) {
-    const Theme& theme = Theme::instance();
-    const QRectF area = plotArea();
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.save();
-    painter.setClipRect(area);
-    for (const Line& line : lines_) {
-        painter.setPen(QPen(theme.curve(line.colour), 1.2, Qt::DashLine));
-        const bool across = line.orientation == Qt::Horizontal;
-        const QPointF at =
-            across ? toPixel(x_->low, line.at, line.side) : toPixel(line.at, left_->low);
-        if (across) {
-            painter.drawLine(QPointF(area.left(), at.y()), QPointF(area.right(), at.y()));
-        } else {
-            painter.drawLine(QPointF(at.x(), area.top()), QPointF(at.x(), area.bottom()));
-        }
-        painter.setFont(Theme::font(Theme::smallSize));
-        painter.drawText(across ? QPointF(area.left() + labelGap, at.y() - 4)
-                                : QPointF(at.x() + 4, area.top() + 14),
-                         line.text);
-    }
-    if (presentX_) {
-        const double px = toPixel(*presentX_, left_->low).x();
-        painter.setPen(QPen(theme.accent(), 1.4));
-        painter.drawLine(QPointF(px, area.top()), QPointF(px, area.bottom()));
-        for (std::size_t i = 0; i < curves_.size(); ++i) {
-            const Curve& curve = *curves_[i];
-            const auto y = curve.shown ? valueAt(static_cast<int>(i), *presentX_) : std::nullopt;
-            if (y) {
-                painter.setPen(QPen(theme.panel(), 1.5));
-                painter.setBrush(theme.curve(curve.style.colour));
-                painter.drawEllipse(toPixel(*presentX_, *y, curve.style.side), 4.5, 4.5);
-            }
-        }
-    }
-    painter.restore();
-    paintMarks(painter, area);
-    if (cursorX_) {
-        paintReadout(painter, area);
-    }
-}
-
-void PlotView::paintMarks(QPainter& painter, const QRectF& area) {
-    const Theme& theme = Theme::instance();
-    const QFont font = Theme::font(Theme::smallSize);
-    const QFontMetricsF metrics(font);
-    painter.setFont(font);
-    std::vector<QRectF> taken;
-    for (const Mark& mark : marks_) {
-        const QPointF at = toPixel(mark.x, mark.y, mark.side);
-        if (!area.adjusted(-1, -1, 1, 1).contains(at)) {
-            continue;
-        }
-        const QColor colour = theme.curve(mark.colour);
-        painter.setPen(QPen(mark.ring ? colour : theme.panel(), mark.ring ? 2.0 : 1.2));
-        painter.setBrush(mark.ring ? QBrush(Qt::NoBrush) : QBrush(colour));
-        const double radius = mark.ring ? 7.0 : 3.6;
-        painter.drawEllipse(at, radius, radius);
-        if (mark.text.isEmpty()) {
-            continue;
-        }
-        // The label goes where it fits: right, left, above, below, and clear of earlier labels.
-        const QSizeF size(metrics.horizontalAdvance(mark.text) + 6, metrics.height() + 1);
-        const double away = radius + 3.0;
-        const std::array<QPointF, 6> corners{at + QPointF(away, -size.height() / 2),
-                                             at + QPointF(-away - size.width(), -size.height() / 2),
-                                             at + QPointF(-size.width() / 2, -away - size.height()),
-                                             at + QPointF(-size.width() / 2, away),
-                                             at + QPointF(away, -away - size.height()),
-                                             at + QPointF(away, away)};
-        QRectF box(corners[0], size);
-        for (const QPointF& corner : corners) {
-            const QRectF candidate(corner, size);
-            const bool free = std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) {
-                return other.intersects(candidate);
-            });
-            if (area.contains(candidate) && free) {
-                box = candidate;
-                break;
-            }
-        }
-        box.moveLeft(
-            std::clamp(box.left(), area.left(), std::max(area.left(), area.right() - box.width())));
-        box.moveTop(
-            std::clamp(box.top(), area.top(), std::max(area.top(), area.bottom() - box.height())));
-        taken.push_back(box);
-        QColor back = theme.panel();
-        back.setAlphaF(0.82F);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(back);
-        painter.drawRoundedRect(box, 3, 3);
-        painter.setPen(colour);
-        painter.drawText(box, Qt::AlignCenter, mark.text);
-    }
-}
-
-void PlotView::paintReadout(QPainter& painter, const QRectF& area) {
-    const Theme& theme = Theme::instance();
-    const double x = *cursorX_;
-    const double px = toPixel(x, left_->low).x();
-    if (px < area.left() - 0.5 || px > area.right() + 0.5) {
-        return;
-    }
-    painter.setPen(QPen(theme.mutedText(), 1.0, Qt::DotLine));
-    painter.drawLine(QPointF(px, area.top()), QPointF(px, area.bottom()));
-
-    struct Row {
-        QString text;
-        QColor colour;
-    };
-    const QString xName = x_->spec.title.section(QLatin1Char(','), 0, 0);
-    std::vector<Row> rows{{(xName.isEmpty() ? QStringLiteral("x") : xName) + QStringLiteral(" = ") +
-                               readoutNumber(x, *x_),
-                           theme.text()}};
-    for (std::size_t i = 0; i < curves_.size(); ++i) {
-        const Curve& curve = *curves_[i];
-        if (!curve.shown) {
-            continue;
-        }
-        const auto y = valueAt(static_cast<int>(i), x);
-        if (!y) {
-            continue;
-        }
-        const AxisState& state = axis(curve.style.side);
-        const QColor colour = theme.curve(curve.style.colour);
-        rows.push_back(
-            {curve.style.name + QStringLiteral(" = ") + readoutNumber(*y, state), colour});
-        const QPointF at = toPixel(x, *y, curve.style.side);
-        if (area.contains(at)) {
-            painter.setPen(QPen(theme.panel(), 1.2));
-            painter.setBrush(colour);
-            painter.drawEllipse(at, 3.4, 3.4);
-        }
-    }
-    const QFont font = Theme::font(Theme::smallSize);
-    const QFontMetricsF metrics(font);
-    double width = 0.0;
-    for (const Row& row : rows) {
-        width = std::max(width, metrics.horizontalAdvance(row.text));
-    }
-    const double rowHeight = metrics.height() + 2;
-    QRectF box(px + 10, area.top() + 6, width + 14,
-               rowHeight * static_cast<double>(rows.size()) + 8);
-    if (box.right() > area.right()) {
-        box.moveRight(px - 10);
-    }
-    box.moveLeft(std::max(box.left(), area.left()));
-    painter.setPen(QPen(theme.border(), 1.0));
-    QColor back = theme.panel();
-    back.setAlphaF(0.93F);
-    painter.setBrush(back);
-    painter.drawRoundedRect(box, 4, 4);
-    painter.setFont(font);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        painter.setPen(rows[i].colour);
-        painter.drawText(QRectF(box.left() + 7, box.top() + 4 + rowHeight * static_cast<double>(i),
-                                width + 2, rowHeight),
-                         Qt::AlignVCenter | Qt::AlignLeft, rows[i].text);
-    }
 }
 
 std::optional<double> PlotView::valueAt(int number, double x) const {
@@ -922,7 +628,7 @@ std::optional<double> PlotView::valueAt(int number, double x) const {
     if (curve.x.empty() || !curve.ascending || x < curve.x.front() || x > curve.x.back()) {
         return std::nullopt;
     }
-    if (curve.style.shape == Shape::Points) {
+    if (curve.style.shape == Shape::Points || curve.style.shape == Shape::Rings) {
         return std::nullopt;
     }
     if (curve.style.shape == Shape::Bars) {
@@ -937,8 +643,16 @@ std::optional<double> PlotView::valueAt(int number, double x) const {
     if (i == 0 || i == curve.x.size()) {
         return i == 0 ? curve.y.front() : curve.y.back();
     }
-    const double fraction = (x - curve.x[i - 1]) / (curve.x[i] - curve.x[i - 1]);
-    return curve.y[i - 1] + fraction * (curve.y[i] - curve.y[i - 1]);
+    if (std::find(curve.starts.begin(), curve.starts.end(), i) != curve.starts.end()) {
+        return std::nullopt;  // in a gap
+    }
+    // Along the straight line that is drawn between the points, on whatever scale.
+    const double from = x_->scaled(curve.x[i - 1]);
+    const double span = x_->scaled(curve.x[i]) - from;
+    const double fraction = span > 0.0 ? (x_->scaled(x) - from) / span : 0.0;
+    const AxisState& state = axis(curve.style.side);
+    return state.unscaled(
+        std::lerp(state.scaled(curve.y[i - 1]), state.scaled(curve.y[i]), fraction));
 }
 
 QString PlotView::dataAsCsv() const {
@@ -963,47 +677,6 @@ QString PlotView::dataAsCsv() const {
     return text;
 }
 
-void PlotView::renderTo(QPainter& painter, const QRectF& target) {
-    layoutChart();
-    painter.save();
-    painter.translate(target.topLeft());
-    painter.scale(target.width() / width(), target.height() / height());
-    painter.fillRect(QRectF(rect()), Theme::instance().panel());
-    renderAxes(painter);
-    renderCurves(painter);
-    paintOverlay(painter);
-    for (const auto& curve : curves_) {
-        if (curve->button != nullptr && curve->shown && !curve->button->isHidden()) {
-            curve->button->draw(painter, QRectF(curve->button->geometry()));
-        }
-    }
-    painter.restore();
-    pictureStale_ = true;
-}
-
-QString PlotView::exportPicture(const QString& path) {
-    if (path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)) {
-        QSvgGenerator generator;
-        generator.setFileName(path);
-        generator.setResolution(96);  // or text comes out at three quarters of its size
-        generator.setSize(size());
-        generator.setViewBox(rect());
-        generator.setTitle(title_);
-        QPainter painter;
-        if (!painter.begin(&generator)) {
-            return tr("%1 cannot be written.").arg(path);
-        }
-        renderTo(painter, rect());
-        return {};
-    }
-    constexpr int scale = 2;
-    QImage image(size() * scale, QImage::Format_RGB32);
-    QPainter painter(&image);
-    renderTo(painter, QRectF(QPointF(), QSizeF(image.size())));
-    painter.end();
-    return image.save(path, "PNG") ? QString() : tr("%1 cannot be written.").arg(path);
-}
-
 void PlotView::resizeEvent(QResizeEvent* /*event*/) {
     seriesStale_ = true;
     pictureStale_ = true;
@@ -1015,195 +688,6 @@ void PlotView::changeEvent(QEvent* event) {
         chartChanged();
     }
     QWidget::changeEvent(event);
-}
-
-void PlotView::mousePressEvent(QMouseEvent* event) {
-    const bool inside = plotArea().contains(event->position());
-    if (inside && pickable_ && event->button() == Qt::LeftButton &&
-        !event->modifiers().testFlag(Qt::ShiftModifier)) {
-        picking_ = true;
-        pick(event->position());
-    } else if (inside &&
-               (event->button() == Qt::LeftButton || event->button() == Qt::MiddleButton)) {
-        panFrom_ = event->position();
-    }
-    event->accept();
-}
-
-void PlotView::mouseMoveEvent(QMouseEvent* event) {
-    if (picking_) {
-        pick(event->position());
-        return;
-    }
-    if (panFrom_) {
-        const QPointF moved = event->position() - *panFrom_;
-        if (zoomed_ || moved.manhattanLength() > QApplication::startDragDistance()) {
-            pan(moved);
-            panFrom_ = event->position();
-        }
-        return;
-    }
-    moveCursor(event->position());
-}
-
-void PlotView::mouseReleaseEvent(QMouseEvent* /*event*/) {
-    picking_ = false;
-    panFrom_.reset();
-}
-
-void PlotView::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (pickable_) {
-        mousePressEvent(event);
-    } else {
-        resetZoom();
-    }
-}
-
-void PlotView::pick(const QPointF& position) {
-    const double x = std::clamp(xAt(position.x()), x_->low, x_->high);
-    Q_EMIT picked(x);
-    Q_EMIT pickedAt(x, std::clamp(yAt(position.y()), left_->low, left_->high));
-}
-
-void PlotView::moveCursor(const QPointF& position) {
-    if (!plotArea().contains(position)) {
-        if (cursorX_) {
-            setCursorX(std::nullopt);
-            Q_EMIT cursorLeft();
-        }
-        return;
-    }
-    const double x = xAt(position.x());
-    setCursorX(x);
-    Q_EMIT cursorMoved(x);
-}
-
-void PlotView::leaveEvent(QEvent* /*event*/) {
-    if (cursorX_) {
-        setCursorX(std::nullopt);
-        Q_EMIT cursorLeft();
-    }
-}
-
-void PlotView::wheelEvent(QWheelEvent* event) {
-    // Alt and some desktops turn the wheel sideways: either axis counts.
-    const double turned =
-        event->angleDelta().y() != 0 ? event->angleDelta().y() : event->angleDelta().x();
-    const double factor = std::pow(zoomPerStep, -turned / 120.0);
-    const bool onlyY = event->modifiers().testFlag(Qt::ShiftModifier);
-    const bool onlyX = event->modifiers().testFlag(Qt::ControlModifier);
-    zoom(onlyY ? 1.0 : factor, onlyX ? 1.0 : factor, event->position());
-    event->accept();
-}
-
-void PlotView::zoom(double factorX, double factorY, const QPointF& about) {
-    const QRectF area = plotArea();
-    if (area.isEmpty()) {
-        return;
-    }
-    if (equalScale_) {
-        factorY = factorX = factorX == 1.0 ? factorY : factorX;
-    }
-    const auto scale = [](AxisState& state, double factor, double fraction) {
-        constexpr double narrowest = 1e-9;
-        const double low = state.value(fraction * (1.0 - factor));
-        const double high = state.value(fraction + (1.0 - fraction) * factor);
-        const double size = std::max({std::abs(low), std::abs(high), 1e-12});
-        if (std::isfinite(low) && std::isfinite(high) && high - low > narrowest * size &&
-            std::abs(high) < 1e15 && std::abs(low) < 1e15) {
-            state.low = low;
-            state.high = high;
-        }
-    };
-    const double fx = std::clamp((about.x() - area.left()) / area.width(), 0.0, 1.0);
-    const double fy = std::clamp((area.bottom() - about.y()) / area.height(), 0.0, 1.0);
-    zoomed_ = true;
-    scale(*x_, factorX, fx);
-    scale(*left_, factorY, fy);
-    scale(*right_, factorY, fy);
-    seriesStale_ = true;
-    chartChanged();
-}
-
-void PlotView::pan(const QPointF& pixels) {
-    const QRectF area = plotArea();
-    const auto shift = [](AxisState& state, double fraction) {
-        const double low = state.value(fraction);
-        const double high = state.value(1.0 + fraction);
-        state.low = low;
-        state.high = high;
-    };
-    zoomed_ = true;
-    shift(*x_, -pixels.x() / area.width());
-    shift(*left_, pixels.y() / area.height());
-    shift(*right_, pixels.y() / area.height());
-    seriesStale_ = true;
-    chartChanged();
-}
-
-void PlotView::keyPressEvent(QKeyEvent* event) {
-    const QPointF middle = plotArea().center();
-    const double step = (x_->high - x_->low) / 100.0;
-    switch (event->key()) {
-        case Qt::Key_Plus:
-        case Qt::Key_Equal:
-            zoom(1 / zoomPerStep, 1 / zoomPerStep, middle);
-            return;
-        case Qt::Key_Minus:
-            zoom(zoomPerStep, zoomPerStep, middle);
-            return;
-        case Qt::Key_0:
-        case Qt::Key_Home:
-        case Qt::Key_Escape:
-            resetZoom();
-            return;
-        case Qt::Key_Left:
-        case Qt::Key_Right: {
-            const double from = cursorX_.value_or(presentX_.value_or(0.5 * (x_->low + x_->high)));
-            const double to =
-                std::clamp(from + (event->key() == Qt::Key_Left ? -step : step), x_->low, x_->high);
-            setCursorX(to);
-            Q_EMIT cursorMoved(to);
-            return;
-        }
-        case Qt::Key_Return:
-        case Qt::Key_Enter:
-            if (pickable_ && cursorX_) {
-                Q_EMIT picked(*cursorX_);
-                return;
-            }
-            break;
-        default:
-            break;
-    }
-    QWidget::keyPressEvent(event);
-}
-
-void PlotView::contextMenuEvent(QContextMenuEvent* event) {
-    QMenu menu(this);
-    menu.addAction(tr("Reset zoom"), this, &PlotView::resetZoom);
-    menu.addSeparator();
-    menu.addAction(tr("Copy data as CSV"), this,
-                   [this] { QApplication::clipboard()->setText(dataAsCsv()); });
-    menu.addAction(tr("Copy picture"), this, [this] {
-        QImage image(size() * 2, QImage::Format_RGB32);
-        QPainter painter(&image);
-        renderTo(painter, QRectF(QPointF(), QSizeF(image.size())));
-        painter.end();
-        QApplication::clipboard()->setImage(image);
-    });
-    menu.addAction(tr("Save picture…"), this, [this] {
-        const QString path = QFileDialog::getSaveFileName(
-            this, tr("Save picture"), QString(), tr("PNG picture (*.png);;SVG drawing (*.svg)"));
-        if (path.isEmpty()) {
-            return;
-        }
-        const QString trouble = exportPicture(path);
-        if (!trouble.isEmpty()) {
-            QMessageBox::warning(this, tr("Save picture"), trouble);
-        }
-    });
-    menu.exec(event->globalPos());
 }
 
 }  // namespace ravnoves

@@ -4,6 +4,7 @@
 #include <QPixmap>
 #include <QWidget>
 #include <array>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -37,7 +38,8 @@ class PlotView : public QWidget {
         Line,
         Points,
         LineAndPoints,
-        Bars,  ///< from 0 to the value; barWidth and barShift in units of x
+        Rings,  ///< hollow points
+        Bars,   ///< from 0 to the value; barWidth and barShift in units of x
     };
 
     struct CurveStyle {
@@ -52,6 +54,15 @@ class PlotView : public QWidget {
         QString toolTip = {};
         double barWidth = 0.8;
         double barShift = 0.0;  ///< of the bar's middle, so that groups stand side by side
+        bool gaps = false;      ///< the line is broken where a point is not finite
+    };
+
+    /// A scale that is neither linear nor logarithmic: where values stand on it, and what stands
+    /// at a place; both increase.
+    struct Scale {
+        std::function<double(double value)> place = {};
+        std::function<double(double place)> value = {};
+        std::vector<double> ticks = {};  ///< values that may get a label, the weightiest first
     };
 
     struct Axis {
@@ -60,6 +71,10 @@ class PlotView : public QWidget {
         double max = 1.0;
         bool degrees = false;  ///< ticks at 15, 30, 45, 90, …
         bool logarithmic = false;
+        Scale scale = {};  ///< of its own; linear or logarithmic where empty
+        /// Text of ticks and of values read out, for a logarithmic axis or one with a scale of its
+        /// own; powers of ten where empty.
+        std::function<QString(double)> label = {};
     };
 
     /// A point worth seeing, with a label.
@@ -72,16 +87,18 @@ class PlotView : public QWidget {
         bool ring = false;  ///< a ring instead of a dot
     };
 
-    /// A shaded stretch of x.
+    /// A shaded stretch of x (horizontal) or of the left axis (vertical).
     struct Band {
         double from = 0.0;
         double to = 0.0;
         QColor colour;  ///< with alpha
         QString text = {};
+        Qt::Orientation orientation = Qt::Horizontal;
     };
 
     /// A straight line across the plot.
     struct Line {
+        static constexpr int muted = -1;  ///< a colour that is no curve's
         double at = 0.0;
         Qt::Orientation orientation = Qt::Horizontal;
         int colour = 0;
@@ -113,8 +130,13 @@ class PlotView : public QWidget {
     /// Its name in the legend; a curve without a name has no entry there.
     QString curveName(int curve) const;
     int curveCount() const;
-    /// Vertical error bars from low to high at each point of the curve; empty spans remove them.
-    void setErrorBars(int curve, std::vector<double> low, std::vector<double> high);
+    /// Error bars from low to high at each point of the curve, in y (vertical) or in x
+    /// (horizontal); empty lists remove them.
+    void setErrorBars(int curve, std::vector<double> low, std::vector<double> high,
+                      Qt::Orientation orientation = Qt::Vertical);
+    /// What is read out of each point of the curve, as lines of text. In a plot with such texts the
+    /// mouse and the arrow keys read points instead of the curves at an x.
+    void setPointTexts(int curve, QStringList texts);
 
     /// A picture under the curves that fills a rectangle of values (a map over x and y); a null
     /// image removes it. Row 0 of the image is the top.
@@ -126,6 +148,9 @@ class PlotView : public QWidget {
     /// curve; nothing removes it.
     void setPresentX(std::optional<double> x);
     QString title() const { return title_; }
+    /// Pales what is drawn, because newer data are on the way, and says so in the middle.
+    void setFaded(bool faded, const QString& text = {});
+    bool isFaded() const { return faded_; }
     /// The cursor at x, as if the mouse were there; nothing removes it.
     void setCursorX(std::optional<double> x);
     /// A click or drag picks x (picked()) instead of panning.
@@ -201,12 +226,19 @@ class PlotView : public QWidget {
     void zoom(double factorX, double factorY, const QPointF& about);
     void pan(const QPointF& pixels);
     void moveCursor(const QPointF& position);
+    bool readsPoints() const;
+    void readPointNear(const QPointF& position);
+    void stepPoint(int by);
     void pick(const QPointF& position);
     void renderAxes(QPainter& painter);
+    void renderOwnAxis(QPainter& painter, const AxisState& state, Qt::Edge edge);
+    void renderErrorBars(QPainter& painter, const Curve& curve);
     void renderCurves(QPainter& painter);
     void paintOverlay(QPainter& painter);
     void paintMarks(QPainter& painter, const QRectF& area);
     void paintReadout(QPainter& painter, const QRectF& area);
+    void paintPointReadout(QPainter& painter, const QRectF& area);
+    void paintLines(QPainter& painter, const QRectF& area);
     QString axisNumber(double value, const AxisState& state) const;
     QString readoutNumber(double value, const AxisState& state) const;
 
@@ -226,7 +258,9 @@ class PlotView : public QWidget {
     std::vector<Line> lines_;
     std::optional<double> presentX_;
     std::optional<double> cursorX_;
-    std::optional<QPointF> cursorAt_;
+    std::optional<std::pair<std::size_t, std::size_t>> pointRead_;  ///< curve, point
+    bool faded_ = false;
+    QString fadedText_;
     bool pickable_ = false;
     bool equalScale_ = false;
     bool zoomed_ = false;

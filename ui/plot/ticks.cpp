@@ -54,4 +54,63 @@ int tickDecimals(double step) {
     return 12;
 }
 
+std::vector<double> logarithmicTicks(double low, double high, int wanted) {
+    constexpr double rounding = 1e-9;
+    const int first = static_cast<int>(std::ceil(std::log10(low) - rounding));
+    const int last = static_cast<int>(std::floor(std::log10(high) + rounding));
+    const int decades = last - first;
+    std::vector<double> ticks;
+    const auto take = [&](double value) {
+        if (value >= low * (1.0 - rounding) && value <= high * (1.0 + rounding)) {
+            ticks.push_back(value);
+        }
+    };
+    if (std::log10(high / low) < 1.0) {
+        const double step = niceStep(high - low, wanted);
+        for (double k = std::ceil(low / step); k * step <= high; ++k) {
+            take(k * step);
+        }
+        return ticks;
+    }
+    const bool between = 3 * (decades + 1) <= wanted;
+    const int every = std::max(1, (decades + wanted) / std::max(1, wanted));
+    for (int decade = first - 1; decade <= last; ++decade) {
+        if (decade % every != 0) {
+            continue;
+        }
+        const double power = std::pow(10.0, decade);
+        take(power);
+        if (between) {
+            take(2.0 * power);
+            take(5.0 * power);
+        }
+    }
+    return ticks;
+}
+
+QString powerText(double value, const QLocale& locale, int significant) {
+    if (value == 0.0 || !std::isfinite(value)) {
+        return value == 0.0 ? QStringLiteral("0") : QStringLiteral("–");
+    }
+    const QString digits = QLocale::c().toString(std::abs(value), 'e', significant - 1);
+    const int exponent = digits.section(QLatin1Char('e'), 1).toInt();
+    const double mantissa = digits.section(QLatin1Char('e'), 0, 0).toDouble();
+    const QString sign = value < 0.0 ? QString(QChar(0x2212)) : QString();
+    const bool isPower = mantissa == 1.0;
+    if ((isPower && (exponent == 0 || exponent == 1)) ||
+        (!isPower && exponent >= -3 && exponent <= 3)) {
+        QLocale plain = locale;
+        plain.setNumberOptions(QLocale::OmitGroupSeparator);
+        return sign + plain.toString(std::abs(value), 'g', std::max(significant, exponent + 1));
+    }
+    static const QString raised = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+    QString power = exponent < 0 ? QString(QChar(0x207B)) : QString();
+    for (const QChar digit : QString::number(std::abs(exponent))) {
+        power += raised.at(digit.digitValue());
+    }
+    const QString factor =
+        isPower ? QString() : locale.toString(mantissa, 'g', significant) + QChar(0x00B7);
+    return sign + factor + QStringLiteral("10") + power;
+}
+
 }  // namespace ravnoves

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <QLocale>
+#include <QString>
 #include <utility>
+#include <vector>
 
 namespace ravnoves {
 
@@ -17,5 +20,14 @@ std::pair<double, double> niceInterval(double min, double max, int wanted);
 
 /// Decimals that a tick label needs to tell neighbouring ticks apart.
 int tickDecimals(double step);
+
+/// Ticks of a logarithmic axis, about `wanted` at most: every so many decades; with few decades
+/// also 2 and 5 of each; within one decade as on a linear axis.
+/// @param low, high  0 < low < high
+std::vector<double> logarithmicTicks(double low, double high, int wanted);
+
+/// A number as science writes it: "10⁻⁹", "2·10⁻⁹", "1.25·10¹²"; plain from 0.001 to 9999 where it
+/// is no power of ten.
+QString powerText(double value, const QLocale& locale, int significant = 3);
 
 }  // namespace ravnoves

@@ -1,0 +1,187 @@
+#include <gtest/gtest.h>
+
+#include <QLocale>
+#include <cmath>
+#include <limits>
+
+#include "events.h"
+#include "plot/plot_view.h"
+#include "plot/ticks.h"
+
+namespace ravnoves {
+namespace {
+
+TEST(LogarithmicTicks, AreDecadesThatFit) {
+    const auto all = logarithmicTicks(1e-4, 1e2, 10);
+    ASSERT_EQ(all.size(), 7U);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        EXPECT_NEAR(all[i], std::pow(10.0, static_cast<double>(i) - 4.0), 1e-12 * all[i]);
+    }
+    // Eighteen decades where there is room for seven labels.
+    const auto few = logarithmicTicks(1e-17, 10.0, 7);
+    EXPECT_LE(few.size(), 8U);
+    EXPECT_GE(few.size(), 5U);
+    for (const double tick : few) {
+        EXPECT_NEAR(std::remainder(std::log10(tick), 1.0), 0.0, 1e-9);
+    }
+    // With few decades also 2 and 5; within one decade round steps.
+    const auto close = logarithmicTicks(1.0, 100.0, 12);
+    EXPECT_EQ(close, (std::vector<double>{1, 2, 5, 10, 20, 50, 100}));
+    for (const double tick : logarithmicTicks(23.0, 47.0, 6)) {
+        EXPECT_NEAR(std::remainder(tick, 5.0), 0.0, 1e-9);
+    }
+}
+
+TEST(PowerText, ReadsAsScienceWritesIt) {
+    const QLocale english(QLocale::English);
+    EXPECT_EQ(powerText(1e-9, english), QStringLiteral("10⁻⁹"));
+    EXPECT_EQ(powerText(2e-17, english), QStringLiteral("2·10⁻¹⁷"));
+    EXPECT_EQ(powerText(1.2345e12, english), QStringLiteral("1.23·10¹²"));
+    EXPECT_EQ(powerText(1.0, english), QStringLiteral("1"));
+    EXPECT_EQ(powerText(10.0, english), QStringLiteral("10"));
+    EXPECT_EQ(powerText(0.25, english), QStringLiteral("0.25"));
+    EXPECT_EQ(powerText(1234.0, english), QStringLiteral("1230"));
+    EXPECT_EQ(powerText(-3e-5, english), QStringLiteral("−3·10⁻⁵"));
+    EXPECT_EQ(powerText(0.0, english), QStringLiteral("0"));
+    EXPECT_EQ(powerText(std::nan(""), english), QStringLiteral("–"));
+    EXPECT_EQ(powerText(1.5e-9, QLocale(QLocale::Russian)), QStringLiteral("1,5·10⁻⁹"));
+}
+
+class ScaledPlot : public ::testing::Test {
+  protected:
+    ScaledPlot() : plot(QStringLiteral("Errors")) {
+        PlotView::Axis time;
+        time.title = QStringLiteral("time");
+        time.min = 1.0;
+        time.max = 1e6;
+        time.logarithmic = true;
+        plot.setXAxis(time);
+        PlotView::Axis error;
+        error.title = QStringLiteral("error");
+        error.logarithmic = true;
+        plot.setYAxis(PlotView::Side::Left, error);
+        plot.setYRange(PlotView::Side::Left, 1e-16, 1.0);
+    }
+    void show() { test::showAt(plot, {500, 400}); }
+    /// Some pixel near a point is of the colour of curves.
+    bool isDrawn(const QPointF& at, int reach = 2) {
+        const QImage image = plot.grab().toImage();
+        for (int dx = -reach; dx <= reach; ++dx) {
+            for (int dy = -reach; dy <= reach; ++dy) {
+                const QColor c = image.pixelColor(at.toPoint() + QPoint(dx, dy));
+                if (c.isValid() && c.saturation() > 90) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+    PlotView plot;
+};
+
+TEST_F(ScaledPlot, ReadsAlongTheLineThatIsDrawn) {
+    const int curve = plot.addCurve({.name = QStringLiteral("a")});
+    plot.setCurve(curve, {1.0, 1e6}, {1.0, 1e-12});
+    show();
+    // A straight line on both logarithmic axes.
+    EXPECT_NEAR(std::log10(*plot.valueAt(curve, 1e3)), -6.0, 1e-9);
+    EXPECT_TRUE(isDrawn(plot.toPixel(1e3, 1e-6)));
+}
+
+TEST_F(ScaledPlot, ErrorBarsMayLieAlongX) {
+    const int curve =
+        plot.addCurve({.name = QStringLiteral("a"), .shape = PlotView::Shape::LineAndPoints});
+    plot.setCurve(curve, {1e3}, {1e-8});
+    show();
+    EXPECT_FALSE(isDrawn(plot.toPixel(2e4, 1e-8)));
+    plot.setErrorBars(curve, {1e1}, {1e5}, Qt::Horizontal);
+    EXPECT_TRUE(isDrawn(plot.toPixel(2e4, 1e-8)));
+    EXPECT_TRUE(isDrawn(plot.toPixel(50.0, 1e-8)));
+    EXPECT_FALSE(isDrawn(plot.toPixel(1e3, 1e-4)));
+    plot.setErrorBars(curve, {}, {});
+    EXPECT_FALSE(isDrawn(plot.toPixel(2e4, 1e-8)));
+}
+
+TEST_F(ScaledPlot, GapsBreakTheLineWhereAsked) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    PlotView::CurveStyle style;
+    style.name = QStringLiteral("a");
+    style.gaps = true;
+    const int broken = plot.addCurve(style);
+    plot.setCurve(broken, {1, 10, 100, 1000, 1e4, 1e5}, {1e-8, 1e-8, nan, nan, 1e-8, 1e-8});
+    show();
+    EXPECT_TRUE(isDrawn(plot.toPixel(3, 1e-8)));
+    EXPECT_FALSE(isDrawn(plot.toPixel(400, 1e-8)));
+    EXPECT_TRUE(isDrawn(plot.toPixel(3e4, 1e-8)));
+    EXPECT_TRUE(plot.valueAt(broken, 3.0).has_value());
+    EXPECT_FALSE(plot.valueAt(broken, 400.0).has_value());
+    style.gaps = false;
+    const int whole = plot.addCurve(style);
+    plot.setCurve(whole, {1, 10, 100, 1000}, {1e-4, nan, nan, 1e-4});
+    EXPECT_TRUE(isDrawn(plot.toPixel(30, 1e-4)));
+}
+
+TEST_F(ScaledPlot, AScaleOfItsOwnPlacesValues) {
+    PlotView::Axis axis;
+    axis.title = QStringLiteral("λ");
+    axis.min = 0.0;
+    axis.max = 1.0 - 1e-6;
+    axis.scale = {[](double value) { return -std::log10(1.0 - value); },
+                  [](double place) { return 1.0 - std::pow(10.0, -place); },
+                  {0.0, 0.9, 0.99, 0.999}};
+    plot.setXAxis(axis);
+    show();
+    const QRectF area = plot.plotArea();
+    EXPECT_NEAR(plot.toPixel(0.999, 1e-8).x(), area.center().x(), 1.0);
+    EXPECT_NEAR(plot.xAt(area.center().x()), 0.999, 1e-5);
+    // Zooming goes by the scale: the pointer's value stays.
+    test::turnWheel(&plot, plot.toPixel(0.999, 1e-8).toPoint(), 2);
+    EXPECT_NEAR(plot.xAt(area.center().x()), 0.999, 1e-4);
+    const auto [low, high] = plot.xInterval();
+    EXPECT_GT(low, 0.0);
+    EXPECT_LT(high, 1.0 - 1e-6);
+}
+
+TEST_F(ScaledPlot, ArrowsStepFromPointToPoint) {
+    const int curve =
+        plot.addCurve({.name = QStringLiteral("a"), .shape = PlotView::Shape::LineAndPoints});
+    plot.setCurve(curve, {10, 1e3, 1e5}, {1e-2, 1e-6, 1e-12});
+    plot.setPointTexts(curve,
+                       {QStringLiteral("one"), QStringLiteral("two"), QStringLiteral("three")});
+    show();
+    plot.setFocus();
+    const QImage before = plot.grab().toImage();
+    QTest::keyClick(&plot, Qt::Key_Right);
+    const QImage first = plot.grab().toImage();
+    EXPECT_NE(first, before);
+    QTest::keyClick(&plot, Qt::Key_Right);
+    EXPECT_NE(plot.grab().toImage(), first);
+    QTest::keyClick(&plot, Qt::Key_Left);
+    EXPECT_EQ(plot.grab().toImage(), first);
+    // The mouse reads the nearest point, and none far from all of them.
+    const auto moveTo = [&](const QPointF& at) {
+        QMouseEvent move(QEvent::MouseMove, at, plot.mapToGlobal(at), Qt::NoButton, Qt::NoButton,
+                         Qt::NoModifier);
+        QApplication::sendEvent(&plot, &move);
+    };
+    moveTo(plot.toPixel(10, 1e-2) + QPointF(4, 3));
+    EXPECT_EQ(plot.grab().toImage(), first);
+    moveTo(plot.toPixel(10, 1e-12));
+    EXPECT_EQ(plot.grab().toImage(), before);
+}
+
+TEST_F(ScaledPlot, FadesWhileNewerDataAreOnTheWay) {
+    const int curve = plot.addCurve({.name = QStringLiteral("a"), .width = 4.0});
+    plot.setCurve(curve, {1.0, 1e6}, {1e-8, 1e-8});
+    show();
+    const QPoint at = plot.toPixel(1e3, 1e-8).toPoint();
+    const int clear = plot.grab().toImage().pixelColor(at).saturation();
+    plot.setFaded(true, QStringLiteral("measuring"));
+    EXPECT_LT(plot.grab().toImage().pixelColor(at + QPoint(100, 0)).saturation(), clear);
+    EXPECT_TRUE(plot.isFaded());
+    plot.setFaded(false);
+    EXPECT_EQ(plot.grab().toImage().pixelColor(at).saturation(), clear);
+}
+
+}  // namespace
+}  // namespace ravnoves
