@@ -6,6 +6,7 @@
 #include "elastic-hinge/method_choices.h"
 #include "elastic-hinge/motion.h"
 #include "elastic-hinge/solver.h"
+#include "methods/cancellation.h"
 #include "methods/definition.h"
 #include "methods/hinge_mechanism.h"
 #include "numerics/constants.h"
@@ -164,8 +165,16 @@ Method<MotionCase> fixed_step(MethodInfo info, double slopes_per_step,
     return method;
 }
 
+/// Thousands of turns take seconds.
+void check_now_and_then(long step) {
+    if (step % 1024 == 0) {
+        check_cancelled();
+    }
+}
+
 void runge_kutta_4(const Acceleration& f, double h, long steps, double& phi, double& speed) {
     for (long i = 0; i < steps; ++i) {
+        check_now_and_then(i);
         const double a = f(phi, speed);
         const double va = speed + h / 2.0 * a;
         const double b = f(phi + h / 2.0 * speed, va);
@@ -184,6 +193,7 @@ void stoermer_verlet(const Acceleration& f, double h, long steps, double& phi, d
     double p = f.inertia(phi) * speed;
     auto here = f.parts(phi);
     for (long i = 0; i < steps; ++i) {
+        check_now_and_then(i);
         // p½ = p + h/2 (moment + I′ p½² / 2I²)
         const double a = h / 4.0 * here.slope / (here.inertia * here.inertia);
         const double known = p + h / 2.0 * here.moment;
@@ -217,7 +227,11 @@ Motion simulate(const MotionCase& motion, double tolerance) {
     setup.longest_time = motion.seconds;
     setup.samples_per_turn = 4;
     setup.tolerance = tolerance;
-    return elastic_hinge::simulate(motion.solved->design, motion.solved->crank_guide, setup);
+    return elastic_hinge::simulate(motion.solved->design, motion.solved->crank_guide, setup,
+                                   [](double) {
+                                       check_cancelled();
+                                       return true;
+                                   });
 }
 
 Method<MotionCase> dormand_prince() {

@@ -22,34 +22,70 @@ std::size_t index_of(const List& list, std::string_view wanted, const Key& key, 
 
 }  // namespace
 
+namespace {
+
+// Half of the places are linear up to 0.9 of the span, the rest approach the end by ratios.
+constexpr double linear_part = 0.9;
+
+/// Part of the span at a place 0…1 of a scale that crowds towards its end.
+double approach(double place, double end_gap) {
+    if (place <= 0.5) {
+        return 2.0 * place * linear_part;
+    }
+    return 1.0 - (1.0 - linear_part) * std::pow(end_gap / (1.0 - linear_part), 2.0 * place - 1.0);
+}
+
+/// Its inverse.
+double place_of_approach(double part, double end_gap) {
+    if (part <= linear_part) {
+        return part / (2.0 * linear_part);
+    }
+    const double left = std::max(1.0 - part, end_gap);
+    return 0.5 +
+           0.5 * std::log(left / (1.0 - linear_part)) / std::log(end_gap / (1.0 - linear_part));
+}
+
+}  // namespace
+
+double SweepInfo::at(double place) const {
+    place = std::clamp(place, 0.0, 1.0);
+    double part = place;
+    switch (spacing) {
+        case Spacing::linear:
+            break;
+        case Spacing::logarithmic:
+            return place == 0.0 ? from : place == 1.0 ? to : from * std::pow(to / from, place);
+        case Spacing::towards_end:
+            part = approach(place, end_gap);
+            break;
+        case Spacing::towards_start:
+            part = 1.0 - approach(1.0 - place, end_gap);
+            break;
+    }
+    return std::lerp(from, to, part);
+}
+
+double SweepInfo::place(double value) const {
+    value = std::clamp(value, from, to);
+    const double part = (value - from) / (to - from);
+    switch (spacing) {
+        case Spacing::linear:
+            break;
+        case Spacing::logarithmic:
+            return std::log(value / from) / std::log(to / from);
+        case Spacing::towards_end:
+            return place_of_approach(part, end_gap);
+        case Spacing::towards_start:
+            return 1.0 - place_of_approach(1.0 - part, end_gap);
+    }
+    return part;
+}
+
 std::vector<double> SweepInfo::values(std::size_t n) const {
     std::vector<double> list(std::max<std::size_t>(n, 2));
     const double last = static_cast<double>(list.size() - 1);
-    // Half of the values are linear up to 0.9 of the span, the rest approach the end by ratios.
-    constexpr double linear_part = 0.9;
-    const auto approach = [&](double u) {
-        if (u <= 0.5) {
-            return 2.0 * u * linear_part;
-        }
-        return 1.0 - (1.0 - linear_part) * std::pow(end_gap / (1.0 - linear_part), 2.0 * u - 1.0);
-    };
     for (std::size_t i = 0; i < list.size(); ++i) {
-        const double u = static_cast<double>(i) / last;
-        double part = u;
-        switch (spacing) {
-            case Spacing::linear:
-                break;
-            case Spacing::logarithmic:
-                list[i] = i == 0 ? from : i + 1 == list.size() ? to : from * std::pow(to / from, u);
-                continue;
-            case Spacing::towards_end:
-                part = approach(u);
-                break;
-            case Spacing::towards_start:
-                part = 1.0 - approach(1.0 - u);
-                break;
-        }
-        list[i] = std::lerp(from, to, part);
+        list[i] = at(static_cast<double>(i) / last);
     }
     return list;
 }

@@ -55,6 +55,11 @@ struct SweepInfo {
     double present = 0.0;     ///< the value of the scene's preset
     std::size_t points = 25;  ///< of a stability curve
 
+    /// The value at a place 0…1 of the sweep, spread by `spacing`: its scale, on which values that
+    /// crowd towards a limit stand apart. Places outside 0…1 are its ends.
+    double at(double place) const;
+    /// The place of a value, 0…1; values outside the sweep lie at its ends.
+    double place(double value) const;
     /// n ≥ 2 values from `from` to `to`, spread by `spacing`; ends included (with towards_end the
     /// last value is `to` less the smallest distance, likewise at the start).
     std::vector<double> values(std::size_t n) const;

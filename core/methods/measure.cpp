@@ -20,11 +20,24 @@ double seconds_of(const Run& run, std::vector<double>& out, std::size_t repeats)
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-void report(const Progress& progress, double part) {
-    if (progress && !progress(part)) {
-        throw Cancelled{};
+/// Tells a Progress how far a measurement is, and asks it in the midst of long runs too.
+class Reporter {
+  public:
+    explicit Reporter(const Progress& progress)
+        : progress_(progress),
+          scope_(progress ? [this] { return progress_(part_); } : std::function<bool()>()) {}
+    void operator()(double part) {
+        part_ = part;
+        if (progress_ && !progress_(part)) {
+            throw Cancelled{};
+        }
     }
-}
+
+  private:
+    const Progress& progress_;
+    double part_ = 0.0;
+    CancelScope scope_;
+};
 
 /// The q-quantile of sorted values, between neighbours by proportion.
 double quantile(const std::vector<double>& sorted, double q) {
@@ -94,6 +107,7 @@ std::optional<double> WorkPrecision::order(std::size_t method) const {
 WorkPrecision measure_work(const Kernel& kernel, std::size_t sweep, double value,
                            const MeasureOptions& options, const Progress& progress) {
     WorkPrecision work{&kernel, sweep, value, {}};
+    Reporter report(progress);
     const auto problem = kernel.problem(sweep, value);
     std::size_t total = 0;
     for (const MethodInfo& method : kernel.methods) {
@@ -101,7 +115,7 @@ WorkPrecision measure_work(const Kernel& kernel, std::size_t sweep, double value
     }
     for (std::size_t method = 0; method < kernel.methods.size(); ++method) {
         for (std::size_t setting = 0; setting < kernel.methods[method].settings.size(); ++setting) {
-            report(progress, static_cast<double>(work.points.size()) / static_cast<double>(total));
+            report(static_cast<double>(work.points.size()) / static_cast<double>(total));
             WorkPoint point{method, setting, {}, 0.0, evaluate(*problem, method, setting)};
             point.operations = problem->operations(method, setting);
             point.timing = time_run(problem->prepare(method, setting), problem->outputs(),
@@ -109,7 +123,7 @@ WorkPrecision measure_work(const Kernel& kernel, std::size_t sweep, double value
             work.points.push_back(std::move(point));
         }
     }
-    report(progress, 1.0);
+    report(1.0);
     return work;
 }
 
@@ -138,6 +152,7 @@ const StabilityCurve* StabilityMap::chosen() const {
 StabilityMap map_stability(const Kernel& kernel, std::size_t sweep, const MeasureOptions& options,
                            const Progress& progress) {
     StabilityMap map{&kernel, sweep, {}, {}};
+    Reporter report(progress);
     const SweepInfo& info = kernel.sweeps.at(sweep);
     map.values = info.values(options.sweep_points > 0 ? options.sweep_points : info.points);
     for (std::size_t method = 0; method < kernel.methods.size(); ++method) {
@@ -146,13 +161,13 @@ StabilityMap map_stability(const Kernel& kernel, std::size_t sweep, const Measur
         map.curves.push_back({method, chosen ? kernel.chosen_setting() : last, {}});
     }
     for (std::size_t i = 0; i < map.values.size(); ++i) {
-        report(progress, static_cast<double>(i) / static_cast<double>(map.values.size()));
+        report(static_cast<double>(i) / static_cast<double>(map.values.size()));
         const auto problem = kernel.problem(sweep, map.values[i]);
         for (StabilityCurve& curve : map.curves) {
             curve.results.push_back(evaluate(*problem, curve.method, curve.setting));
         }
     }
-    report(progress, 1.0);
+    report(1.0);
     return map;
 }
 

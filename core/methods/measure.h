@@ -6,15 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "methods/cancellation.h"
 #include "methods/kernel.h"
 
 namespace ravnoves::methods {
 
-/// Called with the part done, 0…1; false cancels. Empty: never asked.
+/// Called with the part done, 0…1, and now and then in the midst of a long run with the same part;
+/// false cancels (Cancelled is thrown). Empty: never asked.
 using Progress = std::function<bool(double)>;
-
-/// Thrown out of a measurement that its Progress cancelled.
-struct Cancelled {};
 
 /// Time of one evaluation, ns, over repeated batches.
 struct Timing {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 
 namespace ravnoves::methods {
@@ -62,6 +63,25 @@ TEST(Measure, CancelsAndTellsHowFarItIs) {
     parts.clear();
     EXPECT_THROW(static_cast<void>(map_stability(kernel, 0, quick, until_half)), Cancelled);
     EXPECT_LT(parts.back(), 0.7);
+}
+
+/// A run of minutes ends within a moment, whichever method it is in.
+TEST(Measure, CancelsInTheMidstOfALongRun) {
+    const Kernel& kernel = *find_kernel("hinge-motion");
+    const std::size_t turns = kernel.find_sweep("turns");
+    for (std::size_t method = 0; method < kernel.methods.size(); ++method) {
+        const auto problem = kernel.problem(turns, 3e5);
+        int asked = 0;
+        const CancelScope scope([&] { return ++asked < 3; });
+        const ravnoves::methods::Run run = problem->prepare(method, kernel.methods[method].settings.size() - 1);
+        std::vector<double> out(problem->outputs());
+        const auto start = std::chrono::steady_clock::now();
+        EXPECT_THROW(static_cast<void>(run(out)), Cancelled);
+        const std::chrono::duration<double> lasted = std::chrono::steady_clock::now() - start;
+        EXPECT_LT(lasted.count(), 5.0) << kernel.methods[method].id;
+        EXPECT_EQ(asked, 3);
+    }
+    check_cancelled();  // without a scope it does nothing
 }
 
 TEST(Measure, TellsWhereAMethodFails) {
