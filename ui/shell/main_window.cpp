@@ -263,7 +263,11 @@ void MainWindow::buildMenus() {
     toolBar_->addSeparator();
     toolBar_->addActions({copyText, picture, reset});
     toolBar_->addSeparator();
-    pageActions_ = {fresh, saveAction, saveAsAction, picture, copyText, copyCsv, reset};
+    pageActions_ = {picture, copyText, copyCsv, reset};
+    caseActions_ = {fresh, saveAction, saveAsAction};
+    for (QAction* action : caseActions_) {
+        action->setData(action->toolTip());
+    }
 }
 
 bool MainWindow::showScene(const QString& name) {
@@ -293,6 +297,8 @@ ScenePage* MainWindow::page(const QString& name) {
             QWidget* content = nullptr;
             if (entry.info.make) {
                 entry.page = entry.info.make(entry.holder);
+                entry.page->setOpenCases(
+                    [this](const QString& scene) { return openCaseOf(scene); });
                 content = entry.page;
                 SceneViewModel* model = entry.page->model();
                 histories_->addStack(model->history());
@@ -322,6 +328,7 @@ void MainWindow::showEntry(std::size_t index) {
     for (QAction* action : pageActions_) {
         action->setEnabled(shown != nullptr);
     }
+    updateCaseActions();
     if (shown != nullptr) {
         histories_->setActiveStack(shown->model()->history());
         shown->setActive(true);
@@ -333,6 +340,28 @@ void MainWindow::showEntry(std::size_t index) {
     }
     updateSceneActions();
     updateTitle();
+}
+
+std::optional<OpenCase> MainWindow::openCaseOf(const QString& scene) const {
+    for (const Entry& entry : entries_) {
+        if (entry.info.name == scene && entry.page != nullptr) {
+            SceneViewModel* model = entry.page->model();
+            return OpenCase{model->title(), model->inputJson(), model->context()};
+        }
+    }
+    return std::nullopt;
+}
+
+void MainWindow::updateCaseActions() {
+    ScenePage* shown = currentPage();
+    const bool hasCase = shown != nullptr && shown->model()->hasCaseFile();
+    for (QAction* action : caseActions_) {
+        action->setEnabled(hasCase);
+        action->setToolTip(hasCase || shown == nullptr
+                               ? action->data().toString()
+                               : tr("This page has no case file: its numbers are measured anew. "
+                                    "Copy or export them."));
+    }
 }
 
 void MainWindow::updateSceneActions() {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "shell/scene_list.h"
+#include "shell/scene_view_model.h"
 
 class QActionGroup;
 class QLabel;
@@ -69,6 +70,8 @@ class MainWindow : public QMainWindow {
     void fillRecentFiles();
     void updateTitle();
     void updateSceneActions();
+    void updateCaseActions();
+    std::optional<OpenCase> openCaseOf(const QString& scene) const;
     void showHelp(const QString& topic);
     void showAbout();
 
@@ -82,6 +85,7 @@ class MainWindow : public QMainWindow {
     QToolBar* toolBar_ = nullptr;
     QLabel* hint_ = nullptr;
     QList<QAction*> pageActions_;   ///< need a page
+    QList<QAction*> caseActions_;   ///< need a page with a case file; data: their tip
     QList<QAction*> sceneActions_;  ///< in the toolbar for the present page
 };
 

@@ -31,6 +31,9 @@ class ScenePage : public QWidget {
     /// than in case files. @return false where the user wants to stay; nothing: the window asks
     virtual std::optional<bool> askToSave() { return std::nullopt; }
 
+    /// How to look up what is open on the other pages. Called once, after the page was made.
+    virtual void setOpenCases(OpenCases /*cases*/) {}
+
   Q_SIGNALS:
     /// A line for the status bar.
     void status(const QString& text);

@@ -3,10 +3,22 @@
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
+#include <functional>
+#include <optional>
 
 #include "case-file/case_file.h"
 
 namespace ravnoves {
+
+/// The case that is open on a page, for other pages to refer to.
+struct OpenCase {
+    QString title;
+    Json input;
+    CaseContext context;
+};
+
+/// Looks up the open case of a scene by its word; nothing where its page was never shown.
+using OpenCases = std::function<std::optional<OpenCase>(const QString& scene)>;
 
 /// The state of one page without any widget: its input, what was computed from it, its history.
 ///
@@ -20,6 +32,8 @@ class SceneViewModel : public QObject {
 
     /// The scene's word in case files.
     virtual QString sceneName() const = 0;
+    /// False for a page whose state is no case: there is nothing to begin, to load or to save.
+    virtual bool hasCaseFile() const { return true; }
     /// The case's "input" object as it stands now.
     virtual Json inputJson() const = 0;
     /// Takes over the input of a case as one step of the history. A fault leaves all as it was.
