@@ -50,9 +50,13 @@ void PlotView::renderAxes(QPainter& painter) {
                                   : QPointF(area.right(), toPixel(x_->low, band.to).y());
         const QRectF shade = QRectF(from, to).normalized().intersected(area);
         painter.fillRect(shade, band.colour);
-        if (!band.text.isEmpty() && shade.width() > 30) {
+        painter.setFont(Theme::font(Theme::smallSize));
+        double widest = 0.0;
+        for (const QString& word : band.text.split(QLatin1Char(' '))) {
+            widest = std::max<double>(widest, painter.fontMetrics().horizontalAdvance(word));
+        }
+        if (widest > 0.0 && shade.width() > widest + 8.0) {
             painter.setPen(Theme::instance().mutedText());
-            painter.setFont(Theme::font(Theme::smallSize));
             painter.drawText(shade.adjusted(4, 2, -4, -2),
                              Qt::AlignTop | Qt::AlignHCenter | Qt::TextWordWrap, band.text);
         }
@@ -80,6 +84,7 @@ void PlotView::renderOwnAxis(QPainter& painter, const AxisState& state, Qt::Edge
     painter.setFont(font);
     const std::vector<double> ticks =
         state.ownTicks(across ? area.width() : area.height(), across ? columnPerTick : rowPerTick);
+    std::vector<QRectF> taken;
     for (const double tick : ticks) {
         const QString text = state.ownLabel(tick, locale());
         const double wide = metrics.horizontalAdvance(text) + 2.0;
@@ -98,6 +103,13 @@ void PlotView::renderOwnAxis(QPainter& painter, const AxisState& state, Qt::Edge
             box.moveTop(y - metrics.height() / 2.0);
             box.moveLeft(edge == Qt::LeftEdge ? side - labelGap - wide : side + labelGap);
         }
+        // Of labels that would touch the first counts; a scale of its own has the weightiest first.
+        const QRectF room = box.adjusted(-3.0, 0.0, 3.0, 0.0);
+        if (std::any_of(taken.begin(), taken.end(),
+                        [&](const QRectF& other) { return other.intersects(room); })) {
+            continue;
+        }
+        taken.push_back(room);
         painter.setPen(theme.mutedText());
         painter.drawText(box, Qt::AlignCenter, text);
     }
@@ -122,7 +134,8 @@ void PlotView::renderOwnAxis(QPainter& painter, const AxisState& state, Qt::Edge
                       area.center().y());
     painter.rotate(-90.0);
     painter.drawText(QRectF(-area.height() / 2.0, 0.0, area.height(), metrics.height()),
-                     Qt::AlignCenter, state.spec.title);
+                     Qt::AlignCenter,
+                     metrics.elidedText(state.spec.title, Qt::ElideRight, area.height()));
     painter.restore();
 }
 

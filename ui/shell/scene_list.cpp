@@ -5,6 +5,7 @@
 #include "balance-shaft/balance_shaft_page.h"
 #include "elastic-hinge/elastic_hinge_page.h"
 #include "inertia-moments/inertia_moments_page.h"
+#include "methods/methods_page.h"
 #include "v8-plugs/v8_plugs_page.h"
 
 namespace ravnoves {
@@ -48,7 +49,7 @@ std::vector<SceneInfo> sceneList() {
          translated(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Methods")),
          translated(QT_TRANSLATE_NOOP("ravnoves::SceneList",
                                       "Speed against accuracy, and where methods fail")),
-         {}},
+         makePage<MethodsPage>},
     };
 }
 

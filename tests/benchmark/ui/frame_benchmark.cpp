@@ -20,6 +20,7 @@
 #include "elastic-hinge/elastic_hinge_view_model.h"
 #include "inertia-moments/inertia_moments_page.h"
 #include "inertia-moments/inertia_moments_view_model.h"
+#include "methods/methods_page.h"
 #include "shell/language.h"
 #include "theme/theme.h"
 
@@ -65,6 +66,19 @@ std::map<std::string, std::function<Drag()>> drags() {
              auto* page = new InertiaMomentsPage;
              return Drag{page, [page](int step, int steps) {
                              page->viewModel()->setBankAngleDeg(5.0 + 85.0 * step / steps);
+                         }};
+         }},
+        {"methods",
+         [] {
+             auto* page = new MethodsPage;
+             MethodsViewModel* model = page->viewModel();
+             // With a measurement in the charts; the drag itself measures nothing.
+             page->setActive(true);
+             while (model->shown() == nullptr || model->isStale()) {
+                 QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+             }
+             return Drag{page, [model](int step, int steps) {
+                             model->setValue(model->sweep().at(static_cast<double>(step) / steps));
                          }};
          }},
     };

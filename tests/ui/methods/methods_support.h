@@ -1,0 +1,28 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "methods/methods_view_model.h"
+
+namespace ravnoves::test {
+
+inline constexpr int patience = 60'000;  ///< ms: the machine may be busy
+
+/// Waits until what is chosen has been measured.
+inline void waitUntilMeasured(MethodsViewModel& model) {
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return model.shown() != nullptr && !model.isStale(); }, patience));
+}
+
+/// Measures without the page being in front.
+inline void measureNow(MethodsViewModel& model) {
+    QSignalSpy measured(model.measurements(), &MethodMeasurements::measured);
+    model.measurements()->start(model.kernel(), model.sweepIndex(), model.value(),
+                                MeasurementEffort::quick);
+    ASSERT_TRUE(measured.wait(patience));
+}
+
+}  // namespace ravnoves::test

@@ -1,0 +1,406 @@
+#include "methods/methods_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QFile>
+#include <QImage>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSlider>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <cmath>
+
+#include "events.h"
+#include "methods/method_plots.h"
+#include "methods/method_words.h"
+#include "methods/validation_view.h"
+#include "methods_support.h"
+#include "shell/main_window.h"
+#include "theme/theme.h"
+#include "widgets/number_field.h"
+#include "widgets/result_table.h"
+
+namespace ravnoves {
+namespace {
+
+class MethodsPageTest : public ::testing::Test {
+  protected:
+    MethodsPageTest() {
+        test::showAt(page, {1176, 712});
+        page.activateWindow();
+        model = page.viewModel();
+    }
+
+    template <typename Widget>
+    Widget* find(const char* name) {
+        auto* found = page.findChild<Widget*>(QString::fromLatin1(name));
+        EXPECT_NE(found, nullptr) << name;
+        return found;
+    }
+    void measure() {
+        page.setActive(true);
+        test::waitUntilMeasured(*model);
+        QApplication::processEvents();
+    }
+    /// Chooses an entry as a person does: focus, then keys.
+    void choose(const char* name, int index) {
+        auto* combo = find<QComboBox>(name);
+        combo->setFocus();
+        while (combo->currentIndex() < index) {
+            QTest::keyClick(combo, Qt::Key_Down);
+        }
+        while (combo->currentIndex() > index) {
+            QTest::keyClick(combo, Qt::Key_Up);
+        }
+    }
+    void bringTab(const char* name) {
+        QTabWidget* tabs = page.tabs();
+        for (int i = 0; i < tabs->count(); ++i) {
+            if (tabs->widget(i)->objectName() == QLatin1String(name)) {
+                QTest::mouseClick(tabs->tabBar(), Qt::LeftButton, {},
+                                  tabs->tabBar()->tabRect(i).center());
+            }
+        }
+        QApplication::processEvents();
+        ASSERT_EQ(tabs->currentWidget()->objectName(), QLatin1String(name));
+    }
+
+    MethodsPage page;
+    MethodsViewModel* model = nullptr;
+    QTemporaryDir folder;
+};
+
+TEST_F(MethodsPageTest, NothingIsMeasuredBeforeItIsInFront) {
+    EXPECT_FALSE(model->measurements()->isRunning());
+    EXPECT_TRUE(page.plots()->workPlot()->isFaded());
+    EXPECT_EQ(page.table()->rowCount(), 0);
+    measure();
+    EXPECT_FALSE(page.plots()->workPlot()->isFaded());
+    EXPECT_GT(page.table()->rowCount(), 8);
+}
+
+/// Every measured point is in the chart, at its time and its error.
+TEST_F(MethodsPageTest, EveryPointIsDrawn) {
+    measure();
+    const MethodMeasurement& shown = *model->shown();
+    const PlotView* plot = page.plots()->workPlot();
+    const auto [low, high] = plot->yInterval(PlotView::Side::Left);
+    const auto [fast, slow] = plot->xInterval();
+    std::size_t drawn = 0;
+    const QString csv = page.plots()->workPlot()->dataAsCsv();
+    for (const auto& point : shown.work.points) {
+        EXPECT_GT(point.timing.low, fast);
+        EXPECT_LT(point.timing.high, slow);
+        if (!point.result.refused() && point.result.error > 0.0) {
+            EXPECT_GT(point.result.error, low);
+            EXPECT_LT(point.result.error, high);
+        }
+        drawn += csv.contains(QString::number(point.timing.median, 'g', 17)) ? 1 : 0;
+    }
+    EXPECT_EQ(drawn, shown.work.points.size());
+}
+
+TEST_F(MethodsPageTest, ZeroAndRefusalHaveRowsOfTheirOwn) {
+    // At λ = 1 the exact methods refuse; on the paper's engine the exact mean may be off by
+    // nothing.
+    model->setSweep(model->kernel().find_sweep("lambda"));
+    model->setValue(1.0);
+    measure();
+    const MethodMeasurement& shown = *model->shown();
+    const bool refused = std::any_of(shown.work.points.begin(), shown.work.points.end(),
+                                     [](const auto& point) { return point.result.refused(); });
+    ASSERT_TRUE(refused);
+    const QString csv = page.plots()->workPlot()->dataAsCsv();
+    for (const auto& point : shown.work.points) {
+        EXPECT_TRUE(csv.contains(QString::number(point.timing.median, 'g', 17)));
+    }
+    bool said = false;
+    for (int row = 0; row < page.table()->rowCount(); ++row) {
+        said = said || page.table()->item(row, 3)->text() == QStringLiteral("refused");
+    }
+    EXPECT_TRUE(said);
+}
+
+TEST_F(MethodsPageTest, KernelAndParameterAreChosenByKeys) {
+    measure();
+    choose("kernel", 4);
+    EXPECT_EQ(model->kernel().id, "guide");
+    EXPECT_EQ(find<QComboBox>("sweep")->count(), static_cast<int>(model->kernel().sweeps.size()));
+    choose("sweep", 4);
+    EXPECT_EQ(model->sweep().id, "lambda");
+    EXPECT_EQ(find<NumberField>("value")->text(), QStringLiteral("0.3"));
+    EXPECT_TRUE(find<QLabel>("words")->text().contains(QStringLiteral("relief")));
+    // The charts of the kernel before stay, pale, until the new ones are there.
+    EXPECT_TRUE(page.plots()->workPlot()->isFaded());
+    EXPECT_TRUE(page.plots()->workPlot()->title().contains(QStringLiteral("Slider-crank")));
+    test::waitUntilMeasured(*model);
+    EXPECT_FALSE(page.plots()->workPlot()->isFaded());
+    EXPECT_TRUE(page.plots()->workPlot()->title().contains(QStringLiteral("Guide")));
+    EXPECT_TRUE(page.plots()->stabilityPlot()->title().contains(QStringLiteral("Guide")));
+}
+
+TEST_F(MethodsPageTest, SliderAndFieldSetTheValue) {
+    measure();
+    auto* slider = find<QSlider>("value_slider");
+    const int y = slider->height() / 2;
+    const int x = slider->width() / 4;
+    QTest::mousePress(slider, Qt::LeftButton, {}, QPoint(x, y));
+    for (int step = 1; step <= 30; ++step) {
+        const QPoint p(x + step, y);
+        QMouseEvent move(QEvent::MouseMove, p, slider->mapToGlobal(p), Qt::NoButton, Qt::LeftButton,
+                         Qt::NoModifier);
+        QApplication::sendEvent(slider, &move);
+    }
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, QPoint(x + 30, y));
+    slider->setFocus();
+    const double before = model->value();
+    QTest::keyClick(slider, Qt::Key_PageUp);
+    EXPECT_GT(model->value(), before);
+    EXPECT_FALSE(model->followsCase());
+    // A drag leaves the errors along the parameter as they are, and pales the times.
+    EXPECT_TRUE(page.plots()->workPlot()->isFaded());
+    EXPECT_FALSE(page.plots()->stabilityPlot()->isFaded());
+
+    auto* field = find<NumberField>("value");
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("0,9999"));
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_EQ(model->value(), 0.9999);
+    EXPECT_GT(slider->value(), 700);
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("2"));
+    EXPECT_NE(field->trouble(), QString());
+    EXPECT_EQ(model->value(), 0.9999);
+    QTest::keyClick(field, Qt::Key_Escape);
+    test::turnWheel(slider, QPoint(20, y), -1);
+    EXPECT_LT(model->value(), 0.9999);
+    QTest::mouseClick(find<QPushButton>("take_case"), Qt::LeftButton);
+    EXPECT_TRUE(model->followsCase());
+    EXPECT_EQ(model->value(), 0.265);
+}
+
+TEST_F(MethodsPageTest, AClickIntoTheStabilityChartSetsTheValue) {
+    measure();
+    PlotView* plot = page.plots()->stabilityPlot();
+    QTest::mouseClick(plot, Qt::LeftButton, {}, plot->toPixel(0.5, 1e-9).toPoint());
+    EXPECT_NEAR(model->value(), 0.5, 0.01);
+}
+
+/// The scale of the chart crowds towards λ = 1, so that a click can reach 0.9999.
+TEST_F(MethodsPageTest, TheChartGoesCloseToTheLimit) {
+    measure();
+    const PlotView* plot = page.plots()->stabilityPlot();
+    const double middle = plot->toPixel(0.9, 1e-9).x();
+    const QRectF area = plot->plotArea();
+    EXPECT_NEAR(middle, area.center().x(), 0.1 * area.width());
+    EXPECT_GT(plot->toPixel(0.9999, 1e-9).x() - plot->toPixel(0.999, 1e-9).x(), 20.0);
+    EXPECT_NEAR(plot->xAt(plot->toPixel(0.999, 1e-9).x()), 0.999, 1e-9);
+}
+
+TEST_F(MethodsPageTest, ARowTellsWhereItsMethodFails) {
+    measure();
+    ResultTable* table = page.table();
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
+                      table->visualItemRect(table->item(0, 0)).center());
+    EXPECT_EQ(model->shownMethod(), 0U);
+    EXPECT_TRUE(find<QLabel>("limits")->text().contains(QStringLiteral("no convergence")));
+    QTest::keyClick(table, Qt::Key_End, Qt::ControlModifier);
+    EXPECT_EQ(model->shownMethod(), model->kernel().methods.size() - 1);
+    EXPECT_TRUE(find<QLabel>("limits")->text().contains(QStringLiteral("near locking")));
+}
+
+TEST_F(MethodsPageTest, MeasuresAgainAndCancels) {
+    measure();
+    auto* progress = page.findChild<QProgressBar*>();
+    EXPECT_FALSE(progress->isVisible());
+    const QPoint place = find<QPushButton>("measure_again")->pos();
+    QTest::mouseClick(find<QPushButton>("measure_again"), Qt::LeftButton);
+    EXPECT_TRUE(model->measurements()->isRunning());
+    EXPECT_TRUE(progress->isVisible());
+    EXPECT_EQ(find<QPushButton>("measure_again")->pos(), place);  // nothing moved
+    EXPECT_TRUE(page.plots()->workPlot()->isFaded());
+    EXPECT_GT(page.table()->rowCount(), 8);
+    QTest::mouseClick(find<QPushButton>("cancel"), Qt::LeftButton);
+    EXPECT_FALSE(model->measurements()->isRunning());
+    EXPECT_FALSE(page.plots()->workPlot()->isFaded());
+    QTest::mouseClick(find<QPushButton>("measure_again"), Qt::LeftButton);
+    QSignalSpy progressed(model->measurements(), &MethodMeasurements::progressed);
+    test::waitUntilMeasured(*model);
+    EXPECT_GT(progressed.count(), 3);
+}
+
+/// The mouse over a point reads it: method, setting, time, error.
+TEST_F(MethodsPageTest, PointsAreReadByMouseAndKeys) {
+    measure();
+    PlotView* plot = page.plots()->workPlot();
+    const auto& points = model->shown()->work.points;
+    const auto plain = std::find_if(points.begin(), points.end(), [](const auto& point) {
+        return !point.result.refused() && point.result.error > 0.0;
+    });
+    ASSERT_NE(plain, points.end());
+    const QImage before = plot->grab().toImage();
+    const QPoint at = plot->toPixel(plain->timing.median, plain->result.error).toPoint();
+    QMouseEvent move(QEvent::MouseMove, at, plot->mapToGlobal(at), Qt::NoButton, Qt::NoButton,
+                     Qt::NoModifier);
+    QApplication::sendEvent(plot, &move);
+    EXPECT_NE(plot->grab().toImage(), before);
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(plot, &leave);
+    plot->setFocus();
+    QTest::keyClick(plot, Qt::Key_Right);
+    const QImage first = plot->grab().toImage();
+    QTest::keyClick(plot, Qt::Key_Right);
+    EXPECT_NE(plot->grab().toImage(), first);
+}
+
+TEST_F(MethodsPageTest, ExportsCsvAndPictures) {
+    measure();
+    const QString csv = folder.filePath(QStringLiteral("m.csv"));
+    ASSERT_EQ(page.exportTo(csv), QString());
+    QFile file(csv);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QList<QByteArray> lines = file.readAll().trimmed().split('\n');
+    EXPECT_EQ(lines.size(), 1 + page.table()->rowCount());
+    EXPECT_TRUE(lines.first().contains("median_ns"));
+    const QString svg = folder.filePath(QStringLiteral("m.svg"));
+    ASSERT_EQ(page.exportTo(svg), QString());
+    QFile drawing(svg);
+    ASSERT_TRUE(drawing.open(QIODevice::ReadOnly));
+    const QByteArray text = drawing.readAll();
+    EXPECT_TRUE(text.contains("Slider-crank kinematics: time and error"));
+    EXPECT_TRUE(text.contains("10⁻⁹"));
+    const QString png = folder.filePath(QStringLiteral("m.png"));
+    ASSERT_EQ(page.exportTo(png), QString());
+    EXPECT_EQ(QImage(png).width(), 2 * page.plots()->width());
+    EXPECT_NE(page.exportTo(QStringLiteral("/dev/null/m.csv")), QString());
+    EXPECT_NE(page.exportTo(QStringLiteral("/dev/null/m.svg")), QString());
+    EXPECT_NE(page.exportTo(QStringLiteral("/dev/null/m.png")), QString());
+}
+
+TEST_F(MethodsPageTest, TheValidationReportIsATab) {
+    measure();
+    bringTab("validation");
+    ValidationView* view = page.validation();
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return view->viewModel()->report() != nullptr; }, test::patience));
+    const auto& report = *view->viewModel()->report();
+    const int all = static_cast<int>(report.rows.size());
+    EXPECT_EQ(view->table()->model()->rowCount(), all);
+    const QString counts = find<QLabel>("counts")->text();
+    EXPECT_TRUE(counts.contains(QString::number(all))) << counts.toStdString();
+    EXPECT_TRUE(counts.contains(
+        QStringLiteral("reproduced: %1").arg(report.count(methods::Verdict::reproduced))));
+
+    choose("paper_filter", 2);
+    EXPECT_LT(view->table()->model()->rowCount(), all);
+    for (const auto* row : view->viewModel()->rows()) {
+        EXPECT_EQ(row->scene, "elastic-hinge");
+    }
+    choose("verdict_filter", 3);
+    for (const auto* row : view->viewModel()->rows()) {
+        EXPECT_EQ(row->verdict, methods::Verdict::slip);
+    }
+    ASSERT_GT(view->table()->model()->rowCount(), 0);
+    QTest::mouseClick(view->table()->viewport(), Qt::LeftButton, {},
+                      view->table()->visualRect(view->table()->model()->index(0, 2)).center());
+    EXPECT_EQ(find<QLabel>("reason")->text(), coreText(view->viewModel()->rows().front()->reason));
+    QTest::mouseClick(find<QPushButton>("copy_csv"), Qt::LeftButton);
+    const QString csv = QApplication::clipboard()->text();
+    EXPECT_EQ(csv.count(QLatin1Char('\n')), 1 + view->table()->model()->rowCount());
+    EXPECT_EQ(page.resultsAsCsv(), csv);
+    const QString path = folder.filePath(QStringLiteral("validation.csv"));
+    EXPECT_EQ(page.exportTo(path), QString());
+    EXPECT_EQ(QFile(path).size(), csv.toUtf8().size());
+    view->table()->setFocus();
+    QTest::keyClick(view->table(), Qt::Key_C, Qt::ControlModifier);
+    EXPECT_EQ(QApplication::clipboard()->text().count(QLatin1Char('\n')), 1);
+}
+
+TEST_F(MethodsPageTest, TheReportStopsTheMeasurement) {
+    page.setActive(true);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return model->measurements()->isRunning(); }, 5000));
+    bringTab("validation");
+    EXPECT_FALSE(model->measurements()->isRunning());
+    bringTab("charts");
+    test::waitUntilMeasured(*model);
+}
+
+TEST_F(MethodsPageTest, EveryInputHasANameAndATip) {
+    for (QWidget* widget : page.findChildren<QWidget*>()) {
+        const bool input = qobject_cast<QComboBox*>(widget) != nullptr ||
+                           qobject_cast<QSlider*>(widget) != nullptr ||
+                           qobject_cast<NumberField*>(widget) != nullptr ||
+                           qobject_cast<QPushButton*>(widget) != nullptr;
+        if (!input) {
+            continue;
+        }
+        const auto* button = qobject_cast<QPushButton*>(widget);
+        EXPECT_FALSE(widget->toolTip().isEmpty()) << widget->objectName().toStdString();
+        EXPECT_TRUE(!widget->accessibleName().isEmpty() ||
+                    (button != nullptr && !button->text().isEmpty()))
+            << widget->objectName().toStdString();
+    }
+}
+
+/// In the window: no case to save, the open case of the scene, the theme.
+TEST(MethodsInTheWindow, HasNoCaseToSave) {
+    MainWindow window;
+    test::showAt(window, {1280, 800});
+    const auto action = [&](const QKeySequence& keys) {
+        for (QAction* candidate : window.findChildren<QAction*>()) {
+            if (candidate->shortcut() == keys) {
+                return candidate;
+            }
+        }
+        return static_cast<QAction*>(nullptr);
+    };
+    const QList<QKeySequence> needCase{QKeySequence(QKeySequence::New),
+                                       QKeySequence(QKeySequence::Save)};
+    for (const QKeySequence& keys : needCase) {
+        ASSERT_NE(action(keys), nullptr);
+        EXPECT_TRUE(action(keys)->isEnabled());
+    }
+    const QString tip = action(needCase[1])->toolTip();
+    QTest::keyClick(&window, Qt::Key_5, Qt::ControlModifier);
+    ASSERT_EQ(window.currentScene(), QStringLiteral("methods"));
+    for (const QKeySequence& keys : needCase) {
+        EXPECT_FALSE(action(keys)->isEnabled());
+        EXPECT_TRUE(action(keys)->toolTip().contains(QStringLiteral("no case file")));
+    }
+    EXPECT_TRUE(action(QKeySequence(QKeySequence::Open))->isEnabled());
+    EXPECT_FALSE(window.isWindowModified());
+    QTest::keyClick(&window, Qt::Key_1, Qt::ControlModifier);
+    EXPECT_TRUE(action(needCase[1])->isEnabled());
+    EXPECT_EQ(action(needCase[1])->toolTip(), tip);
+}
+
+TEST(MethodsInTheWindow, MarksTheCaseThatIsOpenInTheScene) {
+    MainWindow window;
+    test::showAt(window, {1280, 800});
+    ASSERT_TRUE(window.showScene(QStringLiteral("elastic-hinge")));
+    window.currentPage()->model()->setByKey(QStringLiteral("lambda"), QStringLiteral("0.55"));
+    ASSERT_TRUE(window.showScene(QStringLiteral("methods")));
+    auto* model = static_cast<MethodsPage*>(window.currentPage())->viewModel();
+    model->setByKey(QStringLiteral("kernel"), QStringLiteral("guide"));
+    model->setByKey(QStringLiteral("sweep"), QStringLiteral("lambda"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return model->caseValue() == 0.55; }, test::patience));
+    EXPECT_EQ(model->value(), 0.55);
+    // Closing in the midst of it is clean.
+    model->measureAgain();
+    EXPECT_TRUE(model->measurements()->isRunning());
+    window.currentPage()->model()->history()->setClean();
+    ASSERT_TRUE(window.showScene(QStringLiteral("elastic-hinge")));
+    window.currentPage()->model()->history()->setClean();
+    EXPECT_TRUE(window.close());
+}
+
+}  // namespace
+}  // namespace ravnoves

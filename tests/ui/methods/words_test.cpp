@@ -1,0 +1,149 @@
+#include "methods/method_words.h"
+
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QRegularExpression>
+#include <QTranslator>
+
+#include "methods/kernel.h"
+#include "methods/validation_view_model.h"
+
+namespace ravnoves {
+namespace {
+
+using methods::Kernel;
+
+/// Russian while it lives.
+struct InRussian {
+    InRussian() {
+        EXPECT_TRUE(translator.load(QStringLiteral(":/i18n/ravnoves_ru.qm")));
+        QCoreApplication::installTranslator(&translator);
+        QLocale::setDefault(QLocale(QStringLiteral("ru")));
+    }
+    ~InRussian() {
+        QLocale::setDefault(before);
+        QCoreApplication::removeTranslator(&translator);
+    }
+    QLocale before;
+    QTranslator translator;
+};
+
+/// All texts of core that the page shows of the kernels.
+std::vector<std::string> kernelTexts() {
+    std::vector<std::string> texts;
+    for (const Kernel& kernel : methods::kernels()) {
+        for (const std::string& text : {kernel.title, kernel.quantity, kernel.error_measure,
+                                        kernel.evaluation, kernel.check_text}) {
+            texts.push_back(text);
+        }
+        texts.emplace_back(kernel.choice.reason);
+        for (const auto& method : kernel.methods) {
+            texts.push_back(method.title);
+            texts.push_back(method.limits);
+            for (const auto& setting : method.settings) {
+                texts.push_back(setting.label);
+            }
+        }
+        for (std::size_t i = 0; i < kernel.sweeps.size(); ++i) {
+            texts.push_back(kernel.sweeps[i].title);
+            texts.push_back(kernel.sweeps[i].unit);
+            // What the methods say where they refuse: at the ends, where it is hardest.
+            for (const double value : {kernel.sweeps[i].from, kernel.sweeps[i].to}) {
+                if (kernel.id == "hinge-motion" && kernel.sweeps[i].id == "turns") {
+                    continue;  // thousands of turns refuse nothing
+                }
+                const auto problem = kernel.problem(i, value);
+                for (std::size_t m = 0; m < kernel.methods.size(); ++m) {
+                    texts.push_back(methods::evaluate(*problem, m, 0).refusal);
+                }
+            }
+        }
+    }
+    return texts;
+}
+
+TEST(MethodWords, EveryTextOfTheKernelsIsInTheTranslatorsHands) {
+    for (const std::string& text : kernelTexts()) {
+        EXPECT_TRUE(isKnownCoreText(text)) << text;
+    }
+    EXPECT_FALSE(isKnownCoreText("a text that nobody has seen"));
+}
+
+TEST(MethodWords, EveryTextOfTheReportIsInTheTranslatorsHands) {
+    for (const methods::ValidationRow& row : methods::validate().rows) {
+        for (const std::string& text : {row.place, row.quantity, row.unit, row.reason}) {
+            EXPECT_TRUE(isKnownCoreText(text)) << text;
+        }
+    }
+    for (const methods::Paper& paper : methods::papers()) {
+        EXPECT_TRUE(isKnownCoreText(paper.authors));
+        EXPECT_TRUE(isKnownCoreText(paper.citation));
+    }
+}
+
+TEST(MethodWords, EnglishStaysAsItIs) {
+    EXPECT_EQ(coreText("64 points"), QStringLiteral("64 points"));
+    EXPECT_EQ(coreText("0.1°"), QStringLiteral("0.1°"));
+    EXPECT_EQ(coreText("1e-6"), QStringLiteral("10⁻⁶"));
+    EXPECT_EQ(coreText("fresh every 16"), QStringLiteral("fresh every 16"));
+    EXPECT_EQ(coreText("P_j1 max, 4.25 l"), QStringLiteral("P_j1 max, 4.25 l"));
+    EXPECT_EQ(coreText(""), QString());
+}
+
+/// In Russian no English word is left (but for names of types and of functions).
+TEST(MethodWords, RussianHasNoEnglishLeft) {
+    const InRussian russian;
+    static const QRegularExpression english(QStringLiteral("\\b[a-z]{3,}\\b"));
+    const auto check = [&](const QString& text) {
+        QString rest = text;
+        for (const char* name : {"float", "double", "arcsin", "sin", "cos", "max", "ups"}) {
+            rest.remove(QLatin1String(name));
+        }
+        EXPECT_FALSE(rest.contains(english)) << text.toStdString();
+    };
+    for (const std::string& text : kernelTexts()) {
+        check(coreText(text));
+    }
+    for (const methods::ValidationRow& row : methods::validate().rows) {
+        check(coreText(row.place));
+        check(coreText(row.quantity));
+        check(coreText(row.reason));
+    }
+    EXPECT_EQ(coreText("0.1°"), QStringLiteral("0,1°"));
+    EXPECT_EQ(coreText("7200 steps"), QStringLiteral("7200 шагов"));
+}
+
+TEST(MethodWords, TimesAndErrorsReadWell) {
+    EXPECT_EQ(timeText(1.0), QStringLiteral("1\u00A0ns"));
+    EXPECT_EQ(timeText(12.34), QStringLiteral("12.3\u00A0ns"));
+    EXPECT_EQ(timeText(999.9), QStringLiteral("1\u00A0µs"));
+    EXPECT_EQ(timeText(1e5), QStringLiteral("100\u00A0µs"));
+    EXPECT_EQ(timeText(2.5e9), QStringLiteral("2.5\u00A0s"));
+    EXPECT_EQ(timeText(0.01), QStringLiteral("0.01\u00A0ns"));
+    EXPECT_EQ(errorNumber(0.0), QStringLiteral("0"));
+    EXPECT_EQ(errorNumber(1e-9), QStringLiteral("10⁻⁹"));
+    EXPECT_EQ(errorNumber(3.21e-16), QStringLiteral("3.2·10⁻¹⁶"));
+    EXPECT_EQ(errorText({0.0, "the mechanism locks"}), QStringLiteral("refused"));
+}
+
+TEST(MethodWords, ValuesNearALimitKeepTheDigitsThatTellThemFromIt) {
+    methods::SweepInfo sweep;
+    sweep.from = 0.01;
+    sweep.to = 1.0;
+    sweep.spacing = methods::Spacing::towards_end;
+    sweep.end_gap = 1e-6;
+    EXPECT_EQ(sweepNumber(sweep, 0.265), QStringLiteral("0.265"));
+    EXPECT_EQ(sweepNumber(sweep, 0.9999), QStringLiteral("0.9999"));
+    EXPECT_EQ(sweepNumber(sweep, 1.0 - 1e-6), QStringLiteral("0.999999"));
+    EXPECT_EQ(failingText(sweep, "from 0.3, at 0.9"), QStringLiteral("from 0.3, at 0.9"));
+    const InRussian russian;
+    EXPECT_EQ(failingText(sweep, "0.1 to 0.3, from 0.9 …"),
+              QStringLiteral("от 0,1 до 0,3, от 0,9 …"));
+    sweep.unit = "rad/s";
+    EXPECT_EQ(failingText(sweep, "up to 300 rad/s"), QStringLiteral("до 300\u00A0рад/с"));
+}
+
+}  // namespace
+}  // namespace ravnoves

@@ -1,0 +1,492 @@
+#include "methods/methods_page.h"
+
+#include <QComboBox>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QTabWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "case-file/input_error.h"
+#include "methods/method_plots.h"
+#include "methods/method_words.h"
+#include "methods/sweep_value_field.h"
+#include "methods/validation_view.h"
+#include "theme/icons.h"
+#include "theme/theme.h"
+#include "widgets/form_section.h"
+#include "widgets/number_field.h"
+#include "widgets/panel.h"
+#include "widgets/result_table.h"
+
+namespace ravnoves {
+
+using methods::Kernel;
+using methods::MethodRow;
+
+namespace {
+
+constexpr int progressHeight = 6;  ///< pixels
+
+/// Columns of the table.
+enum Column { Method, SettingColumn, Time, Error, Operations, Order, Fails };
+
+QLabel* labelFor(const QString& text, QWidget* buddy, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    label->setBuddy(buddy);
+    return label;
+}
+
+/// Three digits, and the rest zeros: "1 230 000".
+QString nanoseconds(double value) {
+    if (!(value > 0.0)) {
+        return QStringLiteral("–");
+    }
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
+    const double rounded = std::round(value / unit) * unit;
+    const int decimals = std::clamp(static_cast<int>(std::lround(-std::log10(unit))), 0, 3);
+    return QLocale().toString(rounded, 'f', decimals);
+}
+
+QStringList cells(const Kernel& kernel, const methods::SweepInfo& sweep, const MethodRow& row) {
+    const methods::MethodInfo& method = kernel.methods[row.method];
+    QString title = coreText(method.title);
+    if (row.in_use) {
+        title = MethodsPage::tr("%1 (in use)").arg(title);
+    }
+    const bool first = row.setting == 0;
+    return {title,
+            coreText(method.settings[row.setting].label),
+            nanoseconds(row.timing.median),
+            errorText(row.result),
+            QLocale().toString(std::round(row.operations), 'f', 0),
+            first && row.order ? QLocale().toString(*row.order, 'f', 1) : QString(),
+            row.fails ? failingText(sweep, *row.fails) : QString()};
+}
+
+/// As a sentence begins; a symbol (s′, ρ) stays as it is.
+QString capitalised(QString text) {
+    if (text.size() > 1 && text[1].isLetter()) {
+        text[0] = text[0].toUpper();
+    }
+    return text;
+}
+
+QString paragraph(const QString& heading, const QString& text) {
+    return QStringLiteral("<p><b>%1</b><br>%2</p>").arg(heading, capitalised(text).toHtmlEscaped());
+}
+
+}  // namespace
+
+MethodsPage::MethodsPage(QWidget* parent) : ScenePage(parent), model_(new MethodsViewModel(this)) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
+    row->setSpacing(Theme::space);
+    auto* left = new QWidget(this);
+    left->setFixedWidth(300);
+    auto* column = new QVBoxLayout(left);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(Theme::space);
+    column->addWidget(buildChoice());
+    column->addWidget(buildWords(), 1);
+    row->addWidget(left);
+    row->addWidget(buildResults(), 1);
+
+    againAction_ = new QAction(themedIcon(QStringLiteral("play")), tr("&Measure again"), this);
+    againAction_->setToolTip(tr("Measure this kernel again, with more repetitions (F5)"));
+    againAction_->setShortcut(QKeySequence(Qt::Key_F5));
+    connect(againAction_, &QAction::triggered, model_, &MethodsViewModel::measureAgain);
+    exportAction_ = new QAction(themedIcon(QStringLiteral("export")), tr("&Export…"), this);
+    exportAction_->setToolTip(tr("Export the table in front as CSV, or the charts as SVG or PNG"));
+    connect(exportAction_, &QAction::triggered, this, &MethodsPage::exportWithDialog);
+
+    connect(model_, &MethodsViewModel::kernelChanged, this, &MethodsPage::showKernel);
+    connect(model_, &MethodsViewModel::sweepChanged, this, &MethodsPage::showSweep);
+    connect(model_, &MethodsViewModel::valueChanged, this, &MethodsPage::showValue);
+    connect(model_, &MethodsViewModel::caseChanged, this, &MethodsPage::showCase);
+    connect(model_, &SceneViewModel::changed, this, &MethodsPage::showTable);
+    connect(model_, &MethodsViewModel::measurementChanged, this, &MethodsPage::showRunning);
+    connect(model_->measurements(), &MethodMeasurements::progressed, this, [this](double part) {
+        progress_->setValue(static_cast<int>(std::lround(100 * part)));
+    });
+    connect(model_, &MethodsViewModel::failed, this, &ScenePage::status);
+    connect(&Theme::instance(), &Theme::changed, this, &MethodsPage::showTable);
+    showKernel();
+    showTable();
+    showRunning();
+}
+
+SceneViewModel* MethodsPage::model() {
+    return model_;
+}
+
+QList<QAction*> MethodsPage::sceneActions() {
+    return {againAction_, exportAction_};
+}
+
+QWidget* MethodsPage::buildChoice() {
+    auto* panel = new Panel(this);
+    auto* column = new QVBoxLayout(panel);
+    column->setContentsMargins(Theme::margin, Theme::space, Theme::margin, Theme::margin);
+    column->setSpacing(Theme::gap);
+    kernels_ = new QComboBox(panel);
+    kernels_->setObjectName(QStringLiteral("kernel"));
+    kernels_->setAccessibleName(tr("Quantity"));
+    kernels_->setToolTip(tr("What is computed: the numerical kernels of the scenes"));
+    for (const Kernel& kernel : model_->kernels()) {
+        kernels_->addItem(coreText(kernel.title));
+    }
+    connect(kernels_, &QComboBox::activated, this,
+            [this](int index) { model_->setKernel(static_cast<std::size_t>(index)); });
+    sweeps_ = new QComboBox(panel);
+    sweeps_->setObjectName(QStringLiteral("sweep"));
+    sweeps_->setAccessibleName(tr("Hard parameter"));
+    sweeps_->setToolTip(
+        tr("What makes the problem hard; the right chart shows the errors along "
+           "it"));
+    sweeps_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    connect(sweeps_, &QComboBox::activated, this,
+            [this](int index) { model_->setSweep(static_cast<std::size_t>(index)); });
+    value_ = new SweepValueField(panel);
+    connect(value_, &SweepValueField::valueEdited, model_, &MethodsViewModel::setValue);
+    case_ = captionLabel({}, panel);
+    case_->setObjectName(QStringLiteral("open_case"));
+    takeCase_ = new QPushButton(tr("Take the &open case"), panel);
+    takeCase_->setObjectName(QStringLiteral("take_case"));
+    takeCase_->setToolTip(tr("Measure at the value of the case that is open in the scene"));
+    connect(takeCase_, &QPushButton::clicked, model_, &MethodsViewModel::followCase);
+    column->addWidget(labelFor(tr("&Quantity"), kernels_, panel));
+    column->addWidget(kernels_);
+    column->addWidget(labelFor(tr("&Hard parameter"), sweeps_, panel));
+    column->addWidget(sweeps_);
+    column->addWidget(labelFor(tr("&Value measured at"), value_->field(), panel));
+    column->addWidget(value_);
+    column->addWidget(case_);
+    column->addWidget(takeCase_);
+    column->addSpacing(Theme::gap);
+    column->addWidget(buildMeasuring());
+    return panel;
+}
+
+QWidget* MethodsPage::buildMeasuring() {
+    auto* holder = new QWidget(this);
+    auto* column = new QVBoxLayout(holder);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(Theme::gap);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(Theme::space);
+    again_ = new QPushButton(tr("&Measure again"), holder);
+    again_->setObjectName(QStringLiteral("measure_again"));
+    again_->setToolTip(tr("Measure this kernel again, with more repetitions (F5)"));
+    connect(again_, &QPushButton::clicked, model_, &MethodsViewModel::measureAgain);
+    progress_ = new QProgressBar(holder);
+    progress_->setRange(0, 100);
+    progress_->setAccessibleName(tr("Progress of the measurement"));
+    progress_->setTextVisible(false);
+    progress_->setFixedHeight(progressHeight);
+    cancel_ = new QPushButton(tr("&Cancel"), holder);
+    cancel_->setObjectName(QStringLiteral("cancel"));
+    cancel_->setToolTip(tr("Stop measuring; what was measured before stays"));
+    connect(cancel_, &QPushButton::clicked, model_, &MethodsViewModel::cancel);
+    for (QWidget* widget : {static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_)}) {
+        // Their places stay, so that nothing moves when a measurement begins.
+        QSizePolicy policy = widget->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);
+        widget->setSizePolicy(policy);
+    }
+    row->addWidget(again_, 1);
+    row->addWidget(cancel_);
+    column->addLayout(row);
+    column->addWidget(progress_);
+    return holder;
+}
+
+QWidget* MethodsPage::buildWords() {
+    auto* panel = new Panel(this);
+    auto* column = new QVBoxLayout(panel);
+    column->setContentsMargins(1, 1, 1, 1);
+    auto* scroll = new QScrollArea(panel);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    words_ = new QLabel(scroll);
+    words_->setObjectName(QStringLiteral("words"));
+    words_->setWordWrap(true);
+    words_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    words_->setTextFormat(Qt::RichText);
+    words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    words_->setMargin(Theme::margin);
+    scroll->setWidget(words_);
+    column->addWidget(scroll);
+    return panel;
+}
+
+QWidget* MethodsPage::buildResults() {
+    tabs_ = new QTabWidget(this);
+    tabs_->setDocumentMode(true);
+    auto* charts = new QWidget(tabs_);
+    charts->setObjectName(QStringLiteral("charts"));
+    auto* column = new QVBoxLayout(charts);
+    column->setContentsMargins(0, Theme::space, 0, 0);
+    column->setSpacing(Theme::space);
+    plots_ = new MethodPlots(model_, charts);
+    column->addWidget(plots_, 3);
+    auto* panel = new Panel(charts);
+    auto* inside = new QVBoxLayout(panel);
+    inside->setContentsMargins(1, 1, 1, Theme::gap);
+    inside->setSpacing(Theme::gap);
+    table_ = new ResultTable(panel);
+    table_->setObjectName(QStringLiteral("methods_table"));
+    table_->setAccessibleName(tr("Methods as measured"));
+    table_->setMinimumHeight(150);
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setColumns({tr("Method"), tr("Setting"), tr("Time, ns"), tr("Error"), tr("Operations"),
+                        tr("Order"), tr("Beyond the tolerance")});
+    table_->horizontalHeader()->setSectionResizeMode(Fails, QHeaderView::Stretch);
+    table_->horizontalHeaderItem(Time)->setToolTip(
+        tr("Median of repeated runs; the tips of the cells have the quartiles"));
+    table_->horizontalHeaderItem(Operations)
+        ->setToolTip(tr("Additions and multiplications of one evaluation; a division or a root "
+                        "counts 5, a sine or the like 15"));
+    table_->horizontalHeaderItem(Order)->setToolTip(
+        tr("Order of convergence found: the error falls as this power of the number of steps"));
+    table_->horizontalHeaderItem(Fails)->setToolTip(
+        tr("Where along the hard parameter the error exceeds the scene's tolerance or the method "
+           "refuses; of the finest setting or the one in use"));
+    connect(table_, &QTableWidget::currentCellChanged, this, &MethodsPage::chooseRow);
+    inside->addWidget(table_, 1);
+    limits_ = captionLabel({}, panel);
+    limits_->setObjectName(QStringLiteral("limits"));
+    limits_->setContentsMargins(Theme::space, 0, Theme::space, 0);
+    inside->addWidget(limits_);
+    column->addWidget(panel, 2);
+    tabs_->addTab(charts, tr("Speed and accuracy"));
+    validation_ = new ValidationView(tabs_);
+    validation_->setObjectName(QStringLiteral("validation"));
+    connect(validation_, &ValidationView::status, this, &ScenePage::status);
+    tabs_->addTab(validation_, tr("Validation report"));
+    connect(tabs_, &QTabWidget::currentChanged, this, [this] {
+        updateActive();
+        if (tabs_->currentWidget() == validation_) {
+            validation_->load();
+        }
+    });
+    return tabs_;
+}
+
+void MethodsPage::showKernel() {
+    kernels_->setCurrentIndex(static_cast<int>(model_->kernelIndex()));
+    const QSignalBlocker quiet(sweeps_);
+    sweeps_->clear();
+    for (const methods::SweepInfo& sweep : model_->kernel().sweeps) {
+        sweeps_->addItem(coreText(sweep.title));
+        sweeps_->setItemData(sweeps_->count() - 1, coreText(sweep.title), Qt::ToolTipRole);
+    }
+    showSweep();
+    showWords();
+}
+
+void MethodsPage::showSweep() {
+    const methods::SweepInfo& sweep = model_->sweep();
+    sweeps_->setCurrentIndex(static_cast<int>(model_->sweepIndex()));
+    value_->setSweep(sweep, coreText(sweep.title), coreText(sweep.unit));
+    showCase();
+}
+
+void MethodsPage::showValue() {
+    value_->setValue(model_->value());
+    takeCase_->setEnabled(!model_->followsCase());
+}
+
+void MethodsPage::showCase() {
+    const methods::SweepInfo& sweep = model_->sweep();
+    const auto present = model_->caseValue();
+    const QString preset = sweepNumber(sweep, sweep.present);
+    QString text;
+    if (!present) {
+        text = model_->caseTitle().isEmpty()
+                   ? tr("No case is open in the scene; its preset: %1.").arg(preset)
+                   : tr("The open case says nothing of it; the preset: %1.").arg(preset);
+    } else {
+        const bool inside = *present >= sweep.from && *present <= sweep.to;
+        text = (inside ? tr("Open case: %1.") : tr("Open case: %1, not on the chart."))
+                   .arg(sweepNumber(sweep, *present));
+    }
+    case_->setText(text);
+    case_->setToolTip(model_->caseTitle());
+    showValue();
+}
+
+void MethodsPage::showWords() {
+    const Kernel& kernel = model_->kernel();
+    const methods::MethodInfo& method = kernel.methods[kernel.chosen_method()];
+    const methods::Setting& setting = method.settings[kernel.chosen_setting()];
+    QString html;
+    html += paragraph(tr("What is computed"), coreText(kernel.quantity));
+    html += paragraph(
+        tr("What the scene uses, and why"),
+        tr("%1, %2. Tolerance: %3, %4.")
+                .arg(coreText(method.title), coreText(setting.label),
+                     errorNumber(kernel.choice.tolerance), coreText(kernel.error_measure)) +
+            QLatin1Char(' ') + coreText(kernel.choice.reason));
+    html += paragraph(tr("What it is measured against"),
+                      tr("The same quantity in 50 digits, and that by a way that shares no code: "
+                         "%1.")
+                          .arg(coreText(kernel.check_text)));
+    html += paragraph(tr("One evaluation"), coreText(kernel.evaluation));
+    words_->setText(html);
+}
+
+void MethodsPage::showTable() {
+    const MethodMeasurement* shown = model_->shown();
+    if (shown == nullptr) {
+        return;
+    }
+    const Kernel& kernel = shown->kernel();
+    QVector<QStringList> rows;
+    for (const MethodRow& row : shown->report.rows) {
+        rows << cells(kernel, shown->sweep(), row);
+    }
+    const QSignalBlocker quiet(table_);
+    table_->setRows(rows);
+    const Theme& theme = Theme::instance();
+    for (int i = 0; i < rows.size(); ++i) {
+        const MethodRow& row = shown->report.rows[static_cast<std::size_t>(i)];
+        for (int column = 0; column < table_->columnCount(); ++column) {
+            QTableWidgetItem* cell = table_->item(i, column);
+            QFont font = table_->font();
+            font.setBold(row.in_use && column == Method);
+            cell->setFont(font);
+            cell->setForeground(theme.text());
+            cell->setToolTip(coreText(row.limits));
+        }
+        table_->item(i, Time)->setToolTip(
+            tr("Half of the runs from %1 to %2")
+                .arg(timeText(row.timing.low), timeText(row.timing.high)));
+        table_->item(i, Fails)->setToolTip(table_->item(i, Fails)->text() + QLatin1Char('\n') +
+                                           coreText(row.limits));
+        table_->item(i, Error)->setForeground(row.holds ? theme.good() : theme.error());
+        table_->item(i, Error)->setToolTip(row.result.refused()
+                                               ? tr("refused: %1").arg(coreText(row.result.refusal))
+                                           : row.holds ? tr("Within the scene's tolerance")
+                                                       : tr("Beyond the scene's tolerance"));
+    }
+    if (tableOf_ != &kernel) {
+        tableOf_ = &kernel;
+        const auto& all = shown->report.rows;
+        const auto used =
+            std::find_if(all.begin(), all.end(), [](const MethodRow& row) { return row.in_use; });
+        table_->setCurrentCell(static_cast<int>(used - all.begin()), Method);
+    }
+    chooseRow();
+    showRunning();
+}
+
+void MethodsPage::chooseRow() {
+    const MethodMeasurement* shown = model_->shown();
+    const int row = table_->currentRow();
+    if (shown == nullptr || row < 0 || &shown->kernel() != &model_->kernel() ||
+        static_cast<std::size_t>(row) >= shown->report.rows.size()) {
+        return;
+    }
+    const MethodRow& chosen = shown->report.rows[static_cast<std::size_t>(row)];
+    model_->setShownMethod(chosen.method);
+    const methods::MethodInfo& method = shown->kernel().methods[chosen.method];
+    limits_->setText(
+        tr("%1: %2.").arg(capitalised(coreText(method.title)), coreText(method.limits)));
+}
+
+void MethodsPage::showRunning() {
+    const bool running = model_->measurements()->isRunning();
+    if (!running) {
+        progress_->setValue(0);
+    }
+    progress_->setVisible(running);
+    cancel_->setVisible(running);
+    // A pale table is an old one.
+    table_->setEnabled(!model_->isStale());
+}
+
+QString MethodsPage::resultsAsText() const {
+    return tabs_->currentWidget() == validation_ ? validation_->asText() : table_->asText();
+}
+
+QString MethodsPage::resultsAsCsv() const {
+    if (tabs_->currentWidget() == validation_) {
+        return validation_->asCsv();
+    }
+    const MethodMeasurement* shown = model_->shown();
+    return shown == nullptr
+               ? QString()
+               : QString::fromStdString(methods::write_csv(std::span(&shown->report, 1)));
+}
+
+void MethodsPage::setActive(bool active) {
+    active_ = active;
+    updateActive();
+}
+
+void MethodsPage::updateActive() {
+    // Nothing is measured behind the report: it would only disturb.
+    model_->setActive(active_ && tabs_->currentWidget() != validation_);
+}
+
+void MethodsPage::resetZoom() {
+    plots_->resetZoom();
+}
+
+void MethodsPage::setOpenCases(OpenCases cases) {
+    model_->setOpenCases(std::move(cases));
+}
+
+QString MethodsPage::exportTo(const QString& path) {
+    if (!path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
+        return plots_->exportPicture(path);
+    }
+    try {
+        write_text_file(std::filesystem::path(QFile::encodeName(path).toStdString()),
+                        resultsAsCsv().toStdString());
+    } catch (const InputError& error) {
+        return path + QStringLiteral(": ") + QString::fromUtf8(error.what());
+    }
+    return {};
+}
+
+void MethodsPage::exportWithDialog() {
+    const bool report = tabs_->currentWidget() == validation_;
+    const QString name =
+        report ? QStringLiteral("validation")
+               : QStringLiteral("methods-") + QString::fromStdString(model_->kernel().id);
+    QString chosen;
+    QString path = QFileDialog::getSaveFileName(
+        this, tr("Export"), name + QStringLiteral(".csv"),
+        report ? tr("Table (*.csv)")
+               : tr("Table (*.csv);;Charts, SVG (*.svg);;Charts, PNG (*.png)"),
+        &chosen);
+    if (path.isEmpty()) {
+        return;
+    }
+    if (QFileInfo(path).suffix().isEmpty()) {
+        path += chosen.contains(QLatin1String("svg"))   ? QStringLiteral(".svg")
+                : chosen.contains(QLatin1String("png")) ? QStringLiteral(".png")
+                                                        : QStringLiteral(".csv");
+    }
+    const QString trouble = exportTo(path);
+    if (trouble.isEmpty()) {
+        Q_EMIT status(tr("Exported %1").arg(path));
+    } else {
+        QMessageBox::warning(this, tr("Export"), trouble);
+    }
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "methods/methods_view_model.h"
+#include "shell/scene_page.h"
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QTabWidget;
+
+namespace ravnoves {
+
+class MethodPlots;
+class ResultTable;
+class SweepValueField;
+class ValidationView;
+
+/// The page "Methods": which kernel, the charts of its methods, their table, why the scene uses the
+/// one it uses, and the validation report.
+class MethodsPage : public ScenePage {
+    Q_OBJECT
+
+  public:
+    explicit MethodsPage(QWidget* parent = nullptr);
+
+    SceneViewModel* model() override;
+    MethodsViewModel* viewModel() { return model_; }
+    QList<QAction*> sceneActions() override;
+    QString resultsAsText() const override;
+    QString resultsAsCsv() const override;
+    void setActive(bool active) override;
+    void resetZoom() override;
+    void setOpenCases(OpenCases cases) override;
+
+    /// Writes the tab in front by the file's ending: the table as CSV, the charts as SVG or PNG.
+    /// @return an empty string, or what went wrong
+    QString exportTo(const QString& path);
+
+    // For tests and for the frame benchmark.
+    MethodPlots* plots() const { return plots_; }
+    ResultTable* table() const { return table_; }
+    ValidationView* validation() const { return validation_; }
+    QTabWidget* tabs() const { return tabs_; }
+
+  private:
+    QWidget* buildChoice();
+    QWidget* buildMeasuring();
+    QWidget* buildWords();
+    QWidget* buildResults();
+    void updateActive();
+    void showKernel();
+    void showSweep();
+    void showValue();
+    void showCase();
+    void showWords();
+    void showTable();
+    void showRunning();
+    void chooseRow();
+    void exportWithDialog();
+
+    MethodsViewModel* model_;
+    bool active_ = false;  ///< the page is in front
+    QComboBox* kernels_ = nullptr;
+    QComboBox* sweeps_ = nullptr;
+    SweepValueField* value_ = nullptr;
+    QLabel* case_ = nullptr;
+    QPushButton* takeCase_ = nullptr;
+    QPushButton* again_ = nullptr;
+    QPushButton* cancel_ = nullptr;
+    QProgressBar* progress_ = nullptr;
+    QLabel* words_ = nullptr;
+    QTabWidget* tabs_ = nullptr;
+    MethodPlots* plots_ = nullptr;
+    ResultTable* table_ = nullptr;
+    const methods::Kernel* tableOf_ = nullptr;  ///< the kernel in the table
+    QLabel* limits_ = nullptr;
+    ValidationView* validation_ = nullptr;
+    QAction* againAction_ = nullptr;
+    QAction* exportAction_ = nullptr;
+};
+
+}  // namespace ravnoves

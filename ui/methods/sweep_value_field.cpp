@@ -1,0 +1,100 @@
+#include "methods/sweep_value_field.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <algorithm>
+#include <cmath>
+
+#include "theme/theme.h"
+#include "widgets/number_field.h"
+
+namespace ravnoves {
+
+namespace {
+
+constexpr int sliderSteps = 1000;
+constexpr int fieldWidth = 96;  ///< pixels, for ten digits
+
+double roundedTo(double value, int digits) {
+    if (value == 0.0 || !std::isfinite(value)) {
+        return value;
+    }
+    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - digits + 1);
+    // A power of ten below 1 is no double; its reciprocal is.
+    return unit < 1.0 ? std::round(value * std::round(1.0 / unit)) / std::round(1.0 / unit)
+                      : std::round(value / unit) * unit;
+}
+
+}  // namespace
+
+double roundedForHand(const methods::SweepInfo& sweep, double value) {
+    constexpr int digits = 3;
+    const double span = sweep.to - sweep.from;
+    double rounded = roundedTo(value, digits);
+    if (sweep.spacing == methods::Spacing::towards_end && sweep.to - value < 0.1 * span) {
+        rounded = sweep.to - roundedTo(sweep.to - value, digits);
+    } else if (sweep.spacing == methods::Spacing::towards_start &&
+               value - sweep.from < 0.1 * span) {
+        rounded = sweep.from + roundedTo(value - sweep.from, digits);
+    }
+    return std::clamp(rounded, sweep.at(0.0), sweep.at(1.0));
+}
+
+SweepValueField::SweepValueField(QWidget* parent) : QWidget(parent) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(Theme::space);
+    slider_ = new QSlider(Qt::Horizontal, this);
+    slider_->setObjectName(QStringLiteral("value_slider"));
+    slider_->setRange(0, sliderSteps);
+    slider_->setPageStep(sliderSteps / 20);
+    slider_->setFocusPolicy(Qt::StrongFocus);
+    field_ = new NumberField(this);
+    field_->setObjectName(QStringLiteral("value"));
+    field_->setFixedWidth(fieldWidth);
+    unit_ = new QLabel(this);
+    setFocusProxy(field_);
+    row->addWidget(slider_, 1);
+    row->addWidget(field_);
+    row->addWidget(unit_);
+    connect(slider_, &QSlider::valueChanged, this, [this](int tick) {
+        const double value = valueAt(tick);
+        field_->setValue(value);
+        Q_EMIT valueEdited(value);
+    });
+    connect(field_, &NumberField::valueEdited, this, [this](std::optional<double> value) {
+        if (value) {
+            setValue(*value);
+            Q_EMIT valueEdited(*value);
+        }
+    });
+}
+
+void SweepValueField::setSweep(const methods::SweepInfo& sweep, const QString& title,
+                               const QString& unit) {
+    sweep_ = sweep;
+    field_->setRange(Range::between(sweep.from, sweep.to), unit);
+    field_->setHint(title);
+    field_->setAccessibleName(title);
+    slider_->setAccessibleName(title);
+    slider_->setToolTip(title);
+    unit_->setText(unit);
+    unit_->setVisible(!unit.isEmpty());
+}
+
+void SweepValueField::setValue(double value) {
+    // The handle stays where the hand has put it, though the value was rounded.
+    if (valueAt(slider_->value()) != value) {
+        const QSignalBlocker quiet(slider_);
+        slider_->setValue(static_cast<int>(std::lround(sweep_.place(value) * sliderSteps)));
+    }
+    field_->setValue(value);
+}
+
+double SweepValueField::valueAt(int tick) const {
+    return roundedForHand(sweep_, sweep_.at(static_cast<double>(tick) / sliderSteps));
+}
+
+}  // namespace ravnoves

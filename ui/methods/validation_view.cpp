@@ -1,0 +1,212 @@
+#include "methods/validation_view.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QStyledItemDelegate>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "methods/method_words.h"
+#include "theme/icons.h"
+#include "theme/theme.h"
+#include "widgets/form_section.h"
+#include "widgets/panel.h"
+
+namespace ravnoves {
+
+using methods::Verdict;
+
+namespace {
+
+QColor verdictColour(Verdict verdict) {
+    const Theme& theme = Theme::instance();
+    switch (verdict) {
+        case Verdict::reproduced:
+            return theme.good();
+        case Verdict::not_derivable:
+            return theme.mutedText();
+        case Verdict::artefact:
+        case Verdict::slip:
+            return theme.warning();
+        case Verdict::differs:
+            break;
+    }
+    return theme.error();
+}
+
+/// The verdict in its colour, which follows the theme.
+class VerdictDelegate : public QStyledItemDelegate {
+  public:
+    VerdictDelegate(const ValidationViewModel* model, QObject* parent)
+        : QStyledItemDelegate(parent), model_(model) {}
+
+  protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        const auto& row = *model_->rows()[static_cast<std::size_t>(index.row())];
+        option->palette.setColor(QPalette::Text, verdictColour(row.verdict));
+    }
+
+  private:
+    const ValidationViewModel* model_;
+};
+
+}  // namespace
+
+ValidationView::ValidationView(QWidget* parent)
+    : QWidget(parent), model_(new ValidationViewModel(this)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, Theme::space, 0, 0);
+    column->setSpacing(Theme::space);
+    counts_ = headingLabel({}, this);
+    counts_->setObjectName(QStringLiteral("counts"));
+    counts_->setWordWrap(true);
+    counts_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    column->addWidget(counts_);
+    column->addWidget(buildFilters());
+    column->addWidget(buildTable(), 1);
+    connect(model_, &ValidationViewModel::changed, this, &ValidationView::showReport);
+    showReport();
+}
+
+QWidget* ValidationView::buildTable() {
+    auto* panel = new Panel(this);
+    auto* inside = new QVBoxLayout(panel);
+    inside->setContentsMargins(1, 1, 1, Theme::gap);
+    table_ = new QTableView(panel);
+    table_->setObjectName(QStringLiteral("validation_table"));
+    table_->setAccessibleName(tr("Printed numbers beside ours"));
+    table_->setModel(model_);
+    table_->setItemDelegateForColumn(ValidationViewModel::VerdictColumn,
+                                     new VerdictDelegate(model_, table_));
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setAlternatingRowColors(true);
+    table_->setShowGrid(false);
+    table_->setFrameShape(QFrame::NoFrame);
+    table_->setFont(Theme::font(Theme::baseSize - 1));
+    table_->setTabKeyNavigation(false);
+    table_->setWordWrap(false);
+    table_->verticalHeader()->hide();
+    table_->verticalHeader()->setDefaultSectionSize(20);
+    table_->verticalHeader()->setMinimumSectionSize(18);
+    QHeaderView* headings = table_->horizontalHeader();
+    headings->setHighlightSections(false);
+    headings->setFont(Theme::font(Theme::smallSize + 1, true));
+    headings->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    // Fixed widths: measuring hundreds of rows would cost more than a frame.
+    const QList<int> widths{104, 132, 0, 50, 66, 78, 86, 116};
+    for (int i = 0; i < widths.size(); ++i) {
+        table_->setColumnWidth(i, widths[i]);
+    }
+    headings->setSectionResizeMode(ValidationViewModel::Quantity, QHeaderView::Stretch);
+    table_->installEventFilter(this);
+    inside->addWidget(table_, 1);
+    reason_ = captionLabel({}, panel);
+    reason_->setObjectName(QStringLiteral("reason"));
+    reason_->setContentsMargins(Theme::space, 0, Theme::space, 0);
+    // Room for two lines, so that the table keeps its height from row to row.
+    reason_->setMinimumHeight(2 * reason_->fontMetrics().lineSpacing());
+    reason_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    inside->addWidget(reason_);
+    connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            &ValidationView::showReason);
+    return panel;
+}
+
+QWidget* ValidationView::buildFilters() {
+    auto* holder = new QWidget(this);
+    auto* row = new QHBoxLayout(holder);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(Theme::space);
+    papers_ = new QComboBox(holder);
+    papers_->setObjectName(QStringLiteral("paper_filter"));
+    papers_->setAccessibleName(tr("Paper"));
+    papers_->setToolTip(tr("Show the numbers of one paper only"));
+    papers_->addItem(tr("All papers"));
+    papers_->addItems(model_->paperTitles());
+    for (int i = 0; i < papers_->count() - 1; ++i) {
+        papers_->setItemData(i + 1,
+                             coreText(methods::papers()[static_cast<std::size_t>(i)].citation),
+                             Qt::ToolTipRole);
+    }
+    connect(papers_, &QComboBox::activated, this, [this](int index) {
+        model_->setPaper(index == 0 ? std::nullopt
+                                    : std::optional(static_cast<std::size_t>(index - 1)));
+    });
+    verdicts_ = new QComboBox(holder);
+    verdicts_->setObjectName(QStringLiteral("verdict_filter"));
+    verdicts_->setAccessibleName(tr("Verdict"));
+    verdicts_->setToolTip(tr("Show the numbers with one verdict only"));
+    verdicts_->addItem(tr("All verdicts"));
+    for (const Verdict verdict : methods::all_verdicts) {
+        verdicts_->addItem(verdictTitle(verdict));
+    }
+    connect(verdicts_, &QComboBox::activated, this, [this](int index) {
+        model_->setVerdict(index == 0 ? std::nullopt
+                                      : std::optional(methods::all_verdicts[index - 1]));
+    });
+    auto* copy = new QPushButton(themedIcon(QStringLiteral("copy")), tr("Copy as CS&V"), holder);
+    copy->setObjectName(QStringLiteral("copy_csv"));
+    copy->setToolTip(tr("Copy the rows shown as CSV, numbers in full precision"));
+    connect(copy, &QPushButton::clicked, this, [this] {
+        QApplication::clipboard()->setText(asCsv());
+        Q_EMIT status(tr("Report copied as CSV"));
+    });
+    const auto addLabelled = [&](const QString& text, QWidget* field) {
+        auto* label = new QLabel(text, holder);
+        label->setBuddy(field);
+        row->addWidget(label);
+        row->addWidget(field);
+    };
+    addLabelled(tr("&Paper"), papers_);
+    row->addSpacing(Theme::space);
+    addLabelled(tr("Ver&dict"), verdicts_);
+    row->addStretch();
+    row->addWidget(copy);
+    return holder;
+}
+
+void ValidationView::showReport() {
+    counts_->setText(model_->countsText());
+    showReason();
+}
+
+void ValidationView::showReason() {
+    const int row = table_->currentIndex().row();
+    const bool known = row >= 0 && static_cast<std::size_t>(row) < model_->rows().size();
+    reason_->setText(known ? coreText(model_->rows()[static_cast<std::size_t>(row)]->reason)
+                           : tr("Choose a row to read why it has its verdict."));
+}
+
+bool ValidationView::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == table_ && event->type() == QEvent::KeyPress &&
+        static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy)) {
+        copySelection();
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void ValidationView::copySelection() {
+    QString text;
+    for (const QModelIndex& row : table_->selectionModel()->selectedRows()) {
+        for (int column = 0; column < ValidationViewModel::Columns; ++column) {
+            text += column == 0 ? QString() : QStringLiteral("\t");
+            text += row.siblingAtColumn(column).data().toString();
+        }
+        text += QLatin1Char('\n');
+    }
+    QApplication::clipboard()->setText(text.isEmpty() ? asText() : text);
+}
+
+QString ValidationView::asText() const {
+    return counts_->text() + QLatin1Char('\n') + model_->asText();
+}
+
+}  // namespace ravnoves
