@@ -100,6 +100,20 @@ for case_file in "$examples"/*.case.json; do
     [ $status = solved ] || printf '    %s\n' "$complaint"
     [ $drawn = yes ] || printf '    %s\n' "$drawing_complaint"
 done
+# The page that has no case: what the methods cost and where they fail, measured on this machine.
+picture=$report/methods.png
+if complaint=$("$program" --screenshot "$picture" --scene methods 2>&1) && [ -s "$picture" ]; then
+    {
+        printf '<h2>Methods: speed against accuracy</h2>\n'
+        printf '<p><img src="methods.png" alt="The page of the methods"></p>\n'
+    } >>"$page"
+    printf '  %-22s %-16s measured, methods.png\n' methods methods
+else
+    failures=$((failures + 1))
+    printf '<p class="bad">The page of the methods was not rendered: %s</p>\n' \
+        "$(printf '%s' "$complaint" | escape)" >>"$page"
+    printf '  %-22s %-16s no picture\n    %s\n' methods methods "$complaint"
+fi
 printf '</body>\n</html>\n' >>"$page"
 
 printf '\nReport: %s\n' "$page"
