@@ -1,0 +1,138 @@
+// core's messages in Russian: every bad case that the examples can be turned into.
+
+#include "widgets/error_text.h"
+
+#include <gtest/gtest.h>
+
+#include <QRegularExpression>
+#include <QString>
+#include <filesystem>
+
+#include "balance-shaft/torque_table.h"
+#include "case-file/case_file.h"
+#include "case-file/input_error.h"
+#include "shell/language.h"
+#include "widgets/number_text.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+
+class ErrorText : public ::testing::Test {
+  protected:
+    ErrorText() { installLanguage(u"ru"_s); }
+    ~ErrorText() override { installLanguage(u"en"_s); }
+};
+
+/// Words outside quotation marks that are no keys of a case file and no formula.
+std::string englishIn(QString text) {
+    static const QRegularExpression quoted(u"\"[^\"]*\"?"_s);
+    static const QRegularExpression keys(
+        u"(/[a-z0-9_~/-]+|\\w*_\\w+|\\b(csv|pressure|cycle|JSON|"
+        u"null|true|false|engine|masses|layout)\\b)"_s);
+    static const QRegularExpression words(u"\\b[A-Za-z]{3,}\\b"_s);
+    return words.match(text.remove(quoted).remove(keys)).captured().toStdString();
+}
+
+/// Every place of a case: pointers to all its values.
+void collect(const Json& value, const Json::json_pointer& at,
+             std::vector<Json::json_pointer>& places) {
+    places.push_back(at);
+    if (value.is_object()) {
+        for (const auto& item : value.items()) {
+            collect(item.value(), at / item.key(), places);
+        }
+    } else if (value.is_array()) {
+        for (std::size_t i = 0; i < std::min<std::size_t>(value.size(), 2); ++i) {
+            collect(value[i], at / i, places);
+        }
+    }
+}
+
+struct Refusals {
+    int count = 0;
+
+    void tryCase(const Json& document) {
+        try {
+            solve_case(read_case(document), {RAVNOVES_EXAMPLES});
+        } catch (const InputError& error) {
+            ++count;
+            const QString shown = coreText(error.allowed());
+            EXPECT_NE(shown, QString::fromStdString(error.allowed())) << error.what();
+            EXPECT_EQ(englishIn(shown), "") << error.what() << "\n" << shown.toStdString();
+        }
+    }
+};
+
+TEST_F(ErrorText, OfEveryBadCaseIsRussian) {
+    Refusals refusals;
+    for (const auto& file : std::filesystem::directory_iterator(RAVNOVES_EXAMPLES)) {
+        const Json good = parse_json(read_text_file(file.path()));
+        std::vector<Json::json_pointer> places;
+        collect(good, Json::json_pointer(), places);
+        for (const Json::json_pointer& place : places) {
+            for (const Json& wrong :
+                 {Json("word"), Json(-1.5), Json(1e90), Json::array(), Json{{"strange", 1}}}) {
+                Json bad = good;
+                bad[place] = wrong;
+                refusals.tryCase(bad);
+            }
+            if (!place.empty() && good[place.parent_pointer()].is_object()) {
+                Json bad = good;
+                bad[place.parent_pointer()].erase(place.back());
+                refusals.tryCase(bad);
+                bad[place.parent_pointer()][place.back() + "x"] = 1;
+                refusals.tryCase(bad);
+            }
+        }
+    }
+    EXPECT_GT(refusals.count, 500);
+}
+
+TEST_F(ErrorText, OfABadTableIsRussian) {
+    for (const char* text :
+         {"", "0;1\n1;2", "0;1;2\n", "0\n1\n2\n", "0;a\n1;2\n2;3\n", "0;1\n0;2\n720;1\n",
+          "0;1\n400;2\n300;3\n720;1\n", "0;1\n360;2\n720;9\n", "0;1\n100;2\n300;1\n",
+          "0,5,1,5\n1,5,2,5\n", "1\x01\n", "200000;1\n0;1\n1;1\n"}) {
+        try {
+            balance_shaft::parse_torque_table(text);
+            ADD_FAILURE() << "taken: " << text;
+        } catch (const InputError& error) {
+            EXPECT_EQ(englishIn(errorText(error)), "") << error.what() << "\n"
+                                                       << errorText(error).toStdString();
+        }
+    }
+}
+
+TEST_F(ErrorText, KeepsPlaceAndValues) {
+    EXPECT_EQ(errorText(InputError("/input/crank_radius_mm", "must be greater than 0", "-46.5"))
+                  .toStdString(),
+              "/input/crank_radius_mm: должно быть больше 0, получено -46,5");
+    EXPECT_EQ(errorText(InputError("line 4, column 2", "must be a finite number", "\"x.5\""))
+                  .toStdString(),
+              "строка 4, столбец 2: должно быть конечным числом, получено \"x.5\"");
+    EXPECT_EQ(errorText(InputError("", "cannot be written: No space left on device")).toStdString(),
+              "не удалось записать: No space left on device");
+    EXPECT_EQ(errorText(std::runtime_error("some.fault")).toStdString(), "some.fault");
+}
+
+TEST(ErrorTextInEnglish, IsWhatCoreSays) {
+    for (const InputError& error :
+         {InputError("/input/lambda", "must be from 0.1 to 0.5", "1.25"),
+          InputError("line 4", "must hold two columns, crank angle and torque", "3 columns"),
+          InputError("", "the angles of neighbouring rows are too close together", "1.5°"),
+          InputError("/input/a", "no phrase of the list: 1.5 mm", "2.5 mm")}) {
+        EXPECT_EQ(errorText(error).toStdString(), error.what());
+    }
+}
+
+TEST_F(ErrorText, UnitsAreRussian) {
+    EXPECT_EQ(unitText("mm"), u"мм"_s);
+    EXPECT_EQ(unitText("min⁻¹"), u"мин⁻¹"_s);
+    EXPECT_EQ(unitText("°"), u"°"_s);
+    EXPECT_EQ(unitText(""), QString());
+}
+
+}  // namespace
+}  // namespace ravnoves

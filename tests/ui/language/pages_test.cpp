@@ -1,0 +1,235 @@
+// Every page in Russian: no label, button, tab, heading, list or tooltip is left in English.
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAction>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QGroupBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTabWidget>
+#include <QTableView>
+#include <QTextBrowser>
+#include <algorithm>
+
+#include "events.h"
+#include "language/catalogue.h"
+#include "shell/help_window.h"
+#include "shell/language.h"
+#include "shell/main_window.h"
+#include "shell/scene_list.h"
+#include "shell/scene_page.h"
+#include "widgets/background_job.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+
+QString bare(QString text) {
+    return text.remove(u'&').simplified();
+}
+
+/// English texts that Russian says otherwise, in every place where they occur.
+QSet<QString> englishTexts() {
+    QSet<QString> texts;
+    QSet<QString> alike;  // "M₁₂", "DXF": the same in both
+    for (const test::CatalogueEntry& entry : test::readCatalogue(test::russianFile())) {
+        const QString source = bare(entry.source);
+        if (entry.translations.isEmpty() || bare(entry.translations.constFirst()) == source) {
+            alike.insert(source);
+        } else {
+            texts.insert(source);
+        }
+    }
+    return texts.subtract(alike);
+}
+
+/// Two English words in a row: a sentence that went round the catalogue.
+bool readsEnglish(QString text) {
+    static const QRegularExpression names(
+        u"Volkswagen VR\\d|Ravnoves|GNU General Public License|DejaVu Sans Condensed|"
+        u"\\S+\\.(json|csv|dxf|pdf|png)\\S*|<[^>]*>"_s);
+    static const QRegularExpression words(u"\\b[A-Za-z][a-z]{2,}[ ,]+[a-z]{3,}\\b"_s);
+    return text.remove(names).contains(words);
+}
+
+void addModel(const QAbstractItemModel& model, QStringList& texts) {
+    for (int column = 0; column < model.columnCount(); ++column) {
+        texts << model.headerData(column, Qt::Horizontal).toString()
+              << model.headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString();
+    }
+    const int rows = std::min(model.rowCount(), 50);
+    for (int row = 0; row < rows; ++row) {
+        texts << model.headerData(row, Qt::Vertical).toString();
+        for (int column = 0; column < model.columnCount(); ++column) {
+            const QModelIndex at = model.index(row, column);
+            texts << at.data().toString() << at.data(Qt::ToolTipRole).toString();
+        }
+    }
+}
+
+/// What a person can read on a widget, tooltips and spoken names included.
+QStringList textsOf(const QWidget& widget) {
+    QStringList texts{widget.toolTip(), widget.accessibleName(), widget.accessibleDescription()};
+    if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
+        texts << label->text();
+    } else if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) {
+        texts << button->text();
+    } else if (const auto* group = qobject_cast<const QGroupBox*>(&widget)) {
+        texts << group->title();
+    } else if (const auto* line = qobject_cast<const QLineEdit*>(&widget)) {
+        texts << line->placeholderText() << line->text();
+    } else if (const auto* menu = qobject_cast<const QMenu*>(&widget)) {
+        texts << menu->title();
+    } else if (const auto* tabs = qobject_cast<const QTabWidget*>(&widget)) {
+        for (int i = 0; i < tabs->count(); ++i) {
+            texts << tabs->tabText(i) << tabs->tabToolTip(i);
+        }
+    } else if (const auto* list = qobject_cast<const QComboBox*>(&widget)) {
+        for (int i = 0; i < list->count(); ++i) {
+            texts << list->itemText(i);
+        }
+    } else if (const auto* table = qobject_cast<const QTableView*>(&widget)) {
+        addModel(*table->model(), texts);
+    }
+    return texts;
+}
+
+QStringList textsBelow(QWidget& root) {
+    QStringList texts = textsOf(root);
+    for (const QWidget* widget : root.findChildren<QWidget*>()) {
+        texts << textsOf(*widget);
+    }
+    for (const QAction* action : root.findChildren<QAction*>()) {
+        texts << action->text() << action->toolTip() << action->statusTip();
+    }
+    texts.removeDuplicates();
+    return texts;
+}
+
+QStringList englishAmong(const QStringList& texts) {
+    static const QSet<QString> english = englishTexts();
+    QStringList found;
+    for (const QString& text : texts) {
+        if (english.contains(bare(text)) || readsEnglish(text)) {
+            found << text;
+        }
+    }
+    return found;
+}
+
+void waitForJobs(QWidget& window) {
+    QElapsedTimer waited;
+    waited.start();
+    const auto busy = [&window] {
+        const auto jobs = window.findChildren<BackgroundJob*>();
+        return std::any_of(jobs.begin(), jobs.end(),
+                           [](const BackgroundJob* job) { return job->isRunning(); });
+    };
+    do {
+        QApplication::processEvents(QEventLoop::AllEvents, 20);
+    } while (busy() && waited.elapsed() < 60'000);
+}
+
+/// The page with every tab shown once, so that what is filled when it is shown is filled.
+QStringList textsOfScene(MainWindow& window, const QString& scene) {
+    EXPECT_TRUE(window.showScene(scene));
+    QApplication::processEvents();
+    ScenePage* page = window.currentPage();
+    if (page == nullptr) {
+        return {};
+    }
+    QStringList texts;
+    for (QTabWidget* tabs : page->findChildren<QTabWidget*>()) {
+        for (int i = 0; i < tabs->count(); ++i) {
+            tabs->setCurrentIndex(i);
+            QApplication::processEvents();
+            texts << textsBelow(*page);
+        }
+    }
+    waitForJobs(window);
+    texts << textsBelow(*page);
+    texts.removeDuplicates();
+    return texts;
+}
+
+class RussianPage : public ::testing::TestWithParam<std::string> {
+  protected:
+    ~RussianPage() override { installLanguage(u"en"_s); }
+
+    QStringList texts(const QString& language) const {
+        installLanguage(language);
+        MainWindow window;
+        test::showAt(window, {1280, 800});
+        return textsOfScene(window, QString::fromStdString(GetParam()));
+    }
+};
+
+TEST_P(RussianPage, LeavesNoTextInEnglish) {
+    // The search finds English where it stands …
+    EXPECT_GT(englishAmong(texts(u"en"_s)).size(), 50);
+    // … and there is none.
+    for (const QString& text : englishAmong(texts(u"ru"_s))) {
+        ADD_FAILURE() << "in English: " << text.toStdString();
+    }
+}
+
+std::vector<std::string> scenesWithPage() {
+    std::vector<std::string> names;
+    for (const SceneInfo& info : sceneList()) {
+        if (info.make) {
+            names.push_back(info.name.toStdString());
+        }
+    }
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, RussianPage, ::testing::ValuesIn(scenesWithPage()),
+                         [](const auto& scene) {
+                             std::string name = scene.param;
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+class RussianWindow : public ::testing::Test {
+  protected:
+    RussianWindow() { installLanguage(u"ru"_s); }
+    ~RussianWindow() override { installLanguage(u"en"_s); }
+};
+
+TEST_F(RussianWindow, HasNoEnglishMenu) {
+    MainWindow window;
+    test::showAt(window, {1280, 800});
+    for (const QString& text : englishAmong(textsBelow(window))) {
+        ADD_FAILURE() << "in English: " << text.toStdString();
+    }
+}
+
+TEST_F(RussianWindow, HasHelpInRussianOnEveryTopic) {
+    QStringList topics{u"keys"_s, u"case-files"_s};
+    for (const std::string& scene : scenesWithPage()) {
+        topics << QString::fromStdString(scene);
+    }
+    static const QRegularExpression letters(u"[А-Яа-яЁё]"_s);
+    for (const QString& topic : topics) {
+        HelpWindow help(topic, nullptr);
+        const QString text = help.findChild<QTextBrowser*>()->toPlainText();
+        EXPECT_GT(text.count(letters), 400) << topic.toStdString();
+    }
+}
+
+TEST_F(RussianWindow, WritesNumbersWithAComma) {
+    EXPECT_EQ(QLocale().decimalPoint(), u","_s);
+    EXPECT_EQ(QLocale().toString(1234.5, 'f', 1), u"1234,5"_s);
+}
+
+}  // namespace
+}  // namespace ravnoves
