@@ -42,14 +42,18 @@ std::vector<double> crowdedTicks(const SweepInfo& sweep) {
     const bool atEnd = sweep.spacing == methods::Spacing::towards_end;
     std::vector<double> ticks{sweep.at(atEnd ? 0.0 : 1.0)};
     // Powers of ten of the value itself, so that 1 − λ is one.
-    for (double distance = 1.0; distance > 0.5 * sweep.end_gap * span; distance /= 10.0) {
+    const int decades = static_cast<int>(std::ceil(-std::log10(0.5 * sweep.end_gap * span)));
+    for (int decade = 0; decade < decades; ++decade) {
+        const double distance = std::pow(10.0, -decade);
         if (distance < 0.2 * span) {
             ticks.push_back(atEnd ? sweep.to - distance : sweep.from + distance);
         }
     }
     const double step = niceStep(span, 5);
-    for (double tick = std::ceil(sweep.from / step) * step; tick < sweep.to; tick += step) {
-        ticks.push_back(tick);
+    const int first = static_cast<int>(std::ceil(sweep.from / step));
+    const int last = static_cast<int>(std::floor(sweep.to / step));
+    for (int k = first; k <= last && k * step < sweep.to; ++k) {
+        ticks.push_back(k * step);
     }
     return ticks;
 }

@@ -5,6 +5,7 @@
 namespace ravnoves {
 
 std::span<const char* const> methodTexts() {
+    // NOLINTBEGIN(bugprone-suspicious-missing-comma): long texts stand on several lines
     static constexpr const char* texts[] = {
         QT_TRANSLATE_NOOP("ravnoves::MethodTexts", "Slider-crank kinematics"),
         QT_TRANSLATE_NOOP("ravnoves::MethodTexts", "s, s′, s″ of the piston pin over one turn"),
@@ -265,6 +266,7 @@ std::span<const char* const> methodTexts() {
         QT_TRANSLATE_NOOP("ravnoves::MethodTexts", "at %1"),
         QT_TRANSLATE_NOOP("ravnoves::MethodTexts", "%1 to %2"),
     };
+    // NOLINTEND(bugprone-suspicious-missing-comma)
     return texts;
 }
 

@@ -105,7 +105,7 @@ qsizetype seamOf(const QString& text) {
 }
 
 QString textInParts(const QString& text) {
-    if (const QString known = whole(text); !known.isEmpty()) {
+    if (QString known = whole(text); !known.isEmpty()) {
         return known;
     }
     if (const qsizetype seam = seamOf(text); seam > 0) {

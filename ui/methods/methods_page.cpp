@@ -445,8 +445,8 @@ void MethodsPage::resetZoom() {
     plots_->resetZoom();
 }
 
-void MethodsPage::setOpenCases(OpenCases cases) {
-    model_->setOpenCases(std::move(cases));
+void MethodsPage::setOpenCases(const OpenCases& cases) {
+    model_->setOpenCases(cases);
 }
 
 QString MethodsPage::exportTo(const QString& path) {

@@ -31,7 +31,7 @@ class MethodsPage : public ScenePage {
     QString resultsAsCsv() const override;
     void setActive(bool active) override;
     void resetZoom() override;
-    void setOpenCases(OpenCases cases) override;
+    void setOpenCases(const OpenCases& cases) override;
 
     /// Writes the tab in front by the file's ending: the table as CSV, the charts as SVG or PNG.
     /// @return an empty string, or what went wrong

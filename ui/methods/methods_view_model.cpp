@@ -10,7 +10,6 @@
 
 namespace ravnoves {
 
-using methods::Kernel;
 using methods::SweepInfo;
 
 namespace {

@@ -5,6 +5,7 @@
 namespace ravnoves {
 
 std::span<const char* const> validationTexts() {
+    // NOLINTBEGIN(bugprone-suspicious-missing-comma): long texts stand on several lines
     static constexpr const char* texts[] = {
         QT_TRANSLATE_NOOP("ravnoves::ValidationTexts", "Gots, Klevtsov"),
         QT_TRANSLATE_NOOP("ravnoves::ValidationTexts", "Zotov, Sviridov"),
@@ -270,6 +271,7 @@ std::span<const char* const> validationTexts() {
                           "residual unbalance in each correction plane"),
         QT_TRANSLATE_NOOP("ravnoves::ValidationTexts", "A limit that was set, not computed."),
     };
+    // NOLINTEND(bugprone-suspicious-missing-comma)
     return texts;
 }
 

@@ -32,7 +32,7 @@ class ScenePage : public QWidget {
     virtual std::optional<bool> askToSave() { return std::nullopt; }
 
     /// How to look up what is open on the other pages. Called once, after the page was made.
-    virtual void setOpenCases(OpenCases /*cases*/) {}
+    virtual void setOpenCases(const OpenCases& /*cases*/) {}
 
   Q_SIGNALS:
     /// A line for the status bar.
