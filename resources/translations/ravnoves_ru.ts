@@ -5460,6 +5460,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>&lt;h3&gt;Ravnoves %1&lt;/h3&gt;&lt;p&gt;The engine-balancing workbench.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later; it comes without any warranty.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Ravnoves %1&lt;/h3&gt;&lt;p&gt;Рабочее место для уравновешивания двигателей.&lt;/p&gt;&lt;p&gt;Свободная программа на условиях GNU General Public License версии 3 или более поздней; без каких-либо гарантий.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>This page has no case file: its numbers are measured anew. Copy or export them.</source>
+        <translation>У этой страницы нет файла расчёта: её числа измеряются заново. Скопируйте или запишите их.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::MechanismView</name>
@@ -5490,6 +5494,970 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>P₁ shaft</source>
         <translation>P₁ вал</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::MethodPlots</name>
+    <message>
+        <source>Time and error</source>
+        <translation>Время и погрешность</translation>
+    </message>
+    <message>
+        <source>Error along the hard parameter</source>
+        <translation>Погрешность вдоль трудного параметра</translation>
+    </message>
+    <message>
+        <source>tolerance of the scene, %1</source>
+        <translation>допуск, %1</translation>
+    </message>
+    <message>
+        <source>%1 or less</source>
+        <translation>%1 или меньше</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>отказ</translation>
+    </message>
+    <message>
+        <source>time of one evaluation</source>
+        <translation>время одного вычисления</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>погрешность</translation>
+    </message>
+    <message>
+        <source>%1, half of the runs from %2 to %3</source>
+        <translation>%1, половина прогонов от %2 до %3</translation>
+    </message>
+    <message>
+        <source>refused: %1</source>
+        <translation>отказ: %1</translation>
+    </message>
+    <message>
+        <source>error %1</source>
+        <translation>погрешность %1</translation>
+    </message>
+    <message>
+        <source>within the tolerance</source>
+        <translation>в пределах допуска</translation>
+    </message>
+    <message>
+        <source>beyond the tolerance</source>
+        <translation>вне допуска</translation>
+    </message>
+    <message>
+        <source>%1: time and error</source>
+        <translation>%1: время и погрешность</translation>
+    </message>
+    <message>
+        <source>time: %1</source>
+        <translation>время: %1</translation>
+    </message>
+    <message>
+        <source>error, %1</source>
+        <translation>погрешность, %1</translation>
+    </message>
+    <message>
+        <source>in use</source>
+        <translation>в программе</translation>
+    </message>
+    <message>
+        <source>%1: stability</source>
+        <translation>%1: устойчивость</translation>
+    </message>
+    <message>
+        <source>not in the scene</source>
+        <translation>вне программы</translation>
+    </message>
+    <message>
+        <source>%1 fails</source>
+        <translation>%1: не годится</translation>
+    </message>
+    <message>
+        <source>open case</source>
+        <translation>открытый расчёт</translation>
+    </message>
+    <message>
+        <source>preset</source>
+        <translation>исходное</translation>
+    </message>
+    <message>
+        <source>measuring…</source>
+        <translation>идёт измерение…</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>Не удаётся записать %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::MethodTexts</name>
+    <message>
+        <source>Slider-crank kinematics</source>
+        <translation>Кинематика КШМ</translation>
+    </message>
+    <message>
+        <source>s, s′, s″ of the piston pin over one turn</source>
+        <translation>s, s′, s″ поршневого пальца за оборот</translation>
+    </message>
+    <message>
+        <source>part of the largest |s|, |s′|, |s″| of the turn</source>
+        <translation>доля наибольших |s|, |s′|, |s″| за оборот</translation>
+    </message>
+    <message>
+        <source>s, s′ and s″ at one crank angle</source>
+        <translation>s, s′ и s″ при одном угле кривошипа</translation>
+    </message>
+    <message>
+        <source>the closure |crankpin - pin| = L solved by Newton&apos;s method, derivatives by differences</source>
+        <translation>условие замыкания |шатунная шейка − палец| = L, решённое методом Ньютона, производные — разностями</translation>
+    </message>
+    <message>
+        <source>Cycle mean and RMS</source>
+        <translation>Среднее за цикл и СКЗ</translation>
+    </message>
+    <message>
+        <source>mean of M_ups and its RMS about the mean</source>
+        <translation>среднее M_ups и его СКЗ относительно среднего</translation>
+    </message>
+    <message>
+        <source>part of the largest torque of the table + A</source>
+        <translation>доля наибольшего момента таблицы плюс A</translation>
+    </message>
+    <message>
+        <source>both numbers, from the table</source>
+        <translation>оба числа, начиная с таблицы</translation>
+    </message>
+    <message>
+        <source>adaptive Gauss-Kronrod quadrature from row to row</source>
+        <translation>адаптивная квадратура Гаусса–Кронрода от строки к строке</translation>
+    </message>
+    <message>
+        <source>Range of M_ups</source>
+        <translation>Размах M_ups</translation>
+    </message>
+    <message>
+        <source>ΔM_ups, largest less smallest moment over the cycle, at one α</source>
+        <translation>ΔM_ups, наибольший момент за цикл минус наименьший, при одном α</translation>
+    </message>
+    <message>
+        <source>the range at one α, the table being prepared</source>
+        <translation>размах при одном α, таблица подготовлена</translation>
+    </message>
+    <message>
+        <source>Brent&apos;s method in every degree between the rows</source>
+        <translation>метод Брента на каждом градусе между строками</translation>
+    </message>
+    <message>
+        <source>Best shaft angle</source>
+        <translation>Наилучший угол вала</translation>
+    </message>
+    <message>
+        <source>the α with the least range of M_ups</source>
+        <translation>угол α с наименьшим размахом M_ups</translation>
+    </message>
+    <message>
+        <source>range there less the least range, part of the largest torque + A</source>
+        <translation>размах при нём минус наименьший размах, доля наибольшего момента плюс A</translation>
+    </message>
+    <message>
+        <source>one search over all α, the table being prepared</source>
+        <translation>один поиск по всем α, таблица подготовлена</translation>
+    </message>
+    <message>
+        <source>a scan of sampled moments, refined by Brent&apos;s method</source>
+        <translation>перебор по отсчётам момента, уточнённый методом Брента</translation>
+    </message>
+    <message>
+        <source>Guide of the elastic hinge</source>
+        <translation>Направляющая шарнира</translation>
+    </message>
+    <message>
+        <source>radius ρ(φ) of the crank&apos;s guide over one turn</source>
+        <translation>радиус ρ(φ) направляющей кривошипа за оборот</translation>
+    </message>
+    <message>
+        <source>part of the guide&apos;s relief</source>
+        <translation>доля перепада направляющей</translation>
+    </message>
+    <message>
+        <source>ρ at one crank angle</source>
+        <translation>ρ при одном угле кривошипа</translation>
+    </message>
+    <message>
+        <source>energy of the spring against that of the bars, speeds by differences of positions</source>
+        <translation>энергия пружины против энергии звеньев, скорости — разностями положений</translation>
+    </message>
+    <message>
+        <source>Inertia orders</source>
+        <translation>Порядки сил инерции</translation>
+    </message>
+    <message>
+        <source>orders 0 to 12 of force and torque of one cylinder</source>
+        <translation>порядки силы и момента одного цилиндра от 0 до 12</translation>
+    </message>
+    <message>
+        <source>part of the largest order, or of m R ω² and m R² ω²</source>
+        <translation>доля наибольшего порядка либо m R ω² и m R² ω²</translation>
+    </message>
+    <message>
+        <source>all the orders of one cylinder</source>
+        <translation>все порядки одного цилиндра</translation>
+    </message>
+    <message>
+        <source>the binomial series of the rod&apos;s root, term by term</source>
+        <translation>биномиальный ряд корня шатуна, член за членом</translation>
+    </message>
+    <message>
+        <source>Motion with a hinge</source>
+        <translation>Движение с шарниром</translation>
+    </message>
+    <message>
+        <source>crank angle and speed after whole turns off the design speed</source>
+        <translation>угол и скорость кривошипа после целого числа оборотов не на расчётной скорости</translation>
+    </message>
+    <message>
+        <source>rad, or part of the speed, for each turn made</source>
+        <translation>рад или доля скорости на каждый оборот</translation>
+    </message>
+    <message>
+        <source>one turn of motion</source>
+        <translation>один оборот движения</translation>
+    </message>
+    <message>
+        <source>speeds by the energy of bars and spring, from differences of positions</source>
+        <translation>скорости по энергии звеньев и пружины, из разностей положений</translation>
+    </message>
+    <message>
+        <source>Reports print six digits and layouts in balance must come out as zero, which is a difference of large forces: so nine digits. The exact form needs one square root; a series of the same cost has three digits at λ = 0.5 and none near locking. The sines of the nodes are kept, because every cylinder and every turn needs the same ones.</source>
+        <translation>В отчётах печатаются шесть знаков, а уравновешенная схема должна давать нуль, то есть разность больших сил: поэтому девять знаков. Точной форме нужен один квадратный корень; ряд той же стоимости даёт три знака при λ = 0,5 и ни одного вблизи заклинивания. Синусы узлов хранятся, так как каждому цилиндру и каждому обороту нужны одни и те же.</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s conclusions rest on a mean, so it has to be that of the cycle and not of a choice of nodes: nine digits for any table, however uneven its rows. The pieces between the rows are integrated exactly; after that every angle of the shaft costs three multiplications.</source>
+        <translation>Выводы статьи опираются на среднее, поэтому оно должно быть средним за цикл, а не следствием выбора узлов: девять знаков для любой таблицы, как бы неравномерны ни были её строки. Участки между строками интегрируются точно; после этого каждый угол вала стоит трёх умножений.</translation>
+    </message>
+    <message>
+        <source>The best angle is found from differences of ranges, so nine digits. Nodes miss a peak between them; the extremum of a line plus a sine is known in closed form, and only the few intervals that can hold it are solved.</source>
+        <translation>Наилучший угол находится по разностям размахов, поэтому девять знаков. Узлы пропускают пик между ними; экстремум суммы прямой и синуса известен в замкнутом виде, и решаются лишь те немногие интервалы, где он может быть.</translation>
+    </message>
+    <message>
+        <source>The range is the largest of many sinusoids: it has kinks at its minima and several of them. Sinusoids that bound it from below tell where no better angle can be, so the best one is found and not just a good one, with fewer evaluations than a scan of 5°.</source>
+        <translation>Размах — наибольшая из многих синусоид: в минимумах у него изломы, и минимумов несколько. Синусоиды, ограничивающие его снизу, показывают, где лучшего угла быть не может; поэтому находится наилучший угол, а не просто хороший, и за меньшее число вычислений, чем при переборе через 5°.</translation>
+    </message>
+    <message>
+        <source>What a guide does lies in its relief, which may be a few micrometres on a radius of a hundred millimetres: seven digits of the relief. The closed form needs no step and no start; written without a difference of nearly equal squares it keeps its digits down to the point where the spring gives out all that it stores.</source>
+        <translation>Действие направляющей заключено в её перепаде, а это могут быть микрометры на радиусе в сто миллиметров: нужны семь знаков перепада. Замкнутой форме не нужны ни шаг, ни начальная точка; записанная без разности почти равных квадратов, она сохраняет знаки вплоть до точки, где пружина отдаёт всё, что накопила.</translation>
+    </message>
+    <message>
+        <source>Ripple and energy drift are read off to parts of a million, after up to a thousand turns: so an error of 1e-7 a turn. Step control finds the few steep places of a turn by itself; a fixed step that held at λ = 0.95 would be wasted everywhere else.</source>
+        <translation>Неравномерность хода и уход энергии отсчитываются до миллионных долей после тысячи оборотов: поэтому погрешность 10⁻⁷ на оборот. Управление шагом само находит немногие крутые места оборота; постоянный шаг, достаточный при λ = 0,95, во всех остальных местах был бы лишним.</translation>
+    </message>
+    <message>
+        <source>A balanced layout is a sum of orders that cancel; what is left must be rounding, so eleven digits. No fixed number of points holds that for every λ and K: the order&apos;s decay is known in closed form, and the number of points follows from it.</source>
+        <translation>Уравновешенная схема — сумма порядков, которые гасят друг друга; остаться должно лишь округление, поэтому одиннадцать знаков. Никакое постоянное число точек не держит этого при всех λ и K: убывание порядков известно в замкнутом виде, и число точек следует из него.</translation>
+    </message>
+    <message>
+        <source>series in λ</source>
+        <translation>ряд по λ</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>точная форма</translation>
+    </message>
+    <message>
+        <source>exact, sines by recurrence</source>
+        <translation>точная, синусы по рекурсии</translation>
+    </message>
+    <message>
+        <source>exact, sines kept</source>
+        <translation>точная, синусы хранятся</translation>
+    </message>
+    <message>
+        <source>node mean, end counted twice</source>
+        <translation>среднее по узлам, конец учтён дважды</translation>
+    </message>
+    <message>
+        <source>trapezoid rule</source>
+        <translation>формула трапеций</translation>
+    </message>
+    <message>
+        <source>Simpson&apos;s rule</source>
+        <translation>формула Симпсона</translation>
+    </message>
+    <message>
+        <source>Gauss-Legendre, 10 points a panel</source>
+        <translation>Гаусс–Лежандр, 10 точек на участок</translation>
+    </message>
+    <message>
+        <source>exact integral of the interpolant</source>
+        <translation>точный интеграл интерполянта</translation>
+    </message>
+    <message>
+        <source>largest and smallest node</source>
+        <translation>наибольший и наименьший узел</translation>
+    </message>
+    <message>
+        <source>golden section between the rows</source>
+        <translation>золотое сечение между строками</translation>
+    </message>
+    <message>
+        <source>exact extrema of the pieces</source>
+        <translation>точные экстремумы участков</translation>
+    </message>
+    <message>
+        <source>scan</source>
+        <translation>перебор</translation>
+    </message>
+    <message>
+        <source>Brent&apos;s method</source>
+        <translation>метод Брента</translation>
+    </message>
+    <message>
+        <source>steepest descent from a scan of 30°</source>
+        <translation>наискорейший спуск после перебора через 30°</translation>
+    </message>
+    <message>
+        <source>cutting planes</source>
+        <translation>отсекающие плоскости</translation>
+    </message>
+    <message>
+        <source>closed form as printed</source>
+        <translation>замкнутая форма, как напечатано</translation>
+    </message>
+    <message>
+        <source>closed form</source>
+        <translation>замкнутая форма</translation>
+    </message>
+    <message>
+        <source>Euler&apos;s method</source>
+        <translation>метод Эйлера</translation>
+    </message>
+    <message>
+        <source>Runge-Kutta of order 4</source>
+        <translation>Рунге–Кутта 4-го порядка</translation>
+    </message>
+    <message>
+        <source>Dormand-Prince with step control</source>
+        <translation>Дорман–Принс с управлением шагом</translation>
+    </message>
+    <message>
+        <source>Rosenbrock 4, implicit, with step control</source>
+        <translation>Розенброк 4, неявный, с управлением шагом</translation>
+    </message>
+    <message>
+        <source>two-term closed form</source>
+        <translation>замкнутая форма, два члена</translation>
+    </message>
+    <message>
+        <source>discrete Fourier transform</source>
+        <translation>дискретное преобразование Фурье</translation>
+    </message>
+    <message>
+        <source>Fourier transform as long as needed</source>
+        <translation>преобразование Фурье нужной длины</translation>
+    </message>
+    <message>
+        <source>exact series</source>
+        <translation>точный ряд</translation>
+    </message>
+    <message>
+        <source>Runge-Kutta of order 4, fixed step</source>
+        <translation>Рунге–Кутта 4-го порядка, постоянный шаг</translation>
+    </message>
+    <message>
+        <source>Störmer-Verlet, symplectic</source>
+        <translation>Штёрмер–Верле, симплектический</translation>
+    </message>
+    <message>
+        <source>the terms left out are of the order (λ(1 + K))^2n: three digits at λ = 0.5 with 4 terms, and no convergence at locking</source>
+        <translation>отброшенные члены порядка (λ(1 + K))^2n: три знака при λ = 0,5 с 4 членами, а при заклинивании ряд не сходится</translation>
+    </message>
+    <message>
+        <source>in float the angle itself has seven digits; near locking the error grows as the rounding divided by 1 - λ(1 + K)</source>
+        <translation>в float сам угол имеет семь знаков; вблизи заклинивания погрешность растёт как округление, делённое на 1 − λ(1 + K)</translation>
+    </message>
+    <message>
+        <source>rounding adds up over the points since the last fresh sine</source>
+        <translation>округления накапливаются по точкам с последнего заново вычисленного синуса</translation>
+    </message>
+    <message>
+        <source>near locking the error grows as the rounding divided by 1 - λ(1 + K): nine digits are left at 1 - λ(1 + K) = 1e-6</source>
+        <translation>вблизи заклинивания погрешность растёт как округление, делённое на 1 − λ(1 + K): при 1 − λ(1 + K) = 10⁻⁶ остаётся девять знаков</translation>
+    </message>
+    <message>
+        <source>never: 720° is 0° once more, so a pure sine gets a mean of A sin α / nodes (17.2 N·m in the paper)</source>
+        <translation>нигде: 720° — это снова 0°, и чистый синус получает среднее A sin α / число узлов (17,2 Н·м в статье)</translation>
+    </message>
+    <message>
+        <source>a peak narrower than the step is seen or missed by chance; the kinks at the rows leave order 2</source>
+        <translation>пик уже шага попадает в узел или пропадает случайно; изломы на строках оставляют порядок 2</translation>
+    </message>
+    <message>
+        <source>on a periodic function its alternate weights make it a trapezoid rule of half the nodes and worse</source>
+        <translation>на периодической функции чередующиеся веса превращают её в формулу трапеций с половиной узлов, и хуже</translation>
+    </message>
+    <message>
+        <source>converges slowly over the kinks at the rows; a peak inside one panel is lost</source>
+        <translation>медленно сходится на изломах у строк; пик внутри одного участка теряется</translation>
+    </message>
+    <message>
+        <source>exact for the table as it is read; what the engine did between the rows is not in the table</source>
+        <translation>точен для таблицы в том виде, как она читается; чего не было в строках, нет и в таблице</translation>
+    </message>
+    <message>
+        <source>an extremum between the nodes is cut off, and a narrow peak is not seen at all</source>
+        <translation>экстремум между узлами срезается, а узкий пик не виден вовсе</translation>
+    </message>
+    <message>
+        <source>finds one of two extrema between two rows, which long straight pieces have</source>
+        <translation>находит один из двух экстремумов между строками, какие бывают на длинных прямых участках</translation>
+    </message>
+    <message>
+        <source>exact for the table as it is read</source>
+        <translation>точен для таблицы в том виде, как она читается</translation>
+    </message>
+    <message>
+        <source>as good as its step, whatever the table</source>
+        <translation>хорош настолько, насколько мал шаг, при любой таблице</translation>
+    </message>
+    <message>
+        <source>finds one of several minima, and on a kink its parabolas do not help</source>
+        <translation>находит один из нескольких минимумов, а на изломе его параболы не помогают</translation>
+    </message>
+    <message>
+        <source>stalls at a kink, where the slope does not go to zero but changes sign</source>
+        <translation>застревает на изломе, где наклон не стремится к нулю, а меняет знак</translation>
+    </message>
+    <message>
+        <source>exact: the bounds prove that no angle is better</source>
+        <translation>точен: границы доказывают, что лучшего угла нет</translation>
+    </message>
+    <message>
+        <source>a difference of nearly equal squares: it loses the digits of a small relief or a small preload</source>
+        <translation>разность почти равных квадратов: теряет знаки при малом перепаде или малом преднатяге</translation>
+    </message>
+    <message>
+        <source>half of the digits are left where the spring gives out all that it stores; beyond there is no guide</source>
+        <translation>половина знаков остаётся там, где пружина отдаёт всё, что накопила; дальше направляющей нет</translation>
+    </message>
+    <message>
+        <source>order 1: the guide does not close after a turn</source>
+        <translation>порядок 1: направляющая не замыкается за оборот</translation>
+    </message>
+    <message>
+        <source>loses its order where ρ comes near ℓ₀/2: the slope is infinite there</source>
+        <translation>теряет порядок там, где ρ подходит к ℓ₀/2: наклон там бесконечен</translation>
+    </message>
+    <message>
+        <source>its steps shrink to nothing where ρ comes near ℓ₀/2</source>
+        <translation>шаги сжимаются до нуля там, где ρ подходит к ℓ₀/2</translation>
+    </message>
+    <message>
+        <source>the same place stops it: what is singular is not stiff</source>
+        <translation>останавливается там же: особенность — это не жёсткость</translation>
+    </message>
+    <message>
+        <source>leaves λ³/4 in order 2 and all of the higher orders: three digits at λ = 0.25</source>
+        <translation>оставляет λ³/4 во 2-м порядке и все высшие порядки: три знака при λ = 0,25</translation>
+    </message>
+    <message>
+        <source>orders above half the points fold onto the low ones: with large λ or K a short transform is wrong</source>
+        <translation>порядки выше половины числа точек накладываются на низшие: при больших λ или K короткое преобразование неверно</translation>
+    </message>
+    <message>
+        <source>the number of points grows as 1/√(1 - λ(1 + K)); beyond 65536 points it says that the accuracy is not reached</source>
+        <translation>число точек растёт как 1/√(1 − λ(1 + K)); свыше 65536 точек он сообщает, что точность не достигнута</translation>
+    </message>
+    <message>
+        <source>terms fall as (λ(1 + K))^2n only: near locking thousands are needed, and their number grows into the square of the cost</source>
+        <translation>члены убывают лишь как (λ(1 + K))^2n: вблизи заклинивания их нужны тысячи, а стоимость растёт как квадрат их числа</translation>
+    </message>
+    <message>
+        <source>its energy drifts steadily: with 90 steps a turn it is wrong after thousands of turns, and near λ = 1 at once</source>
+        <translation>энергия уходит неуклонно: с 90 шагами на оборот он неверен через тысячи оборотов, а вблизи λ = 1 — сразу</translation>
+    </message>
+    <message>
+        <source>its energy never drifts, but order 2 leaves it behind in time</source>
+        <translation>энергия не уходит никогда, но порядок 2 отстаёт по времени</translation>
+    </message>
+    <message>
+        <source>the energy drifts by about the tolerance at every turn: a little less than its tolerance promises, but without end</source>
+        <translation>энергия уходит примерно на допуск за каждый оборот: чуть меньше, чем обещает допуск, но без конца</translation>
+    </message>
+    <message>
+        <source>float</source>
+        <translation>float</translation>
+    </message>
+    <message>
+        <source>double</source>
+        <translation>double</translation>
+    </message>
+    <message>
+        <source>%1 terms</source>
+        <translation>%1 членов</translation>
+    </message>
+    <message>
+        <source>2 terms</source>
+        <translation>2 члена</translation>
+    </message>
+    <message>
+        <source>3 terms</source>
+        <translation>3 члена</translation>
+    </message>
+    <message>
+        <source>4 terms</source>
+        <translation>4 члена</translation>
+    </message>
+    <message>
+        <source>32 terms</source>
+        <translation>32 члена</translation>
+    </message>
+    <message>
+        <source>64 terms</source>
+        <translation>64 члена</translation>
+    </message>
+    <message>
+        <source>fresh every %1</source>
+        <translation>заново каждые %1</translation>
+    </message>
+    <message>
+        <source>never fresh</source>
+        <translation>без обновления</translation>
+    </message>
+    <message>
+        <source>float, never fresh</source>
+        <translation>float, без обновления</translation>
+    </message>
+    <message>
+        <source>%1 steps</source>
+        <translation>%1 шагов</translation>
+    </message>
+    <message>
+        <source>24 steps</source>
+        <translation>24 шага</translation>
+    </message>
+    <message>
+        <source>144 steps</source>
+        <translation>144 шага</translation>
+    </message>
+    <message>
+        <source>%1 panels</source>
+        <translation>%1 участков</translation>
+    </message>
+    <message>
+        <source>1 panel</source>
+        <translation>1 участок</translation>
+    </message>
+    <message>
+        <source>4 panels</source>
+        <translation>4 участка</translation>
+    </message>
+    <message>
+        <source>72 panels</source>
+        <translation>72 участка</translation>
+    </message>
+    <message>
+        <source>pieces</source>
+        <translation>участки</translation>
+    </message>
+    <message>
+        <source>to %1°</source>
+        <translation>до %1°</translation>
+    </message>
+    <message>
+        <source>one start</source>
+        <translation>одно начало</translation>
+    </message>
+    <message>
+        <source>from a scan of %1°</source>
+        <translation>после перебора через %1°</translation>
+    </message>
+    <message>
+        <source>free of cancellation</source>
+        <translation>без потери знаков</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 точек</translation>
+    </message>
+    <message>
+        <source>32 points</source>
+        <translation>32 точки</translation>
+    </message>
+    <message>
+        <source>64 points</source>
+        <translation>64 точки</translation>
+    </message>
+    <message>
+        <source>%1 steps a turn</source>
+        <translation>%1 шагов на оборот</translation>
+    </message>
+    <message>
+        <source>crank ratio λ, K = 0</source>
+        <translation>отношение λ, K = 0</translation>
+    </message>
+    <message>
+        <source>relative offset K at λ = 0.265</source>
+        <translation>относительное смещение K при λ = 0,265</translation>
+    </message>
+    <message>
+        <source>points of one turn at λ = 0.265</source>
+        <translation>точек на оборот при λ = 0,265</translation>
+    </message>
+    <message>
+        <source>shaft angle α, the paper&apos;s engine</source>
+        <translation>угол вала α, двигатель статьи</translation>
+    </message>
+    <message>
+        <source>shaft angle α, no torque but the shaft&apos;s</source>
+        <translation>угол вала α, кроме момента вала ничего</translation>
+    </message>
+    <message>
+        <source>width of the combustion peak</source>
+        <translation>ширина пика сгорания</translation>
+    </message>
+    <message>
+        <source>rows of a table read by the spline</source>
+        <translation>строк таблицы, читаемой сплайном</translation>
+    </message>
+    <message>
+        <source>rows of an irregular table</source>
+        <translation>строк неравномерной таблицы</translation>
+    </message>
+    <message>
+        <source>amplitude of the shaft&apos;s moment, the paper&apos;s torque</source>
+        <translation>амплитуда момента вала, момент из статьи</translation>
+    </message>
+    <message>
+        <source>how much better the best of two minima is</source>
+        <translation>насколько один из двух минимумов лучше</translation>
+    </message>
+    <message>
+        <source>preload above the least one, part of it</source>
+        <translation>преднатяг сверх наименьшего, его доля</translation>
+    </message>
+    <message>
+        <source>stiffness c of the spring</source>
+        <translation>жёсткость c пружины</translation>
+    </message>
+    <message>
+        <source>stiffness c, preload 1.1 times the least</source>
+        <translation>жёсткость c, преднатяг 1,1 от наименьшего</translation>
+    </message>
+    <message>
+        <source>crank speed ω</source>
+        <translation>угловая скорость кривошипа ω</translation>
+    </message>
+    <message>
+        <source>crank ratio λ</source>
+        <translation>отношение λ</translation>
+    </message>
+    <message>
+        <source>crank ratio λ, 5 turns</source>
+        <translation>отношение λ, 5 оборотов</translation>
+    </message>
+    <message>
+        <source>start speed, part of the design speed</source>
+        <translation>начальная скорость, доля расчётной</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation>обороты</translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation>Н·м</translation>
+    </message>
+    <message>
+        <source>N/m</source>
+        <translation>Н/м</translation>
+    </message>
+    <message>
+        <source>rad/s</source>
+        <translation>рад/с</translation>
+    </message>
+    <message>
+        <source>the mechanism locks: the crank cannot turn round</source>
+        <translation>механизм заклинивает: кривошип не проворачивается</translation>
+    </message>
+    <message>
+        <source>the mechanism is too near locking for the accuracy asked</source>
+        <translation>механизм слишком близок к заклиниванию для заданной точности</translation>
+    </message>
+    <message>
+        <source>gives no finite number</source>
+        <translation>не даёт конечного числа</translation>
+    </message>
+    <message>
+        <source>is off by more than numbers can say</source>
+        <translation>ошибается сильнее, чем можно выразить числом</translation>
+    </message>
+    <message>
+        <source>there is no guide</source>
+        <translation>направляющей нет</translation>
+    </message>
+    <message>
+        <source>the spring would have to give out more energy than it stores</source>
+        <translation>пружине пришлось бы отдать больше энергии, чем она накопила</translation>
+    </message>
+    <message>
+        <source>at this speed the turns take no time that a number can hold</source>
+        <translation>при этой скорости время оборотов не выразить числом</translation>
+    </message>
+    <message>
+        <source>runs into the spring&apos;s free length, where the equation is singular</source>
+        <translation>доходит до свободной длины пружины, где уравнение имеет особенность</translation>
+    </message>
+    <message>
+        <source>nowhere</source>
+        <translation>нигде</translation>
+    </message>
+    <message>
+        <source>everywhere</source>
+        <translation>везде</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>от %1</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>до %1</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>при %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>от %1 до %2</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::MethodWords</name>
+    <message>
+        <source>s</source>
+        <translation>с</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>мс</translation>
+    </message>
+    <message>
+        <source>µs</source>
+        <translation>мкс</translation>
+    </message>
+    <message>
+        <source>ns</source>
+        <translation>нс</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>отказ</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::MethodsPage</name>
+    <message>
+        <source>%1 (in use)</source>
+        <translation>%1 (в программе)</translation>
+    </message>
+    <message>
+        <source>&amp;Measure again</source>
+        <translation>&amp;Измерить снова</translation>
+    </message>
+    <message>
+        <source>Measure this kernel again, with more repetitions (F5)</source>
+        <translation>Измерить эту величину ещё раз, с большим числом повторений (F5)</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Экспорт…</translation>
+    </message>
+    <message>
+        <source>Export the table in front as CSV, or the charts as SVG or PNG</source>
+        <translation>Записать показанную таблицу в CSV либо графики в SVG или PNG</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Величина</translation>
+    </message>
+    <message>
+        <source>What is computed: the numerical kernels of the scenes</source>
+        <translation>Что вычисляется: численные задачи страниц программы</translation>
+    </message>
+    <message>
+        <source>Hard parameter</source>
+        <translation>Трудный параметр</translation>
+    </message>
+    <message>
+        <source>What makes the problem hard; the right chart shows the errors along it</source>
+        <translation>От чего задача становится трудной; правый график показывает погрешности вдоль него</translation>
+    </message>
+    <message>
+        <source>Take the &amp;open case</source>
+        <translation>Взять &amp;открытый расчёт</translation>
+    </message>
+    <message>
+        <source>Measure at the value of the case that is open in the scene</source>
+        <translation>Измерить при значении расчёта, открытого на его странице</translation>
+    </message>
+    <message>
+        <source>&amp;Quantity</source>
+        <translation>&amp;Величина</translation>
+    </message>
+    <message>
+        <source>&amp;Hard parameter</source>
+        <translation>&amp;Трудный параметр</translation>
+    </message>
+    <message>
+        <source>&amp;Value measured at</source>
+        <translation>&amp;Значение, при котором измерено</translation>
+    </message>
+    <message>
+        <source>Progress of the measurement</source>
+        <translation>Ход измерения</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>О&amp;тменить</translation>
+    </message>
+    <message>
+        <source>Stop measuring; what was measured before stays</source>
+        <translation>Прекратить измерение; измеренное раньше остаётся</translation>
+    </message>
+    <message>
+        <source>Methods as measured</source>
+        <translation>Методы по измерениям</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Метод</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Настройка</translation>
+    </message>
+    <message>
+        <source>Time, ns</source>
+        <translation>Время, нс</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Погрешность</translation>
+    </message>
+    <message>
+        <source>Operations</source>
+        <translation>Операции</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Порядок</translation>
+    </message>
+    <message>
+        <source>Beyond the tolerance</source>
+        <translation>Вне допуска</translation>
+    </message>
+    <message>
+        <source>Median of repeated runs; the tips of the cells have the quartiles</source>
+        <translation>Медиана повторных прогонов; квартили — в подсказках ячеек</translation>
+    </message>
+    <message>
+        <source>Additions and multiplications of one evaluation; a division or a root counts 5, a sine or the like 15</source>
+        <translation>Сложения и умножения одного вычисления; деление или корень считается за 5, синус и подобное — за 15</translation>
+    </message>
+    <message>
+        <source>Order of convergence found: the error falls as this power of the number of steps</source>
+        <translation>Найденный порядок сходимости: погрешность падает как эта степень числа шагов</translation>
+    </message>
+    <message>
+        <source>Where along the hard parameter the error exceeds the scene&apos;s tolerance or the method refuses; of the finest setting or the one in use</source>
+        <translation>Где вдоль трудного параметра погрешность превышает допуск или метод отказывает; для самой тонкой настройки или применяемой</translation>
+    </message>
+    <message>
+        <source>Speed and accuracy</source>
+        <translation>Скорость и точность</translation>
+    </message>
+    <message>
+        <source>Validation report</source>
+        <translation>Сверка со статьями</translation>
+    </message>
+    <message>
+        <source>No case is open in the scene; its preset: %1.</source>
+        <translation>На странице задачи ничего не открыто; исходное значение: %1.</translation>
+    </message>
+    <message>
+        <source>The open case says nothing of it; the preset: %1.</source>
+        <translation>В открытом расчёте этого нет; исходное значение: %1.</translation>
+    </message>
+    <message>
+        <source>Open case: %1.</source>
+        <translation>Открытый расчёт: %1.</translation>
+    </message>
+    <message>
+        <source>Open case: %1, not on the chart.</source>
+        <translation>Открытый расчёт: %1, вне графика.</translation>
+    </message>
+    <message>
+        <source>What is computed</source>
+        <translation>Что вычисляется</translation>
+    </message>
+    <message>
+        <source>What the scene uses, and why</source>
+        <translation>Что применяет программа и почему</translation>
+    </message>
+    <message>
+        <source>%1, %2. Tolerance: %3, %4.</source>
+        <translation>%1, %2. Допуск: %3, %4.</translation>
+    </message>
+    <message>
+        <source>What it is measured against</source>
+        <translation>С чем сравнивается</translation>
+    </message>
+    <message>
+        <source>The same quantity in 50 digits, and that by a way that shares no code: %1.</source>
+        <translation>Та же величина с 50 знаками, а она проверена способом без общего кода: %1.</translation>
+    </message>
+    <message>
+        <source>One evaluation</source>
+        <translation>Одно вычисление</translation>
+    </message>
+    <message>
+        <source>Half of the runs from %1 to %2</source>
+        <translation>Половина прогонов от %1 до %2</translation>
+    </message>
+    <message>
+        <source>refused: %1</source>
+        <translation>отказ: %1</translation>
+    </message>
+    <message>
+        <source>Within the scene&apos;s tolerance</source>
+        <translation>В пределах допуска</translation>
+    </message>
+    <message>
+        <source>Beyond the scene&apos;s tolerance</source>
+        <translation>Вне допуска</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Экспорт</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Таблица (*.csv)</translation>
+    </message>
+    <message>
+        <source>Table (*.csv);;Charts, SVG (*.svg);;Charts, PNG (*.png)</source>
+        <translation>Таблица (*.csv);;Графики, SVG (*.svg);;Графики, PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>Записано: %1</translation>
     </message>
 </context>
 <context>
@@ -7204,6 +8172,851 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>For the other crankshaft.</source>
         <translation>Для другого вала.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ValidationTexts</name>
+    <message>
+        <source>Gots, Klevtsov</source>
+        <translation>Гоц, Клевцов</translation>
+    </message>
+    <message>
+        <source>Zotov, Sviridov</source>
+        <translation>Зотов, Свиридов</translation>
+    </message>
+    <message>
+        <source>Nazarov</source>
+        <translation>Назаров</translation>
+    </message>
+    <message>
+        <source>Chainov, Vallejo Maldonado</source>
+        <translation>Чайнов, Вальехо Мальдонадо</translation>
+    </message>
+    <message>
+        <source>A. N. Gots, V. S. Klevtsov, &quot;Selection of the optimal scheme of stabilization of the one-cylinder engine&quot;</source>
+        <translation>А. Н. Гоц, В. С. Клевцов, «Выбор рациональной схемы уравновешивания одноцилиндрового двигателя»</translation>
+    </message>
+    <message>
+        <source>A. N. Zotov, A. S. Sviridov, &quot;Crank-and-rod mechanism with elastic hinges of given characteristics&quot;, 2021</source>
+        <translation>А. Н. Зотов, А. С. Свиридов, «Кривошипно-шатунный механизм с упругими шарнирами, имеющими заданные характеристики», 2021</translation>
+    </message>
+    <message>
+        <source>A. D. Nazarov, &quot;Compensating the total unbalanced mass of crank-gear parts of V-8 engines in manufacture and repair&quot;</source>
+        <translation>А. Д. Назаров, «Способ компенсации суммарной неуравновешенной массы деталей КШМ двигателей V-8 при их изготовлении и ремонте»</translation>
+    </message>
+    <message>
+        <source>N. D. Chainov, P. R. Vallejo Maldonado, &quot;Balancing the moments of a VR5 engine taking into account a desaxial crank mechanism and cylinder camber angle&quot;, 2020</source>
+        <translation>Н. Д. Чайнов, П. Р. Вальехо Мальдонадо, «Уравновешивание моментов двигателя VR5 с учётом дезаксажа и угла развала цилиндров», 2020</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>текст</translation>
+    </message>
+    <message>
+        <source>dynamic calculation</source>
+        <translation>динамический расчёт</translation>
+    </message>
+    <message>
+        <source>Table %1</source>
+        <translation>табл. %1</translation>
+    </message>
+    <message>
+        <source>before Table %1</source>
+        <translation>перед табл. %1</translation>
+    </message>
+    <message>
+        <source>results</source>
+        <translation>результаты</translation>
+    </message>
+    <message>
+        <source>abstract</source>
+        <translation>аннотация</translation>
+    </message>
+    <message>
+        <source>conclusions</source>
+        <translation>выводы</translation>
+    </message>
+    <message>
+        <source>introduction</source>
+        <translation>введение</translation>
+    </message>
+    <message>
+        <source>eq. (%1)</source>
+        <translation>ф-ла (%1)</translation>
+    </message>
+    <message>
+        <source>after eq. (%1)</source>
+        <translation>после ф-лы (%1)</translation>
+    </message>
+    <message>
+        <source>Fig. %1</source>
+        <translation>рис. %1</translation>
+    </message>
+    <message>
+        <source>Fig. 2a</source>
+        <translation>рис. 2а</translation>
+    </message>
+    <message>
+        <source>Fig. 2b</source>
+        <translation>рис. 2б</translation>
+    </message>
+    <message>
+        <source>Fig. 6a</source>
+        <translation>рис. 6а</translation>
+    </message>
+    <message>
+        <source>Fig. 6b</source>
+        <translation>рис. 6б</translation>
+    </message>
+    <message>
+        <source>Fig. 6c</source>
+        <translation>рис. 6в</translation>
+    </message>
+    <message>
+        <source>Fig. 7a</source>
+        <translation>рис. 7а</translation>
+    </message>
+    <message>
+        <source>Fig. 7b</source>
+        <translation>рис. 7б</translation>
+    </message>
+    <message>
+        <source>Fig. 8a</source>
+        <translation>рис. 8а</translation>
+    </message>
+    <message>
+        <source>Fig. 8b</source>
+        <translation>рис. 8б</translation>
+    </message>
+    <message>
+        <source>parameters of the engine</source>
+        <translation>параметры двигателя</translation>
+    </message>
+    <message>
+        <source>experiments</source>
+        <translation>эксперименты</translation>
+    </message>
+    <message>
+        <source>after ΣM_c</source>
+        <translation>после ΣM_c</translation>
+    </message>
+    <message>
+        <source>kg</source>
+        <translation>кг</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>м</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>мм</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>Н</translation>
+    </message>
+    <message>
+        <source>g</source>
+        <translation>г</translation>
+    </message>
+    <message>
+        <source>g·mm</source>
+        <translation>г·мм</translation>
+    </message>
+    <message>
+        <source>J</source>
+        <translation>Дж</translation>
+    </message>
+    <message>
+        <source>kW</source>
+        <translation>кВт</translation>
+    </message>
+    <message>
+        <source>min⁻¹</source>
+        <translation>мин⁻¹</translation>
+    </message>
+    <message>
+        <source>l</source>
+        <translation>л</translation>
+    </message>
+    <message>
+        <source>%1 l</source>
+        <translation>%1 л</translation>
+    </message>
+    <message>
+        <source>%1 and %2 l</source>
+        <translation>%1 и %2 л</translation>
+    </message>
+    <message>
+        <source>angular speed ω at %1 min⁻¹</source>
+        <translation>угловая скорость ω при %1 мин⁻¹</translation>
+    </message>
+    <message>
+        <source>π is rounded to 3.14.</source>
+        <translation>π округлено до 3,14.</translation>
+    </message>
+    <message>
+        <source>crank radius r</source>
+        <translation>радиус кривошипа r</translation>
+    </message>
+    <message>
+        <source>Half the stroke of 9.2 cm in the engine&apos;s type.</source>
+        <translation>Половина хода 9,2 см из обозначения двигателя.</translation>
+    </message>
+    <message>
+        <source>reciprocating mass m_j</source>
+        <translation>возвратно-поступательная масса m_j</translation>
+    </message>
+    <message>
+        <source>The sum of Table 1 with the heavier piston.</source>
+        <translation>Сумма по табл. 1 с более тяжёлым поршнем.</translation>
+    </message>
+    <message>
+        <source>first-order inertia force P_j1 max</source>
+        <translation>сила инерции первого порядка P_j1 max</translation>
+    </message>
+    <message>
+        <source>m_j r ω² at the printed 376.8 rad/s.</source>
+        <translation>m_j r ω² при напечатанных 376,8 рад/с.</translation>
+    </message>
+    <message>
+        <source>counterweight m₁</source>
+        <translation>противовес m₁</translation>
+    </message>
+    <message>
+        <source>Equation (1).</source>
+        <translation>Формула (1).</translation>
+    </message>
+    <message>
+        <source>counterweight&apos;s force P₁</source>
+        <translation>сила противовеса P₁</translation>
+    </message>
+    <message>
+        <source>m₁ ρ₁ ω².</source>
+        <translation>m₁ ρ₁ ω².</translation>
+    </message>
+    <message>
+        <source>rated power</source>
+        <translation>номинальная мощность</translation>
+    </message>
+    <message>
+        <source>The friction losses are not printed; ours is the indicated power of Table 2 at the printed speed.</source>
+        <translation>Потери на трение не напечатаны; наше число — индикаторная мощность по табл. 2 при напечатанной скорости.</translation>
+    </message>
+    <message>
+        <source>speed of Table 2</source>
+        <translation>частота вращения табл. 2</translation>
+    </message>
+    <message>
+        <source>The program that made Table 2 is not published; ours is the speed at which the inertia torque within it belongs to the masses of Table 1.</source>
+        <translation>Программа, давшая табл. 2, не опубликована; наше число — скорость, при которой инерционный момент в ней отвечает массам табл. 1.</translation>
+    </message>
+    <message>
+        <source>M_up = −M_id.</source>
+        <translation>M_up = −M_id.</translation>
+    </message>
+    <message>
+        <source>The mean of the 49 rows counts the end of the cycle, 720° = 0°, twice; ours is the cycle integral.</source>
+        <translation>Среднее 49 строк учитывает конец цикла, 720° = 0°, дважды; наше число — интеграл за цикл.</translation>
+    </message>
+    <message>
+        <source>mean of M_id</source>
+        <translation>среднее M_id</translation>
+    </message>
+    <message>
+        <source>mean of M_up</source>
+        <translation>среднее M_up</translation>
+    </message>
+    <message>
+        <source>To 0.01 N·m: l is not printed, ours follows from the largest entry and is rounded to 0.01 mm, and equal entries scatter by 0.01 in print.</source>
+        <translation>До 0,01 Н·м: l не напечатано, наше следует из наибольшего числа и округлено до 0,01 мм, а равные числа в печати расходятся на 0,01.</translation>
+    </message>
+    <message>
+        <source>last column</source>
+        <translation>последний столбец</translation>
+    </message>
+    <message>
+        <source>The column is headed M_up but holds M_s of α = 330°.</source>
+        <translation>Столбец озаглавлен M_up, но содержит M_s при α = 330°.</translation>
+    </message>
+    <message>
+        <source>mean M_sm(α = %1°)</source>
+        <translation>среднее M_sm(α = %1°)</translation>
+    </message>
+    <message>
+        <source>The mean of the 25 rows counts the end of the cycle twice; the cycle mean of a sine is 0 for every α.</source>
+        <translation>Среднее 25 строк учитывает конец цикла дважды; среднее синуса за цикл равно 0 при любом α.</translation>
+    </message>
+    <message>
+        <source>mean under the last column</source>
+        <translation>среднее под последним столбцом</translation>
+    </message>
+    <message>
+        <source>The mean of the 49 rows of Table 2, not of the 25 values above it; the end of the cycle is counted twice.</source>
+        <translation>Среднее 49 строк табл. 2, а не 25 чисел над ним; конец цикла учтён дважды.</translation>
+    </message>
+    <message>
+        <source>step of the means M_sm in Table 3</source>
+        <translation>шаг средних M_sm в табл. 3</translation>
+    </message>
+    <message>
+        <source>Only the 25 printed rows give the printed means; rows every 5° would give a sixth of them.</source>
+        <translation>Напечатанные средние дают только 25 напечатанных строк; строки через 5° дали бы их шестую часть.</translation>
+    </message>
+    <message>
+        <source>α at which M_s is a cosine</source>
+        <translation>α, при котором M_s — косинус</translation>
+    </message>
+    <message>
+        <source>At 180° the mean of the nodes is 0 as well, but there M_s is a sine; it is a cosine at 90°.</source>
+        <translation>При 180° среднее по узлам тоже 0, но там M_s — синус; косинус она при 90°.</translation>
+    </message>
+    <message>
+        <source>upper end of the α that lower the mean</source>
+        <translation>верхняя граница α, снижающих среднее</translation>
+    </message>
+    <message>
+        <source>The mean of the nodes is positive up to there; the cycle mean of M_s is 0 for every α.</source>
+        <translation>Среднее по узлам положительно до этого угла; среднее M_s за цикл равно 0 при любом α.</translation>
+    </message>
+    <message>
+        <source>upper end of the α with M_sm &lt; 0</source>
+        <translation>верхняя граница α с M_sm &lt; 0</translation>
+    </message>
+    <message>
+        <source>360 without its first digit: M_sm of the nodes is negative from 180° to 360°.</source>
+        <translation>360 без первой цифры: M_sm по узлам отрицательно от 180° до 360°.</translation>
+    </message>
+    <message>
+        <source>α from which M_sm changes its sign</source>
+        <translation>α, с которого M_sm меняет знак</translation>
+    </message>
+    <message>
+        <source>α from which M_sm is negative</source>
+        <translation>α, с которого M_sm отрицательно</translation>
+    </message>
+    <message>
+        <source>So do the nodes; the cycle mean of M_s is 0 for every α.</source>
+        <translation>Так ведут себя узлы; среднее M_s за цикл равно 0 при любом α.</translation>
+    </message>
+    <message>
+        <source>cut of the mean moment</source>
+        <translation>снижение среднего момента</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>от</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>до</translation>
+    </message>
+    <message>
+        <source>The mean of the 49 rows falls by that at α = 30° and at the 45° of Fig. 2, because the end of the cycle is counted twice; no shaft changes the cycle mean.</source>
+        <translation>На столько падает среднее 49 строк при α = 30° и при 45° рис. 2, потому что конец цикла учтён дважды; среднего за цикл никакой вал не меняет.</translation>
+    </message>
+    <message>
+        <source>The largest of the sweep over α.</source>
+        <translation>Наибольшее при переборе по α.</translation>
+    </message>
+    <message>
+        <source>α of the largest ΔM_ups</source>
+        <translation>α наибольшего ΔM_ups</translation>
+    </message>
+    <message>
+        <source>largest ΔM_ups</source>
+        <translation>наибольшее ΔM_ups</translation>
+    </message>
+    <message>
+        <source>It was read from a torque table of 5° that is not printed; ours is of the 15° table.</source>
+        <translation>Взято из таблицы моментов через 5°, которая не напечатана; наше — по таблице через 15°.</translation>
+    </message>
+    <message>
+        <source>rational α</source>
+        <translation>рациональный α</translation>
+    </message>
+    <message>
+        <source>No criterion is printed from which it follows; ours is where the range begins to be smaller than without a shaft.</source>
+        <translation>Критерий, из которого это следует, не напечатан; наше число — где размах становится меньше, чем без вала.</translation>
+    </message>
+    <message>
+        <source>Beyond it the range is larger than without a shaft.</source>
+        <translation>За ним размах больше, чем без вала.</translation>
+    </message>
+    <message>
+        <source>α below which the overall size shrinks</source>
+        <translation>α, ниже которого габарит уменьшается</translation>
+    </message>
+    <message>
+        <source>No sizes of the engine are printed.</source>
+        <translation>Размеры двигателя не напечатаны.</translation>
+    </message>
+    <message>
+        <source>largest α advised</source>
+        <translation>наибольший рекомендуемый α</translation>
+    </message>
+    <message>
+        <source>advised α</source>
+        <translation>рекомендуемый α</translation>
+    </message>
+    <message>
+        <source>∮ M₁₂ dφ at ω = %1 s⁻¹</source>
+        <translation>∮ M₁₂ dφ при ω = %1 с⁻¹</translation>
+    </message>
+    <message>
+        <source>With the paper&apos;s series for cos ψ; the inertia part is odd in φ and drops out at every speed.</source>
+        <translation>С рядом статьи для cos ψ; инерционная часть нечётна по φ и выпадает при любой скорости.</translation>
+    </message>
+    <message>
+        <source>To rounding, 1e-9 of the integral of its size.</source>
+        <translation>До округления, 10⁻⁹ интеграла модуля.</translation>
+    </message>
+    <message>
+        <source>potential part</source>
+        <translation>потенциальная часть</translation>
+    </message>
+    <message>
+        <source>To rounding, with M₁₂ outside the factor 0.5 of (8), where it belongs.</source>
+        <translation>До округления, с M₁₂ вне множителя 0,5 в (8), где ей и место.</translation>
+    </message>
+    <message>
+        <source>To rounding, with the counterweight that (10) asks for.</source>
+        <translation>До округления, с противовесом, которого требует (10).</translation>
+    </message>
+    <message>
+        <source>To rounding, with M₁₂* outside the factor 0.5 of (11), where it belongs.</source>
+        <translation>До округления, с M₁₂* вне множителя 0,5 в (11), где ей и место.</translation>
+    </message>
+    <message>
+        <source>factor of M₁₂ (1 + λ cos φ / cos ψ)</source>
+        <translation>множитель при M₁₂ (1 + λ cos φ / cos ψ)</translation>
+    </message>
+    <message>
+        <source>The bracket of 0.5 closes after M₁₂ in the place of before it; the moment balance about the crank axis gives ours.</source>
+        <translation>Скобка множителя 0,5 закрыта после M₁₂, а не перед ней; наше число даёт равновесие моментов относительно оси кривошипа.</translation>
+    </message>
+    <message>
+        <source>divisor of r² (P₁ + P₂) / g in I_pr(0)</source>
+        <translation>делитель r² (P₁ + P₂) / g в I_пр(0)</translation>
+    </message>
+    <message>
+        <source>From the mechanism&apos;s reduced inertia.</source>
+        <translation>Из приведённого момента инерции механизма.</translation>
+    </message>
+    <message>
+        <source>ρ₀ of guides 1, ℓ₀/2: largest that has a guide</source>
+        <translation>ρ₀ направляющих 1, ℓ₀/2: наибольшее, при котором направляющая есть</translation>
+    </message>
+    <message>
+        <source>To 0.01 mm, and only with the sign of (1), by which the spring takes up energy when the mechanism does; to keep ω constant it must give it out.</source>
+        <translation>До 0,01 мм и лишь со знаком (1), по которому пружина запасает энергию вместе с механизмом; чтобы держать ω постоянной, она должна её отдавать.</translation>
+    </message>
+    <message>
+        <source>P₄ ℓ₂ = (P₃ + P₂/2) ℓ, at any speed.</source>
+        <translation>P₄ ℓ₂ = (P₃ + P₂/2) ℓ при любой скорости.</translation>
+    </message>
+    <message>
+        <source>P₄ at ℓ₂ = %1 m</source>
+        <translation>P₄ при ℓ₂ = %1 м</translation>
+    </message>
+    <message>
+        <source>The value rounded to three decimals, with a zero added.</source>
+        <translation>Значение, округлённое до трёх знаков, с приписанным нулём.</translation>
+    </message>
+    <message>
+        <source>flywheel&apos;s part of an engine&apos;s inertia</source>
+        <translation>доля маховика в моменте инерции двигателя</translation>
+    </message>
+    <message>
+        <source>Quoted from another paper.</source>
+        <translation>Приведено по другой работе.</translation>
+    </message>
+    <message>
+        <source>displacement of five-cylinder engines</source>
+        <translation>рабочий объём пятицилиндровых двигателей</translation>
+    </message>
+    <message>
+        <source>Quoted from other papers.</source>
+        <translation>Приведено по другим работам.</translation>
+    </message>
+    <message>
+        <source>angle between the banks of VR engines</source>
+        <translation>угол развала двигателей VR</translation>
+    </message>
+    <message>
+        <source>offset e</source>
+        <translation>смещение e</translation>
+    </message>
+    <message>
+        <source>K R.</source>
+        <translation>K R.</translation>
+    </message>
+    <message>
+        <source>relative offset K</source>
+        <translation>относительное смещение K</translation>
+    </message>
+    <message>
+        <source>e / R.</source>
+        <translation>e / R.</translation>
+    </message>
+    <message>
+        <source>crank angle at top dead centre</source>
+        <translation>угол кривошипа в верхней мёртвой точке</translation>
+    </message>
+    <message>
+        <source>arcsin(λK / (1 + λ)).</source>
+        <translation>arcsin(λK / (1 + λ)).</translation>
+    </message>
+    <message>
+        <source>shift of the crankpins of bank 2</source>
+        <translation>смещение шатунных шеек ряда 2</translation>
+    </message>
+    <message>
+        <source>To 1′, from the exact top dead centre. It is γ + 2 φ: the formula beside it, γ + φ, has lost the 2 and would give 18°20′.</source>
+        <translation>До 1′, по точной верхней мёртвой точке. Это γ + 2 φ: формула рядом, γ + φ, потеряла двойку и дала бы 18°20′.</translation>
+    </message>
+    <message>
+        <source>To 1′: the paper adds up angles rounded to minutes.</source>
+        <translation>До 1′: статья складывает углы, округлённые до минут.</translation>
+    </message>
+    <message>
+        <source>angle from crankpin %1 to %2</source>
+        <translation>угол от шейки %1 до %2</translation>
+    </message>
+    <message>
+        <source>coefficient of a cos φ</source>
+        <translation>коэффициент при a cos φ</translation>
+    </message>
+    <message>
+        <source>coefficient of l cos φ</source>
+        <translation>коэффициент при l cos φ</translation>
+    </message>
+    <message>
+        <source>coefficient of a sin φ</source>
+        <translation>коэффициент при a sin φ</translation>
+    </message>
+    <message>
+        <source>coefficient of l sin φ</source>
+        <translation>коэффициент при l sin φ</translation>
+    </message>
+    <message>
+        <source>coefficient of a cos 2φ</source>
+        <translation>коэффициент при a cos 2φ</translation>
+    </message>
+    <message>
+        <source>coefficient of l cos 2φ</source>
+        <translation>коэффициент при l cos 2φ</translation>
+    </message>
+    <message>
+        <source>coefficient of a sin 2φ</source>
+        <translation>коэффициент при a sin 2φ</translation>
+    </message>
+    <message>
+        <source>coefficient of l sin 2φ</source>
+        <translation>коэффициент при l sin 2φ</translation>
+    </message>
+    <message>
+        <source>To one unit of the last digit: the paper adds up sines of angles rounded to minutes. l counts from crankpin 4.</source>
+        <translation>До единицы последнего знака: статья складывает синусы углов, округлённых до минут. l отсчитывается от шейки 4.</translation>
+    </message>
+    <message>
+        <source>To 1′, from the two-term orders: the paper computes on with rounded coefficients.</source>
+        <translation>До 1′, по двучленным порядкам: статья считает дальше с округлёнными коэффициентами.</translation>
+    </message>
+    <message>
+        <source>plane of the moment of the shaft at +ω</source>
+        <translation>плоскость момента вала с +ω</translation>
+    </message>
+    <message>
+        <source>plane of the moment of the shaft at −ω</source>
+        <translation>плоскость момента вала с −ω</translation>
+    </message>
+    <message>
+        <source>plane of the moment of the shaft at +2ω</source>
+        <translation>плоскость момента вала с +2ω</translation>
+    </message>
+    <message>
+        <source>plane of the moment of the shaft at −2ω</source>
+        <translation>плоскость момента вала с −2ω</translation>
+    </message>
+    <message>
+        <source>from the x axis</source>
+        <translation>от оси x</translation>
+    </message>
+    <message>
+        <source>from the y axis</source>
+        <translation>от оси y</translation>
+    </message>
+    <message>
+        <source>Found from the crank with its shift γ_ш varied.</source>
+        <translation>Найдено по валу с изменяемым смещением γ_ш.</translation>
+    </message>
+    <message>
+        <source>coefficient of sin γ_ш</source>
+        <translation>коэффициент при sin γ_ш</translation>
+    </message>
+    <message>
+        <source>coefficient of cos γ_ш</source>
+        <translation>коэффициент при cos γ_ш</translation>
+    </message>
+    <message>
+        <source>coefficient of sin²(γ_ш/2)</source>
+        <translation>коэффициент при sin²(γ_ш/2)</translation>
+    </message>
+    <message>
+        <source>constant part</source>
+        <translation>постоянная часть</translation>
+    </message>
+    <message>
+        <source>The sign is lost: only a plus gives the angle 75°43′ that the paper prints below.</source>
+        <translation>Потерян знак: только плюс даёт угол 75°43′, напечатанный ниже.</translation>
+    </message>
+    <message>
+        <source>To 1′: the paper computes with 21°40′.</source>
+        <translation>До 1′: статья считает с 21°40′.</translation>
+    </message>
+    <message>
+        <source>counterweight against the force</source>
+        <translation>противовес от силы</translation>
+    </message>
+    <message>
+        <source>counterweight against the moment</source>
+        <translation>противовес от момента</translation>
+    </message>
+    <message>
+        <source>lag behind crankpin 1</source>
+        <translation>отставание от шейки 1</translation>
+    </message>
+    <message>
+        <source>plane of ΣM_c against crankpin 1</source>
+        <translation>плоскость ΣM_c относительно шейки 1</translation>
+    </message>
+    <message>
+        <source>r_p / r.</source>
+        <translation>r_p / r.</translation>
+    </message>
+    <message>
+        <source>2 r_p / r, eq. (11).</source>
+        <translation>2 r_p / r, ф-ла (11).</translation>
+    </message>
+    <message>
+        <source>m_pн with the ratio of aluminium to steel of today&apos;s plugs of the 6 and 7 l engines.</source>
+        <translation>m_pн с отношением алюминия к стали по нынешним пробкам двигателей 6 и 7 л.</translation>
+    </message>
+    <message>
+        <source>From k_y and k_yн as Table 2 prints them; unrounded ones move it by up to 0.003 g.</source>
+        <translation>По k_y и k_yн, как они напечатаны в табл. 2; неокруглённые сдвигают его не более чем на 0,003 г.</translation>
+    </message>
+    <message>
+        <source>From k_y and the constant part as the tables print them; unrounded ones move it by up to 0.003 g.</source>
+        <translation>По k_y и постоянной части, как они напечатаны в таблицах; неокруглённые сдвигают его не более чем на 0,003 г.</translation>
+    </message>
+    <message>
+        <source>slope d(Δm_yk)/d(Δm) (24)</source>
+        <translation>наклон d(Δm_yk)/d(Δm) (24)</translation>
+    </message>
+    <message>
+        <source>k_y.</source>
+        <translation>k_y.</translation>
+    </message>
+    <message>
+        <source>The lightening of a steel plug that the printed maximum (22) asks for.</source>
+        <translation>Облегчение стальной пробки, которого требует напечатанный максимум (22).</translation>
+    </message>
+    <message>
+        <source>What the printed maximum (19) leaves for the lightening.</source>
+        <translation>То, что напечатанный максимум (19) оставляет на облегчение.</translation>
+    </message>
+    <message>
+        <source>Equation (18) solved for Δm.</source>
+        <translation>Формула (18), решённая относительно Δm.</translation>
+    </message>
+    <message>
+        <source>excess that today&apos;s steel plugs compensate</source>
+        <translation>избыток, компенсируемый нынешними стальными пробками</translation>
+    </message>
+    <message>
+        <source>Equation (22).</source>
+        <translation>Формула (22).</translation>
+    </message>
+    <message>
+        <source>lightening of a steel plug that takes</source>
+        <translation>нужное для этого облегчение стальной пробки</translation>
+    </message>
+    <message>
+        <source>excess that aluminium plugs compensate</source>
+        <translation>избыток, компенсируемый алюминиевыми пробками</translation>
+    </message>
+    <message>
+        <source>Equation (19) from the printed constant part.</source>
+        <translation>Формула (19) с напечатанной постоянной частью.</translation>
+    </message>
+    <message>
+        <source>lightening of a steel plug equivalent to that</source>
+        <translation>равносильное этому облегчение стальной пробки</translation>
+    </message>
+    <message>
+        <source>largest Δk</source>
+        <translation>наибольшее Δk</translation>
+    </message>
+    <message>
+        <source>Δr / r, eq. (1).</source>
+        <translation>Δr / r, ф-ла (1).</translation>
+    </message>
+    <message>
+        <source>largest shift Δr</source>
+        <translation>наибольшее смещение Δr</translation>
+    </message>
+    <message>
+        <source>From the printed Δk of the 4.25 l engine.</source>
+        <translation>По напечатанному Δk двигателя 4,25 л.</translation>
+    </message>
+    <message>
+        <source>The machined shapes that it belongs to are not printed.</source>
+        <translation>Обработанные формы, к которым оно относится, не напечатаны.</translation>
+    </message>
+    <message>
+        <source>mass m_p of the plug</source>
+        <translation>масса m_p пробки</translation>
+    </message>
+    <message>
+        <source>The drawing is not dimensioned in full; a steel cup of the printed thread and height, bored 25 mm wide and 8 mm deep, weighs ours.</source>
+        <translation>На чертеже проставлены не все размеры; наше число — масса стального стакана с напечатанными резьбой и высотой и расточкой диаметром 25 мм на глубину 8 мм.</translation>
+    </message>
+    <message>
+        <source>excess that an M27×1.5 aluminium plug compensates</source>
+        <translation>избыток, компенсируемый алюминиевой пробкой M27×1,5</translation>
+    </message>
+    <message>
+        <source>The mass and the place of such a plug are not printed.</source>
+        <translation>Масса и место такой пробки не напечатаны.</translation>
+    </message>
+    <message>
+        <source>residual unbalance in each correction plane</source>
+        <translation>остаточный дисбаланс в каждой плоскости коррекции</translation>
+    </message>
+    <message>
+        <source>A limit that was set, not computed.</source>
+        <translation>Заданный предел, он не вычислялся.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ValidationView</name>
+    <message>
+        <source>Printed numbers beside ours</source>
+        <translation>Напечатанные числа рядом с нашими</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Статья</translation>
+    </message>
+    <message>
+        <source>Show the numbers of one paper only</source>
+        <translation>Показать числа только одной статьи</translation>
+    </message>
+    <message>
+        <source>All papers</source>
+        <translation>Все статьи</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Вывод</translation>
+    </message>
+    <message>
+        <source>Show the numbers with one verdict only</source>
+        <translation>Показать числа только с одним выводом</translation>
+    </message>
+    <message>
+        <source>All verdicts</source>
+        <translation>Все выводы</translation>
+    </message>
+    <message>
+        <source>Copy as CS&amp;V</source>
+        <translation>Копировать как CS&amp;V</translation>
+    </message>
+    <message>
+        <source>Copy the rows shown as CSV, numbers in full precision</source>
+        <translation>Скопировать показанные строки как CSV, числа с полной точностью</translation>
+    </message>
+    <message>
+        <source>Report copied as CSV</source>
+        <translation>Отчёт скопирован как CSV</translation>
+    </message>
+    <message>
+        <source>&amp;Paper</source>
+        <translation>&amp;Статья</translation>
+    </message>
+    <message>
+        <source>Ver&amp;dict</source>
+        <translation>В&amp;ывод</translation>
+    </message>
+    <message>
+        <source>Choose a row to read why it has its verdict.</source>
+        <translation>Выберите строку, чтобы прочесть, почему вывод таков.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ValidationViewModel</name>
+    <message>
+        <source>reproduced</source>
+        <translation>воспроизведено</translation>
+    </message>
+    <message>
+        <source>artefact</source>
+        <translation>артефакт</translation>
+    </message>
+    <message>
+        <source>slip</source>
+        <translation>опечатка</translation>
+    </message>
+    <message>
+        <source>not derivable</source>
+        <translation>не выводится</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>расходится</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Статья</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Место</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Величина</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Ед.</translation>
+    </message>
+    <message>
+        <source>Printed</source>
+        <translation>В статье</translation>
+    </message>
+    <message>
+        <source>Ours</source>
+        <translation>У нас</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Разность</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Вывод</translation>
+    </message>
+    <message>
+        <source>computing…</source>
+        <translation>вычисляется…</translation>
+    </message>
+    <message>
+        <source>Printed numbers: %1</source>
+        <translation>Напечатанных чисел: %1</translation>
     </message>
 </context>
 <context>
