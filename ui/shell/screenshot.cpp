@@ -36,6 +36,9 @@ QString applySetting(MainWindow& window, const QString& pair) {
                 }
             }
         }
+        if (names.isEmpty()) {
+            return QStringLiteral("--set: this page has no tabs to choose");
+        }
         return QStringLiteral("--set: tab must be one of %1, got %2")
             .arg(names.join(QLatin1String(", ")), wanted);
     }
