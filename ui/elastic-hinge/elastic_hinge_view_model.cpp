@@ -7,6 +7,7 @@
 
 #include "case-file/input_error.h"
 #include "elastic-hinge/case_io.h"
+#include "plot/ticks.h"
 #include "shell/input_command.h"
 #include "widgets/error_text.h"
 #include "widgets/number_text.h"
@@ -596,7 +597,7 @@ QString ElasticHingeViewModel::motionsText() const {
                 lines << tr("%1: %2…%3 rad/s, drift %4")
                              .arg(name, significant(motion->min_speed, 5),
                                   significant(motion->max_speed, 5),
-                                  powerNumber(motion->energy_drift, QLocale()));
+                                  powerText(motion->energy_drift, QLocale(), 1));
                 break;
             case MotionEnd::reversed:
                 lines << tr("%1: the crank stops after %2 turns and would turn back")

@@ -110,19 +110,4 @@ QString rangeText(const Range& range, const QString& unit, const QLocale& locale
     return inWords(QT_TRANSLATE_NOOP("ravnoves::Range", "must be a number"));
 }
 
-QString powerNumber(double value, const QLocale& locale) {
-    if (value == 0.0 || !std::isfinite(value)) {
-        return formNumber(value, locale);
-    }
-    // Rounded as text, so that 9.7 becomes the next power and not "10".
-    const QString text = QString::number(value, 'e', 0);
-    const qsizetype e = text.indexOf(QLatin1Char('e'));
-    QString power;
-    for (const QChar digit : QString::number(text.mid(e + 1).toInt())) {
-        static const QString superscripts = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
-        power += digit == QLatin1Char('-') ? QChar(u'⁻') : superscripts[digit.digitValue()];
-    }
-    return text.left(e).replace(QLatin1Char('-'), QChar(0x2212)) + QStringLiteral("·10") + power;
-}
-
 }  // namespace ravnoves

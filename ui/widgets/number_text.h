@@ -20,9 +20,6 @@ std::optional<double> readFormNumber(const QString& text);
 /// The rule of a range in the user's language: "must be greater than 0 mm".
 QString rangeText(const Range& range, const QString& unit, const QLocale& locale);
 
-/// One digit and a power of ten, for errors and drifts: "8·10⁻¹³"; 0 is "0".
-QString powerNumber(double value, const QLocale& locale);
-
 /// A unit of core ("mm", "min⁻¹") as the language writes it.
 QString unitText(std::string_view unit);
 

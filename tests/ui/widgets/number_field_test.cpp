@@ -70,15 +70,6 @@ TEST_F(NumberFieldTest, EmptyIsAllowedOnlyWhereOptional) {
     EXPECT_EQ(field.value(), std::nullopt);
 }
 
-TEST(NumberText, WritesSmallNumbersAsPowersOfTen) {
-    const QLocale english(QLocale::English);
-    EXPECT_EQ(powerNumber(7.6e-13, english), QStringLiteral("8·10⁻¹³"));
-    EXPECT_EQ(powerNumber(9.7e-13, english), QStringLiteral("1·10⁻¹²"));
-    EXPECT_EQ(powerNumber(-2e3, english), QStringLiteral("\u22122·10³"));
-    EXPECT_EQ(powerNumber(0.0, english), QStringLiteral("0"));
-    EXPECT_FALSE(powerNumber(std::nan(""), english).contains(QStringLiteral("nan")));
-}
-
 TEST(NumberText, WritesWhatAPersonWants) {
     const QLocale english(QLocale::English);
     const QLocale russian(QLocale::Russian);
