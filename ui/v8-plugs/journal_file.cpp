@@ -1,11 +1,17 @@
 // The journal's file: opened, made, checked, set aside where it is damaged.
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <QDeadlineTimer>
 #include <QDir>
 #include <QFileInfo>
 #include <QSqlDatabase>
+#include <QThread>
 #include <algorithm>
+#include <cerrno>
 
 #include "v8-plugs/journal.h"
 #include "v8-plugs/journal_rows.h"
@@ -16,6 +22,44 @@ namespace {
 
 constexpr int schemaVersion = 1;
 constexpr int applicationId = 0x52415650;  // "RAVP"
+
+/// Lets one program at a time through. The lock is the system's: it goes with its program, however
+/// that ends. (The file alone tells nothing, and stays: a QLockFile that was made but not yet
+/// written when its program was killed would never again be stale.)
+class Gate {
+  public:
+    explicit Gate(const QString& file)
+        : handle_(::open(QFile::encodeName(file).constData(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
+    }
+    ~Gate() {
+        if (handle_ >= 0) {
+            ::close(handle_);
+        }
+    }
+    Gate(const Gate&) = delete;
+    Gate& operator=(const Gate&) = delete;
+
+    /// @return false where another program still holds it after `patience` ms, or there is no file
+    bool pass(int patience) const {
+        QDeadlineTimer deadline(patience);
+        while (handle_ >= 0) {
+            if (::flock(handle_, LOCK_EX | LOCK_NB) == 0) {
+                return true;
+            }
+            if (errno != EWOULDBLOCK && errno != EINTR) {
+                return false;
+            }
+            if (deadline.hasExpired()) {
+                return false;
+            }
+            QThread::msleep(5);
+        }
+        return false;
+    }
+
+  private:
+    int handle_;
+};
 
 }  // namespace
 
@@ -29,9 +73,8 @@ bool Journal::open() {
         return fail(tr("The journal's folder %1 cannot be made.").arg(info.absolutePath()), {});
     }
     // One program at a time looks whether the file is whole, so that two cannot set it aside.
-    QLockFile gate(path_ + QStringLiteral(".opening"));
-    gate.setStaleLockTime(0);  // only a lock whose program is gone is stale
-    if (!gate.tryLock(journal_rows::patience)) {
+    const Gate gate(path_ + QStringLiteral(".opening"));
+    if (!gate.pass(journal_rows::patience)) {
         return fail(tr("The journal %1 cannot be opened: its folder cannot be written, or another "
                        "program is busy with it.")
                         .arg(path_),

@@ -396,6 +396,19 @@ QString tagOf(const QByteArray& form) {
     return object.value(u"tag"_s).toString();
 }
 
+TEST_F(JournalTest, OpensThoughAProgramWasKilledWhileItBeganToOpen) {
+    // What a kill between making the gate's file and writing into it leaves behind.
+    write(path() + u".opening"_s, {});
+    QElapsedTimer timer;
+    timer.start();
+    Journal journal(path());
+    ASSERT_TRUE(journal.open()) << qPrintable(journal.lastError());
+    EXPECT_LT(timer.elapsed(), 10'000);  // it did not wait for a program that is gone
+    // The gate is open again for the next program while this one runs.
+    Journal second(path());
+    EXPECT_TRUE(second.open()) << qPrintable(second.lastError());
+}
+
 TEST_F(JournalTest, NothingIsLostWhenKilledTwoHundredTimes) {
     Said all;
     QRandomGenerator random(20240531);
