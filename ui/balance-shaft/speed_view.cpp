@@ -332,13 +332,17 @@ void SpeedView::showMap() {
     const std::vector<double>& values = byRange ? study_.map->range : study_.map->rms;
     const auto angles = static_cast<int>(study_.map->shaft_angle_deg.size());
     const auto speeds = static_cast<int>(study_.study->points().size());
+    const auto cell = [angles](int speed, int angle) {
+        return static_cast<std::size_t>(speed) * static_cast<std::size_t>(angles) +
+               static_cast<std::size_t>(angle);
+    };
     // Each speed against the engine without a shaft there, or the high speeds would drown the rest.
     std::vector<double> relative(values.size());
     for (int s = 0; s < speeds; ++s) {
         const SpeedStudy::Point& point = study_.study->points()[static_cast<std::size_t>(s)];
         const double without = byRange ? point.range_without : point.rms_without;
         for (int a = 0; a < angles; ++a) {
-            const auto i = static_cast<std::size_t>(s * angles + a);
+            const auto i = cell(s, a);
             relative[i] = without > 0.0 ? values[i] / without : 1.0;
         }
     }
@@ -348,8 +352,7 @@ void SpeedView::showMap() {
     for (int s = 0; s < speeds; ++s) {
         auto* line = reinterpret_cast<QRgb*>(image.scanLine(speeds - 1 - s));
         for (int a = 0; a < angles; ++a) {
-            line[a] =
-                mapColour((relative[static_cast<std::size_t>(s * angles + a)] - *least) / span);
+            line[a] = mapColour((relative[cell(s, a)] - *least) / span);
         }
     }
     const auto& points = study_.study->points();

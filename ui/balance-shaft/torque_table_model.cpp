@@ -117,7 +117,7 @@ void TorqueTableModel::pasteBlock(int row, int column, const QString& text) {
         lines.removeLast();
     }
     for (int i = 0; i < lines.size(); ++i) {
-        const auto at = static_cast<std::size_t>(row + i);
+        const auto at = static_cast<std::size_t>(row) + static_cast<std::size_t>(i);
         if (at >= rows_.size()) {
             break;
         }

@@ -489,7 +489,7 @@ QStringList ElasticHingeViewModel::quantityColumns() const {
 }
 
 QVector<QStringList> ElasticHingeViewModel::quantityRows() const {
-    const QString none = QStringLiteral("–");
+    QString none = QStringLiteral("–");
     const QString newton = tr("N");
     const QString millimetre = tr("mm");
     const Guide& guide = result_->crank_guide;

@@ -481,7 +481,7 @@ void PlotView::updateTicks() {
             state.chartAxis->setTitleText(state.spec.title);
         }
     };
-    apply(*x_, area.width(), 56.0);
+    apply(*x_, area.width(), columnPerTick);
     apply(*left_, area.height(), 28.0);
     if (right_->chartAxis != nullptr) {
         apply(*right_, area.height(), 28.0);

@@ -275,7 +275,7 @@ QString V8PlugsViewModel::engineNameTrouble(const QString& name) const {
 
 QString V8PlugsViewModel::saveEngineAs(const QString& name) {
     const QString trimmed = name.trimmed();
-    const QString trouble = engineNameTrouble(trimmed);
+    QString trouble = engineNameTrouble(trimmed);
     if (!trouble.isEmpty()) {
         return trouble;
     }
@@ -307,7 +307,7 @@ QString V8PlugsViewModel::saveEngineAs(const QString& name) {
 
 QString V8PlugsViewModel::renameEngine(const QString& from, const QString& to) {
     const QString trimmed = to.trimmed();
-    const QString trouble = engineNameTrouble(trimmed);
+    QString trouble = engineNameTrouble(trimmed);
     if (!trouble.isEmpty()) {
         return trouble;
     }
