@@ -1,5 +1,3 @@
-#include <cerrno>
-#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -33,7 +31,7 @@ int solve_file(const std::string& case_path, const std::string& result_path) {
     return result_path.empty() ? print(text) : write_file(result_path, text);
 }
 
-int solve_batch(std::istream& in, std::ostream& out) {
+int solve_batch(std::istream& in) {
     std::string line;
     for (int number = 1; std::getline(in, line); ++number) {
         if (line.find_first_not_of(" \t\r") == std::string::npos) {
@@ -45,11 +43,9 @@ int solve_batch(std::istream& in, std::ostream& out) {
         } catch (const std::exception& error) {  // a bad line is answered in its place
             answer = Json{{"error", error.what()}, {"line", number}};
         }
-        out << answer.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n' << std::flush;
-        if (!out) {
-            complain("ravnoves-cli",
-                     std::string("standard output cannot be written: ") + std::strerror(errno));
-            return exit_bad_input;
+        const std::string text = answer.dump(-1, ' ', false, Json::error_handler_t::replace);
+        if (const int status = print(text + "\n")) {
+            return status;
         }
     }
     return exit_done;
@@ -83,7 +79,7 @@ class SolveCommand final : public Command {
     int run() override {
         if (batch_) {
             std::ios::sync_with_stdio(false);
-            return solve_batch(std::cin, std::cout);
+            return solve_batch(std::cin);
         }
         return solve_file(case_path_, result_path_);
     }
