@@ -5,18 +5,16 @@
 
 #include "case-file/range.h"
 #include "v8-plugs/journal.h"
+#include "widgets/csv_format.h"
 
 namespace ravnoves {
 
 namespace {
 
-/// One line of the list after the other, as spreadsheets of a language read them: those with a
-/// decimal comma take the semicolon as separator.
+/// One line of the list after the other, in the form of a language.
 class CsvWriter {
   public:
-    explicit CsvWriter(const QLocale& locale)
-        : point_(locale.decimalPoint()),
-          separator_(point_ == QLatin1String(",") ? QLatin1Char(';') : QLatin1Char(',')) {}
+    explicit CsvWriter(const QLocale& locale) : format_(locale) {}
 
     /// A text that a person typed. What a spreadsheet would take for a formula is made a text.
     QString text(const QString& typed) const {
@@ -36,18 +34,17 @@ class CsvWriter {
     }
 
     QString number(const std::optional<double>& value) const {
-        return value
-                   ? QString::fromStdString(format_number(*value)).replace(QLatin1Char('.'), point_)
-                   : QString();
+        return value ? QString::fromStdString(format_number(*value))
+                           .replace(QLatin1Char('.'), format_.point)
+                     : QString();
     }
 
     QString line(const QStringList& fields) const {
-        return fields.join(separator_) + QLatin1String("\r\n");
+        return fields.join(format_.separator) + QLatin1String("\r\n");
     }
 
   private:
-    QString point_;
-    QChar separator_;
+    CsvFormat format_;
 };
 
 }  // namespace
