@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/constants.h"
 #include "v8-plugs/plug_drawing.h"
 #include "v8-plugs/v8_text.h"
 
@@ -19,7 +20,6 @@ constexpr double right = CardPage::right;
 
 constexpr double gram = 1e-3;
 constexpr double gramMillimetre = 1e-6;
-constexpr double degree = 3.14159265358979323846 / 180.0;
 
 const QColor cutColour(0xB0, 0x30, 0x10);
 
