@@ -5273,10 +5273,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::MainWindow</name>
     <message>
-        <source>%1: this page is still to come.</source>
-        <translation>%1: этой страницы ещё нет.</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>&amp;Файл</translation>
     </message>
@@ -5403,10 +5399,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Main toolbar</source>
         <translation>Главная панель</translation>
-    </message>
-    <message>
-        <source>%1: the page for “%2” is still to come.</source>
-        <translation>%1: страницы «%2» ещё нет.</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
@@ -5585,10 +5577,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>measuring…</source>
         <translation>идёт измерение…</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written.</source>
-        <translation>Не удаётся записать %1.</translation>
     </message>
 </context>
 <context>

@@ -47,16 +47,6 @@ QString inTwoLines(QString title, const QFontMetrics& metrics, int room) {
     return at > 0 ? title.replace(at, 1, QLatin1Char('\n')) : title;
 }
 
-/// A page that does not exist yet says so in one line.
-QWidget* comingPage(const SceneInfo& info, QWidget* parent) {
-    auto* label = new QLabel(
-        QCoreApplication::translate("ravnoves::MainWindow", "%1: this page is still to come.")
-            .arg(info.title),
-        parent);
-    label->setAlignment(Qt::AlignCenter);
-    return label;
-}
-
 std::filesystem::path fsPath(const QString& path) {
     return std::filesystem::path(QFile::encodeName(path).toStdString());
 }
@@ -198,7 +188,7 @@ void MainWindow::buildMenus() {
                                 QApplication::clipboard()->setText(currentPage()->resultsAsText());
                                 statusBar()->showMessage(tr("Results copied as text"), 3000);
                             });
-    QAction* copyCsv = add(edit, {}, tr("Copy results as &CSV"), {}, [this] {
+    add(edit, {}, tr("Copy results as &CSV"), {}, [this] {
         QApplication::clipboard()->setText(currentPage()->resultsAsCsv());
         statusBar()->showMessage(tr("Results copied as CSV"), 3000);
     });
@@ -263,7 +253,6 @@ void MainWindow::buildMenus() {
     toolBar_->addSeparator();
     toolBar_->addActions({copyText, picture, reset});
     toolBar_->addSeparator();
-    pageActions_ = {picture, copyText, copyCsv, reset};
     caseActions_ = {fresh, saveAction, saveAsAction};
     for (QAction* action : caseActions_) {
         action->setData(action->toolTip());
@@ -293,23 +282,15 @@ ScenePage* MainWindow::page(const QString& name) {
         if (entry.info.name != name) {
             continue;
         }
-        if (entry.holder->layout()->isEmpty()) {
-            QWidget* content = nullptr;
-            if (entry.info.make) {
-                entry.page = entry.info.make(entry.holder);
-                entry.page->setOpenCases(
-                    [this](const QString& scene) { return openCaseOf(scene); });
-                content = entry.page;
-                SceneViewModel* model = entry.page->model();
-                histories_->addStack(model->history());
-                connect(model->history(), &QUndoStack::cleanChanged, this,
-                        &MainWindow::updateTitle);
-                connect(model, &SceneViewModel::titleChanged, this, &MainWindow::updateTitle);
-                connect(entry.page, &ScenePage::status, hint_, &QLabel::setText);
-            } else {
-                content = comingPage(entry.info, entry.holder);
-            }
-            entry.holder->layout()->addWidget(content);
+        if (entry.page == nullptr) {
+            entry.page = entry.info.make(entry.holder);
+            entry.page->setOpenCases([this](const QString& scene) { return openCaseOf(scene); });
+            SceneViewModel* model = entry.page->model();
+            histories_->addStack(model->history());
+            connect(model->history(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
+            connect(model, &SceneViewModel::titleChanged, this, &MainWindow::updateTitle);
+            connect(entry.page, &ScenePage::status, hint_, &QLabel::setText);
+            entry.holder->layout()->addWidget(entry.page);
         }
         return entry.page;
     }
@@ -325,16 +306,9 @@ void MainWindow::showEntry(std::size_t index) {
     ScenePage* shown = page(entry.info.name);
     entry.action->setChecked(true);
     stack_->setCurrentWidget(entry.holder);
-    for (QAction* action : pageActions_) {
-        action->setEnabled(shown != nullptr);
-    }
     updateCaseActions();
-    if (shown != nullptr) {
-        histories_->setActiveStack(shown->model()->history());
-        shown->setActive(true);
-    } else {
-        histories_->setActiveStack(nullptr);
-    }
+    histories_->setActiveStack(shown->model()->history());
+    shown->setActive(true);
     if (hint_ != nullptr) {
         hint_->setText(entry.info.summary);
     }
@@ -353,11 +327,10 @@ std::optional<OpenCase> MainWindow::openCaseOf(const QString& scene) const {
 }
 
 void MainWindow::updateCaseActions() {
-    ScenePage* shown = currentPage();
-    const bool hasCase = shown != nullptr && shown->model()->hasCaseFile();
+    const bool hasCase = currentPage()->model()->hasCaseFile();
     for (QAction* action : caseActions_) {
         action->setEnabled(hasCase);
-        action->setToolTip(hasCase || shown == nullptr
+        action->setToolTip(hasCase
                                ? action->data().toString()
                                : tr("This page has no case file: its numbers are measured anew. "
                                     "Copy or export them."));
@@ -370,8 +343,7 @@ void MainWindow::updateSceneActions() {
     }
     sceneActions_.clear();
     sceneMenu_->clear();
-    const QList<QAction*> actions =
-        currentPage() != nullptr ? currentPage()->sceneActions() : QList<QAction*>();
+    const QList<QAction*> actions = currentPage()->sceneActions();
     for (QAction* action : actions) {
         if (action == nullptr) {
             sceneMenu_->addSeparator();
@@ -398,19 +370,15 @@ MainWindow::Entry* MainWindow::entryOf(const ScenePage* page) {
 void MainWindow::updateTitle() {
     const Entry& entry = current();
     QString document = entry.info.title;
-    bool modified = false;
-    if (entry.page != nullptr) {
-        if (!entry.path.isEmpty()) {
-            document = QFileInfo(entry.path).fileName() + QStringLiteral("[*] – ") + document;
-        } else if (!entry.page->model()->title().isEmpty()) {
-            document = entry.page->model()->title() + QStringLiteral("[*] – ") + document;
-        } else {
-            document += QStringLiteral("[*]");
-        }
-        modified = !entry.page->model()->history()->isClean();
+    if (!entry.path.isEmpty()) {
+        document = QFileInfo(entry.path).fileName() + QStringLiteral("[*] – ") + document;
+    } else if (!entry.page->model()->title().isEmpty()) {
+        document = entry.page->model()->title() + QStringLiteral("[*] – ") + document;
+    } else {
+        document += QStringLiteral("[*]");
     }
     setWindowTitle(document + QStringLiteral(" – Ravnoves"));
-    setWindowModified(modified && entry.page != nullptr);
+    setWindowModified(!entry.page->model()->history()->isClean());
 }
 
 QString MainWindow::openCase(const QString& path) {
@@ -418,9 +386,6 @@ QString MainWindow::openCase(const QString& path) {
         const CaseFile file = parse_case(read_text_file(fsPath(path)));
         const QString scene = QString::fromStdString(file.scene);
         ScenePage* target = page(scene);
-        if (target == nullptr) {
-            return tr("%1: the page for “%2” is still to come.").arg(path, scene);
-        }
         CaseContext context;
         context.directory = fsPath(QFileInfo(path).absolutePath());
         target->model()->loadInput(file.input, context);

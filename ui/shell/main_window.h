@@ -28,7 +28,7 @@ class MainWindow : public QMainWindow {
     /// @return false where there is none
     bool showScene(const QString& name);
     QString currentScene() const;
-    /// The page of a scene, made now if it was not yet; null where it is still to come.
+    /// The page of a scene, made now if it was not yet; null for a word that is no scene.
     ScenePage* page(const QString& name);
     ScenePage* currentPage();
 
@@ -84,7 +84,6 @@ class MainWindow : public QMainWindow {
     QMenu* sceneMenu_ = nullptr;
     QToolBar* toolBar_ = nullptr;
     QLabel* hint_ = nullptr;
-    QList<QAction*> pageActions_;   ///< need a page
     QList<QAction*> caseActions_;   ///< need a page with a case file; data: their tip
     QList<QAction*> sceneActions_;  ///< in the toolbar for the present page
 };

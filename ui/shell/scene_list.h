@@ -15,7 +15,7 @@ struct SceneInfo {
     QString name;     ///< its word in case files, the name of its folders and of its help page
     QString title;    ///< in the navigation
     QString summary;  ///< one line: what it is for
-    /// Makes the page; empty while the scene is still to come.
+    /// Makes the page.
     std::function<ScenePage*(QWidget* parent)> make;
 };
 

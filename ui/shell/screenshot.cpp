@@ -17,9 +17,6 @@ QString applySetting(MainWindow& window, const QString& pair) {
         return QStringLiteral("--set: must be key=value, got %1").arg(pair);
     }
     ScenePage* page = window.currentPage();
-    if (page == nullptr) {
-        return QStringLiteral("--set: this page is still to come");
-    }
     if (pair.startsWith(QLatin1String("tab="))) {
         // Any tab of the page by its object name, so that a picture can show it.
         const QString wanted = pair.mid(4);
@@ -65,10 +62,7 @@ QString writeScreenshot(MainWindow& window, const QString& path, const QString& 
     // What is computed in the background belongs in the picture.
     QElapsedTimer waited;
     waited.start();
-    const auto busy = [&window] {
-        const ScenePage* page = window.currentPage();
-        return page != nullptr && page->isBusy();
-    };
+    const auto busy = [&window] { return window.currentPage()->isBusy(); };
     constexpr int patience = 60'000;  // ms
     while (busy() && waited.elapsed() < patience) {
         QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
