@@ -1,10 +1,8 @@
 #include "methods/method_plots.h"
 
 #include <QHBoxLayout>
-#include <QImage>
 #include <QLocale>
 #include <QPainter>
-#include <QSvgGenerator>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -180,8 +178,8 @@ void MethodPlots::setUpCurves(const Kernel& kernel) {
             PlotView::CurveStyle style;
             if (method < kernel.methods.size() && numbers) {
                 const MethodInfo& info = kernel.methods[method];
-                style.name = coreText(info.title);
-                style.toolTip = coreText(info.limits);
+                style.name = methodText(info.title);
+                style.toolTip = methodText(info.limits);
             }
             style.colour = static_cast<int>(method) % Theme::curveColours;
             style.width = method == kernel.chosen_method() ? 2.2 : 1.4;
@@ -245,15 +243,15 @@ void MethodPlots::showMeasurement() {
 QString MethodPlots::pointText(const MethodMeasurement& shown, const WorkPoint& point) const {
     const Kernel& kernel = shown.kernel();
     const MethodInfo& method = kernel.methods[point.method];
-    QStringList lines{coreText(method.title) + QStringLiteral(", ") +
-                          coreText(method.settings[point.setting].label),
+    QStringList lines{methodText(method.title) + QStringLiteral(", ") +
+                          methodText(method.settings[point.setting].label),
                       tr("%1, half of the runs from %2 to %3")
                           .arg(timeText(point.timing.median), timeText(point.timing.low),
                                timeText(point.timing.high))};
     if (point.result.refused()) {
-        lines << tr("refused: %1").arg(coreText(point.result.refusal));
+        lines << tr("refused: %1").arg(methodText(point.result.refusal));
     } else {
-        lines << tr("error %1").arg(errorText(point.result));
+        lines << tr("error %1").arg(resultText(point.result));
         lines << (point.result.error <= kernel.choice.tolerance ? tr("within the tolerance")
                                                                 : tr("beyond the tolerance"));
     }
@@ -262,7 +260,7 @@ QString MethodPlots::pointText(const MethodMeasurement& shown, const WorkPoint& 
 
 void MethodPlots::showWork(const MethodMeasurement& shown, const ErrorScale& scale) {
     const Kernel& kernel = shown.kernel();
-    work_->setTitle(tr("%1: time and error").arg(coreText(kernel.title)));
+    work_->setTitle(tr("%1: time and error").arg(methodText(kernel.title)));
     double fastest = std::numeric_limits<double>::infinity();
     double slowest = 0.0;
     for (const WorkPoint& point : shown.work.points) {
@@ -270,14 +268,14 @@ void MethodPlots::showWork(const MethodMeasurement& shown, const ErrorScale& sca
         slowest = std::max(slowest, point.timing.high);
     }
     constexpr double room = 1.7;
-    work_->setXAxis({tr("time: %1").arg(coreText(kernel.evaluation)),
+    work_->setXAxis({tr("time: %1").arg(methodText(kernel.evaluation)),
                      fastest / room,
                      slowest * room,
                      false,
                      true,
                      {},
                      timeText});
-    work_->setYAxis(PlotView::Side::Left, {tr("error, %1").arg(coreText(kernel.error_measure)),
+    work_->setYAxis(PlotView::Side::Left, {tr("error, %1").arg(methodText(kernel.error_measure)),
                                            scale.floor, scale.ceiling, false, true});
     work_->setYRange(PlotView::Side::Left, scale.floor / 1.6, scale.ceiling * 1.6);
     work_->setLines(errorLines(kernel, scale));
@@ -317,7 +315,7 @@ void MethodPlots::showWork(const MethodMeasurement& shown, const ErrorScale& sca
 void MethodPlots::showStability(const MethodMeasurement& shown, const ErrorScale& scale) {
     const StabilityMap& map = *shown.map;
     const Kernel& kernel = shown.kernel();
-    stability_->setTitle(tr("%1: stability").arg(coreText(kernel.title)));
+    stability_->setTitle(tr("%1: stability").arg(methodText(kernel.title)));
     stability_->setXAxis(sweepAxis(shown.sweep()));
     stability_->setYAxis(PlotView::Side::Left,
                          {QString(), scale.floor, scale.ceiling, false, true});
@@ -385,7 +383,7 @@ void MethodPlots::showFailing() {
             std::tie(band.from, band.to) = around(sweep, shown->map->values, span);
             band.colour = shade(theme.curve(static_cast<int>(method) % Theme::curveColours),
                                 1.8F * shadeAlpha);
-            band.text = tr("%1 fails").arg(coreText(shown->kernel().methods[method].title));
+            band.text = tr("%1 fails").arg(methodText(shown->kernel().methods[method].title));
             for (PlotView::Band& other : bands) {
                 const bool apart = other.to <= band.from || other.from >= band.to;
                 if (other.orientation == Qt::Horizontal && !apart) {
@@ -438,33 +436,13 @@ void MethodPlots::resetZoom() {
 }
 
 QString MethodPlots::exportPicture(const QString& path) {
-    const auto render = [&](QPainter& painter, double scale) {
-        for (PlotView* plot : {work_, stability_}) {
-            const QRectF target(plot->geometry());
-            plot->renderTo(painter, QRectF(target.topLeft() * scale, target.size() * scale));
-        }
-    };
-    if (path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)) {
-        QSvgGenerator generator;
-        generator.setFileName(path);
-        generator.setResolution(96);  // or text comes out at three quarters of its size
-        generator.setSize(size());
-        generator.setViewBox(rect());
-        generator.setTitle(work_->title());
-        QPainter painter;
-        if (!painter.begin(&generator)) {
-            return tr("%1 cannot be written.").arg(path);
-        }
-        render(painter, 1.0);
-        return {};
-    }
-    constexpr int scale = 2;
-    QImage image(size() * scale, QImage::Format_RGB32);
-    image.fill(Theme::instance().window());
-    QPainter painter(&image);
-    render(painter, scale);
-    painter.end();
-    return image.save(path, "PNG") ? QString() : tr("%1 cannot be written.").arg(path);
+    return PlotView::writePicture(
+        path, size(), work_->title(), [this](QPainter& painter, double scale) {
+            for (PlotView* plot : {work_, stability_}) {
+                const QRectF target(plot->geometry());
+                plot->renderTo(painter, QRectF(target.topLeft() * scale, target.size() * scale));
+            }
+        });
 }
 
 }  // namespace ravnoves

@@ -134,17 +134,17 @@ bool isKnown(const QString& text) {
 
 }  // namespace
 
-QString coreText(std::string_view english) {
+QString methodText(std::string_view english) {
     return textInParts(plainText(english));
 }
 
-bool isKnownCoreText(std::string_view english) {
+bool isKnownMethodText(std::string_view english) {
     return isKnown(plainText(english));
 }
 
 QString sweepTitle(const methods::SweepInfo& sweep) {
-    const QString title = coreText(sweep.title);
-    return sweep.unit.empty() ? title : title + QStringLiteral(", ") + coreText(sweep.unit);
+    const QString title = methodText(sweep.title);
+    return sweep.unit.empty() ? title : title + QStringLiteral(", ") + methodText(sweep.unit);
 }
 
 QString sweepNumber(const methods::SweepInfo& sweep, double value) {
@@ -158,7 +158,7 @@ QString sweepNumber(const methods::SweepInfo& sweep, double value) {
     }
     const QString number =
         sweep.logarithmic() ? powerText(value, QLocale()) : formNumber(value, QLocale(), digits);
-    return number + unitText(coreText(sweep.unit));
+    return number + unitText(methodText(sweep.unit));
 }
 
 QString failingText(const methods::SweepInfo& sweep, std::string_view english) {
@@ -169,8 +169,8 @@ QString failingText(const methods::SweepInfo& sweep, std::string_view english) {
         part.chop(more ? 2 : 0);
         const bool hasUnit = !unit.isEmpty() && part.endsWith(unit);
         part = (hasUnit ? part.chopped(unit.size()) : part).trimmed();
-        part = coreText(part.toStdString()) +
-               (hasUnit ? unitText(coreText(sweep.unit)) : QString()) +
+        part = methodText(part.toStdString()) +
+               (hasUnit ? unitText(methodText(sweep.unit)) : QString()) +
                (more ? QStringLiteral(" …") : QString());
     }
     return parts.join(QStringLiteral(", "));
@@ -198,7 +198,7 @@ QString errorNumber(double error) {
     return powerText(error, QLocale(), 2);
 }
 
-QString errorText(const methods::Result& result) {
+QString resultText(const methods::Result& result) {
     return result.refused() ? QCoreApplication::translate("ravnoves::MethodWords", "refused")
                             : errorNumber(result.error);
 }

@@ -10,10 +10,10 @@ namespace ravnoves {
 
 /// A text of core's methods in the user's language: titles, settings, reasons, refusals. Numbers
 /// within it get the locale's decimal sign. A text without translation stays as core has it.
-QString coreText(std::string_view english);
+QString methodText(std::string_view english);
 /// Whether the translators have been given this text (numbers apart), so that a test can tell what
 /// was forgotten.
-bool isKnownCoreText(std::string_view english);
+bool isKnownMethodText(std::string_view english);
 
 /// A hard parameter's name with its unit: "shaft angle α, °".
 QString sweepTitle(const methods::SweepInfo& sweep);
@@ -25,6 +25,6 @@ QString failingText(const methods::SweepInfo& sweep, std::string_view english);
 QString timeText(double nanoseconds);  ///< "12.3 ns", "1.2 ms"
 QString errorNumber(double error);     ///< "3.2·10⁻⁹"
 /// The error, or "refused".
-QString errorText(const methods::Result& result);
+QString resultText(const methods::Result& result);
 
 }  // namespace ravnoves

@@ -60,15 +60,15 @@ QString nanoseconds(double value) {
 
 QStringList cells(const Kernel& kernel, const methods::SweepInfo& sweep, const MethodRow& row) {
     const methods::MethodInfo& method = kernel.methods[row.method];
-    QString title = coreText(method.title);
+    QString title = methodText(method.title);
     if (row.in_use) {
         title = MethodsPage::tr("%1 (in use)").arg(title);
     }
     const bool first = row.setting == 0;
     return {title,
-            coreText(method.settings[row.setting].label),
+            methodText(method.settings[row.setting].label),
             nanoseconds(row.timing.median),
-            errorText(row.result),
+            resultText(row.result),
             QLocale().toString(std::round(row.operations), 'f', 0),
             first && row.order ? QLocale().toString(*row.order, 'f', 1) : QString(),
             row.fails ? failingText(sweep, *row.fails) : QString()};
@@ -144,7 +144,7 @@ QWidget* MethodsPage::buildChoice() {
     kernels_->setAccessibleName(tr("Quantity"));
     kernels_->setToolTip(tr("What is computed: the numerical kernels of the scenes"));
     for (const Kernel& kernel : model_->kernels()) {
-        kernels_->addItem(coreText(kernel.title));
+        kernels_->addItem(methodText(kernel.title));
     }
     connect(kernels_, &QComboBox::activated, this,
             [this](int index) { model_->setKernel(static_cast<std::size_t>(index)); });
@@ -289,8 +289,8 @@ void MethodsPage::showKernel() {
     const QSignalBlocker quiet(sweeps_);
     sweeps_->clear();
     for (const methods::SweepInfo& sweep : model_->kernel().sweeps) {
-        sweeps_->addItem(coreText(sweep.title));
-        sweeps_->setItemData(sweeps_->count() - 1, coreText(sweep.title), Qt::ToolTipRole);
+        sweeps_->addItem(methodText(sweep.title));
+        sweeps_->setItemData(sweeps_->count() - 1, methodText(sweep.title), Qt::ToolTipRole);
     }
     showSweep();
     showWords();
@@ -299,7 +299,7 @@ void MethodsPage::showKernel() {
 void MethodsPage::showSweep() {
     const methods::SweepInfo& sweep = model_->sweep();
     sweeps_->setCurrentIndex(static_cast<int>(model_->sweepIndex()));
-    value_->setSweep(sweep, coreText(sweep.title), coreText(sweep.unit));
+    value_->setSweep(sweep, methodText(sweep.title), methodText(sweep.unit));
     showCase();
 }
 
@@ -332,18 +332,18 @@ void MethodsPage::showWords() {
     const methods::MethodInfo& method = kernel.methods[kernel.chosen_method()];
     const methods::Setting& setting = method.settings[kernel.chosen_setting()];
     QString html;
-    html += paragraph(tr("What is computed"), coreText(kernel.quantity));
+    html += paragraph(tr("What is computed"), methodText(kernel.quantity));
     html += paragraph(
         tr("What the scene uses, and why"),
         tr("%1, %2. Tolerance: %3, %4.")
-                .arg(coreText(method.title), coreText(setting.label),
-                     errorNumber(kernel.choice.tolerance), coreText(kernel.error_measure)) +
-            QLatin1Char(' ') + coreText(kernel.choice.reason));
+                .arg(methodText(method.title), methodText(setting.label),
+                     errorNumber(kernel.choice.tolerance), methodText(kernel.error_measure)) +
+            QLatin1Char(' ') + methodText(kernel.choice.reason));
     html += paragraph(tr("What it is measured against"),
                       tr("The same quantity in 50 digits, and that by a way that shares no code: "
                          "%1.")
-                          .arg(coreText(kernel.check_text)));
-    html += paragraph(tr("One evaluation"), coreText(kernel.evaluation));
+                          .arg(methodText(kernel.check_text)));
+    html += paragraph(tr("One evaluation"), methodText(kernel.evaluation));
     words_->setText(html);
 }
 
@@ -368,18 +368,18 @@ void MethodsPage::showTable() {
             font.setBold(row.in_use && column == Method);
             cell->setFont(font);
             cell->setForeground(theme.text());
-            cell->setToolTip(coreText(row.limits));
+            cell->setToolTip(methodText(row.limits));
         }
         table_->item(i, Time)->setToolTip(
             tr("Half of the runs from %1 to %2")
                 .arg(timeText(row.timing.low), timeText(row.timing.high)));
         table_->item(i, Fails)->setToolTip(table_->item(i, Fails)->text() + QLatin1Char('\n') +
-                                           coreText(row.limits));
+                                           methodText(row.limits));
         table_->item(i, Error)->setForeground(row.holds ? theme.good() : theme.error());
-        table_->item(i, Error)->setToolTip(row.result.refused()
-                                               ? tr("refused: %1").arg(coreText(row.result.refusal))
-                                           : row.holds ? tr("Within the scene's tolerance")
-                                                       : tr("Beyond the scene's tolerance"));
+        table_->item(i, Error)->setToolTip(
+            row.result.refused() ? tr("refused: %1").arg(methodText(row.result.refusal))
+            : row.holds          ? tr("Within the scene's tolerance")
+                                 : tr("Beyond the scene's tolerance"));
     }
     if (tableOf_ != &kernel) {
         tableOf_ = &kernel;
@@ -403,7 +403,7 @@ void MethodsPage::chooseRow() {
     model_->setShownMethod(chosen.method);
     const methods::MethodInfo& method = shown->kernel().methods[chosen.method];
     limits_->setText(
-        tr("%1: %2.").arg(capitalised(coreText(method.title)), coreText(method.limits)));
+        tr("%1: %2.").arg(capitalised(methodText(method.title)), methodText(method.limits)));
 }
 
 void MethodsPage::showRunning() {

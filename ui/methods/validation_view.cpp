@@ -132,7 +132,7 @@ QWidget* ValidationView::buildFilters() {
     papers_->addItems(model_->paperTitles());
     for (int i = 0; i < papers_->count() - 1; ++i) {
         papers_->setItemData(i + 1,
-                             coreText(methods::papers()[static_cast<std::size_t>(i)].citation),
+                             methodText(methods::papers()[static_cast<std::size_t>(i)].citation),
                              Qt::ToolTipRole);
     }
     connect(papers_, &QComboBox::activated, this, [this](int index) {
@@ -180,7 +180,7 @@ void ValidationView::showReport() {
 void ValidationView::showReason() {
     const int row = table_->currentIndex().row();
     const bool known = row >= 0 && static_cast<std::size_t>(row) < model_->rows().size();
-    reason_->setText(known ? coreText(model_->rows()[static_cast<std::size_t>(row)]->reason)
+    reason_->setText(known ? methodText(model_->rows()[static_cast<std::size_t>(row)]->reason)
                            : tr("Choose a row to read why it has its verdict."));
 }
 

@@ -128,7 +128,7 @@ QVariant ValidationViewModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole:
             return cell(row, index.column());
         case Qt::ToolTipRole:
-            return cell(row, index.column()) + QLatin1Char('\n') + coreText(row.reason);
+            return cell(row, index.column()) + QLatin1Char('\n') + methodText(row.reason);
         case Qt::TextAlignmentRole: {
             const bool number = index.column() >= Printed && index.column() <= Difference;
             return QVariant((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
@@ -144,14 +144,14 @@ QString ValidationViewModel::cell(const ValidationRow& row, int column) const {
         case Paper: {
             const auto paper = std::find_if(papers.begin(), papers.end(),
                                             [&](const auto& p) { return p.scene == row.scene; });
-            return paper == papers.end() ? QString() : coreText(paper->authors);
+            return paper == papers.end() ? QString() : methodText(paper->authors);
         }
         case Place:
-            return coreText(row.place);
+            return methodText(row.place);
         case Quantity:
-            return coreText(row.quantity);
+            return methodText(row.quantity);
         case Unit:
-            return coreText(row.unit);
+            return methodText(row.unit);
         case Printed:
             return shownNumber(row.printed_text);
         case Ours:
@@ -198,7 +198,7 @@ QString ValidationViewModel::countsText() const {
 QStringList ValidationViewModel::paperTitles() const {
     QStringList titles;
     for (const methods::Paper& paper : methods::papers()) {
-        titles << coreText(paper.authors);
+        titles << methodText(paper.authors);
     }
     return titles;
 }

@@ -179,6 +179,10 @@ class PlotView : public QWidget {
     /// Writes a PNG (twice the size on screen) or SVG, by the file's ending.
     /// @return an empty string, or what went wrong
     QString exportPicture(const QString& path);
+    /// Writes what `draw` draws as exportPicture() does, for pages that put several plots into one.
+    /// @param draw  gets the painter and the pixels that one of the size stands for
+    static QString writePicture(const QString& path, const QSize& size, const QString& title,
+                                const std::function<void(QPainter&, double)>& draw);
 
     QSize sizeHint() const override { return {420, 260}; }
     QSize minimumSizeHint() const override { return {200, 140}; }

@@ -489,24 +489,32 @@ void PlotView::renderTo(QPainter& painter, const QRectF& target) {
 }
 
 QString PlotView::exportPicture(const QString& path) {
+    return writePicture(path, size(), title_, [this](QPainter& painter, double scale) {
+        renderTo(painter, QRectF(QPointF(), QSizeF(size()) * scale));
+    });
+}
+
+QString PlotView::writePicture(const QString& path, const QSize& size, const QString& title,
+                               const std::function<void(QPainter&, double)>& draw) {
     if (path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)) {
         QSvgGenerator generator;
         generator.setFileName(path);
         generator.setResolution(96);  // or text comes out at three quarters of its size
-        generator.setSize(size());
-        generator.setViewBox(rect());
-        generator.setTitle(title_);
+        generator.setSize(size);
+        generator.setViewBox(QRect(QPoint(), size));
+        generator.setTitle(title);
         QPainter painter;
         if (!painter.begin(&generator)) {
             return tr("%1 cannot be written.").arg(path);
         }
-        renderTo(painter, rect());
+        draw(painter, 1.0);
         return {};
     }
     constexpr int scale = 2;
-    QImage image(size() * scale, QImage::Format_RGB32);
+    QImage image(size * scale, QImage::Format_RGB32);
+    image.fill(Theme::instance().window());
     QPainter painter(&image);
-    renderTo(painter, QRectF(QPointF(), QSizeF(image.size())));
+    draw(painter, scale);
     painter.end();
     return image.save(path, "PNG") ? QString() : tr("%1 cannot be written.").arg(path);
 }

@@ -311,7 +311,8 @@ TEST_F(MethodsPageTest, TheValidationReportIsATab) {
     ASSERT_GT(view->table()->model()->rowCount(), 0);
     QTest::mouseClick(view->table()->viewport(), Qt::LeftButton, {},
                       view->table()->visualRect(view->table()->model()->index(0, 2)).center());
-    EXPECT_EQ(find<QLabel>("reason")->text(), coreText(view->viewModel()->rows().front()->reason));
+    EXPECT_EQ(find<QLabel>("reason")->text(),
+              methodText(view->viewModel()->rows().front()->reason));
     QTest::mouseClick(find<QPushButton>("copy_csv"), Qt::LeftButton);
     const QString csv = QApplication::clipboard()->text();
     EXPECT_EQ(csv.count(QLatin1Char('\n')), 1 + view->table()->model()->rowCount());

@@ -66,30 +66,30 @@ std::vector<std::string> kernelTexts() {
 
 TEST(MethodWords, EveryTextOfTheKernelsIsInTheTranslatorsHands) {
     for (const std::string& text : kernelTexts()) {
-        EXPECT_TRUE(isKnownCoreText(text)) << text;
+        EXPECT_TRUE(isKnownMethodText(text)) << text;
     }
-    EXPECT_FALSE(isKnownCoreText("a text that nobody has seen"));
+    EXPECT_FALSE(isKnownMethodText("a text that nobody has seen"));
 }
 
 TEST(MethodWords, EveryTextOfTheReportIsInTheTranslatorsHands) {
     for (const methods::ValidationRow& row : methods::validate().rows) {
         for (const std::string& text : {row.place, row.quantity, row.unit, row.reason}) {
-            EXPECT_TRUE(isKnownCoreText(text)) << text;
+            EXPECT_TRUE(isKnownMethodText(text)) << text;
         }
     }
     for (const methods::Paper& paper : methods::papers()) {
-        EXPECT_TRUE(isKnownCoreText(paper.authors));
-        EXPECT_TRUE(isKnownCoreText(paper.citation));
+        EXPECT_TRUE(isKnownMethodText(paper.authors));
+        EXPECT_TRUE(isKnownMethodText(paper.citation));
     }
 }
 
 TEST(MethodWords, EnglishStaysAsItIs) {
-    EXPECT_EQ(coreText("64 points"), QStringLiteral("64 points"));
-    EXPECT_EQ(coreText("0.1°"), QStringLiteral("0.1°"));
-    EXPECT_EQ(coreText("1e-6"), QStringLiteral("10⁻⁶"));
-    EXPECT_EQ(coreText("fresh every 16"), QStringLiteral("fresh every 16"));
-    EXPECT_EQ(coreText("P_j1 max, 4.25 l"), QStringLiteral("P_j1 max, 4.25 l"));
-    EXPECT_EQ(coreText(""), QString());
+    EXPECT_EQ(methodText("64 points"), QStringLiteral("64 points"));
+    EXPECT_EQ(methodText("0.1°"), QStringLiteral("0.1°"));
+    EXPECT_EQ(methodText("1e-6"), QStringLiteral("10⁻⁶"));
+    EXPECT_EQ(methodText("fresh every 16"), QStringLiteral("fresh every 16"));
+    EXPECT_EQ(methodText("P_j1 max, 4.25 l"), QStringLiteral("P_j1 max, 4.25 l"));
+    EXPECT_EQ(methodText(""), QString());
 }
 
 /// In Russian no English word is left (but for names of types and of functions).
@@ -104,15 +104,15 @@ TEST(MethodWords, RussianHasNoEnglishLeft) {
         EXPECT_FALSE(rest.contains(english)) << text.toStdString();
     };
     for (const std::string& text : kernelTexts()) {
-        check(coreText(text));
+        check(methodText(text));
     }
     for (const methods::ValidationRow& row : methods::validate().rows) {
-        check(coreText(row.place));
-        check(coreText(row.quantity));
-        check(coreText(row.reason));
+        check(methodText(row.place));
+        check(methodText(row.quantity));
+        check(methodText(row.reason));
     }
-    EXPECT_EQ(coreText("0.1°"), QStringLiteral("0,1°"));
-    EXPECT_EQ(coreText("7200 steps"), QStringLiteral("7200 шагов"));
+    EXPECT_EQ(methodText("0.1°"), QStringLiteral("0,1°"));
+    EXPECT_EQ(methodText("7200 steps"), QStringLiteral("7200 шагов"));
 }
 
 TEST(MethodWords, TimesAndErrorsReadWell) {
@@ -125,7 +125,7 @@ TEST(MethodWords, TimesAndErrorsReadWell) {
     EXPECT_EQ(errorNumber(0.0), QStringLiteral("0"));
     EXPECT_EQ(errorNumber(1e-9), QStringLiteral("10⁻⁹"));
     EXPECT_EQ(errorNumber(3.21e-16), QStringLiteral("3.2·10⁻¹⁶"));
-    EXPECT_EQ(errorText({0.0, "the mechanism locks"}), QStringLiteral("refused"));
+    EXPECT_EQ(resultText({0.0, "the mechanism locks"}), QStringLiteral("refused"));
 }
 
 TEST(MethodWords, ValuesNearALimitKeepTheDigitsThatTellThemFromIt) {
