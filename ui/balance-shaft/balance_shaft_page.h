@@ -30,6 +30,7 @@ class BalanceShaftPage : public ScenePage {
 
   public:
     explicit BalanceShaftPage(QWidget* parent = nullptr);
+    ~BalanceShaftPage() override { putAway(); }
 
     SceneViewModel* model() override;
     BalanceShaftViewModel* viewModel() { return model_; }

@@ -23,6 +23,7 @@ class ElasticHingePage : public ScenePage {
 
   public:
     explicit ElasticHingePage(QWidget* parent = nullptr);
+    ~ElasticHingePage() override { putAway(); }
 
     SceneViewModel* model() override;
     ElasticHingeViewModel* viewModel() { return model_; }

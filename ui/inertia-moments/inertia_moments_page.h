@@ -40,6 +40,7 @@ class InertiaMomentsPage : public ScenePage {
 
   public:
     explicit InertiaMomentsPage(QWidget* parent = nullptr);
+    ~InertiaMomentsPage() override { putAway(); }
 
     SceneViewModel* model() override;
     InertiaMomentsViewModel* viewModel() { return model_; }

@@ -23,6 +23,7 @@ class MethodsPage : public ScenePage {
 
   public:
     explicit MethodsPage(QWidget* parent = nullptr);
+    ~MethodsPage() override { putAway(); }
 
     SceneViewModel* model() override;
     MethodsViewModel* viewModel() { return model_; }

@@ -78,12 +78,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
 }
 
 MainWindow::~MainWindow() {
-    // A history that is destroyed says that it is clean; there is no title left to update then.
-    for (const Entry& entry : entries_) {
-        if (entry.page != nullptr) {
-            disconnect(entry.page->model()->history(), nullptr, this, nullptr);
-        }
-    }
+    // The field with the focus reports what was typed, and the title follows: while there is one.
+    hide();
 }
 
 void MainWindow::buildNavigation() {

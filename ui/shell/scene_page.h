@@ -37,6 +37,15 @@ class ScenePage : public QWidget {
   Q_SIGNALS:
     /// A line for the status bar.
     void status(const QString& text);
+
+  protected:
+    /// For the destructor of every page. A window that is destroyed takes the focus from its field,
+    /// and the field reports what was typed: that must reach the page while it is whole.
+    void putAway() {
+        if (isWindow()) {
+            hide();
+        }
+    }
 };
 
 }  // namespace ravnoves

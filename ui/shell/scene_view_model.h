@@ -29,6 +29,9 @@ class SceneViewModel : public QObject {
 
   public:
     explicit SceneViewModel(QObject* parent = nullptr) : QObject(parent) {}
+    /// A history that is destroyed says that it is clean. Nobody may hear that: what listens, the
+    /// view-model of the scene first of all, is gone or half gone by then.
+    ~SceneViewModel() override { history_.blockSignals(true); }
 
     /// The scene's word in case files.
     virtual QString sceneName() const = 0;

@@ -25,6 +25,7 @@ class V8PlugsPage : public ScenePage {
 
   public:
     explicit V8PlugsPage(QWidget* parent = nullptr);
+    ~V8PlugsPage() override { putAway(); }
     V8PlugsPage(const QString& journalPath, QWidget* parent);
 
     SceneViewModel* model() override;

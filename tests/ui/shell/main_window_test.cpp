@@ -19,6 +19,7 @@
 #include "shell/screenshot.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/number_field.h"
 
 namespace ravnoves {
 namespace {
@@ -188,13 +189,47 @@ TEST_F(MainWindowTest, EveryActionHasATipAndEveryIconExists) {
 
 TEST(Help, EveryPageHasItsHelp) {
     for (const SceneInfo& info : sceneList()) {
-        if (!info.make) {
-            continue;
-        }
         HelpWindow help(info.name);
         const QString text = help.findChild<QTextBrowser*>()->toPlainText();
         EXPECT_GT(text.size(), 200) << info.name.toStdString();
     }
+}
+
+/// A window that is destroyed with a field half typed, as at the end of a session of the desktop.
+class MainWindowEndTest : public ::testing::Test {
+  protected:
+    MainWindowEndTest() {
+        test::showAt(*window, {1280, 800});
+        window->activateWindow();
+        window->showScene(QStringLiteral("balance-shaft"));
+        QObject::connect(window->currentPage()->model()->history(), &QUndoStack::cleanChanged,
+                         [this] { ++said; });
+    }
+
+    std::unique_ptr<MainWindow> window = std::make_unique<MainWindow>();
+    int said = 0;  ///< how often the history was clean or no longer so
+};
+
+TEST_F(MainWindowEndTest, AHistoryThatGoesSaysNothing) {
+    ASSERT_EQ(applySetting(*window, QStringLiteral("shaft_angle_deg=120")), QString());
+    ASSERT_EQ(said, 1);
+    window.reset();
+    EXPECT_EQ(said, 1);
+}
+
+TEST_F(MainWindowEndTest, WhatWasTypedArrivesWhileTheWindowIsWhole) {
+    auto* field = window->findChild<NumberField*>(QStringLiteral("crank_radius_mm"));
+    ASSERT_NE(field, nullptr);
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("47"));
+    QByteArray hearer;
+    QObject::connect(field, &QLineEdit::editingFinished,
+                     [&hearer, ending = static_cast<QObject*>(window.get())] {
+                         hearer = ending->metaObject()->className();
+                     });
+    window.reset();
+    EXPECT_EQ(hearer, "ravnoves::MainWindow");
 }
 
 }  // namespace
