@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "case-file/case_file.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
 
 namespace ravnoves::test {
 

@@ -6,10 +6,6 @@
 
 namespace ravnoves::cli {
 
-inline constexpr int exit_done = 0;
-inline constexpr int exit_our_fault = 1;
-inline constexpr int exit_bad_input = 2;
-
 /// One command of the program: its options, and what it does with them.
 class Command {
   public:

@@ -7,9 +7,8 @@
 #include <filesystem>
 #include <iostream>
 
-#include "case-file/case_file.h"
 #include "case-file/input_error.h"
-#include "command.h"
+#include "case-file/text_file.h"
 
 namespace ravnoves::cli {
 

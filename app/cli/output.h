@@ -4,6 +4,11 @@
 
 namespace ravnoves::cli {
 
+// What the program ends with.
+inline constexpr int exit_done = 0;
+inline constexpr int exit_our_fault = 1;
+inline constexpr int exit_bad_input = 2;
+
 /// One line on standard error, beginning with the file where there is one.
 void complain(const std::string& file, const std::string& text);
 

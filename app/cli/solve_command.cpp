@@ -5,6 +5,8 @@
 
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
 #include "command.h"
 #include "output.h"
 

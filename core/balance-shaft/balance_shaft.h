@@ -10,8 +10,8 @@
 #include "balance-shaft/inertia_check.h"
 #include "balance-shaft/relieved_shaft.h"
 #include "balance-shaft/torque_table.h"
-#include "case-file/case_file.h"
-#include "case-file/json.h"
+#include "case-file/case_context.h"
+#include "case-file/json_fwd.h"
 #include "case-file/range.h"
 #include "numerics/constants.h"
 

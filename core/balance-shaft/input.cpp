@@ -4,7 +4,9 @@
 #include "balance-shaft/balance_shaft.h"
 #include "balance-shaft/engine_torque.h"
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 #include "case-file/object_reader.h"
+#include "case-file/text_file.h"
 
 namespace ravnoves::balance_shaft {
 

@@ -4,6 +4,7 @@
 #include "balance-shaft/envelope_study.h"
 #include "balance-shaft/gear_error.h"
 #include "balance-shaft/speed_study.h"
+#include "case-file/json.h"
 
 namespace ravnoves::balance_shaft {
 

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "balance-shaft/balance_shaft.h"
-#include "case-file/case_file.h"
+#include "case-file/case_context.h"
+#include "case-file/json_fwd.h"
 
 namespace ravnoves::balance_shaft {
 

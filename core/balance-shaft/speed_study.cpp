@@ -6,6 +6,7 @@
 #include "balance-shaft/best_range.h"
 #include "balance-shaft/engine_torque.h"
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 
 namespace ravnoves::balance_shaft {
 

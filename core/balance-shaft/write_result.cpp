@@ -1,5 +1,7 @@
 #include "balance-shaft/balance_shaft.h"
 
+#include "case-file/json.h"
+
 namespace ravnoves::balance_shaft {
 
 namespace {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "case-file/case_context.h"
 #include "case-file/json.h"
 
 namespace ravnoves {
@@ -12,11 +12,6 @@ namespace ravnoves {
 inline constexpr std::string_view case_format = "ravnoves-case";
 inline constexpr std::string_view result_format = "ravnoves-result";
 inline constexpr int case_version = 1;  ///< the newest version this program reads and writes
-
-/// Where a case came from: files that it names are looked for beside it.
-struct CaseContext {
-    std::filesystem::path directory = ".";
-};
 
 /// A scene as the case file sees it. solve() takes the case's "input" object (its pointer is
 /// "/input") and returns the "result" object; it throws InputError for bad input. A design that
@@ -53,13 +48,5 @@ Json solve_case(const CaseFile& file, const CaseContext& context);
 /// limited to 100 levels.
 /// @throws InputError
 Json parse_json(std::string_view text);
-
-/// The whole file as bytes.
-/// @throws InputError where it cannot be read or is larger than 64 MiB
-std::string read_text_file(const std::filesystem::path& path);
-/// Writes beside the target, then renames: a file already there stays whole when anything fails.
-/// A link is followed, a device or a pipe written straight through.
-/// @throws InputError where the place cannot be written
-void write_text_file(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace ravnoves

@@ -2,10 +2,4 @@
 
 #include <nlohmann/json.hpp>
 
-namespace ravnoves {
-
-/// JSON whose objects keep the order in which keys were added: results read as the contract lists
-/// them.
-using Json = nlohmann::ordered_json;
-
-}  // namespace ravnoves
+#include "case-file/json_fwd.h"  // IWYU pragma: export

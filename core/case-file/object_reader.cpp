@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 
 namespace ravnoves {
 

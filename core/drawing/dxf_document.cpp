@@ -8,7 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "case-file/case_file.h"
+#include "case-file/text_file.h"
 
 namespace ravnoves {
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 #include "case-file/object_reader.h"
 
 namespace ravnoves::elastic_hinge {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "case-file/case_file.h"
-#include "case-file/json.h"
+#include "case-file/case_context.h"
+#include "case-file/json_fwd.h"
 #include "elastic-hinge/input.h"
 #include "elastic-hinge/solver.h"
 

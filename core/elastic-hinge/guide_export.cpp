@@ -5,7 +5,6 @@
 #include <functional>
 #include <utility>
 
-#include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "drawing/dxf_document.h"
 

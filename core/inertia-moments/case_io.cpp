@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 #include "case-file/object_reader.h"
 
 namespace ravnoves::inertia_moments {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "case-file/case_file.h"
-#include "case-file/json.h"
+#include "case-file/case_context.h"
+#include "case-file/json_fwd.h"
 #include "inertia-moments/engine.h"
 #include "inertia-moments/solver.h"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "balance-shaft/balance_shaft.h"
+#include "case-file/json.h"
 #include "elastic-hinge/case_io.h"
 #include "inertia-moments/case_io.h"
 #include "numerics/constants.h"

@@ -2,7 +2,8 @@
 
 #include <optional>
 
-#include "case-file/case_file.h"
+#include "case-file/case_context.h"
+#include "case-file/json_fwd.h"
 #include "methods/kernel.h"
 
 namespace ravnoves::methods {

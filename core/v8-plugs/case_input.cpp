@@ -4,6 +4,7 @@
 #include <array>
 
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 #include "case-file/object_reader.h"
 
 namespace ravnoves::v8_plugs {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "case-file/json.h"
+#include "case-file/json_fwd.h"
 #include "v8-plugs/compensation.h"
 #include "v8-plugs/engine.h"
 #include "v8-plugs/plug_geometry.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "case-file/json.h"
 #include "numerics/constants.h"
 
 namespace ravnoves::v8_plugs {

@@ -4,7 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "case-file/case_file.h"
+#include "case-file/case_context.h"
+#include "case-file/json_fwd.h"
 #include "v8-plugs/case_input.h"
 
 namespace ravnoves::v8_plugs {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "case-file/case_file.h"
+#include "case-file/json.h"
 #include "command_line.h"
 
 namespace ravnoves {

@@ -7,6 +7,7 @@
 
 #include "balance-shaft/scene.h"
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 #include "shell/input_command.h"
 #include "widgets/error_text.h"
 #include "widgets/number_text.h"

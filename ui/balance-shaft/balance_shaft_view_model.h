@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "balance-shaft/balance_shaft.h"
+#include "case-file/json.h"
 #include "shell/scene_view_model.h"
 
 namespace ravnoves {

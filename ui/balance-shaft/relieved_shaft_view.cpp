@@ -12,8 +12,8 @@
 
 #include "balance-shaft/balance_shaft_view_model.h"
 #include "balance-shaft/scene.h"
-#include "case-file/case_file.h"
 #include "case-file/input_error.h"
+#include "case-file/text_file.h"
 #include "theme/theme.h"
 #include "widgets/error_text.h"
 #include "widgets/form_section.h"

@@ -17,6 +17,7 @@
 #include "balance-shaft/table_text.h"
 #include "balance-shaft/torque_table_editor.h"
 #include "case-file/input_error.h"
+#include "case-file/text_file.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/error_text.h"

@@ -16,6 +16,7 @@
 #include "balance-shaft/balance_shaft_view_model.h"
 #include "balance-shaft/torque_table_model.h"
 #include "case-file/input_error.h"
+#include "case-file/text_file.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/error_text.h"

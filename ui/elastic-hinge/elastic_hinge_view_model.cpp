@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
 #include "elastic-hinge/case_io.h"
 #include "plot/ticks.h"
 #include "shell/input_command.h"

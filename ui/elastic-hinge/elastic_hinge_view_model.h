@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "case-file/json.h"
 #include "elastic-hinge/guide_export.h"
 #include "elastic-hinge/motion_runner.h"
 #include "elastic-hinge/solver.h"

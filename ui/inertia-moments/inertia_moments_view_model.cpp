@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 #include "inertia-moments/case_io.h"
 #include "inertia-moments/preset.h"
 #include "shell/input_command.h"

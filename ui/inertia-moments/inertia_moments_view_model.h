@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "case-file/json.h"
 #include "inertia-moments/solver.h"
 #include "shell/scene_view_model.h"
 

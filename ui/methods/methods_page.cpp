@@ -18,6 +18,7 @@
 #include <cmath>
 
 #include "case-file/input_error.h"
+#include "case-file/text_file.h"
 #include "methods/method_plots.h"
 #include "methods/method_words.h"
 #include "methods/sweep_value_field.h"

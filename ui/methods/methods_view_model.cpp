@@ -6,6 +6,7 @@
 
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 #include "case-file/range.h"
 
 namespace ravnoves {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "case-file/json.h"
 #include "methods/kernel.h"
 #include "methods/method_measurements.h"
 #include "shell/scene_view_model.h"

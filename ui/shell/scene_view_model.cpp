@@ -1,6 +1,8 @@
 #include "shell/scene_view_model.h"
 
+#include "case-file/case_file.h"
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 #include "case-file/object_reader.h"
 
 namespace ravnoves {

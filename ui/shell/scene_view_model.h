@@ -6,7 +6,8 @@
 #include <functional>
 #include <optional>
 
-#include "case-file/case_file.h"
+#include "case-file/case_context.h"
+#include "case-file/json.h"
 
 namespace ravnoves {
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "case-file/case_file.h"
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 #include "shell/input_command.h"
 #include "v8-plugs/v8_text.h"
 #include "widgets/error_text.h"

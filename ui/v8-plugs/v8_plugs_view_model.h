@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 
+#include "case-file/json.h"
 #include "shell/scene_view_model.h"
 #include "v8-plugs/case_input.h"
 #include "v8-plugs/journal.h"

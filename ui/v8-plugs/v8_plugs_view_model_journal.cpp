@@ -3,6 +3,7 @@
 #include <QDate>
 #include <QSettings>
 
+#include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "v8-plugs/v8_plugs_view_model.h"
 #include "widgets/error_text.h"

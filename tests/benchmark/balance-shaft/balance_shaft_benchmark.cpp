@@ -11,6 +11,8 @@
 #include "balance-shaft/best_range.h"
 #include "balance-shaft/cycle_extrema.h"
 #include "balance-shaft/speed_study.h"
+#include "case-file/case_file.h"
+#include "case-file/text_file.h"
 #include "numerics/periodic_piecewise.h"
 
 namespace {

@@ -1,5 +1,7 @@
 #include <benchmark/benchmark.h>
 
+#include "case-file/case_file.h"
+#include "case-file/json.h"
 #include "inertia-moments/case_io.h"
 #include "inertia-moments/solver.h"
 

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "case-file/case_file.h"
+#include "case-file/text_file.h"
 #include "v8-plugs/solver.h"
 
 namespace {

@@ -6,6 +6,7 @@
 #include "balance-shaft/gear_error.h"
 #include "balance-shaft/scene.h"
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 
 namespace ravnoves::balance_shaft {
 namespace {

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "balance-shaft/engine_torque.h"
+#include "case-file/json.h"
 #include "test_cases.h"
 
 namespace ravnoves::balance_shaft {

@@ -4,6 +4,9 @@
 #include <cmath>
 
 #include "balance-shaft/balance_shaft.h"
+#include "case-file/case_file.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
 #include "test_cases.h"
 
 namespace ravnoves::balance_shaft {

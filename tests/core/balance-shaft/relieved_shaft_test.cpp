@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "balance-shaft/scene.h"
+#include "case-file/json.h"
 #include "test_cases.h"
 
 namespace ravnoves::balance_shaft {

@@ -5,6 +5,7 @@
 #include "balance-shaft/balance_shaft.h"
 #include "balance-shaft/best_range.h"
 #include "balance-shaft/cycle_extrema.h"
+#include "case-file/json.h"
 #include "example_check.h"
 #include "numerics/periodic_piecewise.h"
 #include "test_cases.h"

@@ -4,6 +4,9 @@
 
 #include <cmath>
 
+#include "case-file/case_file.h"
+#include "case-file/json.h"
+
 #include "test_cases.h"
 
 namespace ravnoves::balance_shaft {

@@ -5,6 +5,7 @@
 #include "case-file/case_file.h"
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 
 namespace ravnoves {
 namespace {

@@ -1,4 +1,7 @@
 #include "elastic-hinge/case_io.h"
+#include "case-file/case_file.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
 
 #include <random>
 

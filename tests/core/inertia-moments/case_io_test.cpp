@@ -4,7 +4,9 @@
 
 #include <functional>
 
+#include "case-file/case_file.h"
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 #include "engines.h"
 
 namespace ravnoves::inertia_moments {

@@ -6,6 +6,7 @@
 
 #include "balance-shaft/balance_shaft.h"
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 #include "elastic-hinge/case_io.h"
 #include "inertia-moments/case_io.h"
 #include "inertia-moments/preset.h"

@@ -10,6 +10,8 @@
 #include "balance-shaft/best_range.h"
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
 #include "elastic-hinge/solver.h"
 #include "methods/hinge_mechanism.h"
 #include "methods/kernel.h"

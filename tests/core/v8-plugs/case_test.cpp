@@ -7,6 +7,7 @@
 
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 #include "example_check.h"
 #include "support.h"
 #include "v8-plugs/residual_unbalance.h"

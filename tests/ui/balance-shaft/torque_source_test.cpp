@@ -9,6 +9,7 @@
 #include "balance-shaft/balance_shaft_page.h"
 #include "balance-shaft/balance_shaft_view_model.h"
 #include "balance-shaft/cycle_view.h"
+#include "case-file/text_file.h"
 #include "events.h"
 #include "widgets/number_field.h"
 

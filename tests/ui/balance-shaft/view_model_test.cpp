@@ -4,7 +4,9 @@
 
 #include <QSignalSpy>
 
+#include "case-file/case_file.h"
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 #include "example_check.h"
 
 namespace ravnoves {

@@ -12,7 +12,8 @@
 #include <QTabWidget>
 #include <QTemporaryDir>
 
-#include "case-file/case_file.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
 #include "elastic-hinge/guide_export_form.h"
 #include "elastic-hinge/hinge_mechanism_view.h"
 #include "elastic-hinge/hinge_plots.h"

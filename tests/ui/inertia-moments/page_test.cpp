@@ -20,6 +20,7 @@
 #include <QToolButton>
 #include <QToolTip>
 
+#include "case-file/json.h"
 #include "events.h"
 #include "inertia-moments/crank_views.h"
 #include "inertia-moments/cylinder_editor.h"

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "case-file/input_error.h"
+#include "case-file/json.h"
 #include "elastic-hinge/case_io.h"
 #include "methods_support.h"
 

@@ -12,7 +12,8 @@
 #include <QTimer>
 #include <QToolButton>
 
-#include "case-file/case_file.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
 #include "events.h"
 #include "shell/help_window.h"
 #include "shell/scene_page.h"

@@ -14,6 +14,8 @@
 #include <random>
 
 #include "case-file/case_file.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
 
 namespace ravnoves {
 namespace {

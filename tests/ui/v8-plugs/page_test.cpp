@@ -26,6 +26,8 @@
 #include <QTemporaryDir>
 #include <QTimer>
 
+#include "case-file/case_file.h"
+#include "case-file/json.h"
 #include "events.h"
 #include "plot/plot_view.h"
 #include "theme/theme.h"
