@@ -193,7 +193,7 @@ QList<JournalDraft> V8PlugsViewModel::crashedDrafts() {
 }
 
 QString V8PlugsViewModel::restoreDraft(const JournalDraft& draft) {
-    const QString trouble = takeForm(draft.form, draft.jobId, draft.jobRevision, false);
+    QString trouble = takeForm(draft.form, draft.jobId, draft.jobRevision, false);
     if (!trouble.isEmpty()) {
         return trouble;
     }
