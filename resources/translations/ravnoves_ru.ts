@@ -427,7 +427,7 @@
     </message>
     <message>
         <source>New crankshaft, today&apos;s steel plugs</source>
-        <translation>Новый вал, прежние стальные пробки</translation>
+        <translation>Новый вал, стальные пробки</translation>
     </message>
     <message>
         <source>New crankshaft, aluminium plugs</source>

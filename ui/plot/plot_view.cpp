@@ -16,21 +16,21 @@
 
 namespace ravnoves {
 
+using plot::chartRowPerTick;
 using plot::columnPerTick;
 using plot::labelGap;
 using plot::rowPerTick;
 
 namespace {
 
-double chooseStep(double span, double pixels, double pixelsPerTick, bool degrees) {
-    const int wanted = std::clamp(static_cast<int>(pixels / pixelsPerTick), 2, 16);
-    return degrees ? niceAngleStep(span, wanted) : niceStep(span, wanted);
+int ticksThatFit(double pixels, double pixelsPerTick) {
+    return std::clamp(static_cast<int>(pixels / pixelsPerTick), 2, 16);
 }
 
 }  // namespace
 
 std::vector<double> PlotView::AxisState::ownTicks(double pixels, double pixelsPerTick) const {
-    const int wanted = std::clamp(static_cast<int>(pixels / pixelsPerTick), 2, 16);
+    const int wanted = ticksThatFit(pixels, pixelsPerTick);
     if (spec.logarithmic) {
         return logarithmicTicks(low, high, wanted);
     }
@@ -468,7 +468,8 @@ void PlotView::updateRanges() {
 void PlotView::updateTicks() {
     const QRectF area = plotArea();
     const auto apply = [&](AxisState& state, double pixels, double pixelsPerTick) {
-        state.step = chooseStep(state.high - state.low, pixels, pixelsPerTick, state.spec.degrees);
+        state.step = readableStep(state.low, state.high, ticksThatFit(pixels, pixelsPerTick),
+                                  state.spec.degrees);
         auto* value = qobject_cast<QValueAxis*>(state.chartAxis);
         if (value != nullptr && !state.isOwn()) {
             value->setTickType(QValueAxis::TicksDynamic);
@@ -482,9 +483,9 @@ void PlotView::updateTicks() {
         }
     };
     apply(*x_, area.width(), columnPerTick);
-    apply(*left_, area.height(), 28.0);
+    apply(*left_, area.height(), chartRowPerTick);
     if (right_->chartAxis != nullptr) {
-        apply(*right_, area.height(), 28.0);
+        apply(*right_, area.height(), chartRowPerTick);
     }
 }
 
@@ -546,7 +547,8 @@ void PlotView::layoutChart() {
             return widest;
         }
         // The ticks that updateTicks() will choose decide how many decimals the labels have.
-        state.step = chooseStep(state.high - state.low, areaHeight, rowPerTick, state.spec.degrees);
+        state.step = readableStep(state.low, state.high, ticksThatFit(areaHeight, chartRowPerTick),
+                                  state.spec.degrees);
         return std::max(metrics.horizontalAdvance(axisNumber(state.low, state)),
                         metrics.horizontalAdvance(axisNumber(state.high, state)));
     };

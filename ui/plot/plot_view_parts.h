@@ -20,8 +20,9 @@ namespace ravnoves {
 namespace plot {
 inline constexpr int labelGap = 6;
 inline constexpr double zoomPerStep = 1.2;
-inline constexpr double columnPerTick = 56.0;  ///< pixels along x that a tick label needs
-inline constexpr double rowPerTick = 36.0;     ///< and along y
+inline constexpr double columnPerTick = 56.0;    ///< pixels along x that a tick label needs
+inline constexpr double chartRowPerTick = 28.0;  ///< and along y
+inline constexpr double rowPerTick = 36.0;  ///< along y with labels of our own: powers stand higher
 }  // namespace plot
 
 struct PlotView::AxisState {

@@ -34,6 +34,22 @@ double niceAngleStep(double span, int wanted) {
     return steps.back();
 }
 
+double readableStep(double low, double high, int wanted, bool degrees) {
+    const auto choose = [&](int ticks) {
+        return degrees ? niceAngleStep(high - low, ticks) : niceStep(high - low, ticks);
+    };
+    constexpr double rounding = 1e-9;
+    constexpr int most = 4;  // times as many as wanted: by then two must lie in any interval
+    double step = choose(wanted);
+    for (int ticks = wanted + 1; ticks <= most * wanted; ++ticks) {
+        if (std::floor(high / step + rounding) - std::ceil(low / step - rounding) >= 1.0) {
+            break;
+        }
+        step = choose(ticks);
+    }
+    return step;
+}
+
 std::pair<double, double> niceInterval(double min, double max, int wanted) {
     if (!(max > min)) {
         const double pad = std::max(1e-12, std::abs(min) * 0.1);

@@ -15,6 +15,11 @@ double niceStep(double span, int wanted);
 /// The same for degrees: 1, 2, 5, 10, 15, 30, 45, 60, 90, 120, 180.
 double niceAngleStep(double span, int wanted);
 
+/// niceStep(), or niceAngleStep() for degrees, but with two ticks or more from low to high where
+/// the first choice would leave one or none: one number says nothing of the scale.
+/// @param low, high  low < high
+double readableStep(double low, double high, int wanted, bool degrees);
+
 /// The smallest interval of whole ticks that holds [min, max]; widened where it is empty.
 std::pair<double, double> niceInterval(double min, double max, int wanted);
 

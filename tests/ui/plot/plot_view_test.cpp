@@ -78,6 +78,24 @@ TEST(Ticks, AreWhatAPersonWouldChoose) {
     EXPECT_LT(flatLow, flatHigh);
 }
 
+TEST(Ticks, NeverLeaveAScaleWithOneNumber) {
+    EXPECT_DOUBLE_EQ(readableStep(-1208.0, 1208.0, 6, false), niceStep(2416.0, 6));
+    EXPECT_DOUBLE_EQ(niceStep(2900.0, 2), 2000.0);  // only 0 from -1450 to 1450
+    EXPECT_DOUBLE_EQ(readableStep(-1450.0, 1450.0, 2, false), 1000.0);
+    EXPECT_DOUBLE_EQ(readableStep(170.0, 350.0, 2, true), 90.0);
+    for (double low = -50.0; low < 50.0; low += 0.37) {
+        for (const double span : {0.013, 0.9, 1.0, 7.3, 19.9, 640.0}) {
+            for (const bool degrees : {false, true}) {
+                const double step = readableStep(low, low + span, 2, degrees);
+                const double ticks =
+                    std::floor((low + span) / step + 1e-9) - std::ceil(low / step - 1e-9) + 1.0;
+                EXPECT_GE(ticks, 2.0) << low << " to " << low + span;
+                EXPECT_LE(ticks, 8.0) << low << " to " << low + span;
+            }
+        }
+    }
+}
+
 class PlotViewTest : public ::testing::Test {
   protected:
     PlotViewTest() : plot(QStringLiteral("Test")) {
