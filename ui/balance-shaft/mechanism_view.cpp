@@ -104,9 +104,10 @@ MechanismView::Scale MechanismView::scale() const {
     const double reach = std::max(shaftReach, crankReach);
     const double top = std::max(sizes.cylinder_top, reach);
     const double margin = 14.0;
+    const double captions = 24.0;  // the rows of text above and below
     Scale scale;
     scale.pixelsPerMetre =
-        std::min((width() - 2 * margin) / (2 * reach), (height() - 2 * margin) / (top + reach));
+        std::min((width() - 2 * margin) / (2 * reach), (height() - 2 * captions) / (top + reach));
     scale.pixelsPerMetre = std::max(scale.pixelsPerMetre, 1e-9);
     const double used = (top + reach) * scale.pixelsPerMetre;
     scale.origin = QPointF(width() / 2.0, (height() + used) / 2.0 - reach * scale.pixelsPerMetre);

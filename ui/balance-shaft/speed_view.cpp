@@ -287,6 +287,9 @@ void SpeedView::showStudy() {
         }
         map_->setCurve(bestLine_, {}, {});
         map_->setImage({}, {});
+        const SpeedBand asked = band();
+        angles_->setXAxis({tr("n, min⁻¹"), asked.from / rpm, asked.to / rpm});
+        map_->setYRange(PlotView::Side::Left, asked.from / rpm, asked.to / rpm);
         if (study_.study != nullptr && !study_.study->reason().empty()) {
             answer_->setText(
                 tr("The shaft cannot be studied over speed with this torque: it is a table that "

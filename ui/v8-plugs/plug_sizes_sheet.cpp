@@ -46,6 +46,7 @@ PlugSizesSheet::PlugSizesSheet(V8PlugsViewModel* model, QWidget* parent)
     column_->addWidget(plug);
     QLabel* weight = wrapped(this, Theme::baseSize);
     column_->addWidget(weight);
+    column_->addSpacing(Theme::space);
     follow([this, weight] { weight->setText(model_->plugWeightText()); });
 
     auto* boring = new FormSection(tr("Boring"), this);

@@ -49,7 +49,7 @@ FormSection::FormSection(const QString& title, QWidget* parent) : QWidget(parent
     grid_->setVerticalSpacing(Theme::gap);
     grid_->setColumnStretch(0, 1);
     grid_->setColumnMinimumWidth(1, 84);
-    grid_->setColumnMinimumWidth(2, 34);
+    grid_->setColumnMinimumWidth(2, 40);  // the widest unit, so that all sections line up
     column->addLayout(grid_);
 }
 
@@ -97,7 +97,9 @@ void FormSection::addWidget(const QString& label, QWidget* field, const QString&
     if (unit.isEmpty()) {
         grid_->addWidget(field, row_, 1, 1, 2);
     } else {
-        grid_->addWidget(field, row_, 1);
+        // A field narrower than its column stands at its unit, under the fields of other sections.
+        const bool narrow = field->maximumWidth() < QWIDGETSIZE_MAX;
+        grid_->addWidget(field, row_, 1, narrow ? Qt::AlignRight : Qt::Alignment());
         auto* unitLabel = new QLabel(unit, this);
         paintMuted(unitLabel);
         grid_->addWidget(unitLabel, row_, 2);
