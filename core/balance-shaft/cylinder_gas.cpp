@@ -60,8 +60,8 @@ CylinderGas::CylinderGas(const SliderCrank<double>& crank, const CylinderSizes& 
     const double end = cycle_.combustion_start + cycle_.combustion_duration;
     breaks_ = {0.0, bottom_, cycle_.combustion_start, end, two_pi, two_pi + bottom_};
     // The pressure leaves the start of combustion as τ^(m+1), m any: steps that grow from there.
-    for (double part = 1.0 / 1024.0; part < 0.5; part *= 4.0) {
-        breaks_.push_back(cycle_.combustion_start + part * cycle_.combustion_duration);
+    for (int parts = 1024; parts > 2; parts /= 4) {
+        breaks_.push_back(cycle_.combustion_start + cycle_.combustion_duration / parts);
     }
 
     const double volume_at_bottom = clearance_ + indicated_.displacement;

@@ -8,7 +8,7 @@ class InertiaMomentsViewModel;
 
 /// The cylinders as a table to edit: axial position, bank angle, offset, crankpin angle. Editing a
 /// cell of a layout turns it into a table of its own.
-class CylinderTableModel : public QAbstractTableModel {
+class CylinderTableModel final : public QAbstractTableModel {
     Q_OBJECT
 
   public:

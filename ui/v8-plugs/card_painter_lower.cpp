@@ -170,8 +170,9 @@ void CardPainter::notes(double y, double end) {
     const double points = notesPoints();
     const int lines = std::max(1, static_cast<int>((end - y) / sheet_.lineHeight(points)));
     y += sheet_.paragraph(left, y, full, notesText(), points, lines);
-    for (y += lineStep; y < end; y += lineStep) {
-        sheet_.line(left, y, right, y);
+    const int ruled = static_cast<int>(std::max(0.0, std::ceil((end - y) / lineStep) - 1.0));
+    for (int line = 1; line <= ruled; ++line) {
+        sheet_.line(left, y + line * lineStep, right, y + line * lineStep);
     }
 }
 

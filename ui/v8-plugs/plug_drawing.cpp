@@ -102,7 +102,9 @@ class Sketch {
         painter_.setPen(pen(style_.thin, style_.lineWidth * 0.4));
         const double step = 0.45 * em_;
         const double reach = section_.height() + section_.width();
-        for (double d = step; d < reach; d += step) {
+        const int hatches = static_cast<int>(std::ceil(reach / step)) - 1;
+        for (int hatch = 1; hatch <= hatches; ++hatch) {
+            const double d = hatch * step;
             painter_.drawLine(QPointF(section_.left() + d, section_.top()),
                               QPointF(section_.left() + d - section_.height(), section_.bottom()));
         }
