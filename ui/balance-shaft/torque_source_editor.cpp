@@ -1,7 +1,6 @@
 #include "balance-shaft/torque_source_editor.h"
 
 #include <QComboBox>
-#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
@@ -21,6 +20,7 @@
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/error_text.h"
+#include "widgets/file_path.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
 #include "widgets/number_text.h"
@@ -323,8 +323,7 @@ QWidget* TorqueSourceEditor::buildCycle() {
 
 QString TorqueSourceEditor::importTrace(const QString& path) {
     try {
-        const std::string text =
-            read_text_file(std::filesystem::path(QFile::encodeName(path).toStdString()));
+        const std::string text = read_text_file(fsPath(path));
         const balance_shaft::PressureTraceText read = balance_shaft::parse_pressure_trace(text);
         const QString why = model_->setPressureTrace(read.trace, path);
         if (!why.isEmpty()) {

@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QFile>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -20,6 +19,7 @@
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/error_text.h"
+#include "widgets/file_path.h"
 #include "widgets/form_section.h"
 
 namespace ravnoves {
@@ -67,7 +67,7 @@ TorqueTableEditor::TorqueTableEditor(BalanceShaftViewModel* model, QWidget* pare
             return;
         }
         try {
-            write_text_file(std::filesystem::path(QFile::encodeName(path).toStdString()),
+            write_text_file(fsPath(path),
                             balance_shaft::write_torque_table(model_->input().torque.table));
         } catch (const InputError& error) {
             QMessageBox::warning(this, tr("Export torque table"),
@@ -127,8 +127,7 @@ void TorqueTableEditor::say(const QString& text, bool isTrouble) {
 
 QString TorqueTableEditor::importFile(const QString& path) {
     try {
-        const std::string text =
-            read_text_file(std::filesystem::path(QFile::encodeName(path).toStdString()));
+        const std::string text = read_text_file(fsPath(path));
         const QString what = table_->replaceByText(QString::fromStdString(text));
         say(tr("Read %1.").arg(what), false);
         return {};

@@ -1,6 +1,5 @@
 #include "elastic-hinge/elastic_hinge_view_model.h"
 
-#include <QFile>
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include "plot/ticks.h"
 #include "shell/input_command.h"
 #include "widgets/error_text.h"
+#include "widgets/file_path.h"
 #include "widgets/number_text.h"
 
 namespace ravnoves {
@@ -630,7 +630,7 @@ QString ElasticHingeViewModel::exportGuide(const QString& path, Hinge hinge,
         const bool table = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
         const std::string text = table ? elastic_hinge::guide_csv(guide, drawing, stepDeg)
                                        : elastic_hinge::guide_dxf(guide, drawing);
-        write_text_file(std::filesystem::path(QFile::encodeName(path).toStdString()), text);
+        write_text_file(fsPath(path), text);
     } catch (const std::exception& error) {
         return path + QStringLiteral(": ") + errorText(error);
     }

@@ -1,7 +1,6 @@
 #include "methods/methods_page.h"
 
 #include <QComboBox>
-#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -25,6 +24,8 @@
 #include "methods/validation_view.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/error_text.h"
+#include "widgets/file_path.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
 #include "widgets/panel.h"
@@ -455,10 +456,9 @@ QString MethodsPage::exportTo(const QString& path) {
         return plots_->exportPicture(path);
     }
     try {
-        write_text_file(std::filesystem::path(QFile::encodeName(path).toStdString()),
-                        resultsAsCsv().toStdString());
+        write_text_file(fsPath(path), resultsAsCsv().toStdString());
     } catch (const InputError& error) {
-        return path + QStringLiteral(": ") + QString::fromUtf8(error.what());
+        return path + QStringLiteral(": ") + errorText(error);
     }
     return {};
 }

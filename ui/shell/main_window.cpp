@@ -29,6 +29,7 @@
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/error_text.h"
+#include "widgets/file_path.h"
 
 namespace ravnoves {
 
@@ -47,10 +48,6 @@ QString inTwoLines(QString title, const QFontMetrics& metrics, int room) {
         at = title.lastIndexOf(QLatin1Char(' '), at - 1);
     }
     return at > 0 ? title.replace(at, 1, QLatin1Char('\n')) : title;
-}
-
-std::filesystem::path fsPath(const QString& path) {
-    return std::filesystem::path(QFile::encodeName(path).toStdString());
 }
 
 }  // namespace

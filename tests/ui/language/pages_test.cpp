@@ -21,6 +21,7 @@
 
 #include "events.h"
 #include "language/catalogue.h"
+#include "methods/methods_page.h"
 #include "shell/help_window.h"
 #include "shell/language.h"
 #include "shell/main_window.h"
@@ -185,9 +186,7 @@ TEST_P(RussianPage, LeavesNoTextInEnglish) {
 std::vector<std::string> scenesWithPage() {
     std::vector<std::string> names;
     for (const SceneInfo& info : sceneList()) {
-        if (info.make) {
-            names.push_back(info.name.toStdString());
-        }
+        names.push_back(info.name.toStdString());
     }
     return names;
 }
@@ -224,6 +223,12 @@ TEST_F(RussianWindow, HasHelpInRussianOnEveryTopic) {
         const QString text = help.findChild<QTextBrowser*>()->toPlainText();
         EXPECT_GT(text.count(letters), 400) << topic.toStdString();
     }
+}
+
+TEST_F(RussianWindow, SaysWhyAnExportIsRefused) {
+    MethodsPage page;
+    const QString trouble = page.exportTo(u"/dev/null/methods.csv"_s);
+    EXPECT_TRUE(trouble.contains(u"не удалось записать"_s)) << trouble.toStdString();
 }
 
 TEST_F(RussianWindow, WritesNumbersWithAComma) {
