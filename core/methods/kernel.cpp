@@ -20,10 +20,6 @@ std::size_t index_of(const List& list, std::string_view wanted, const Key& key, 
     return static_cast<std::size_t>(found - list.begin());
 }
 
-}  // namespace
-
-namespace {
-
 // Half of the places are linear up to 0.9 of the span, the rest approach the end by ratios.
 constexpr double linear_part = 0.9;
 

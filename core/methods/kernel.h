@@ -65,6 +65,10 @@ struct SweepInfo {
     std::vector<double> values(std::size_t n) const;
     /// True where a value can stand on a logarithmic axis.
     bool logarithmic() const { return spacing == Spacing::logarithmic; }
+    /// True where the values crowd towards an end that is a limit.
+    bool crowded() const {
+        return spacing == Spacing::towards_end || spacing == Spacing::towards_start;
+    }
 };
 
 /// Runs a method on the problem it was prepared for and writes the outputs.

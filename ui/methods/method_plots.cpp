@@ -66,8 +66,7 @@ PlotView::Axis sweepAxis(const SweepInfo& sweep) {
     if (axis.logarithmic && sweep.from >= 1e-3 && sweep.to < 1e4) {
         axis.label = [](double value) { return formNumber(value, QLocale(), 3); };
     }
-    if (sweep.spacing == methods::Spacing::towards_end ||
-        sweep.spacing == methods::Spacing::towards_start) {
+    if (sweep.crowded()) {
         axis.scale = {[sweep](double value) { return sweep.place(value); },
                       [sweep](double place) { return sweep.at(place); }, crowdedTicks(sweep)};
         axis.label = [sweep](double value) { return sweepNumber(sweep, value); };

@@ -150,10 +150,8 @@ QString sweepTitle(const methods::SweepInfo& sweep) {
 QString sweepNumber(const methods::SweepInfo& sweep, double value) {
     const double span = sweep.to - sweep.from;
     const double gap = std::min(std::abs(sweep.to - value), std::abs(value - sweep.from)) / span;
-    const bool crowded = sweep.spacing == methods::Spacing::towards_end ||
-                         sweep.spacing == methods::Spacing::towards_start;
     int digits = 3;
-    if (crowded && gap > 0.0) {
+    if (sweep.crowded() && gap > 0.0) {
         digits += std::clamp(static_cast<int>(std::ceil(-std::log10(gap))) - 1, 0, 12);
     }
     const QString number =
