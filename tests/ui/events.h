@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <QApplication>
 #include <QTest>
 #include <QWheelEvent>
@@ -13,6 +15,14 @@ inline void turnWheel(QWidget* widget, const QPoint& at, int notches,
     QWheelEvent event(at, widget->mapToGlobal(at), QPoint(), QPoint(0, 120 * notches), Qt::NoButton,
                       modifiers, Qt::NoScrollPhase, false);
     QApplication::sendEvent(widget, &event);
+}
+
+/// The widget of that name below another; where there is none, the test fails.
+template <typename Widget>
+Widget* named(const QWidget& parent, const char* name) {
+    auto* found = parent.findChild<Widget*>(QString::fromLatin1(name));
+    EXPECT_NE(found, nullptr) << name;
+    return found;
 }
 
 /// Shows a widget at a size and waits until it is drawn.

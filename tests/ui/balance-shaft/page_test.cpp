@@ -34,11 +34,7 @@ class BalanceShaftPageTest : public ::testing::Test {
         model = page.viewModel();
     }
 
-    NumberField* field(const char* name) {
-        auto* found = page.findChild<NumberField*>(QString::fromLatin1(name));
-        EXPECT_NE(found, nullptr) << name;
-        return found;
-    }
+    NumberField* field(const char* name) { return test::named<NumberField>(page, name); }
     void type(NumberField* target, const QString& text) {
         target->setFocus();
         target->selectAll();

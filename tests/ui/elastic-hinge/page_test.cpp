@@ -41,9 +41,7 @@ class ElasticHingePageTest : public ::testing::Test {
 
     template <typename Widget>
     Widget* find(const char* name) {
-        auto* found = page.findChild<Widget*>(QString::fromLatin1(name));
-        EXPECT_NE(found, nullptr) << name;
-        return found;
+        return test::named<Widget>(page, name);
     }
     void type(QLineEdit* target, const QString& text) {
         target->setFocus();

@@ -48,11 +48,7 @@ class InertiaMomentsPageTest : public ::testing::Test {
         model = page.viewModel();
     }
 
-    NumberField* field(const char* name) {
-        auto* found = page.findChild<NumberField*>(QString::fromLatin1(name));
-        EXPECT_NE(found, nullptr) << name;
-        return found;
-    }
+    NumberField* field(const char* name) { return test::named<NumberField>(page, name); }
     void type(QLineEdit* target, const QString& text) {
         target->setFocus();
         target->selectAll();

@@ -40,9 +40,7 @@ class MethodsPageTest : public ::testing::Test {
 
     template <typename Widget>
     Widget* find(const char* name) {
-        auto* found = page.findChild<Widget*>(QString::fromLatin1(name));
-        EXPECT_NE(found, nullptr) << name;
-        return found;
+        return test::named<Widget>(page, name);
     }
     void measure() {
         page.setActive(true);

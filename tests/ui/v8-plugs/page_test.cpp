@@ -57,9 +57,7 @@ class V8PageTest : public ::testing::Test {
 
     template <typename Widget>
     Widget* find(const char* name) {
-        auto* found = page.findChild<Widget*>(QString::fromLatin1(name));
-        EXPECT_NE(found, nullptr) << name;
-        return found;
+        return test::named<Widget>(page, name);
     }
     NumberField* field(const char* name) { return find<NumberField>(name); }
     QString label(const char* name) { return find<QLabel>(name)->text(); }
