@@ -415,7 +415,7 @@ Json write_input(const Input& input) {
 }
 
 void check_speed_band(const SpeedBand& band) {
-    const std::string parent = std::string(root) + "/speed_band";
+    const std::string parent = "/input/speed_band";
     check(field::band_from, band.from, parent.c_str());
     check(field::band_to, band.to, parent.c_str());
     if (band.to < band.from) {
