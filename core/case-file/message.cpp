@@ -1,0 +1,62 @@
+#include "case-file/message.h"
+
+#include "case-file/range.h"
+
+namespace ravnoves {
+
+namespace {
+
+struct EnglishWriter {
+    std::string operator()(const std::string& word) const { return word; }
+    std::string operator()(const Message& message) const { return message.english(); }
+    std::string operator()(const Number& number) const {
+        std::string text = number.digits == 0 ? format_number(number.value)
+                                              : format_number(number.value, number.digits);
+        if (!number.unit.name.empty()) {
+            text += number.unit == units::degree ? "" : " ";
+            text += number.unit.name;
+        }
+        return text;
+    }
+};
+
+}  // namespace
+
+std::string fill_pattern(std::string_view pattern, const std::vector<std::string>& values) {
+    std::string text;
+    for (std::size_t at = 0; at < pattern.size(); ++at) {
+        const bool place = pattern[at] == '%' && at + 1 < pattern.size() &&
+                           pattern[at + 1] >= '1' &&
+                           static_cast<std::size_t>(pattern[at + 1] - '1') < values.size();
+        if (place) {
+            text += values[static_cast<std::size_t>(pattern[++at] - '1')];
+        } else {
+            text += pattern[at];
+        }
+    }
+    return text;
+}
+
+Message::Message(Number number) : pattern_{"", "%1"}, arguments_{number} {}
+
+Message quoted_list(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) {
+        text += (text.empty() ? "\"" : ", \"") + word + "\"";
+    }
+    return text;
+}
+
+std::string Message::english() const {
+    if (pattern_.empty()) {
+        return verbatim_;
+    }
+    std::vector<std::string> values;
+    values.reserve(arguments_.size());
+    for (const Argument& argument : arguments_) {
+        values.push_back(std::visit(EnglishWriter{}, argument));
+    }
+    return fill_pattern(pattern_.english, values);
+}
+
+}  // namespace ravnoves
