@@ -277,69 +277,6 @@ std::vector<double> scaled(std::vector<double> values, double factor) {
     return values;
 }
 
-/// All but what is computed beside the result.
-Json write_main_part(const Result& result) {
-    Json notes = Json::array();
-    for (const Note& note : result.notes) {
-        notes.push_back(note.text);
-    }
-    Json json = {
-        {"angular_speed_rad_s", result.angular_speed},
-        {"reciprocating_mass_kg", result.reciprocating_mass},
-        {"inertia_force_1_max_N", result.inertia_force_1_max},
-        {"counterweight_mass_kg", result.counterweight_mass},
-        {"counterweight_force_N", result.counterweight_force},
-        {"moment_amplitude_Nm", result.moment_amplitude},
-        {"shaft_angle_deg", result.shaft_angle / degree},
-        {"metrics",
-         {{"M_up", write(result.M_up)},
-          {"M_s", write(result.M_s)},
-          {"M_ups", write(result.M_ups)}}},
-        {"change_without_shaft",
-         {{"range_percent", number_or_null(result.range_change, percent)},
-          {"rms_percent", number_or_null(result.rms_change, percent)}}},
-        {"printed_mean",
-         {{"M_s_25_nodes_Nm", result.printed_mean_M_s},
-          {"M_up_nodes_Nm", result.printed_mean_M_up},
-          {"M_ups_nodes_Nm", result.printed_mean_M_ups}}},
-        {"optimum",
-         {{"range", write(result.best_range, "range_Nm")},
-          {"rms", write(result.best_rms, "rms_Nm")}}},
-        {"order_1",
-         {{"amplitude_Nm", result.order_1_amplitude},
-          {"phase_deg", result.order_1_phase / degree},
-          {"share_of_variance", number_or_null(result.order_1_share, 1.0)}}},
-        {"envelope",
-         {{"width_mm", result.envelope.width() / millimetre},
-          {"height_mm", result.envelope.height() / millimetre}}},
-        {"notes", notes},
-    };
-    json["inertia_check"] = write(result.inertia_check);
-    json["spectrum"] = write_spectrum(result);
-    if (result.indicated) {
-        json["indicated"] = write(*result.indicated, result.indicated_power);
-    }
-    Json curves = {{"crank_angle_deg", result.curves.crank_angle_deg},
-                   {"M_up_Nm", result.curves.M_up},
-                   {"M_s_Nm", result.curves.M_s},
-                   {"M_ups_Nm", result.curves.M_ups}};
-    if (result.indicated) {
-        curves["M_gas_Nm"] = result.curves.M_gas;
-        curves["M_inertia_Nm"] = result.curves.M_inertia;
-        curves["pressure_bar"] = scaled(result.curves.pressure, 1.0 / field::bar);
-        curves["volume_cm3"] = scaled(result.curves.volume, 1.0 / cubic_centimetre);
-    }
-    json["curves"] = std::move(curves);
-    json["sweep"] = {{"shaft_angle_deg", result.sweep.shaft_angle_deg},
-                     {"range_Nm", result.sweep.range},
-                     {"rms_Nm", result.sweep.rms},
-                     {"mean_M_s_Nm", result.sweep.mean_M_s},
-                     {"mean_M_ups_Nm", result.sweep.mean_M_ups},
-                     {"printed_mean_M_s_25_nodes_Nm", result.sweep.printed_mean_M_s},
-                     {"printed_mean_M_ups_nodes_Nm", result.sweep.printed_mean_M_ups}};
-    return json;
-}
-
 Json write_crank_balance(const CrankBalance& balance) {
     return {{"share", balance.share},
             {"first_order_N", balance.first_order},
@@ -528,8 +465,70 @@ Json write_input(const Input& input) {
     return json;
 }
 
+Json write_result(const Result& result) {
+    Json notes = Json::array();
+    for (const Note& note : result.notes) {
+        notes.push_back(note.text);
+    }
+    Json json = {
+        {"angular_speed_rad_s", result.angular_speed},
+        {"reciprocating_mass_kg", result.reciprocating_mass},
+        {"inertia_force_1_max_N", result.inertia_force_1_max},
+        {"counterweight_mass_kg", result.counterweight_mass},
+        {"counterweight_force_N", result.counterweight_force},
+        {"moment_amplitude_Nm", result.moment_amplitude},
+        {"shaft_angle_deg", result.shaft_angle / degree},
+        {"metrics",
+         {{"M_up", write(result.M_up)},
+          {"M_s", write(result.M_s)},
+          {"M_ups", write(result.M_ups)}}},
+        {"change_without_shaft",
+         {{"range_percent", number_or_null(result.range_change, percent)},
+          {"rms_percent", number_or_null(result.rms_change, percent)}}},
+        {"printed_mean",
+         {{"M_s_25_nodes_Nm", result.printed_mean_M_s},
+          {"M_up_nodes_Nm", result.printed_mean_M_up},
+          {"M_ups_nodes_Nm", result.printed_mean_M_ups}}},
+        {"optimum",
+         {{"range", write(result.best_range, "range_Nm")},
+          {"rms", write(result.best_rms, "rms_Nm")}}},
+        {"order_1",
+         {{"amplitude_Nm", result.order_1_amplitude},
+          {"phase_deg", result.order_1_phase / degree},
+          {"share_of_variance", number_or_null(result.order_1_share, 1.0)}}},
+        {"envelope",
+         {{"width_mm", result.envelope.width() / millimetre},
+          {"height_mm", result.envelope.height() / millimetre}}},
+        {"notes", notes},
+    };
+    json["inertia_check"] = write(result.inertia_check);
+    json["spectrum"] = write_spectrum(result);
+    if (result.indicated) {
+        json["indicated"] = write(*result.indicated, result.indicated_power);
+    }
+    Json curves = {{"crank_angle_deg", result.curves.crank_angle_deg},
+                   {"M_up_Nm", result.curves.M_up},
+                   {"M_s_Nm", result.curves.M_s},
+                   {"M_ups_Nm", result.curves.M_ups}};
+    if (result.indicated) {
+        curves["M_gas_Nm"] = result.curves.M_gas;
+        curves["M_inertia_Nm"] = result.curves.M_inertia;
+        curves["pressure_bar"] = scaled(result.curves.pressure, 1.0 / field::bar);
+        curves["volume_cm3"] = scaled(result.curves.volume, 1.0 / cubic_centimetre);
+    }
+    json["curves"] = std::move(curves);
+    json["sweep"] = {{"shaft_angle_deg", result.sweep.shaft_angle_deg},
+                     {"range_Nm", result.sweep.range},
+                     {"rms_Nm", result.sweep.rms},
+                     {"mean_M_s_Nm", result.sweep.mean_M_s},
+                     {"mean_M_ups_Nm", result.sweep.mean_M_ups},
+                     {"printed_mean_M_s_25_nodes_Nm", result.sweep.printed_mean_M_s},
+                     {"printed_mean_M_ups_nodes_Nm", result.sweep.printed_mean_M_ups}};
+    return json;
+}
+
 Json write_result(const Solver& solver, const Result& result) {
-    Json json = write_main_part(result);
+    Json json = write_result(result);
     json["crank_only"] = write_crank_balance(crank_balance(solver));
     json["envelope_study"] = write_envelope_study(envelope_study(solver));
     json["gear_error"] = write_gear_error(gear_error(solver, result.shaft_angle));

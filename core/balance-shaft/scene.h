@@ -13,6 +13,8 @@ namespace ravnoves::balance_shaft {
 Input read_input(const Json& input, const CaseContext& context);
 /// The "input" object that reads back to the same Input.
 Json write_input(const Input& input);
+/// The "result" object of the contract without what is computed beside the result.
+Json write_result(const Result& result);
 /// The "result" object of the contract, with what this program adds: the result and what is
 /// computed beside it (crank-only balancing, gear error) at the result's α. Page and command line
 /// both print this.
