@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "balance-shaft/balance_shaft.h"
+#include "balance-shaft/input.h"
 #include "numerics/slider_crank.h"
 
 namespace ravnoves::balance_shaft {

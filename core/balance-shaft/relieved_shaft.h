@@ -28,7 +28,10 @@ struct RelievedShaftSizes {
     bool operator==(const RelievedShaftSizes&) const = default;
 };
 
-/// A balance shaft as on the VAZ-11113 (Gots and Klevtsov, Fig. 5): a round bar of diameter D with
+/// What a page shows before sizes are entered: a bar of 50 mm, relieved over 400 mm.
+inline constexpr RelievedShaftSizes default_relieved_shaft{0.050, std::nullopt, 0.400};
+
+/// A balance shaft as on the VAZ-11113 ([gots-klevtsov], Fig. 5): a round bar of diameter D with
 /// a segment of depth h milled away over the length b.
 ///
 /// The removed segment has the first moment ∫ y dA = (2/3) a³ about the bar's axis, a² = h (D − h)

@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "balance-shaft/balance_shaft.h"
 #include "balance-shaft/cycle_extrema.h"
+#include "balance-shaft/input.h"
+#include "balance-shaft/result.h"
+#include "case-file/json_fwd.h"
 #include "numerics/periodic_piecewise.h"
 
 namespace ravnoves::balance_shaft {

@@ -1,13 +1,12 @@
 #include "balance-shaft/torque_table.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
-#include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "case-file/range.h"
+#include "case-file/two_columns.h"
 #include "numerics/constants.h"
 
 namespace ravnoves::balance_shaft {
@@ -41,109 +40,9 @@ Column pressure_column(const std::string& unit, double to_si) {
             true};
 }
 
-std::string_view trim(std::string_view text) {
-    const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v'; };
-    while (!text.empty() && is_blank(text.front())) {
-        text.remove_prefix(1);
-    }
-    while (!text.empty() && is_blank(text.back())) {
-        text.remove_suffix(1);
-    }
-    return text;
-}
-
-std::string quote(std::string_view text) {
-    constexpr std::size_t longest = 40;
-    std::string shown(text.substr(0, longest));
-    // Bytes that are not ASCII may be cut in the middle or be of another code page.
-    for (char& c : shown) {
-        if (static_cast<unsigned char>(c) >= 0x7F || static_cast<unsigned char>(c) < 0x20) {
-            c = '?';
-        }
-    }
-    return "\"" + shown + (text.size() > longest ? "…\"" : "\"");
-}
-
-std::string at(std::size_t line, int column) {
-    return "line " + std::to_string(line) + ", column " + std::to_string(column);
-}
-
-/// Fields of a line; a blank separator stands for any run of blanks. Quotes around a field go.
-void split(std::string_view line, char separator, std::vector<std::string_view>& fields) {
-    fields.clear();
-    line = separator == '\t' ? line : trim(line);
-    while (true) {
-        std::size_t end = 0;
-        if (!line.empty() && line.front() == '"') {
-            end = line.find('"', 1);
-            end = end == std::string_view::npos ? 0 : end;
-        }
-        end = separator == ' ' ? line.find_first_of(" \t", end) : line.find(separator, end);
-        std::string_view text = trim(line.substr(0, end));
-        if (text.size() >= 2 && text.front() == '"' && text.back() == '"') {
-            text = trim(text.substr(1, text.size() - 2));
-        }
-        fields.push_back(text);
-        if (end == std::string_view::npos) {
-            break;
-        }
-        line.remove_prefix(end + 1);
-        if (separator == ' ') {
-            line = trim(line);
-        }
-    }
-    if (fields.size() > 2 && fields.back().empty()) {
-        fields.pop_back();  // a separator at the end of the line
-    }
-}
-
-bool looks_like_number(std::string_view text) {
-    text = trim(text);
-    while (!text.empty() && text.front() == '"') {
-        text.remove_prefix(1);
-    }
-    if (text.empty()) {
-        return false;
-    }
-    const char c = text.front();
-    return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == ',' ||
-           text.substr(0, 3) == "\xE2\x88\x92";
-}
-
-bool is_not_a_number_word(std::string_view text) {
-    std::string word;
-    for (const char c : text) {
-        if (c != '"' && c != '-' && c != '+' && c != ' ') {
-            word += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-        }
-    }
-    return word.starts_with("nan") || word.starts_with("inf") || word.starts_with("#n/a");
-}
-
-/// The separator that a line of two numbers uses.
-char find_separator(std::string_view line, std::size_t number) {
-    if (line.find(';') != std::string_view::npos) {
-        return ';';
-    }
-    if (line.find('\t') != std::string_view::npos) {
-        return '\t';
-    }
-    if (line.find(',') == std::string_view::npos) {
-        return ' ';
-    }
-    std::vector<std::string_view> fields;
-    split(line, ' ', fields);
-    if (fields.size() == 2 && !fields[0].ends_with(',') && !fields[1].starts_with(',')) {
-        return ' ';
-    }
-    split(line, ',', fields);
-    if (fields.size() == 4 && line.find('"') == std::string_view::npos) {
-        throw InputError(at(number, 1),
-                         "must not separate columns by commas and use decimal commas at once; "
-                         "separate the columns by semicolons",
-                         quote(line));
-    }
-    return ',';
+TwoColumnsRule rule_for(std::string_view value) {
+    return {"crank angle", value, Range::between(-largest_angle_deg, largest_angle_deg),
+            largest_torque_table};
 }
 
 std::optional<bool> header_says_radians(std::string_view header) {
@@ -212,14 +111,14 @@ void check_end(const std::vector<double>& values, const Column& column, double t
 
 /// A table of two columns, of one cycle of 720°.
 struct Cycle {
-    TableText text;
+    TableFormat format;
     std::vector<double> angle_deg;
     std::vector<double> value;
 };
 
 }  // namespace
 
-std::string TableText::describe() const {
+std::string TableFormat::describe() const {
     std::string text = std::to_string(rows) + " rows, separated by ";
     text += separator == ';'    ? "semicolons"
             : separator == ','  ? "commas"
@@ -236,97 +135,15 @@ std::string TableText::describe() const {
 
 namespace {
 
-/// Rows as they stand in the text.
-struct Rows {
-    TableText text;
-    std::string header;
-    std::vector<double> angle;
-    std::vector<double> value;
-    std::vector<std::size_t> line;
-};
-
-Rows read_rows(std::string_view text, const char* value_name) {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (text.starts_with(byte_order_mark)) {
-        text.remove_prefix(byte_order_mark.size());
-    }
-    Rows rows;
-    std::vector<std::string_view> fields;
-    std::size_t number = 0;
-    std::size_t header_lines = 0;
-    bool separator_known = false;
-    while (!text.empty()) {
-        ++number;
-        const std::size_t end = text.find_first_of("\r\n");
-        const std::string_view line = text.substr(0, end);
-        if (end == std::string_view::npos) {
-            text = {};
-        } else {
-            text.remove_prefix(end + (text.substr(end, 2) == "\r\n" ? 2 : 1));
-        }
-        const auto bad = std::find_if(line.begin(), line.end(), [](char c) {
-            const auto byte = static_cast<unsigned char>(c);
-            return (byte < 0x20 && c != '\t' && c != '\v' && c != '\f') || byte == 0x7F;
-        });
-        if (bad != line.end()) {
-            throw InputError("line " + std::to_string(number),
-                             "must be text; this looks like a binary file");
-        }
-        if (trim(line).empty() || trim(line).front() == '#') {
-            continue;
-        }
-        if (rows.angle.empty() && !looks_like_number(line) && !is_not_a_number_word(line) &&
-            header_lines < 2) {
-            ++header_lines;  // names, and units below them
-            rows.header.append(line).append("\n");
-            rows.text.has_header = true;
-            continue;
-        }
-        if (!separator_known) {
-            rows.text.separator = find_separator(line, number);
-            separator_known = true;
-        }
-        split(line, rows.text.separator, fields);
-        if (fields.size() != 2) {
-            throw InputError(
-                "line " + std::to_string(number),
-                std::string("must hold two columns, crank angle and ") + value_name,
-                fields.size() == 1 ? quote(fields[0]) : std::to_string(fields.size()) + " columns");
-        }
-        std::array<double, 2> values{};
-        for (std::size_t column = 0; column < 2; ++column) {
-            const auto value = parse_decimal(fields[column]);
-            if (!value) {
-                throw InputError(at(number, static_cast<int>(column) + 1),
-                                 "must be a finite number", quote(fields[column]));
-            }
-            values[column] = *value;
-            rows.text.decimal_comma =
-                rows.text.decimal_comma || fields[column].find(',') != std::string_view::npos;
-        }
-        if (std::abs(values[0]) > largest_angle_deg) {
-            throw InputError(at(number, 1),
-                             Range::between(-largest_angle_deg, largest_angle_deg).describe(),
-                             format_number(values[0]));
-        }
-        if (rows.angle.size() >= largest_torque_table) {
-            throw InputError(
-                "line " + std::to_string(number),
-                "the table must have at most " + std::to_string(largest_torque_table) + " rows");
-        }
-        rows.angle.push_back(values[0]);
-        rows.value.push_back(values[1]);
-        rows.line.push_back(number);
-    }
-    return rows;
-}
-
 /// Checks the rows, finds the unit of the angles and brings the table to one cycle of 720°.
-Cycle to_cycle(Rows&& rows, const Column& column) {
-    Cycle cycle{rows.text, std::move(rows.angle), std::move(rows.value)};
+Cycle to_cycle(TwoColumns&& rows, const Column& column) {
+    Cycle cycle{{}, std::move(rows.first), std::move(rows.second)};
+    cycle.format.separator = rows.separator;
+    cycle.format.has_header = rows.has_header;
+    cycle.format.decimal_comma = rows.decimal_comma;
     std::vector<double>& angle = cycle.angle_deg;
     std::vector<double>& value = cycle.value;
-    const auto place_of_angle = [&](std::size_t i) { return at(rows.line[i], 1); };
+    const auto place_of_angle = [&](std::size_t i) { return table_place(rows.line[i], 1); };
     if (angle.size() < 3) {
         throw InputError("", std::string("the ") + column.name + " table must have at least 3 rows",
                          std::to_string(angle.size()));
@@ -337,7 +154,7 @@ Cycle to_cycle(Rows&& rows, const Column& column) {
             Range shown = column.range;
             shown.min /= column.to_si;
             shown.max /= column.to_si;
-            throw InputError(at(rows.line[i], 2), shown.describe(),
+            throw InputError(table_place(rows.line[i], 2), shown.describe(),
                              format_number(value[i] / column.to_si));
         }
     }
@@ -357,30 +174,30 @@ Cycle to_cycle(Rows&& rows, const Column& column) {
         value.push_back(value.front());
         rows.line.push_back(rows.line.back());
         span = open_span;
-        cycle.text.closed = true;
+        cycle.format.closed = true;
     }
-    check_end(value, column, column.end_tolerance, at(rows.line.back(), 2));
-    cycle.text.in_radians = from_header.value_or(is_cycle(span, true));
-    if (!is_cycle(span, cycle.text.in_radians)) {
-        const std::string unit = cycle.text.in_radians ? " rad" : "°";
-        throw InputError(at(rows.line.back(), 1),
+    check_end(value, column, column.end_tolerance, table_place(rows.line.back(), 2));
+    cycle.format.in_radians = from_header.value_or(is_cycle(span, true));
+    if (!is_cycle(span, cycle.format.in_radians)) {
+        const std::string unit = cycle.format.in_radians ? " rad" : "°";
+        throw InputError(table_place(rows.line.back(), 1),
                          "the angles must span 720° (or 360°, or 4π or 2π in radians), the last "
                          "row repeating the first",
                          format_number(span) + unit);
     }
     if (column.may_be_open && value.back() != value.front()) {
         value.front() = (value.front() + value.back()) / 2.0;
-        cycle.text.closed = true;
+        cycle.format.closed = true;
     }
     value.back() = value.front();
-    if (cycle.text.in_radians) {
+    if (cycle.format.in_radians) {
         for (double& a : angle) {
             a /= degree;
         }
     }
-    cycle.text.repeated = near(angle.back() - angle.front(), cycle_deg / 2.0);
+    cycle.format.repeated = near(angle.back() - angle.front(), cycle_deg / 2.0);
     const double first_deg = angle.front();
-    if (cycle.text.repeated) {
+    if (cycle.format.repeated) {
         const std::size_t count = angle.size();
         if (2 * count - 1 > largest_torque_table) {
             throw InputError("",
@@ -395,7 +212,7 @@ Cycle to_cycle(Rows&& rows, const Column& column) {
         }
     }
     angle.back() = first_deg + cycle_deg;
-    cycle.text.rows = angle.size();
+    cycle.format.rows = angle.size();
     // Rounding of the units must not have undone the order.
     for (std::size_t i = 1; i < angle.size(); ++i) {
         if (!(angle[i] > angle[i - 1])) {
@@ -485,20 +302,20 @@ void check_table(const std::vector<double>& angle, const std::vector<double>& va
 
 }  // namespace
 
-TorqueTableText parse_torque_table(std::string_view text) {
-    Cycle cycle = to_cycle(read_rows(text, "torque"), torque_column());
-    TorqueTableText result;
-    static_cast<TableText&>(result) = cycle.text;
+ParsedTorqueTable parse_torque_table(std::string_view text) {
+    Cycle cycle = to_cycle(read_two_columns(text, rule_for("torque")), torque_column());
+    ParsedTorqueTable result;
+    static_cast<TableFormat&>(result) = cycle.format;
     result.table = {std::move(cycle.angle_deg), std::move(cycle.value)};
     return result;
 }
 
-PressureTraceText parse_pressure_trace(std::string_view text) {
-    Rows rows = read_rows(text, "pressure");
+ParsedPressureTrace parse_pressure_trace(std::string_view text) {
+    TwoColumns rows = read_two_columns(text, rule_for("pressure"));
     const auto [unit, to_si] = pressure_unit(rows.header);
     Cycle cycle = to_cycle(std::move(rows), pressure_column(unit, to_si));
-    PressureTraceText result;
-    static_cast<TableText&>(result) = cycle.text;
+    ParsedPressureTrace result;
+    static_cast<TableFormat&>(result) = cycle.format;
     result.pressure_unit = unit;
     result.trace = {std::move(cycle.angle_deg), std::move(cycle.value)};
     return result;

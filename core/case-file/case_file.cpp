@@ -1,8 +1,6 @@
 #include "case-file/case_file.h"
 
 #include <algorithm>
-#include <cmath>
-#include <vector>
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
@@ -11,17 +9,6 @@
 namespace ravnoves {
 
 namespace {
-
-void check_finite(const Json& value, const std::string& pointer) {
-    if (value.is_number_float() && !std::isfinite(value.get<double>())) {
-        throw std::logic_error("the result " + pointer + " is not finite");
-    }
-    if (value.is_structured()) {
-        for (const auto& item : value.items()) {
-            check_finite(item.value(), pointer + "/" + item.key());
-        }
-    }
-}
 
 std::string line_and_column(std::string_view text, std::size_t byte) {
     byte = std::min(byte, text.size());
@@ -72,7 +59,7 @@ Json parse_json(std::string_view text) {
     }
 }
 
-CaseFile read_case(const Json& document) {
+CaseFile read_case(const Json& document, const std::vector<std::string>& scenes) {
     ObjectReader reader(document, "");
     reader.choice("format", {case_format});
     const int version = reader.integer("version", 1, 1'000'000);
@@ -84,15 +71,13 @@ CaseFile read_case(const Json& document) {
     }
     CaseFile file;
     file.scene = reader.text("scene");
-    std::string names;
-    std::vector<std::string> candidates;
-    for (const SceneSolver& scene : scene_solvers()) {
-        names += (names.empty() ? "\"" : ", \"") + std::string(scene.name) + "\"";
-        candidates.emplace_back(scene.name);
-    }
-    if (std::find(candidates.begin(), candidates.end(), file.scene) == candidates.end()) {
+    if (std::find(scenes.begin(), scenes.end(), file.scene) == scenes.end()) {
+        std::string names;
+        for (const std::string& name : scenes) {
+            names += (names.empty() ? "\"" : ", \"") + name + "\"";
+        }
         std::string allowed = "must be one of " + names;
-        if (const auto near = nearest_word(file.scene, candidates)) {
+        if (const auto near = nearest_word(file.scene, scenes)) {
             allowed += " (the nearest is \"" + *near + "\")";
         }
         throw InputError("/scene", allowed, show(document.at("scene")));
@@ -107,32 +92,12 @@ CaseFile read_case(const Json& document) {
     return file;
 }
 
-CaseFile parse_case(std::string_view text) {
-    return read_case(parse_json(text));
-}
-
 Json write_case(const CaseFile& file) {
     return {{"format", case_format},
             {"version", case_version},
             {"scene", file.scene},
             {"title", file.title},
             {"input", file.input}};
-}
-
-Json solve_case(const CaseFile& file, const CaseContext& context) {
-    const auto scenes = scene_solvers();
-    const auto scene = std::find_if(scenes.begin(), scenes.end(),
-                                    [&](const SceneSolver& s) { return s.name == file.scene; });
-    if (scene == scenes.end()) {
-        throw InputError("/scene", "must be a known scene", file.scene);
-    }
-    Json result = scene->solve(file.input, context);
-    check_finite(result, "/result");
-    return {{"format", result_format},
-            {"version", case_version},
-            {"scene", file.scene},
-            {"title", file.title},
-            {"result", std::move(result)}};
 }
 
 }  // namespace ravnoves

@@ -10,8 +10,7 @@
 
 /// Slider-crank mechanism with elastic hinges of prescribed characteristics.
 ///
-/// Source: A. N. Zotov, A. S. Sviridov, "Crank-and-rod mechanism with elastic hinges of given
-/// characteristics", 2021; equation numbers below are that paper's.
+/// Source: [zotov-sviridov] of the bibliography; equation numbers below are that paper's.
 ///
 /// The crank axis is the origin, the slider moves along +x, gravity along −y; φ is the crank angle
 /// from the slider line, counter-clockwise. A is the crankpin, B the slider pin. A hinge is a
@@ -138,10 +137,6 @@ struct Input {
 
     bool operator==(const Input&) const = default;
 };
-
-/// The paper's mechanism: P₁ 5, P₂ 6.5, P₃ 6 N, g 9.82 m/s², r 50 mm, λ 0.3, ω 100 rad/s,
-/// c 2·10⁷ N/m, ℓ₀ 200 mm, ρ₀ 90 mm.
-Input preset_zotov();
 
 /// Checks every range of `field`, and what fields rule out together.
 /// @throws InputError that names the JSON pointer as a case would have it

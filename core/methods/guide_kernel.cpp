@@ -6,6 +6,7 @@
 #include "elastic-hinge/energy.h"
 #include "elastic-hinge/guide_formula.h"
 #include "elastic-hinge/method_choices.h"
+#include "elastic-hinge/presets.h"
 #include "elastic-hinge/solver.h"
 #include "methods/definition.h"
 #include "methods/hinge_mechanism.h"

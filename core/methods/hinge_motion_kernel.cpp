@@ -5,6 +5,7 @@
 #include "case-file/input_error.h"
 #include "elastic-hinge/method_choices.h"
 #include "elastic-hinge/motion.h"
+#include "elastic-hinge/presets.h"
 #include "elastic-hinge/solver.h"
 #include "methods/cancellation.h"
 #include "methods/definition.h"

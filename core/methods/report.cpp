@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "case-file/range.h"
-#include "methods/table_text.h"
+#include "methods/plain_text.h"
 
 namespace ravnoves::methods {
 
@@ -104,15 +104,15 @@ std::string choice_paragraph(const Kernel& kernel) {
 std::string write_text(const KernelReport& report) {
     const Kernel& kernel = *report.kernel;
     const SweepInfo& sweep = kernel.sweeps[report.sweep];
-    TextTable table({{""},
-                     {"method"},
-                     {"setting"},
-                     {"ns", true},
-                     {"quartiles", true},
-                     {"error", true},
-                     {"order", true},
-                     {"operations", true},
-                     {"not trustworthy"}});
+    AlignedTable table({{""},
+                        {"method"},
+                        {"setting"},
+                        {"ns", true},
+                        {"quartiles", true},
+                        {"error", true},
+                        {"order", true},
+                        {"operations", true},
+                        {"not trustworthy"}});
     for (const MethodRow& row : report.rows) {
         table.add({row.in_use  ? "●"
                    : row.holds ? "+"

@@ -5,28 +5,19 @@
 #include <cmath>
 #include <cstdio>
 
+#include "bibliography/bibliography.h"
 #include "case-file/range.h"
-#include "methods/table_text.h"
+#include "methods/plain_text.h"
 #include "methods/validation/rows.h"
 
 namespace ravnoves::methods {
 
 namespace {
 
-constexpr std::array<Paper, 4> all_papers{{
-    {"balance-shaft", "Gots, Klevtsov",
-     "A. N. Gots, V. S. Klevtsov, \"Selection of the optimal scheme of stabilization of the "
-     "one-cylinder engine\""},
-    {"elastic-hinge", "Zotov, Sviridov",
-     "A. N. Zotov, A. S. Sviridov, \"Crank-and-rod mechanism with elastic hinges of given "
-     "characteristics\", 2021"},
-    {"v8-plugs", "Nazarov",
-     "A. D. Nazarov, \"Compensating the total unbalanced mass of crank-gear parts of V-8 engines "
-     "in manufacture and repair\""},
-    {"inertia-moments", "Chainov, Vallejo Maldonado",
-     "N. D. Chainov, P. R. Vallejo Maldonado, \"Balancing the moments of a VR5 engine taking into "
-     "account a desaxial crank mechanism and cylinder camber angle\", 2020"},
-}};
+Paper paper(std::string_view scene, std::string_view key) {
+    const Source& entry = source(key);
+    return {scene, entry.cited_as, citation(entry)};
+}
 
 /// With a fixed number of decimals; what rounds to nothing has no sign.
 std::string fixed(double value, int decimals) {
@@ -89,7 +80,10 @@ std::string_view verdict_title(Verdict verdict) {
 }
 
 std::span<const Paper> papers() {
-    return all_papers;
+    static const std::array all{
+        paper("balance-shaft", "gots-klevtsov"), paper("elastic-hinge", "zotov-sviridov"),
+        paper("v8-plugs", "nazarov"), paper("inertia-moments", "chainov-vallejo-maldonado")};
+    return all;
 }
 
 std::optional<double> ValidationRow::relative_difference() const {
@@ -149,8 +143,8 @@ std::string ValidationReport::summary() const {
 
 ValidationReport validate() {
     ValidationReport report;
-    for (auto* const paper : {validate_balance_shaft, validate_elastic_hinge, validate_v8_plugs,
-                              validate_inertia_moments}) {
+    for (auto* const paper : {validate_gots_klevtsov, validate_zotov_sviridov, validate_nazarov,
+                              validate_chainov_vallejo_maldonado}) {
         for (ValidationRow& row : paper()) {
             report.rows.push_back(std::move(row));
         }
@@ -161,13 +155,13 @@ ValidationReport validate() {
 std::string write_text(const ValidationReport& report, std::size_t width) {
     std::string text = report.summary() + "\n";
     for (const Paper& paper : papers()) {
-        TextTable table({{"quantity"},
-                         {"unit"},
-                         {"printed", true},
-                         {"ours", true},
-                         {"difference", true},
-                         {"verdict"},
-                         {"why"}});
+        AlignedTable table({{"quantity"},
+                            {"unit"},
+                            {"printed", true},
+                            {"ours", true},
+                            {"difference", true},
+                            {"verdict"},
+                            {"why"}});
         std::vector<std::string> reasons;
         std::string place;
         for (const ValidationRow& row : report.rows) {
@@ -183,7 +177,7 @@ std::string write_text(const ValidationReport& report, std::size_t width) {
                        row.difference_text(), std::string(verdict_title(row.verdict)),
                        "[" + std::to_string(note) + "]"});
         }
-        text += "\n" + std::string(paper.citation) + "\n\n" + table.text(width) + "\n";
+        text += "\n" + paper.citation + "\n\n" + table.text(width) + "\n";
         for (std::size_t i = 0; i < reasons.size(); ++i) {
             text += hanging("[" + std::to_string(i + 1) + "] ", reasons[i], width);
         }

@@ -27,9 +27,9 @@ std::string_view verdict_title(Verdict verdict);  ///< "not derivable", for peop
 
 /// A paper that a scene rests on.
 struct Paper {
-    std::string_view scene;     ///< of the case files, "balance-shaft"
-    std::string_view authors;   ///< "Gots, Klevtsov"
-    std::string_view citation;  ///< authors, title, year
+    std::string_view scene;    ///< of the case files, "balance-shaft"
+    std::string_view authors;  ///< "Gots, Klevtsov"
+    std::string citation;      ///< authors, title, year
 };
 
 /// The four papers in the order of the scenes.

@@ -11,9 +11,8 @@
 namespace ravnoves::v8_plugs {
 
 // Compensation of the excess mass of crank-gear parts by lighter plugs of the crankpins' sludge
-// traps. Source: A. D. Nazarov, "Compensating the total unbalanced mass of crank-gear parts of V-8
-// engines in manufacture and repair"; equation numbers are that paper's. Masses in kg, lengths in
-// m, unbalance in kg·m.
+// traps. Source: [nazarov] of the bibliography; equation numbers are that paper's. Masses in kg,
+// lengths in m, unbalance in kg·m.
 
 enum class Process { manufacture, repair };
 

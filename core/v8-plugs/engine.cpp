@@ -1,9 +1,10 @@
 #include "v8-plugs/engine.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cstdio>
 #include <cstdlib>
+
+#include "numerics/demand.h"
 
 namespace ravnoves::v8_plugs {
 
@@ -55,51 +56,6 @@ constexpr std::array<EngineField, 14> fields{{
      EngineGroup::bob_weight},
 }};
 
-Engine paper_engine(std::string name) {
-    Engine engine;
-    engine.name = std::move(name);
-    return engine;
-}
-
-/// Table 2 and Table 3, left columns.
-Engine engine_4_25() {
-    Engine engine = paper_engine("4.25 l");
-    engine.crank_radius = 40 * milli;
-    engine.plug_radius = 47.2 * milli;
-    engine.new_plug_radius = 49.3 * milli;
-    engine.steel_plug_mass = 2.79 * milli;
-    engine.aluminium_plug_mass = 0.954 * milli;
-    engine.new_steel_plug_mass = 3.45 * milli;
-    engine.new_aluminium_plug_mass = 1.179 * milli;
-    engine.max_steel_reduction = 1.951 * milli;
-    engine.max_aluminium_reduction = 0.684 * milli;
-    engine.rod_coefficient = 0.445;
-    return engine;
-}
-
-/// Table 1, Table 2 and Table 3, right columns: the 6 and 7 l engines share the crankshaft.
-Engine engine_6_7(std::string name) {
-    Engine engine = paper_engine(std::move(name));
-    engine.crank_radius = 47.5 * milli;
-    engine.plug_radius = 61.5 * milli;
-    engine.new_plug_radius = 63.2 * milli;
-    engine.steel_plug_mass = 4.03 * milli;
-    engine.aluminium_plug_mass = 1.377 * milli;
-    engine.new_steel_plug_mass = 5.25 * milli;
-    engine.new_aluminium_plug_mass = 1.794 * milli;
-    engine.max_steel_reduction = 2.746 * milli;
-    engine.max_aluminium_reduction = 1.013 * milli;
-    engine.rod_coefficient = 0.414;
-    return engine;
-}
-
-/// The engines of which the text gives the crank radius alone.
-Engine engine_with_radius(std::string name, double crank_radius_mm) {
-    Engine engine = paper_engine(std::move(name));
-    engine.crank_radius = crank_radius_mm * milli;
-    return engine;
-}
-
 }  // namespace
 
 std::span<const EngineField> engine_fields() {
@@ -110,31 +66,8 @@ const EngineField& engine_field(std::string_view key) {
     const auto found = std::find_if(fields.begin(), fields.end(), [&](const EngineField& field) {
         return field.spec.key == key;
     });
-    assert(found != fields.end());
+    RAVNOVES_DEMAND(found != fields.end(), "the engine has a field of that key");
     return *found;
-}
-
-std::span<const Engine> engine_presets() {
-    static const std::array<Engine, 7> presets{
-        engine_4_25(),
-        engine_6_7("6 l"),
-        engine_6_7("7 l"),
-        engine_with_radius("8.32 l", 60),
-        engine_with_radius("8.74 l", 57.5),
-        engine_with_radius("10.85 l", 60),
-        engine_with_radius("14.86 l", 70),
-    };
-    return presets;
-}
-
-const Engine* find_preset(std::string_view name) {
-    for (const Engine& engine : engine_presets()) {
-        const std::string_view full = engine.name;
-        if (name == full || name == full.substr(0, full.size() - 2)) {
-            return &engine;
-        }
-    }
-    return nullptr;
 }
 
 bool is_inapplicable(const Engine& engine, EngineGroup group) {

@@ -56,14 +56,6 @@ struct EngineField {
 std::span<const EngineField> engine_fields();
 const EngineField& engine_field(std::string_view key);
 
-/// A preset: an engine of the paper. Only what the paper prints is filled in; m_j, m_R and the oil
-/// are empty everywhere. m_p of the 4.25 l engine is lost in the print: 2.79 g follows from
-/// Δm_yra and from Δm_yhr alike (Tables 2 and 3).
-std::span<const Engine> engine_presets();
-
-/// The preset of that name ("4.25 l", or short "4.25"); nullptr where there is none.
-const Engine* find_preset(std::string_view name);
-
 /// True where the engine lacks the plug that the value belongs to, so that it is not asked for.
 bool is_inapplicable(const Engine& engine, EngineGroup group);
 /// The fields that the engine needs and does not have; bob-weight fields only when asked for.

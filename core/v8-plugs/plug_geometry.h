@@ -11,7 +11,7 @@ namespace ravnoves::v8_plugs {
 // The plug as a body: a threaded cylinder with a flat-bottomed bore from its outer face. Lengths in
 // m, masses in kg, densities in kg/m³.
 
-/// Metric thread M d × P with the proportions of ISO 68-1 (basic profile, ISO 724).
+/// Metric thread M d × P with the proportions of [iso-68-1] (basic profile, [iso-724]).
 struct Thread {
     double diameter;  ///< d, major diameter, m
     double pitch;     ///< P, m

@@ -7,7 +7,7 @@
 
 namespace ravnoves::v8_plugs {
 
-/// Balance quality grades G of ISO 21940-11, mm/s (the products e·ω).
+/// Balance quality grades G of [iso-21940-11], mm/s (the products e·ω).
 inline constexpr std::array<double, 11> balance_grades_mm_s{0.4, 1,   2.5, 6.3,  16,  40,
                                                             100, 250, 630, 1600, 4000};
 
@@ -47,7 +47,7 @@ struct BalancingVerdict {
     PlaneVerdict rear;
 };
 
-/// Permissible residual unbalance by ISO 21940-11, U_per = 1000 m G / ω in g·mm for m in kg and G
+/// Permissible residual unbalance by [iso-21940-11], U_per = 1000 m G / ω in g·mm for m in kg and G
 /// in mm/s, shared between the planes; and the readings against it. The standard keeps each
 /// plane's share between 0.3 and 0.7.
 BalancingVerdict judge(const BalancingCheck& check);

@@ -1,10 +1,11 @@
 #include "v8-plugs/weigh_in.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
+
+#include "numerics/demand.h"
 
 namespace ravnoves::v8_plugs {
 
@@ -249,7 +250,9 @@ double assignment_spread(const std::vector<double>& pistons, const std::vector<d
 Assignment best_assignment(const std::vector<double>& pistons, const std::vector<double>& rods,
                            const std::vector<std::array<int, 2>>& crankpins) {
     const std::size_t m = crankpins.size();
-    assert(m >= 1 && m <= most_pairs && pistons.size() == 2 * m && rods.size() == 2 * m);
+    RAVNOVES_DEMAND(
+        m >= 1 && m <= most_pairs && pistons.size() == 2 * m && rods.size() == 2 * m,
+        "each crankpin has two pistons and two rods, and there are one to most_pairs of them");
     const std::vector<Pairing> pairings = all_pairings(static_cast<int>(2 * m));
     const std::vector<Candidate> piston_pairs = candidates(pairings, pistons, crankpins);
     const std::vector<Candidate> rod_pairs = candidates(pairings, rods, crankpins);

@@ -237,7 +237,7 @@
     </message>
 </context>
 <context>
-    <name>TableText</name>
+    <name>TableFormat</name>
     <message>
         <source>separated by semicolons</source>
         <translation>разделитель — точка с запятой</translation>

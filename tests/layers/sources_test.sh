@@ -3,6 +3,8 @@
 # The arrows app -> ui -> core as the includes draw them:
 #   core and the command line include no Qt, and nothing from the layers above them;
 #   ui includes nothing from app;
+#   a scene includes no other scene; core's ground (case files, numerics, drawing, bibliography)
+#   includes nothing that stands on it, nor does a scene include the methods or the registry;
 #   a view-model includes no widget or chart class, nor does any header of ours that it reaches.
 set -euo pipefail
 cd "$1"
@@ -75,6 +77,36 @@ check_no_qt() {
 check_layer core core
 check_layer app/cli core
 check_no_qt core app/cli
+
+# check_folders_apart FILES-UNDER FOLDER...: no file there includes from one of the folders.
+check_folders_apart() {
+    local under=$1 file include folder
+    shift
+    [ -d "$under" ] || fault "$under is not there: nothing was checked"
+    for file in $(sources "$under"); do
+        for include in ${quoted[$file]:-}; do
+            for folder in "$@"; do
+                case $include in
+                    "$folder"/*) fault "$file includes \"$include\": ${under#*/} must not know $folder" ;;
+                esac
+            done
+        done
+    done
+}
+scenes=(balance-shaft elastic-hinge v8-plugs inertia-moments)
+for ground in case-file numerics drawing bibliography; do
+    check_folders_apart "core/$ground" "${scenes[@]}" methods scenes
+done
+check_folders_apart core/numerics case-file drawing bibliography
+for scene in "${scenes[@]}"; do
+    others=()
+    for other in "${scenes[@]}"; do
+        [ "$other" = "$scene" ] || others+=("$other")
+    done
+    check_folders_apart "core/$scene" "${others[@]}" methods scenes
+    check_folders_apart "ui/$scene" "${others[@]}" methods
+done
+
 if grep -nE 'Qt[0-9]*(::|[[:space:]]+REQUIRED|[[:space:]]+COMPONENTS)' core/CMakeLists.txt; then
     fault "core/CMakeLists.txt asks for Qt"
 fi

@@ -21,6 +21,7 @@
 #include "balance-shaft/forces_view.h"
 #include "balance-shaft/mechanism_view.h"
 #include "balance-shaft/orders_view.h"
+#include "balance-shaft/presets.h"
 #include "balance-shaft/relieved_shaft_view.h"
 #include "balance-shaft/speed_view.h"
 #include "balance-shaft/torque_source_editor.h"

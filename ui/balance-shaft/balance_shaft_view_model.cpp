@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "balance-shaft/presets.h"
 #include "balance-shaft/scene.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
@@ -53,7 +54,7 @@ Json BalanceShaftViewModel::inputJson() const {
     return balance_shaft::write_input(input_);
 }
 Json BalanceShaftViewModel::resultJson() const {
-    return balance_shaft::write_whole_result(solver_, result_);
+    return balance_shaft::write_result(solver_, result_);
 }
 
 void BalanceShaftViewModel::loadInput(const Json& json, const CaseContext& context) {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "balance-shaft/balance_shaft.h"
+#include "balance-shaft/solver.h"
 #include "case-file/json.h"
 #include "shell/scene_view_model.h"
 

@@ -2,8 +2,8 @@
 
 #include <QWidget>
 
-#include "balance-shaft/balance_shaft.h"
 #include "balance-shaft/envelope_study.h"
+#include "balance-shaft/solver.h"
 
 namespace ravnoves {
 

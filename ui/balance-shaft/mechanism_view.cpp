@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "balance-shaft/balance_shaft_view_model.h"
+#include "balance-shaft/mechanism.h"
 #include "numerics/constants.h"
 #include "theme/theme.h"
 

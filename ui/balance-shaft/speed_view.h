@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "balance-shaft/balance_shaft.h"
+#include "balance-shaft/solver.h"
 #include "balance-shaft/speed_study.h"
 
 class QComboBox;

@@ -13,7 +13,7 @@
 
 #include "balance-shaft/balance_shaft_view_model.h"
 #include "balance-shaft/inertia_check.h"
-#include "balance-shaft/table_text.h"
+#include "balance-shaft/table_format_text.h"
 #include "balance-shaft/torque_table_editor.h"
 #include "case-file/input_error.h"
 #include "case-file/text_file.h"
@@ -324,12 +324,12 @@ QWidget* TorqueSourceEditor::buildCycle() {
 QString TorqueSourceEditor::importTrace(const QString& path) {
     try {
         const std::string text = read_text_file(fsPath(path));
-        const balance_shaft::PressureTraceText read = balance_shaft::parse_pressure_trace(text);
+        const balance_shaft::ParsedPressureTrace read = balance_shaft::parse_pressure_trace(text);
         const QString why = model_->setPressureTrace(read.trace, path);
         if (!why.isEmpty()) {
             return path + QStringLiteral(": ") + why;
         }
-        trace_->setText(tr("%1: %2.").arg(QFileInfo(path).fileName(), tableText(read)));
+        trace_->setText(tr("%1: %2.").arg(QFileInfo(path).fileName(), tableFormatText(read)));
         return {};
     } catch (const InputError& error) {
         return path + QStringLiteral(": ") + errorText(error);

@@ -3,7 +3,7 @@
 #include <QColor>
 #include <QLocale>
 
-#include "balance-shaft/table_text.h"
+#include "balance-shaft/table_format_text.h"
 #include "case-file/input_error.h"
 #include "theme/theme.h"
 #include "widgets/error_text.h"
@@ -101,14 +101,14 @@ void TorqueTableModel::removeRowRange(int first, int count) {
 }
 
 QString TorqueTableModel::replaceByText(const QString& text) {
-    const balance_shaft::TorqueTableText read =
+    const balance_shaft::ParsedTorqueTable read =
         balance_shaft::parse_torque_table(text.toStdString());
     const bool differs = !(read.table == valid_);
     setTable(read.table);
     if (differs) {
         Q_EMIT tableEdited();
     }
-    return tableText(read);
+    return tableFormatText(read);
 }
 
 void TorqueTableModel::pasteBlock(int row, int column, const QString& text) {

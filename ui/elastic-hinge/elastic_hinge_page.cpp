@@ -18,6 +18,7 @@
 #include "elastic-hinge/hinge_inputs.h"
 #include "elastic-hinge/hinge_mechanism_view.h"
 #include "elastic-hinge/hinge_plots.h"
+#include "elastic-hinge/presets.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"

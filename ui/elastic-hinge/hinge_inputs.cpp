@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "elastic-hinge/number_list_field.h"
+#include "elastic-hinge/presets.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"

@@ -23,7 +23,7 @@
 #include "inertia-moments/engine_view.h"
 #include "inertia-moments/inertia_moments_view_model.h"
 #include "inertia-moments/order_bars.h"
-#include "inertia-moments/preset.h"
+#include "inertia-moments/presets.h"
 #include "inertia-moments/shaft_editor.h"
 #include "inertia-moments/shaft_view.h"
 #include "theme/icons.h"

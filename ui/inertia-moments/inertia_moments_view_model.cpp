@@ -9,8 +9,9 @@
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "inertia-moments/case_io.h"
-#include "inertia-moments/preset.h"
+#include "inertia-moments/presets.h"
+#include "inertia-moments/scene.h"
+#include "inertia-moments/solver.h"
 #include "shell/input_command.h"
 #include "widgets/error_text.h"
 #include "widgets/number_text.h"

@@ -20,9 +20,9 @@
 #include <QUndoGroup>
 #include <QVBoxLayout>
 
-#include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/text_file.h"
+#include "scenes/scenes.h"
 #include "shell/help_window.h"
 #include "shell/language.h"
 #include "shell/scene_page.h"

@@ -6,6 +6,7 @@
 
 #include "numerics/constants.h"
 #include "v8-plugs/plug_drawing.h"
+#include "v8-plugs/v8_names.h"
 #include "v8-plugs/v8_text.h"
 
 namespace ravnoves {

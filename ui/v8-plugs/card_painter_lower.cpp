@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "v8-plugs/card_painter.h"
+#include "v8-plugs/v8_names.h"
 #include "v8-plugs/v8_text.h"
 
 namespace ravnoves {
@@ -85,7 +86,7 @@ double CardPainter::weighIn(double y) {
 /// What the technician should not overlook, and what the method neglects.
 double CardPainter::remarks(double y, double end) {
     constexpr double points = 7.0;
-    CaseInput shown = input_;
+    Input shown = input_;
     shown.weigh_in.reset();  // its table above marks what is too far apart or missing
     shown.changes_from_weigh_in = false;
     QStringList list = v8_text::troubles(words_, shown, solution_);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "v8-plugs/v8_names.h"
 #include "v8-plugs/v8_text.h"
 
 namespace ravnoves {
@@ -27,7 +28,7 @@ CompensationPlot::CompensationPlot(QWidget* parent) : PlotView(tr("Excess compen
     }
 }
 
-void CompensationPlot::showSolution(const Solution& solution) {
+void CompensationPlot::showSolution(const Result& solution) {
     const Words words;
     double reach = 0.0;
     double lowest = 0.0;

@@ -11,8 +11,8 @@
 #include <QVBoxLayout>
 
 #include "theme/theme.h"
+#include "v8-plugs/v8_names.h"
 #include "v8-plugs/v8_plugs_view_model.h"
-#include "v8-plugs/v8_text.h"
 #include "widgets/form_section.h"
 
 namespace ravnoves {
@@ -143,7 +143,7 @@ QCheckBox* EngineSheet::flag(const QString& label, const QString& name, EngineGr
     QString step = label;
     step.remove(QLatin1Char('&'));
     connect(box, &QCheckBox::toggled, this, [this, step, group, member](bool on) {
-        model_->edit(step, [&](CaseInput& input) {
+        model_->edit(step, [&](Input& input) {
             input.engine.*member = on;
             if (!on) {
                 for (const EngineField& field : engine_fields()) {
@@ -178,7 +178,7 @@ void EngineSheet::addValues(FormSection* section, EngineGroup group, QString& mn
                 const auto& value = model_->input().engine.*field.member;
                 return value ? std::optional(in_unit(*value, field.spec)) : std::nullopt;
             },
-            [field](CaseInput& input, std::optional<double> value) {
+            [field](Input& input, std::optional<double> value) {
                 input.engine.*field.member =
                     value ? std::optional(*value * field.spec.to_si) : std::nullopt;
             });

@@ -9,8 +9,8 @@
 #include "theme/theme.h"
 #include "v8-plugs/checked_field.h"
 #include "v8-plugs/journal_dialog.h"
+#include "v8-plugs/v8_names.h"
 #include "v8-plugs/v8_plugs_view_model.h"
-#include "v8-plugs/v8_text.h"
 #include "widgets/form_section.h"
 
 namespace ravnoves {
@@ -38,7 +38,7 @@ void JobSheet::buildHead() {
                  return tr("“%1” is no date; write it like 2024-05-31.").arg(typed);
              },
              [this] { return QString::fromStdString(model_->input().job.date); },
-             [](CaseInput& input, const QString& day) { input.job.date = day.toStdString(); }});
+             [](Input& input, const QString& day) { input.job.date = day.toStdString(); }});
     text(job, tr("&Technician"), QStringLiteral("technician"), &JobHeader::technician,
          tr("Who does the work."));
     column_->addWidget(job);
@@ -59,7 +59,7 @@ void JobSheet::buildWork() {
         {v8_text::processName(words, Process::repair),
          v8_text::processName(words, Process::manufacture)},
         tr("In manufacture repair pistons and repair shells are not counted."), [this](int which) {
-            model_->edit(tr("Work"), [&](CaseInput& input) {
+            model_->edit(tr("Work"), [&](Input& input) {
                 input.process = which == 0 ? Process::repair : Process::manufacture;
             });
         });
@@ -68,7 +68,7 @@ void JobSheet::buildWork() {
         {v8_text::crankshaftName(words, Crankshaft::standard),
          v8_text::crankshaftName(words, Crankshaft::new_plugs)},
         tr("Which plugs the counterweights of the crankshaft were made for."), [this](int which) {
-            model_->edit(tr("Crankshaft"), [&](CaseInput& input) {
+            model_->edit(tr("Crankshaft"), [&](Input& input) {
                 input.crankshaft = which == 0 ? Crankshaft::standard : Crankshaft::new_plugs;
             });
         });
@@ -110,7 +110,7 @@ void JobSheet::buildChanges() {
             [this, field]() -> std::optional<double> {
                 return in_unit(model_->solution().changes.*field.member, field.spec);
             },
-            [field](CaseInput& input, std::optional<double> value) {
+            [field](Input& input, std::optional<double> value) {
                 input.typed_changes.*field.member = value.value_or(0.0) * field.spec.to_si;
             });
         made->setPlaceholderText(QStringLiteral("0"));
@@ -127,7 +127,7 @@ void JobSheet::buildChanges() {
         changes, tr("Residual unbalance &allowed"), tolerance_field,
         tr("In each correction plane. The paper accepts 5 g·mm."),
         [this] { return in_unit(model_->input().tolerance, tolerance_field); },
-        [](CaseInput& input, std::optional<double> value) {
+        [](Input& input, std::optional<double> value) {
             input.tolerance = value ? *value * tolerance_field.to_si : default_tolerance;
         });
     column_->addWidget(changes);

@@ -13,6 +13,7 @@
 
 #include "theme/theme.h"
 #include "v8-plugs/checked_field.h"
+#include "v8-plugs/v8_names.h"
 #include "v8-plugs/v8_text.h"
 
 namespace ravnoves {

@@ -15,7 +15,7 @@ using namespace v8_plugs;
 namespace {
 
 /// The machine's part of the input, made where there is none yet.
-BalancingSheet& machine(CaseInput& input) {
+BalancingSheet& machine(Input& input) {
     if (!input.balancing) {
         input.balancing.emplace();
     }
@@ -42,7 +42,7 @@ MachineSheet::MachineSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm
         [this]() -> std::optional<double> {
             return model_->input().balancing ? model_->input().balancing->front_share : 0.5;
         },
-        [](CaseInput& input, std::optional<double> typed) {
+        [](Input& input, std::optional<double> typed) {
             machine(input).front_share = typed.value_or(0.5);
         });
     column_->addWidget(limits);
@@ -81,7 +81,7 @@ void MachineSheet::addValue(FormSection* section, const QString& label, const Fi
             }
             return in_unit(((*sheet).*member).value(), spec);
         },
-        [spec, member](CaseInput& input, std::optional<double> typed) {
+        [spec, member](Input& input, std::optional<double> typed) {
             machine(input).*member = typed ? std::optional(*typed * spec.to_si) : std::nullopt;
         });
 }

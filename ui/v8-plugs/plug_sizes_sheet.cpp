@@ -23,7 +23,7 @@ std::optional<v8_plugs::Thread> readThread(const QString& text) {
 }
 
 /// The sizes of the plug, made where there are none yet.
-v8_plugs::PlugSheet& sizes(v8_plugs::CaseInput& input) {
+v8_plugs::PlugSheet& sizes(v8_plugs::Input& input) {
     if (!input.plug) {
         input.plug.emplace();
     }
@@ -85,7 +85,7 @@ void PlugSizesSheet::addThread(FormSection* section) {
                      const auto& plug = model_->input().plug;
                      return plug ? nameOf(plug->thread) : QString();
                  },
-                 [](v8_plugs::CaseInput& input, const QString& name) {
+                 [](v8_plugs::Input& input, const QString& name) {
                      sizes(input).thread = readThread(name);
                  }});
     field->setPlaceholderText(QStringLiteral("M22x1.5"));
@@ -103,7 +103,7 @@ void PlugSizesSheet::addSize(FormSection* section, const QString& label, const F
             }
             return v8_plugs::in_unit(((*sheet).*member).value(), spec);
         },
-        [spec, member](v8_plugs::CaseInput& input, std::optional<double> value) {
+        [spec, member](v8_plugs::Input& input, std::optional<double> value) {
             sizes(input).*member = value ? std::optional(*value * spec.to_si) : std::nullopt;
         });
 }
@@ -117,7 +117,7 @@ void PlugSizesSheet::addDensity(FormSection* section, const QString& label, cons
             const auto& sheet = model_->input().plug;
             return sheet ? (*sheet).*member : usual;
         },
-        [member, usual](v8_plugs::CaseInput& input, std::optional<double> value) {
+        [member, usual](v8_plugs::Input& input, std::optional<double> value) {
             sizes(input).*member = value.value_or(usual);
         });
 }

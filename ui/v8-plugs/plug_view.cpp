@@ -39,7 +39,7 @@ void PlugView::paintEvent(QPaintEvent* /*event*/) {
     const QRectF target(Theme::margin, title.bottom() + Theme::gap, width() - 2 * Theme::margin,
                         height() - title.bottom() - 2 * Theme::gap);
     const Words words;
-    const CaseInput& input = model_->input();
+    const Input& input = model_->input();
     const auto geometry = input.plug ? input.plug->geometry() : std::nullopt;
     if (!geometry || geometry_fault(*geometry)) {
         painter.setFont(Theme::font(Theme::smallSize));
@@ -51,7 +51,7 @@ void PlugView::paintEvent(QPaintEvent* /*event*/) {
     }
     PlugDrawing drawing;
     drawing.plug = *geometry;
-    const Solution& solution = model_->solution();
+    const Result& solution = model_->solution();
     const auto chosen = v8_text::chosenOption(solution);
     if (chosen && chosen->reduction > 0.0) {
         const auto& boring = solution.boring[static_cast<std::size_t>(chosen->id)];

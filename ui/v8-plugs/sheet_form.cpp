@@ -7,8 +7,8 @@
 
 #include "theme/theme.h"
 #include "v8-plugs/checked_field.h"
+#include "v8-plugs/v8_names.h"
 #include "v8-plugs/v8_plugs_view_model.h"
-#include "v8-plugs/v8_text.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
 
@@ -65,7 +65,7 @@ void SheetForm::follow(std::function<void()> show) {
 
 NumberField* SheetForm::number(FormSection* section, const QString& label, const FieldSpec& spec,
                                const QString& hint, std::function<std::optional<double>()> read,
-                               std::function<void(CaseInput&, std::optional<double>)> write) {
+                               std::function<void(Input&, std::optional<double>)> write) {
     NumberField* field =
         section->addNumber(label, spec, hint, v8_text::unitName(Words(), spec.unit));
     field->setOptional(true);
@@ -73,7 +73,7 @@ NumberField* SheetForm::number(FormSection* section, const QString& label, const
     enlarge(field);
     connect(field, &NumberField::valueEdited, this,
             [this, step = stepName(label), write = std::move(write)](std::optional<double> value) {
-                model_->edit(step, [&](CaseInput& input) { write(input, value); });
+                model_->edit(step, [&](Input& input) { write(input, value); });
             });
     const auto show = [field, read = std::move(read)] {
         const std::optional<double> value = read();
@@ -105,8 +105,7 @@ QLineEdit* SheetForm::text(FormSection* section, const QString& label, const QSt
     section->addWidget(label, field, {}, hint);
     connect(field, &QLineEdit::textEdited, this,
             [this, step = stepName(label), member](const QString& typed) {
-                model_->edit(step,
-                             [&](CaseInput& input) { input.job.*member = typed.toStdString(); });
+                model_->edit(step, [&](Input& input) { input.job.*member = typed.toStdString(); });
             });
     follow([this, field, member] {
         const QString value = QString::fromStdString(model_->input().job.*member);
@@ -138,8 +137,7 @@ CheckedField* SheetForm::checked(FormSection* section, const QString& label, con
     });
     connect(field, &CheckedField::valueEdited, this,
             [this, step = stepName(label), text](const QString& typed) {
-                model_->edit(step,
-                             [&](CaseInput& input) { text.write(input, text.normal(typed)); });
+                model_->edit(step, [&](Input& input) { text.write(input, text.normal(typed)); });
             });
     follow([field, text, last = QString()]() mutable {
         const QString value = text.read();

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "v8-plugs/case_input.h"
+#include "v8-plugs/input.h"
 
 class QComboBox;
 class QLabel;
@@ -47,7 +47,7 @@ class SheetForm : public QWidget {
     /// A number of the input: its field, where it is read, how it is changed.
     NumberField* number(FormSection* section, const QString& label, const FieldSpec& spec,
                         const QString& hint, std::function<std::optional<double>()> read,
-                        std::function<void(v8_plugs::CaseInput&, std::optional<double>)> write);
+                        std::function<void(v8_plugs::Input&, std::optional<double>)> write);
     /// A line of text in the job's head, no longer than the job card has room for.
     QLineEdit* text(FormSection* section, const QString& label, const QString& name,
                     std::string v8_plugs::JobHeader::*member, const QString& hint,
@@ -59,7 +59,7 @@ class SheetForm : public QWidget {
         /// Says why a text is refused.
         std::function<QString(const QString& typed)> refusal;
         std::function<QString()> read;
-        std::function<void(v8_plugs::CaseInput&, const QString& normal)> write;
+        std::function<void(v8_plugs::Input&, const QString& normal)> write;
     };
     /// Its field; what is wrong with it stands below the field.
     CheckedField* checked(FormSection* section, const QString& label, const QString& name,

@@ -1,6 +1,6 @@
-// Names of values, parts, options and engines in the language of the Words.
+#include "v8-plugs/v8_names.h"
 
-#include "v8-plugs/v8_text.h"
+#include "v8-plugs/presets.h"
 
 namespace ravnoves::v8_text {
 

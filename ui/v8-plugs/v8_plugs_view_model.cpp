@@ -9,7 +9,9 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "shell/input_command.h"
-#include "v8-plugs/v8_text.h"
+#include "v8-plugs/presets.h"
+#include "v8-plugs/scene.h"
+#include "v8-plugs/v8_names.h"
 #include "widgets/error_text.h"
 
 namespace ravnoves {
@@ -32,7 +34,7 @@ bool isPrinted(const std::optional<PlugSheet>& sheet, const std::string& preset)
 }
 
 /// The paper's engine with the sizes it prints of the plug; sizes that the user typed stay.
-void takePreset(CaseInput& input, const Engine& preset) {
+void takePreset(Input& input, const Engine& preset) {
     if (isPrinted(input.plug, input.preset)) {
         const PlugSheet printed = printed_plug(preset.name);
         PlugSheet sheet = input.plug.value_or(PlugSheet{});
@@ -52,8 +54,8 @@ Engine readOwnEngine(const JournalEngine& own) {
     return engine;
 }
 
-CaseInput freshJob(bool dated) {
-    CaseInput input;
+Input freshJob(bool dated) {
+    Input input;
     const Engine& first = engine_presets().front();
     takePreset(input, first);
     if (dated) {
@@ -97,14 +99,14 @@ Json V8PlugsViewModel::inputJson() const {
 
 Json V8PlugsViewModel::resultJson() const {
     try {
-        return solve_case_input(inputJson(), context());
+        return solve_scene(inputJson(), context());
     } catch (const InputError& error) {
         return {{"error", error.what()}};  // a sheet half filled has no result yet
     }
 }
 
 void V8PlugsViewModel::loadInput(const Json& json, const CaseContext& /*context*/) {
-    const CaseInput next = read_input(json, Completeness::as_is);
+    const Input next = read_input(json, Completeness::as_is);
     jobId_ = 0;
     jobRevision_ = 0;
     lastEdit_.clear();
@@ -135,13 +137,13 @@ bool V8PlugsViewModel::setViewOption(const QString& key, const QString& value) {
     return true;
 }
 
-void V8PlugsViewModel::push(const QString& name, const CaseInput& next, int mergeNumber) {
-    history()->push(new InputCommand<CaseInput>(name, input_, next, mergeNumber,
-                                                [this](const CaseInput& i) { apply(i); }));
+void V8PlugsViewModel::push(const QString& name, const Input& next, int mergeNumber) {
+    history()->push(new InputCommand<Input>(name, input_, next, mergeNumber,
+                                            [this](const Input& i) { apply(i); }));
 }
 
-void V8PlugsViewModel::edit(const QString& name, const std::function<void(CaseInput&)>& mutate) {
-    CaseInput next = input_;
+void V8PlugsViewModel::edit(const QString& name, const std::function<void(Input&)>& mutate) {
+    Input next = input_;
     mutate(next);
     if (next == input_) {
         return;
@@ -153,7 +155,7 @@ void V8PlugsViewModel::edit(const QString& name, const std::function<void(CaseIn
     push(name, next, mergeNumber_);
 }
 
-void V8PlugsViewModel::apply(const CaseInput& input) {
+void V8PlugsViewModel::apply(const Input& input) {
     input_ = input;
     solution_ = solve(input_);
     Q_EMIT changed();
@@ -165,7 +167,7 @@ void V8PlugsViewModel::apply(const CaseInput& input) {
 }
 
 void V8PlugsViewModel::newJob() {
-    CaseInput next = freshJob(!journalPath_.isEmpty());
+    Input next = freshJob(!journalPath_.isEmpty());
     next.preset = input_.preset;
     next.engine = input_.engine;
     next.crankshaft = input_.crankshaft;
@@ -229,14 +231,13 @@ void V8PlugsViewModel::chooseEngine(int place) {
     }
     lastEdit_.clear();
     if (!isOwnEngine(place)) {
-        edit(tr("Engine"), [&](CaseInput& input) {
-            takePreset(input, presets[static_cast<std::size_t>(place)]);
-        });
+        edit(tr("Engine"),
+             [&](Input& input) { takePreset(input, presets[static_cast<std::size_t>(place)]); });
     } else {
         const JournalEngine& own = ownEngines_.at(place - static_cast<int>(presets.size()));
         try {
             const Engine engine = readOwnEngine(own);
-            edit(tr("Engine"), [&](CaseInput& input) {
+            edit(tr("Engine"), [&](Input& input) {
                 input.preset.clear();
                 input.engine = engine;
                 if (!engine.has_new_plug) {
@@ -291,7 +292,7 @@ QString V8PlugsViewModel::saveEngineAs(const QString& name) {
             return journal_->lastError();
         }
     }
-    CaseInput own = input_;
+    Input own = input_;
     own.preset.clear();
     own.engine.name = trimmed.toStdString();
     const std::string values = write_input(own).at("engine").dump();
@@ -299,7 +300,7 @@ QString V8PlugsViewModel::saveEngineAs(const QString& name) {
         return journal_->lastError();
     }
     ownEngines_ = journal_->engines();
-    edit(tr("Save engine"), [&](CaseInput& input) {
+    edit(tr("Save engine"), [&](Input& input) {
         input.preset.clear();
         input.engine.name = trimmed.toStdString();
     });
@@ -324,8 +325,7 @@ QString V8PlugsViewModel::renameEngine(const QString& from, const QString& to) {
     }
     ownEngines_ = journal_->engines();
     if (QString::fromStdString(input_.engine.name) == from) {
-        edit(tr("Rename engine"),
-             [&](CaseInput& input) { input.engine.name = trimmed.toStdString(); });
+        edit(tr("Rename engine"), [&](Input& input) { input.engine.name = trimmed.toStdString(); });
     }
     Q_EMIT enginesChanged();
     return {};

@@ -9,7 +9,7 @@
 
 #include "case-file/json.h"
 #include "shell/scene_view_model.h"
-#include "v8-plugs/case_input.h"
+#include "v8-plugs/input.h"
 #include "v8-plugs/journal.h"
 #include "v8-plugs/solver.h"
 #include "v8-plugs/words.h"
@@ -37,13 +37,13 @@ class V8PlugsViewModel : public SceneViewModel {
     void loadDefault() override;
     bool setViewOption(const QString& key, const QString& value) override;
 
-    const v8_plugs::CaseInput& input() const { return input_; }
-    const v8_plugs::Solution& solution() const { return solution_; }
+    const v8_plugs::Input& input() const { return input_; }
+    const v8_plugs::Result& solution() const { return solution_; }
 
     /// Changes the input by `mutate` as one step of the history; changes with the same name that
     /// follow each other become one step. A change that breaks a rule between fields (more off a
     /// plug than it weighs, a bore wider than the thread) is taken over and named in troubles().
-    void edit(const QString& name, const std::function<void(v8_plugs::CaseInput&)>& mutate);
+    void edit(const QString& name, const std::function<void(v8_plugs::Input&)>& mutate);
 
     // ------------------------------------------------------------------------------- engines
     /// Reads the user's own engines again: another program may have kept one.
@@ -140,16 +140,16 @@ class V8PlugsViewModel : public SceneViewModel {
     void sheetChosen(int sheet);
 
   private:
-    void apply(const v8_plugs::CaseInput& input);
+    void apply(const v8_plugs::Input& input);
     QString engineNameTrouble(const QString& name) const;
-    void push(const QString& name, const v8_plugs::CaseInput& next, int mergeNumber);
+    void push(const QString& name, const v8_plugs::Input& next, int mergeNumber);
     void setJournalTrouble(const QString& text);
     QByteArray formText() const;
     QString takeForm(const QByteArray& form, qint64 id, int revision, bool copy);
     JournalJob journalJob() const;
 
-    v8_plugs::CaseInput input_;
-    v8_plugs::Solution solution_;
+    v8_plugs::Input input_;
+    v8_plugs::Result solution_;
     Words words_;
     int mergeNumber_ = 0;
     QString lastEdit_;

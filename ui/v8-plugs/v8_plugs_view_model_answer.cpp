@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "numerics/constants.h"
+#include "v8-plugs/v8_names.h"
 #include "v8-plugs/v8_plugs_view_model.h"
 #include "v8-plugs/v8_text.h"
 

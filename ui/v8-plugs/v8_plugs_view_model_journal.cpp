@@ -3,8 +3,9 @@
 #include <QDate>
 #include <QSettings>
 
-#include "case-file/case_file.h"
 #include "case-file/input_error.h"
+#include "scenes/scenes.h"
+#include "v8-plugs/scene.h"
 #include "v8-plugs/v8_plugs_view_model.h"
 #include "widgets/error_text.h"
 
@@ -120,7 +121,7 @@ QString V8PlugsViewModel::takeForm(const QByteArray& form, qint64 id, int revisi
         if (file.scene != sceneName().toStdString()) {
             throw InputError("/scene", "must be \"v8-plugs\"", file.scene);
         }
-        CaseInput next = read_input(file.input, Completeness::as_is);
+        Input next = read_input(file.input, Completeness::as_is);
         if (copy) {
             next.job.engine_number.clear();
             next.job.crankshaft_number.clear();

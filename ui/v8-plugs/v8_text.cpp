@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "v8-plugs/v8_names.h"
+
 namespace ravnoves::v8_text {
 
 using namespace v8_plugs;
@@ -72,7 +74,7 @@ QString millimetres(const Words& words, double metres, int decimals) {
                     words.translate("V8", "mm", "unit"));
 }
 
-QString advice(const Words& words, const CaseInput& input, const Solution& solution) {
+QString advice(const Words& words, const Input& input, const Result& solution) {
     if (!solution.advice || !solution.unbalanced_mass) {
         return {};
     }
@@ -137,8 +139,7 @@ QString advice(const Words& words, const CaseInput& input, const Solution& solut
     return text;
 }
 
-QString boring(const Words& words, const CaseInput& input, const Solution& solution,
-               OptionId option) {
+QString boring(const Words& words, const Input& input, const Result& solution, OptionId option) {
     const auto& plan = solution.boring[index(option)];
     if (!plan || !plan->cuts || !input.plug) {
         return {};
@@ -182,7 +183,7 @@ QString verdict(const Words& words, const Option& option, double tolerance) {
            against(words, option.residual_unbalance, tolerance);
 }
 
-QStringList massWarnings(const Words& words, const CaseInput& input, const Solution& solution) {
+QStringList massWarnings(const Words& words, const Input& input, const Result& solution) {
     QStringList warnings;
     const auto geometry = input.plug ? input.plug->geometry() : std::nullopt;
     const bool solid = geometry && geometry->bore_depth <= 0.0;
@@ -203,7 +204,7 @@ QStringList massWarnings(const Words& words, const CaseInput& input, const Solut
     return warnings;
 }
 
-QStringList weighInGaps(const Words& words, const CaseInput& input) {
+QStringList weighInGaps(const Words& words, const Input& input) {
     QStringList gaps;
     if (!input.weigh_in) {
         return gaps;
@@ -276,7 +277,7 @@ QStringList spreadTroubles(const Words& words, const WeighIn& sheet) {
 
 }  // namespace
 
-QStringList troubles(const Words& words, const CaseInput& input, const Solution& solution) {
+QStringList troubles(const Words& words, const Input& input, const Result& solution) {
     QStringList list = engineTroubles(words, input.engine);
     if (input.plug) {
         list << plugTroubles(words, *input.plug);
@@ -291,7 +292,7 @@ QStringList troubles(const Words& words, const CaseInput& input, const Solution&
     return list;
 }
 
-QString shiftText(const Words& words, const CaseInput& input, const Solution& solution,
+QString shiftText(const Words& words, const Input& input, const Result& solution,
                   const Option& option) {
     const double plug = option.plug_mass_unmachined - option.reduction;
     QString text =
@@ -312,16 +313,16 @@ QString shiftText(const Words& words, const CaseInput& input, const Solution& so
     return text;
 }
 
-std::optional<Option> chosenOption(const Solution& solution) {
+std::optional<Option> chosenOption(const Result& solution) {
     return solution.advice ? solution.advice->option : std::nullopt;
 }
 
-bool works(const Solution& solution) {
+bool works(const Result& solution) {
     return solution.advice && (solution.advice->kind == Advice::Kind::option ||
                                solution.advice->kind == Advice::Kind::none_needed);
 }
 
-QString hang(const Words& words, const Solution& solution) {
+QString hang(const Words& words, const Result& solution) {
     if (!solution.before) {
         return {};
     }
@@ -333,7 +334,7 @@ QString hang(const Words& words, const Solution& solution) {
         .arg(grams(words, weight, 1));
 }
 
-QString bobWeightCheck(const Words& words, const CaseInput& input, const Solution& solution) {
+QString bobWeightCheck(const Words& words, const Input& input, const Result& solution) {
     if (!solution.nominal || !solution.before) {
         return {};
     }
@@ -350,7 +351,7 @@ QString bobWeightCheck(const Words& words, const CaseInput& input, const Solutio
              gramMillimetres(words, difference * input.engine.crank_radius.value_or(0.0)));
 }
 
-QString assignmentText(const Words& words, const Solution& solution) {
+QString assignmentText(const Words& words, const Result& solution) {
     if (!solution.assignment || !solution.crankpin_excess || !solution.assigned_excess) {
         return {};
     }

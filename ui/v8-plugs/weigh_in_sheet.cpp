@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "theme/theme.h"
+#include "v8-plugs/v8_names.h"
 #include "v8-plugs/v8_plugs_view_model.h"
 #include "v8-plugs/v8_text.h"
 #include "widgets/form_section.h"
@@ -107,21 +108,20 @@ WeighInSheet::WeighInSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm
             grid->addWidget(field, firstCylinder + cylinder, place);
             connect(field, &NumberField::valueEdited, this,
                     [this, part, cylinder, name](std::optional<double> value) {
-                        model_->edit(
-                            tr("%1 %2").arg(name).arg(cylinder + 1), [&](CaseInput& input) {
-                                if (!input.weigh_in) {
-                                    input.weigh_in.emplace();
-                                }
-                                (*input.weigh_in)[part].mass[static_cast<std::size_t>(cylinder)] =
-                                    value ? std::optional(*value * 1e-3) : std::nullopt;
-                            });
+                        model_->edit(tr("%1 %2").arg(name).arg(cylinder + 1), [&](Input& input) {
+                            if (!input.weigh_in) {
+                                input.weigh_in.emplace();
+                            }
+                            (*input.weigh_in)[part].mass[static_cast<std::size_t>(cylinder)] =
+                                value ? std::optional(*value * 1e-3) : std::nullopt;
+                        });
                     });
         }
         const auto bindColumn = [&](NumberField* field, std::optional<double> PartColumn::*member,
                                     const QString& step) {
             connect(field, &NumberField::valueEdited, this,
                     [this, part, member, step](std::optional<double> value) {
-                        model_->edit(step, [&](CaseInput& input) {
+                        model_->edit(step, [&](Input& input) {
                             if (!input.weigh_in) {
                                 input.weigh_in.emplace();
                             }
@@ -161,7 +161,7 @@ WeighInSheet::WeighInSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm
     connect(move_, &QPushButton::clicked, this, [this] {
         const auto assignment = model_->solution().assignment;
         if (assignment) {
-            model_->edit(tr("Move parts"), [&](CaseInput& input) {
+            model_->edit(tr("Move parts"), [&](Input& input) {
                 input.weigh_in = reassigned(input.weigh_in.value(), *assignment);
             });
         }
@@ -183,7 +183,7 @@ WeighInSheet::WeighInSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm
     column_->addStretch();
 
     connect(use_, &QCheckBox::toggled, this, [this](bool on) {
-        model_->edit(tr("Source of the mass changes"), [&](CaseInput& input) {
+        model_->edit(tr("Source of the mass changes"), [&](Input& input) {
             if (on && !input.weigh_in) {
                 input.weigh_in.emplace();
             }
@@ -191,7 +191,7 @@ WeighInSheet::WeighInSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm
         });
     });
     connect(numbering_, &QComboBox::activated, this, [this](int which) {
-        model_->edit(tr("Cylinders of a crankpin"), [&](CaseInput& input) {
+        model_->edit(tr("Cylinders of a crankpin"), [&](Input& input) {
             if (!input.weigh_in) {
                 input.weigh_in.emplace();
             }
@@ -224,7 +224,7 @@ NumberField* WeighInSheet::addField(const QString& name, const QString& accessib
 }
 
 void WeighInSheet::showInput() {
-    const CaseInput& input = model_->input();
+    const Input& input = model_->input();
     const QSignalBlocker block(use_);
     use_->setChecked(input.changes_from_weigh_in);
     numbering_->setCurrentIndex(

@@ -70,9 +70,9 @@ class PaperRows {
 double rounded_to(double value, int decimals);
 
 // The papers, one file each.
-std::vector<ValidationRow> validate_balance_shaft();
-std::vector<ValidationRow> validate_elastic_hinge();
-std::vector<ValidationRow> validate_v8_plugs();
-std::vector<ValidationRow> validate_inertia_moments();
+std::vector<ValidationRow> validate_gots_klevtsov();
+std::vector<ValidationRow> validate_zotov_sviridov();
+std::vector<ValidationRow> validate_nazarov();
+std::vector<ValidationRow> validate_chainov_vallejo_maldonado();
 
 }  // namespace ravnoves::methods

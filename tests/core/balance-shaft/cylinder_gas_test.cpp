@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "balance-shaft/engine_torque.h"
+#include "balance-shaft/scene.h"
 #include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
@@ -381,7 +382,7 @@ TEST(ComputedTorque, ExtremeFiniteCyclesGiveNumbersOrWords) {
     EXPECT_GT(solved, 50);
 }
 
-TEST(PressureTraceText, KnowsUnitsAndClosesTheCycle) {
+TEST(ParsedPressureTrace, KnowsUnitsAndClosesTheCycle) {
     const auto read = parse_pressure_trace("deg;MPa\n0;0,1\n180;0,1\n360;6\n540;0,3\n720;0,102\n");
     EXPECT_EQ(read.pressure_unit, "MPa");
     EXPECT_TRUE(read.closed);

@@ -9,6 +9,7 @@
 #include <map>
 #include <sstream>
 
+#include "balance-shaft/presets.h"
 #include "balance-shaft/scene.h"
 #include "case-file/json.h"
 #include "test_cases.h"

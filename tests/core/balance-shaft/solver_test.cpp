@@ -2,9 +2,12 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
-#include "balance-shaft/balance_shaft.h"
 #include "balance-shaft/best_range.h"
 #include "balance-shaft/cycle_extrema.h"
+#include "balance-shaft/mechanism.h"
+#include "balance-shaft/presets.h"
+#include "balance-shaft/scene.h"
+#include "balance-shaft/solver.h"
 #include "case-file/json.h"
 #include "example_check.h"
 #include "numerics/periodic_piecewise.h"

@@ -4,8 +4,10 @@
 
 #include <cmath>
 
-#include "case-file/case_file.h"
+#include "balance-shaft/presets.h"
+#include "balance-shaft/scene.h"
 #include "case-file/json.h"
+#include "scenes/scenes.h"
 
 #include "test_cases.h"
 

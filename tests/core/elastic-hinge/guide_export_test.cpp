@@ -7,6 +7,7 @@
 #include <map>
 #include <sstream>
 
+#include "elastic-hinge/presets.h"
 #include "support.h"
 
 namespace ravnoves::elastic_hinge {

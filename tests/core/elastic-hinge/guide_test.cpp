@@ -2,6 +2,7 @@
 
 #include <boost/numeric/odeint.hpp>
 
+#include "elastic-hinge/presets.h"
 #include "support.h"
 
 namespace ravnoves::elastic_hinge {

@@ -1,5 +1,6 @@
 #include "elastic-hinge/motion.h"
 
+#include "elastic-hinge/presets.h"
 #include "support.h"
 
 namespace ravnoves::elastic_hinge {

@@ -1,6 +1,7 @@
 #include "elastic-hinge/rod_hinge_moment.h"
 
 #include "elastic-hinge/motion.h"
+#include "elastic-hinge/presets.h"
 #include "support.h"
 
 namespace ravnoves::elastic_hinge {

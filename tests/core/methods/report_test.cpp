@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "csv_lines.h"
-#include "methods/table_text.h"
+#include "methods/plain_text.h"
 
 namespace ravnoves::methods {
 namespace {
@@ -116,7 +116,7 @@ TEST(MethodsReport, ProgressRunsOnceFromEndToEndAndCancels) {
                  Cancelled);
 }
 
-TEST(TableText, CsvQuotesWhatWouldSplit) {
+TEST(PlainText, CsvQuotesWhatWouldSplit) {
     EXPECT_EQ(csv_line({"a", "", "b c"}), "a,,b c\n");
     EXPECT_EQ(csv_line({"a,b", "say \"x\"", "two\nlines"}),
               "\"a,b\",\"say \"\"x\"\"\",\"two\nlines\"\n");
@@ -124,14 +124,14 @@ TEST(TableText, CsvQuotesWhatWouldSplit) {
     EXPECT_EQ(back.front(), (std::vector<std::string>{"a,b", "say \"x\"", "two\nlines"}));
 }
 
-TEST(TableText, WidthCountsCharactersNotBytes) {
+TEST(PlainText, WidthCountsCharactersNotBytes) {
     EXPECT_EQ(shown_width("N·m"), 3U);
     EXPECT_EQ(shown_width("φ = 3°20′"), 9U);
     EXPECT_EQ(shown_width("z\xCC\x84"), 1U);  // z with a bar over it
 }
 
-TEST(TableText, AlignsAndWrapsTheLastColumn) {
-    TextTable table({{"λ"}, {"ns", true}, {"why"}});
+TEST(PlainText, AlignsAndWrapsTheLastColumn) {
+    AlignedTable table({{"λ"}, {"ns", true}, {"why"}});
     table.add({"a", "5", "one two three four five six seven"});
     table.add({"bb", "100", "short"});
     EXPECT_EQ(table.text(29),

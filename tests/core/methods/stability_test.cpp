@@ -8,15 +8,16 @@
 #include <numeric>
 
 #include "balance-shaft/best_range.h"
-#include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "elastic-hinge/presets.h"
 #include "elastic-hinge/solver.h"
 #include "methods/hinge_mechanism.h"
 #include "methods/kernel.h"
 #include "methods/torque_cycle.h"
 #include "numerics/constants.h"
+#include "scenes/scenes.h"
 
 namespace ravnoves::methods {
 namespace {

@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "csv_lines.h"
-#include "methods/table_text.h"
+#include "methods/plain_text.h"
 #include "methods/validation/rows.h"
 
 namespace ravnoves::methods {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "support.h"
+#include "v8-plugs/presets.h"
 
 namespace ravnoves::v8_plugs {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <QSignalSpy>
 
-#include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "example_check.h"
+#include "scenes/scenes.h"
 
 namespace ravnoves {
 namespace {

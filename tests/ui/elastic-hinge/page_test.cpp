@@ -18,6 +18,7 @@
 #include "elastic-hinge/hinge_mechanism_view.h"
 #include "elastic-hinge/hinge_plots.h"
 #include "elastic-hinge/number_list_field.h"
+#include "elastic-hinge/presets.h"
 #include "events.h"
 #include "theme/theme.h"
 #include "widgets/decimal_spin_box.h"

@@ -6,12 +6,13 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
-#include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
-#include "elastic-hinge/case_io.h"
+#include "elastic-hinge/presets.h"
+#include "elastic-hinge/scene.h"
 #include "example_check.h"
+#include "scenes/scenes.h"
 
 namespace ravnoves {
 namespace {

@@ -5,12 +5,12 @@
 #include <QSignalSpy>
 #include <cmath>
 
-#include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "example_check.h"
 #include "inertia-moments/layouts.h"
+#include "scenes/scenes.h"
 
 namespace ravnoves {
 namespace {

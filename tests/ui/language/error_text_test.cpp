@@ -9,10 +9,10 @@
 #include <filesystem>
 
 #include "balance-shaft/torque_table.h"
-#include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "scenes/scenes.h"
 #include "shell/language.h"
 #include "widgets/number_text.h"
 

@@ -9,7 +9,8 @@
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "elastic-hinge/case_io.h"
+#include "elastic-hinge/presets.h"
+#include "elastic-hinge/scene.h"
 #include "methods_support.h"
 
 namespace ravnoves {

@@ -34,6 +34,8 @@
 #include "v8-plugs/checked_field.h"
 #include "v8-plugs/job_card.h"
 #include "v8-plugs/journal_dialog.h"
+#include "v8-plugs/presets.h"
+#include "v8-plugs/scene.h"
 #include "v8-plugs/v8_plugs_view_model.h"
 #include "widgets/number_field.h"
 #include "widgets/result_table.h"
@@ -536,7 +538,7 @@ TEST_F(V8PageTest, CrashedDraftIsOffered) {
     JournalDraft draft;
     draft.session = u"crashed"_s;
     draft.engineNumber = u"99"_s;
-    CaseInput lost;
+    Input lost;
     lost.preset = "6 l";
     lost.engine = *find_preset("6 l");
     lost.job.engine_number = "99";

@@ -11,10 +11,12 @@
 #include <QTest>
 #include <csignal>
 
-#include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "scenes/scenes.h"
+#include "v8-plugs/presets.h"
+#include "v8-plugs/scene.h"
 
 namespace ravnoves {
 namespace {
@@ -34,7 +36,7 @@ class V8ViewModelTest : public ::testing::Test {
     }
 
     static void number(V8PlugsViewModel& model, const char* text) {
-        model.edit(u"number"_s, [&](CaseInput& input) { input.job.engine_number = text; });
+        model.edit(u"number"_s, [&](Input& input) { input.job.engine_number = text; });
     }
 
     QTemporaryDir folder_;
@@ -45,7 +47,7 @@ TEST_F(V8ViewModelTest, ResultIsTheCommandLines) {
     for (const char* name : {"v8-4.25-repair.case.json", "v8-6-manufacture.case.json"}) {
         const Json input = example(name);
         model.loadInput(input, {});
-        EXPECT_EQ(model.resultJson(), solve_case_input(input, {}));
+        EXPECT_EQ(model.resultJson(), solve_scene(input, {}));
         EXPECT_EQ(model.inputJson().at("engine"), input.at("engine"));
     }
     EXPECT_EQ(model.adviceText(),
@@ -65,7 +67,7 @@ TEST_F(V8ViewModelTest, OptionsWithConstantSlopeReachNeedAndWhatIsLeft) {
                            u"7.867"_s, u"−0.818"_s, u"−1.930"_s, u"−77.2"_s}));
     EXPECT_EQ(model.optionColumns().size(), rows.at(0).size());
     EXPECT_TRUE(model.optionToolTip(3).startsWith(u"For the other crankshaft."_s));
-    model.edit(u"crankshaft"_s, [](CaseInput& input) { input.crankshaft = Crankshaft::new_plugs; });
+    model.edit(u"crankshaft"_s, [](Input& input) { input.crankshaft = Crankshaft::new_plugs; });
     EXPECT_TRUE(model.optionRows().at(2).constFirst().startsWith(u"✓ "_s));
 }
 
@@ -92,11 +94,11 @@ TEST_F(V8ViewModelTest, EditsMergeAndUndo) {
     QSignalSpy changed(&model, &SceneViewModel::changed);
     for (const double grams : {1.0, 1.2, 1.25}) {
         model.edit(u"Rod big end"_s,
-                   [&](CaseInput& input) { input.typed_changes.rod_big_end = grams * gram; });
+                   [&](Input& input) { input.typed_changes.rod_big_end = grams * gram; });
     }
     EXPECT_EQ(changed.count(), 3);
     EXPECT_EQ(model.history()->count(), 1);
-    model.edit(u"Crankshaft"_s, [](CaseInput& input) { input.crankshaft = Crankshaft::new_plugs; });
+    model.edit(u"Crankshaft"_s, [](Input& input) { input.crankshaft = Crankshaft::new_plugs; });
     EXPECT_EQ(model.history()->count(), 2);
     model.history()->undo();
     model.history()->undo();
@@ -107,16 +109,16 @@ TEST_F(V8ViewModelTest, EditsMergeAndUndo) {
 
 TEST_F(V8ViewModelTest, RulesBetweenFieldsAreNamedNotLost) {
     V8PlugsViewModel model({});
-    model.edit(u"sizes"_s, [](CaseInput& input) { input.plug.reset(); });
-    model.edit(u"limit"_s, [](CaseInput& input) { input.engine.max_steel_reduction = 3 * gram; });
+    model.edit(u"sizes"_s, [](Input& input) { input.plug.reset(); });
+    model.edit(u"limit"_s, [](Input& input) { input.engine.max_steel_reduction = 3 * gram; });
     EXPECT_EQ(
         model.troubles(),
         QStringList{
             u"Most off steel plug Δm_pm: must be less than the plug's mass, 2.790\u00A0g."_s});
     EXPECT_FALSE(model.solution().advice);
-    model.edit(u"mass"_s, [](CaseInput& input) { input.engine.steel_plug_mass = 25 * gram; });
+    model.edit(u"mass"_s, [](Input& input) { input.engine.steel_plug_mass = 25 * gram; });
     EXPECT_TRUE(model.troubles().isEmpty());
-    model.edit(u"plug"_s, [](CaseInput& input) {
+    model.edit(u"plug"_s, [](Input& input) {
         input.plug.emplace();
         input.plug->thread = Thread{30e-3, 1.5e-3};
         input.plug->height = 11e-3;
@@ -125,7 +127,7 @@ TEST_F(V8ViewModelTest, RulesBetweenFieldsAreNamedNotLost) {
     });
     ASSERT_EQ(model.troubles().size(), 1);
     EXPECT_TRUE(model.troubles().constFirst().contains(u"no wall"_s));
-    model.edit(u"plug"_s, [](CaseInput& input) { input.plug->bore_diameter = 25e-3; });
+    model.edit(u"plug"_s, [](Input& input) { input.plug->bore_diameter = 25e-3; });
     // Steel fits now; the paper's aluminium plug does not.
     ASSERT_EQ(model.troubles().size(), 1);
     EXPECT_TRUE(model.troubles().constFirst().startsWith(u"Aluminium plug: a plug of these"_s));
@@ -140,14 +142,14 @@ TEST_F(V8ViewModelTest, PresetsBringThePrintedSizesAndLeaveTypedOnes) {
     ASSERT_EQ(model.troubles().size(), 2);
     EXPECT_TRUE(model.troubles().constFirst().startsWith(u"Steel plug: solid it weighs 38"_s));
     EXPECT_TRUE(model.troubles().constFirst().contains(u"2.79"_s));
-    model.edit(u"cutter"_s, [](CaseInput& input) { input.plug->cutter_diameter = 14e-3; });
+    model.edit(u"cutter"_s, [](Input& input) { input.plug->cutter_diameter = 14e-3; });
     model.chooseEngine(1);  // 6 l
     EXPECT_NEAR(model.input().plug->thread->diameter, 30e-3, 1e-12);
     EXPECT_NEAR(*model.input().plug->height, 11e-3, 1e-12);
     EXPECT_NEAR(*model.input().plug->cutter_diameter, 14e-3, 1e-12);
     model.chooseEngine(3);  // 8.32 l: none printed
     EXPECT_FALSE(model.input().plug->thread);
-    model.edit(u"height"_s, [](CaseInput& input) { input.plug->height = 12.5e-3; });
+    model.edit(u"height"_s, [](Input& input) { input.plug->height = 12.5e-3; });
     model.chooseEngine(0);
     EXPECT_FALSE(model.input().plug->thread);
     EXPECT_NEAR(*model.input().plug->height, 12.5e-3, 1e-12);
@@ -155,7 +157,7 @@ TEST_F(V8ViewModelTest, PresetsBringThePrintedSizesAndLeaveTypedOnes) {
 
 TEST_F(V8ViewModelTest, ColumnsHalfWeighedAreNamed) {
     V8PlugsViewModel model({});
-    model.edit(u"weigh"_s, [](CaseInput& input) {
+    model.edit(u"weigh"_s, [](Input& input) {
         input.plug.reset();
         input.weigh_in.emplace();
         (*input.weigh_in)[Part::pin].nominal = 150 * gram;
@@ -167,7 +169,7 @@ TEST_F(V8ViewModelTest, ColumnsHalfWeighedAreNamed) {
     EXPECT_TRUE(model.weighInGaps().at(1).startsWith(u"Rings: the weights do not count"_s));
     EXPECT_TRUE(model.troubles().isEmpty());  // typed changes count
     EXPECT_EQ(model.columnNote(Part::pin).deviation, u"+1.00"_s);
-    model.edit(u"source"_s, [](CaseInput& input) { input.changes_from_weigh_in = true; });
+    model.edit(u"source"_s, [](Input& input) { input.changes_from_weigh_in = true; });
     EXPECT_EQ(model.troubles(), model.weighInGaps());
 }
 
@@ -176,7 +178,7 @@ TEST_F(V8ViewModelTest, ShiftOfThePlannedBoreIsSaid) {
     model.loadInput(example("v8-4.25-repair.case.json"), {});
     EXPECT_TRUE(model.shiftText().contains(u"1.5 to 2.3"_s)) << qPrintable(model.shiftText());
     EXPECT_FALSE(model.shiftText().contains(u"Bored as planned"_s));
-    model.edit(u"plug"_s, [](CaseInput& input) {
+    model.edit(u"plug"_s, [](Input& input) {
         input.plug.emplace();
         input.plug->thread = Thread{22e-3, 1.5e-3};
         input.plug->height = 14e-3;
@@ -191,8 +193,8 @@ TEST_F(V8ViewModelTest, ShiftOfThePlannedBoreIsSaid) {
 
 TEST_F(V8ViewModelTest, SpreadAbovePermittedIsWarnedOf) {
     V8PlugsViewModel model({});
-    model.edit(u"sizes"_s, [](CaseInput& input) { input.plug.reset(); });
-    model.edit(u"weigh"_s, [](CaseInput& input) {
+    model.edit(u"sizes"_s, [](Input& input) { input.plug.reset(); });
+    model.edit(u"weigh"_s, [](Input& input) {
         input.weigh_in.emplace();
         PartColumn& pistons = (*input.weigh_in)[Part::piston];
         pistons.nominal = 600 * gram;
@@ -217,7 +219,7 @@ TEST_F(V8ViewModelTest, JobsAreSavedOpenedChangedAndCopied) {
     V8PlugsViewModel model(path());
     ASSERT_TRUE(model.openJournal()) << qPrintable(model.journalTrouble());
     model.loadInput(example("v8-4.25-repair.case.json"), {});
-    model.edit(u"job"_s, [](CaseInput& input) {
+    model.edit(u"job"_s, [](Input& input) {
         input.job.engine_number = "53-11";
         input.job.customer = "Автобаза";
         input.job.date = "2024-05-31";
@@ -235,7 +237,7 @@ TEST_F(V8ViewModelTest, JobsAreSavedOpenedChangedAndCopied) {
     EXPECT_NEAR(*row->unbalancedMass, 4.3225, 1e-9);
     EXPECT_EQ(row->recommended, u"steel-machined"_s);
     EXPECT_NEAR(*row->bobWeight, 2326.5844, 1e-6);
-    const CaseInput saved = model.input();
+    const Input saved = model.input();
 
     // Changed and saved again: the same job.
     number(model, "53-12");
@@ -272,7 +274,7 @@ TEST_F(V8ViewModelTest, OwnEnginesAreKept) {
         V8PlugsViewModel model(path());
         ASSERT_TRUE(model.openJournal());
         model.chooseEngine(3);
-        model.edit(u"mass"_s, [](CaseInput& input) {
+        model.edit(u"mass"_s, [](Input& input) {
             input.engine.steel_plug_mass = 22.75 * gram;
             input.engine.has_new_plug = false;
         });
@@ -307,7 +309,7 @@ TEST_F(V8ViewModelTest, OwnEnginesAreKept) {
     ASSERT_TRUE(later.journal()->saveEngine({u"Broken"_s, "{\"crank_radius_mm\":"}));
     V8PlugsViewModel last(path());
     ASSERT_TRUE(last.openJournal());
-    const CaseInput before = last.input();
+    const Input before = last.input();
     last.chooseEngine(static_cast<int>(last.engineNames().indexOf(u"Broken"_s)));
     EXPECT_EQ(last.input(), before);
     EXPECT_TRUE(last.journalTrouble().contains(u"Broken"_s));
@@ -411,7 +413,7 @@ TEST_F(V8ViewModelTest, WithoutAJournalNothingIsWritten) {
 TEST_F(V8ViewModelTest, BadCasesLeaveTheSheetAsItWas) {
     V8PlugsViewModel model({});
     model.loadInput(example("v8-4.25-repair.case.json"), {});
-    const CaseInput before = model.input();
+    const Input before = model.input();
     Json bad = example("v8-4.25-repair.case.json");
     bad["engine"]["crank_radius_mm"] = -40;
     EXPECT_THROW(model.loadInput(bad, {}), InputError);

@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
     }
     for (int field = 0; field < 100000; ++field) {
         const double grams = 600.0 + field % 997;
-        model.edit(QString::number(field), [&](ravnoves::v8_plugs::CaseInput& input) {
+        model.edit(QString::number(field), [&](ravnoves::v8_plugs::Input& input) {
             if (!input.weigh_in) {
                 input.weigh_in.emplace();
             }

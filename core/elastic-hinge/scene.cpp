@@ -1,0 +1,456 @@
+#include "elastic-hinge/scene.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string>
+
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "case-file/object_reader.h"
+#include "elastic-hinge/solver.h"
+
+namespace ravnoves::elastic_hinge {
+
+namespace {
+
+/// A mass as the weight that reads back to it: the shortest decimal text of those that do.
+double as_weight(double mass, double gravity) {
+    const double value = mass * gravity;
+    for (const int digits : {12, 15, 16}) {
+        const std::string text = format_number(value, digits);
+        double rounded = 0.0;
+        std::from_chars(text.data(), text.data() + text.size(), rounded);
+        if (rounded / gravity == mass) {
+            return rounded;
+        }
+    }
+    return value;
+}
+
+void put(Json& object, const FieldSpec& field, double si) {
+    object[std::string(field.key)] = from_si(field, si);
+}
+
+Spring read_spring(ObjectReader reader) {
+    Spring spring;
+    spring.stiffness = reader.si(field::stiffness);
+    spring.free_length = reader.si(field::free_length);
+    spring.guide_radius_at_zero = reader.si(field::guide_radius);
+    reader.finish();
+    return spring;
+}
+
+Json write_spring(const Spring& spring) {
+    Json object;
+    put(object, field::stiffness, spring.stiffness);
+    put(object, field::free_length, spring.free_length);
+    put(object, field::guide_radius, spring.guide_radius_at_zero);
+    return object;
+}
+
+void read_masses(ObjectReader& reader, Input& input) {
+    const bool masses = reader.has("masses_kg");
+    if (masses && reader.has("weights_N")) {
+        throw InputError(reader.pointer_to("masses_kg"),
+                         "must not stand beside weights_N: give the one or the other");
+    }
+    input.masses_as_weights = !masses;
+    const FieldSpec& gravity = masses ? field::gravity_with_masses : field::gravity;
+    input.gravity = reader.si(gravity, standard_gravity);
+    ObjectReader parts = reader.object(masses ? "masses_kg" : "weights_N");
+    const Range& range = masses ? field::mass.range : field::weight.range;
+    const double divisor = masses ? 1.0 : input.gravity;
+    input.crank_mass = parts.number("crank", range) / divisor;
+    input.rod_mass = parts.number("rod", range) / divisor;
+    input.slider_mass = parts.number("slider", range) / divisor;
+    parts.finish();
+}
+
+RodCounterweight read_counterweight(ObjectReader reader, const Input& input) {
+    RodCounterweight counterweight;
+    counterweight.distance = reader.si(field::counterweight_distance);
+    const FieldSpec& field =
+        input.masses_as_weights ? field::counterweight_weight : field::counterweight_mass;
+    const Json& mass = reader.raw(field.key);
+    if (mass.is_string()) {
+        if (mass.get_ref<const std::string&>() != "solve") {
+            throw InputError(reader.pointer_to(field.key), "must be a number or \"solve\"",
+                             show(mass));
+        }
+    } else {
+        counterweight.mass =
+            reader.number(field.key, field.range) / (input.masses_as_weights ? input.gravity : 1.0);
+    }
+    counterweight.inertia =
+        reader.choice("inertia", {"as-printed", "newton-euler"}, "as-printed") == "as-printed"
+            ? CounterweightInertia::as_printed
+            : CounterweightInertia::newton_euler;
+    reader.finish();
+    return counterweight;
+}
+
+// ------------------------------------------------------------------------------------- result
+
+Json scaled(const std::vector<double>& values, double to_unit) {
+    if (values.empty()) {
+        return nullptr;
+    }
+    Json list = Json::array();
+    for (const double value : values) {
+        if (std::isfinite(value)) {
+            const double shown = value * to_unit;
+            list.push_back(shown == 0.0 ? 0.0 : shown);  // no minus before zero
+        } else {
+            list.push_back(nullptr);
+        }
+    }
+    return list;
+}
+
+Json optional(const std::optional<double>& value, double to_unit) {
+    return value && std::isfinite(*value) ? Json(*value * to_unit) : Json(nullptr);
+}
+
+const char* name_of(Branch branch) {
+    return branch == Branch::compressed ? "compressed" : "stretched";
+}
+
+Json write_branch(const BranchSummary& branch) {
+    if (!branch.exists) {
+        return nullptr;
+    }
+    constexpr double mm = 1e3;
+    return {{"min_radius_mm", branch.min_radius * mm},
+            {"max_radius_mm", branch.max_radius * mm},
+            {"smallest_curvature_radius_mm", branch.smallest_curvature_radius * mm},
+            {"largest_roller_radius_mm", optional(branch.largest_roller_radius, mm)},
+            {"undercut", branch.undercut},
+            {"profile_min_radius_mm", branch.profile_min_radius * mm},
+            {"profile_max_radius_mm", branch.profile_max_radius * mm},
+            {"max_pressure_angle_deg", branch.max_pressure_angle / degree}};
+}
+
+// The contract's examples were computed on a grid of crank angles 0.05° apart. Two of its numbers
+// show that, and are written as the contract has them, with the continuous ones beside them.
+
+constexpr double contract_step = 0.05 * degree;
+
+/// The preload that the guide needs at the grid's angles, m. Guide::minimum_preload is that of the
+/// continuous turn, and decides.
+double contract_minimum_preload(const Guide& guide) {
+    constexpr int samples = 7201;
+    const auto grid = angle_grid(samples);
+    double most = 0.0;
+    for (const double phi : grid->angle) {
+        most =
+            std::max(most, guide.shape->given_out(guide.shape->design().demand(guide.hinge, phi)));
+    }
+    return std::sqrt(most);
+}
+
+/// The crank's moment as the work done between the grid's angles on either side, divided by the
+/// angle between them, less the moment at the angle itself; N·m at every angle of the result.
+std::vector<double> contract_moment_difference(const Result& result) {
+    const Design& design = *result.design;
+    std::vector<double> difference(result.curves.crank_moment.size());
+    for (std::size_t i = 0; i < difference.size(); ++i) {
+        const double phi = result.crank_angle_deg[i] * degree;
+        const double work = design.demand(Hinge::crank, phi + contract_step).energy -
+                            design.demand(Hinge::crank, phi - contract_step).energy;
+        difference[i] = work / (2.0 * contract_step) - result.curves.crank_moment[i];
+    }
+    return difference;
+}
+
+std::vector<double> sum_of(std::vector<double> a, const std::vector<double>& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        a[i] += b[i];
+    }
+    return a;
+}
+
+Json write_guide(const Guide& guide) {
+    constexpr double mm = 1e3;
+    const bool known = guide.shape != nullptr;
+    const auto when = [](bool there, double value) { return there ? Json(value) : Json(nullptr); };
+    const bool made = guide.feasible;
+    Json object{
+        {"feasible", guide.feasible},
+        {"reason", guide.reason},
+        {"preload_mm", when(known, guide.preload * mm)},
+        {"minimum_preload_mm", known ? Json(contract_minimum_preload(guide) * mm) : Json(nullptr)},
+        {"minimum_preload_continuous_mm", when(known, guide.minimum_preload * mm)},
+        {"minimum_stiffness_N_m", known ? optional(guide.minimum_stiffness, 1.0) : Json(nullptr)}};
+    const bool missing = guide.problem == GuideProblem::preload_too_small;
+    object["first_missing_crank_angle_deg"] = when(missing, guide.first_missing_angle / degree);
+    object["worst_crank_angle_deg"] = when(known, guide.worst_angle / degree);
+    object["branch"] = known ? Json(name_of(guide.branch)) : Json(nullptr);
+    object["relief_mm"] = when(made, guide.relief * mm);
+    object["spring_travel_mm"] = when(made, guide.spring_travel * mm);
+    object["largest_spring_force_N"] = when(made, guide.largest_spring_force);
+    object["smallest_spring_force_N"] = when(made, guide.smallest_spring_force);
+    object["largest_moment_Nm"] = when(known, guide.largest_moment);
+    object["compressed"] = write_branch(guide.compressed);
+    object["stretched"] = write_branch(guide.stretched);
+    object["profile_error"] = made ? Json{{"amplitude_um", guide.error.amplitude * 1e6},
+                                          {"waves", guide.error.waves},
+                                          {"torque_Nm", guide.error.torque},
+                                          {"relative_torque", guide.error.relative},
+                                          {"energy_J", guide.error.energy}}
+                                   : Json(nullptr);
+    return object;
+}
+
+Json write_rod_guide(const Guide& guide) {
+    Json object = write_guide(guide);
+    object["hinge_angle_deg"] = scaled(guide.polar_angle, 1.0 / degree);
+    object["guide_radius_compressed_mm"] = scaled(guide.radius_compressed, 1e3);
+    object["guide_radius_stretched_mm"] = scaled(guide.radius_stretched, 1e3);
+    return object;
+}
+
+Json write_proposal(const GuideProposal& proposal) {
+    if (!proposal.found) {
+        return {{"feasible", false}, {"reason", proposal.reason}};
+    }
+    return {{"feasible", true},
+            {"reason", ""},
+            {"branch", name_of(proposal.branch)},
+            {"spring", write_spring(proposal.spring)},
+            {"relief_mm", proposal.relief * 1e3},
+            {"outer_diameter_mm", proposal.outer_diameter * 1e3},
+            {"smallest_spring_length_mm", proposal.smallest_spring_length * 1e3},
+            {"largest_spring_force_N", proposal.largest_spring_force},
+            {"largest_spring_energy_J", proposal.largest_spring_energy}};
+}
+
+const char* name_of(MotionEnd end) {
+    switch (end) {
+        case MotionEnd::completed:
+            return "completed";
+        case MotionEnd::reversed:
+            return "reversed";
+        case MotionEnd::too_slow:
+            return "too-slow";
+        case MotionEnd::cancelled:
+            break;
+    }
+    return "cancelled";
+}
+
+Json write_motion(const Motion& motion) {
+    return {{"feasible", true},
+            {"end", name_of(motion.end)},
+            {"reason", motion.reason},
+            {"time_s", motion.time.back()},
+            {"crank_angle_deg", motion.crank_angle.back() / degree},
+            {"speed_rad_s", motion.speed.back()},
+            {"mean_speed_rad_s", motion.mean_speed},
+            {"min_speed_rad_s", motion.min_speed},
+            {"max_speed_rad_s", motion.max_speed},
+            {"speed_ripple", motion.ripple},
+            {"energy_drift", motion.energy_drift},
+            {"steps", motion.steps}};
+}
+
+}  // namespace
+
+Input read_input(const Json& json) {
+    ObjectReader reader(json, "/input");
+    Input input;
+    read_masses(reader, input);
+    input.crank_radius = reader.si(field::crank_radius);
+    input.lambda = reader.si(field::lambda);
+    input.angular_speed = reader.si(field::angular_speed);
+    input.kinematics = reader.choice("kinematics", {"exact", "series"}, "exact") == "exact"
+                           ? Kinematics::exact
+                           : Kinematics::series;
+    input.guide_sign = reader.choice("guide_sign", {"energy", "as-printed"}, "energy") == "energy"
+                           ? GuideSign::energy
+                           : GuideSign::as_printed;
+    if (reader.has("spring")) {
+        input.spring = read_spring(reader.object("spring"));
+    }
+    if (reader.has("rod_hinge_spring")) {
+        input.rod_hinge_spring = read_spring(reader.object("rod_hinge_spring"));
+    }
+    if (reader.has("rod_counterweight")) {
+        input.rod_counterweight = read_counterweight(reader.object("rod_counterweight"), input);
+    }
+    input.roller_radius = reader.si(field::roller_radius, input.roller_radius);
+    input.profile_error = reader.si(field::profile_error, input.profile_error);
+    input.profile_error_waves = reader.integer("profile_error_waves", field::smallest_waves,
+                                               field::largest_waves, input.profile_error_waves);
+    if (reader.has("guide_search")) {
+        ObjectReader search = reader.object("guide_search");
+        GuideWish wish;
+        wish.relief = search.si(field::wanted_relief);
+        wish.outer_diameter = search.si(field::outer_diameter);
+        wish.smallest_spring_length = search.optional_si(field::smallest_spring_length);
+        search.finish();
+        input.guide_search = wish;
+    }
+    if (reader.has("motion")) {
+        ObjectReader motion = reader.object("motion");
+        MotionWish wish;
+        wish.turns = motion.si(field::turns, wish.turns);
+        wish.start_speed = motion.optional_si(field::start_speed);
+        wish.start_angle = motion.si(field::start_angle, wish.start_angle);
+        wish.crank_torque = motion.si(field::crank_torque, wish.crank_torque);
+        wish.with_profile_error = motion.boolean("with_profile_error", wish.with_profile_error);
+        motion.finish();
+        input.motion = wish;
+    }
+    reader.finish();
+    check_input(input);
+    return input;
+}
+
+Json write_input(const Input& input) {
+    const double g = input.gravity;
+    const auto mass = [&](double value) {
+        return input.masses_as_weights ? as_weight(value, g) : value;
+    };
+    const Input defaults;
+    Json json;
+    json[input.masses_as_weights ? "weights_N" : "masses_kg"] = {
+        {"crank", mass(input.crank_mass)},
+        {"rod", mass(input.rod_mass)},
+        {"slider", mass(input.slider_mass)}};
+    put(json, field::gravity, g);
+    put(json, field::crank_radius, input.crank_radius);
+    put(json, field::lambda, input.lambda);
+    put(json, field::angular_speed, input.angular_speed);
+    json["kinematics"] = input.kinematics == Kinematics::exact ? "exact" : "series";
+    json["guide_sign"] = input.guide_sign == GuideSign::energy ? "energy" : "as-printed";
+    if (input.spring) {
+        json["spring"] = write_spring(*input.spring);
+    }
+    if (input.rod_hinge_spring) {
+        json["rod_hinge_spring"] = write_spring(*input.rod_hinge_spring);
+    }
+    if (const auto& counterweight = input.rod_counterweight) {
+        Json object;
+        put(object, field::counterweight_distance, counterweight->distance);
+        const FieldSpec& field =
+            input.masses_as_weights ? field::counterweight_weight : field::counterweight_mass;
+        object[std::string(field.key)] =
+            counterweight->mass ? Json(mass(*counterweight->mass)) : Json("solve");
+        object["inertia"] = counterweight->inertia == CounterweightInertia::as_printed
+                                ? "as-printed"
+                                : "newton-euler";
+        json["rod_counterweight"] = object;
+    }
+    if (input.roller_radius != defaults.roller_radius) {
+        put(json, field::roller_radius, input.roller_radius);
+    }
+    if (input.profile_error != defaults.profile_error) {
+        put(json, field::profile_error, input.profile_error);
+    }
+    if (input.profile_error_waves != defaults.profile_error_waves) {
+        json["profile_error_waves"] = input.profile_error_waves;
+    }
+    if (const auto& wish = input.guide_search) {
+        Json object;
+        put(object, field::wanted_relief, wish->relief);
+        put(object, field::outer_diameter, wish->outer_diameter);
+        if (wish->smallest_spring_length) {
+            put(object, field::smallest_spring_length, *wish->smallest_spring_length);
+        }
+        json["guide_search"] = object;
+    }
+    if (const auto& wish = input.motion) {
+        Json object;
+        put(object, field::turns, wish->turns);
+        if (wish->start_speed) {
+            put(object, field::start_speed, *wish->start_speed);
+        }
+        put(object, field::start_angle, wish->start_angle);
+        put(object, field::crank_torque, wish->crank_torque);
+        object["with_profile_error"] = wish->with_profile_error;
+        json["motion"] = object;
+    }
+    return json;
+}
+
+Json write_motions(const Input& input, const Result& result) {
+    Json object;
+    const std::pair<const char*, HingeSet> sets[] = {{"without_hinge", HingeSet::none},
+                                                     {"with_crank_hinge", HingeSet::crank},
+                                                     {"with_both_hinges", HingeSet::crank_and_rod}};
+    for (const auto& [name, hinges] : sets) {
+        const Guide& guide =
+            hinges == HingeSet::crank_and_rod ? result.crank_guide_with_rod : result.crank_guide;
+        if (!result.design->has_exact_kinematics()) {
+            object[name] = {{"feasible", false}, {"reason", "at lambda = 1 the mechanism locks"}};
+        } else if (hinges != HingeSet::none && !guide.feasible) {
+            object[name] = {{"feasible", false}, {"reason", guide.reason}};
+        } else {
+            object[name] = write_motion(simulate(input, result, hinges));
+        }
+    }
+    return object;
+}
+
+Json write_result(const Input& input, const Result& result) {
+    const double g = result.design->mechanism().gravity;
+    Json json;
+    json["rod_hinge_moment_integral_J"] = result.rod_hinge_integral;
+    if (result.has_counterweight) {
+        json["counterweight_weight_N"] = result.counterweight_mass * g;
+        json["counterweight_mass_kg"] = result.counterweight_mass;
+        json["balancing_weight_N"] = result.balancing_mass * g;
+    }
+    json["guide"] = write_guide(result.crank_guide);
+    json["guide_beside_rod_hinge"] = write_guide(result.crank_guide_with_rod);
+    json["rod_hinge_guide"] = write_rod_guide(result.rod_guide);
+    if (result.proposal) {
+        json["guide_search"] = write_proposal(*result.proposal);
+    } else if (input.guide_search) {
+        json["guide_search"] = {{"feasible", false},
+                                {"reason", "no spring is given: its free length is needed"}};
+    }
+    const double with = result.largest_side_force_with;
+    const double without = result.largest_side_force_without;
+    json["side_force"] = {
+        {"largest_without_hinge_N", without},
+        {"largest_with_hinge_N", with},
+        {"largest_by_newton_euler_N",
+         result.side_force_true.empty() ? Json(nullptr) : Json(result.largest_side_force_true)},
+        {"reduction_factor",
+         with > 0.0 && std::isfinite(without / with) ? Json(without / with) : Json(nullptr)}};
+    json["series"] = {
+        {"largest_cos_psi_error", result.series_error},
+        {"at_crank_angle_deg", result.series_error_angle / degree},
+        {"largest_rod_hinge_moment_error_Nm", optional(result.series_moment_error, 1.0)}};
+    if (input.motion) {
+        json["motion"] = write_motions(input, result);
+    }
+    json["notes"] = result.notes;
+    const MechanismCurves& curves = result.curves;
+    const std::vector<double> difference = contract_moment_difference(result);
+    json["curves"] = {
+        {"crank_angle_deg", result.crank_angle_deg},
+        {"reduced_inertia_kg_m2", scaled(curves.reduced_inertia, 1.0)},
+        {"crank_moment_Nm", scaled(sum_of(curves.crank_moment, difference), 1.0)},
+        {"rod_hinge_moment_Nm", scaled(curves.rod_hinge_moment, 1.0)},
+        {"rod_hinge_moment_potential_Nm", scaled(curves.rod_hinge_moment_potential, 1.0)},
+        {"side_force_without_hinge_N", scaled(curves.side_force_without_hinge, 1.0)},
+        {"side_force_with_hinge_N", scaled(curves.side_force_with_hinge, 1.0)},
+        {"crank_moment_with_rod_hinge_Nm",
+         scaled(sum_of(curves.crank_moment_with_rod_hinge, difference), 1.0)},
+        {"crank_moment_continuous_Nm", scaled(curves.crank_moment, 1.0)},
+        {"crank_moment_with_rod_hinge_continuous_Nm",
+         scaled(curves.crank_moment_with_rod_hinge, 1.0)},
+        {"guide_radius_compressed_mm", scaled(result.crank_guide.radius_compressed, 1e3)},
+        {"guide_radius_stretched_mm", scaled(result.crank_guide.radius_stretched, 1e3)}};
+    return json;
+}
+
+Json solve_scene(const Json& json, const CaseContext& /*context*/) {
+    const Input input = read_input(json);
+    return write_result(input, solve(input));
+}
+
+}  // namespace ravnoves::elastic_hinge

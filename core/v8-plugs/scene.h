@@ -1,0 +1,30 @@
+#pragma once
+
+#include "case-file/case_context.h"
+#include "case-file/json_fwd.h"
+#include "v8-plugs/input.h"
+#include "v8-plugs/result.h"
+
+namespace ravnoves::v8_plugs {
+
+enum class Completeness {
+    required,  ///< every value that a result needs must be there
+    as_is      ///< each value that is there is checked; what is missing stays empty, and rules that
+               ///< join values are left to the page, as in a form half filled
+};
+
+/// Reads the case's "input" object.
+/// @throws InputError
+Input read_input(const Json& input, Completeness completeness = Completeness::required);
+/// Writes an "input" object that read_input() turns into the same Input.
+Json write_input(const Input& input);
+
+/// The "result" object of the contract.
+/// @param result  solve(input) of an input that holds all that a result needs
+Json write_result(const Input& input, const Result& result);
+
+/// The scene as the case file sees it.
+/// @throws InputError
+Json solve_scene(const Json& input, const CaseContext& context);
+
+}  // namespace ravnoves::v8_plugs
