@@ -1192,7 +1192,7 @@
     </message>
 </context>
 <context>
-    <name>ravnoves::BalanceShaftViewModel</name>
+    <name>ravnoves::BalanceShaftModel</name>
     <message>
         <source>Every α is as good as any other.</source>
         <translation>Все α одинаково хороши.</translation>
@@ -1815,7 +1815,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
-    <name>ravnoves::ElasticHingeViewModel</name>
+    <name>ravnoves::ElasticHingeModel</name>
     <message>
         <source>Zotov and Sviridov 2021</source>
         <translation>Зотов и Свиридов 2021</translation>
@@ -3958,7 +3958,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
-    <name>ravnoves::InertiaMomentsViewModel</name>
+    <name>ravnoves::InertiaMomentsModel</name>
     <message>
         <source>Single</source>
         <translation>Одноцилиндровый</translation>
@@ -7928,7 +7928,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
-    <name>ravnoves::V8PlugsViewModel</name>
+    <name>ravnoves::V8PlugsModel</name>
     <message>
         <source>Open case</source>
         <translation>Открытие задачи</translation>
@@ -8945,7 +8945,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
-    <name>ravnoves::ValidationViewModel</name>
+    <name>ravnoves::ValidationModel</name>
     <message>
         <source>reproduced</source>
         <translation>воспроизведено</translation>

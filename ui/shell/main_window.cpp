@@ -24,12 +24,12 @@
 #include "case-file/input_error.h"
 #include "case-file/text_file.h"
 #include "shell/help_window.h"
-#include "shell/language.h"
 #include "shell/scene_page.h"
+#include "text/error_text.h"
+#include "text/file_path.h"
+#include "text/language.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
-#include "widgets/error_text.h"
-#include "widgets/file_path.h"
 
 namespace ravnoves {
 
@@ -280,10 +280,10 @@ ScenePage* MainWindow::page(const QString& name) {
         if (entry.page == nullptr) {
             entry.page = entry.info.make(entry.holder);
             entry.page->setOpenCases([this](const QString& scene) { return openCaseOf(scene); });
-            SceneViewModel* model = entry.page->model();
+            SceneModel* model = entry.page->model();
             histories_->addStack(model->history());
             connect(model->history(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
-            connect(model, &SceneViewModel::titleChanged, this, &MainWindow::updateTitle);
+            connect(model, &SceneModel::titleChanged, this, &MainWindow::updateTitle);
             connect(entry.page, &ScenePage::status, hint_, &QLabel::setText);
             entry.holder->layout()->addWidget(entry.page);
         }
@@ -314,7 +314,7 @@ void MainWindow::showEntry(std::size_t index) {
 std::optional<OpenCase> MainWindow::openCaseOf(const QString& scene) const {
     for (const Entry& entry : entries_) {
         if (entry.info.name == scene && entry.page != nullptr) {
-            SceneViewModel* model = entry.page->model();
+            SceneModel* model = entry.page->model();
             return OpenCase{model->title(), model->inputJson(), model->context()};
         }
     }
@@ -397,7 +397,7 @@ QString MainWindow::openCase(const QString& path) {
 }
 
 QString MainWindow::saveCase(const QString& path) {
-    SceneViewModel* model = currentPage()->model();
+    SceneModel* model = currentPage()->model();
     try {
         const CaseFile file{model->sceneName().toStdString(), model->title().toStdString(),
                             model->inputJson()};

@@ -3,8 +3,8 @@
 #include <QMainWindow>
 #include <vector>
 
+#include "model/scene_model.h"
 #include "shell/scene_list.h"
-#include "shell/scene_view_model.h"
 
 class QActionGroup;
 class QLabel;

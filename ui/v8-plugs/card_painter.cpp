@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "numerics/constants.h"
+#include "v8-plugs/model/v8_text.h"
 #include "v8-plugs/plug_drawing.h"
-#include "v8-plugs/v8_text.h"
 
 namespace ravnoves {
 

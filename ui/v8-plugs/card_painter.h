@@ -2,8 +2,8 @@
 
 #include "v8-plugs/card_page.h"
 #include "v8-plugs/case_input.h"
+#include "v8-plugs/model/words.h"
 #include "v8-plugs/solver.h"
-#include "v8-plugs/words.h"
 
 namespace ravnoves {
 

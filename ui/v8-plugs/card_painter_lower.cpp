@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "v8-plugs/card_painter.h"
-#include "v8-plugs/v8_text.h"
+#include "v8-plugs/model/v8_text.h"
 
 namespace ravnoves {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "v8-plugs/v8_text.h"
+#include "v8-plugs/model/v8_text.h"
 
 namespace ravnoves {
 

@@ -7,8 +7,8 @@
 
 #include "theme/theme.h"
 #include "v8-plugs/checked_field.h"
-#include "v8-plugs/v8_plugs_view_model.h"
-#include "v8-plugs/v8_text.h"
+#include "v8-plugs/model/v8_plugs_model.h"
+#include "v8-plugs/model/v8_text.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
 
@@ -28,11 +28,11 @@ QString stepName(QString label) {
 
 }  // namespace
 
-SheetForm::SheetForm(V8PlugsViewModel* model, QWidget* parent)
+SheetForm::SheetForm(V8PlugsModel* model, QWidget* parent)
     : QWidget(parent), model_(model), column_(new QVBoxLayout(this)) {
     column_->setContentsMargins(Theme::margin, Theme::margin, Theme::margin, Theme::margin);
     column_->setSpacing(Theme::gap);
-    connect(model_, &SceneViewModel::changed, this, [this] {
+    connect(model_, &SceneModel::changed, this, [this] {
         for (const auto& show : followers_) {
             show();
         }

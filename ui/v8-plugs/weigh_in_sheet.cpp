@@ -8,8 +8,8 @@
 #include <QVBoxLayout>
 
 #include "theme/theme.h"
-#include "v8-plugs/v8_plugs_view_model.h"
-#include "v8-plugs/v8_text.h"
+#include "v8-plugs/model/v8_plugs_model.h"
+#include "v8-plugs/model/v8_text.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
 #include "widgets/result_table.h"
@@ -29,7 +29,7 @@ QString keyOf(Part part) {
 
 }  // namespace
 
-WeighInSheet::WeighInSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm(model, parent) {
+WeighInSheet::WeighInSheet(V8PlugsModel* model, QWidget* parent) : SheetForm(model, parent) {
     column_->setSpacing(Theme::space);
 
     auto* head = new QGridLayout;

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <QStringList>
+#include <QVector>
+#include <functional>
+#include <optional>
+
+#include "balance-shaft/balance_shaft.h"
+#include "case-file/json.h"
+#include "model/scene_model.h"
+
+namespace ravnoves {
+
+/// The state of the balance-shaft page: input, the solver's result, the crank angle of the picture.
+///
+/// Moving the shaft costs about a microsecond (Solver::move_shaft), any other change a new Solver.
+class BalanceShaftModel : public SceneModel {
+    Q_OBJECT
+
+  public:
+    /// Which means of M_s and M_ups the plots show.
+    enum class Means { Both, CycleIntegral, PrintedNodes };
+    Q_ENUM(Means)
+
+    explicit BalanceShaftModel(QObject* parent = nullptr);
+
+    QString sceneName() const override { return QStringLiteral("balance-shaft"); }
+    Json inputJson() const override;
+    void loadInput(const Json& input, const CaseContext& context) override;
+    Json resultJson() const override;
+    void loadDefault() override;
+    bool setViewOption(const QString& key, const QString& value) override;
+
+    const balance_shaft::Input& input() const { return input_; }
+    const balance_shaft::Result& result() const { return result_; }
+    const balance_shaft::Solver& solver() const { return solver_; }
+
+    /// Changes the input by `mutate` as one step of the history; changes with the same name that
+    /// follow each other become one step.
+    /// @return an empty string, or what is wrong with it; the old input holds then
+    QString edit(const QString& name, const std::function<void(balance_shaft::Input&)>& mutate);
+
+    /// Where the torque comes from; a source used for the first time starts with values made from
+    /// what is there (rod length, bore, the table's mean torque). The same return.
+    QString setTorqueKind(balance_shaft::TorqueSource::Kind kind);
+    /// Takes a measured trace and computes the torque from it. The same return.
+    QString setPressureTrace(const balance_shaft::PressureTrace& trace, const QString& path);
+
+    double shaftAngleDeg() const;  ///< α, 0…360
+    void setShaftAngleDeg(double angle);
+    /// The next move of the shaft is a step of its own in the history.
+    void finishDrag() { ++mergeNumber_; }
+
+    double crankAngleDeg() const { return crankAngle_; }  ///< φ of the picture, 0…720
+    void setCrankAngleDeg(double angle);
+
+    Means means() const { return means_; }
+    void setMeans(Means means);
+
+    void goToBestRange();
+    void goToBestRms();
+
+    /// The mass of a named part, kg; 0 where there is none.
+    double mass(const std::string& name) const;
+
+    // What the page's tables show: text in the user's locale, the first column the row's name.
+    QStringList criteriaColumns() const;
+    QVector<QStringList> criteriaRows() const;
+    QStringList quantityColumns() const;
+    QVector<QStringList> quantityRows() const;
+    /// Work, pressures and power of a computed torque; empty for a table.
+    QVector<QStringList> cycleRows() const;
+    /// Best α for range and RMS as sentences.
+    QString bestRangeText() const;
+    QString bestRmsText() const;
+    /// What the user should know about the result; empty where there is nothing.
+    QString notesText() const;
+
+  Q_SIGNALS:
+    /// α is new, and what follows it.
+    void shaftMoved();
+    void crankAngleChanged(double degrees);
+    void meansChanged();
+    /// A change was refused.
+    void refused(const QString& why);
+
+  private:
+    void apply(const balance_shaft::Input& input);
+    void applyShaftAngle(double radians);
+
+    balance_shaft::Input input_;
+    balance_shaft::Solver solver_;
+    balance_shaft::Result result_;
+    double crankAngle_ = 60.0;
+    Means means_ = Means::Both;
+    int mergeNumber_ = 0;
+    QString lastEdit_;
+};
+
+}  // namespace ravnoves
