@@ -61,14 +61,36 @@ class SceneModel : public QObject {
     const CaseContext& context() const { return context_; }
     void setContext(const CaseContext& context) { context_ = context; }
     QUndoStack* history() { return &history_; }
+    const QUndoStack* history() const { return &history_; }
+    /// The next change is a step of its own in the history, whatever its name.
+    void finishDrag() {
+        ++step_;
+        lastName_.clear();
+    }
 
   Q_SIGNALS:
     /// Input and result are new.
     void changed();
     void titleChanged(const QString& title);
+    /// A change was refused.
+    void refused(const QString& why);
+
+  protected:
+    /// Number of the step that a change of this name belongs to, for InputCommand.
+    int stepOf(const QString& name) {
+        if (name != lastName_) {
+            ++step_;
+            lastName_ = name;
+        }
+        return step_;
+    }
+    static QString openName() { return tr("Open case"); }
+    static QString newName() { return tr("New case"); }
 
   private:
     QString title_;
+    int step_ = 0;
+    QString lastName_;
     CaseContext context_;
     QUndoStack history_;
 };

@@ -8,8 +8,6 @@
 #include "balance-shaft/scene.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "model/input_command.h"
-#include "text/error_text.h"
 #include "text/number_text.h"
 
 namespace ravnoves {
@@ -41,32 +39,27 @@ QString percent(const std::optional<double>& fraction) {
 
 }  // namespace
 
-BalanceShaftModel::BalanceShaftModel(QObject* parent)
-    : SceneModel(parent),
-      input_(balance_shaft::preset_tmz_650d()),
-      solver_(input_),
-      result_(solver_.result()) {
-    setTitle(QStringLiteral("TMZ-650D"));
+Input BalanceShaftScene::defaultInput() {
+    return balance_shaft::preset_tmz_650d();
 }
 
-Json BalanceShaftModel::inputJson() const {
-    return balance_shaft::write_input(input_);
+Input BalanceShaftScene::read(const Json& input, const CaseContext& context) {
+    return balance_shaft::read_input(input, context);
 }
+
+Json BalanceShaftScene::write(const Input& input) {
+    return balance_shaft::write_input(input);
+}
+
+BalanceShaftScene::Solved BalanceShaftScene::solve(const Input& input) {
+    const Solver solver(input);
+    return {solver, solver.result()};
+}
+
+BalanceShaftModel::BalanceShaftModel(QObject* parent) : CaseModel({}, parent) {}
+
 Json BalanceShaftModel::resultJson() const {
-    return balance_shaft::write_whole_result(solver_, result_);
-}
-
-void BalanceShaftModel::loadInput(const Json& json, const CaseContext& context) {
-    const Input input = balance_shaft::read_input(json, context);
-    const Solver probe(input);  // throws before anything changes
-    ++mergeNumber_;
-    history()->push(new InputCommand<Input>(tr("Open case"), input_, input, -1,
-                                            [this](const Input& i) { apply(i); }));
-}
-
-void BalanceShaftModel::loadDefault() {
-    edit(tr("New case"), [](Input& input) { input = balance_shaft::preset_tmz_650d(); });
-    setTitle(QStringLiteral("TMZ-650D"));
+    return balance_shaft::write_whole_result(solver(), result());
 }
 
 bool BalanceShaftModel::setViewOption(const QString& key, const QString& value) {
@@ -92,28 +85,6 @@ bool BalanceShaftModel::setViewOption(const QString& key, const QString& value) 
         return true;
     }
     return false;
-}
-
-QString BalanceShaftModel::edit(const QString& name, const std::function<void(Input&)>& mutate) {
-    Input next = input_;
-    mutate(next);
-    if (next == input_) {
-        return {};
-    }
-    try {
-        const Solver probe(next);
-    } catch (const InputError& error) {
-        QString why = errorText(error);
-        Q_EMIT refused(why);
-        return why;
-    }
-    if (name != lastEdit_) {
-        ++mergeNumber_;
-        lastEdit_ = name;
-    }
-    history()->push(new InputCommand<Input>(name, input_, next, mergeNumber_,
-                                            [this](const Input& i) { apply(i); }));
-    return {};
 }
 
 namespace {
@@ -146,7 +117,7 @@ QString BalanceShaftModel::setTorqueKind(balance_shaft::TorqueSource::Kind kind)
             // The load of the torque that was there: mean torque × 4π = work per cycle.
             const double radius = 0.5 * input.torque.cylinder.bore;
             const double displacement = pi * radius * radius * 2.0 * input.crank_radius;
-            cycle.imep = std::max(0.0, -result_.M_up.mean) * 2.0 * two_pi / displacement;
+            cycle.imep = std::max(0.0, -result().M_up.mean) * 2.0 * two_pi / displacement;
         }
     });
 }
@@ -161,16 +132,8 @@ QString BalanceShaftModel::setPressureTrace(const balance_shaft::PressureTrace& 
     });
 }
 
-void BalanceShaftModel::apply(const Input& input) {
-    solver_ = Solver(input);
-    input_ = input;
-    result_ = solver_.result();
-    Q_EMIT changed();
-    Q_EMIT shaftMoved();
-}
-
 double BalanceShaftModel::shaftAngleDeg() const {
-    return input_.shaft_angle / degree;
+    return input().shaft_angle / degree;
 }
 
 void BalanceShaftModel::setShaftAngleDeg(double angle) {
@@ -178,19 +141,18 @@ void BalanceShaftModel::setShaftAngleDeg(double angle) {
         return;
     }
     const double radians = std::clamp(angle, 0.0, 360.0) * degree;
-    if (radians == input_.shaft_angle) {
+    if (radians == input().shaft_angle) {
         return;
     }
-    lastEdit_.clear();
     // Only the number goes into the history, so that a drag copies no torque table.
-    history()->push(new InputCommand<double>(tr("Move shaft"), input_.shaft_angle, radians,
-                                             mergeNumber_,
+    const QString name = tr("Move shaft");
+    history()->push(new InputCommand<double>(name, input().shaft_angle, radians, stepOf(name),
                                              [this](double a) { applyShaftAngle(a); }));
 }
 
 void BalanceShaftModel::applyShaftAngle(double radians) {
-    input_.shaft_angle = radians;
-    solver_.move_shaft(radians, result_);
+    inputInPlace().shaft_angle = radians;
+    solver().move_shaft(radians, solvedInPlace().result);
     Q_EMIT shaftMoved();
 }
 
@@ -213,23 +175,23 @@ void BalanceShaftModel::setMeans(Means means) {
 }
 
 void BalanceShaftModel::goToBestRange() {
-    if (result_.best_range.shaft_angle) {
+    if (result().best_range.shaft_angle) {
         finishDrag();
-        setShaftAngleDeg(*result_.best_range.shaft_angle / degree);
+        setShaftAngleDeg(*result().best_range.shaft_angle / degree);
         finishDrag();
     }
 }
 
 void BalanceShaftModel::goToBestRms() {
-    if (result_.best_rms.shaft_angle) {
+    if (result().best_rms.shaft_angle) {
         finishDrag();
-        setShaftAngleDeg(*result_.best_rms.shaft_angle / degree);
+        setShaftAngleDeg(*result().best_rms.shaft_angle / degree);
         finishDrag();
     }
 }
 
 double BalanceShaftModel::mass(const std::string& name) const {
-    for (const balance_shaft::NamedMass& part : input_.reciprocating_masses) {
+    for (const balance_shaft::NamedMass& part : input().reciprocating_masses) {
         if (part.name == name) {
             return part.mass;
         }
@@ -243,8 +205,8 @@ QStringList BalanceShaftModel::criteriaColumns() const {
 
 QVector<QStringList> BalanceShaftModel::criteriaRows() const {
     const auto row = [&](const QString& name, double MomentMetrics::*value, const QString& change) {
-        return QStringList{name, number(result_.M_up.*value, 1), number(result_.M_s.*value, 1),
-                           number(result_.M_ups.*value, 1), change};
+        return QStringList{name, number(result().M_up.*value, 1), number(result().M_s.*value, 1),
+                           number(result().M_ups.*value, 1), change};
     };
     const auto relative = [](double with, double without) -> std::optional<double> {
         if (without == 0.0) {
@@ -252,17 +214,17 @@ QVector<QStringList> BalanceShaftModel::criteriaRows() const {
         }
         return (with - without) / std::abs(without);
     };
-    return {
-        row(tr("range"), &MomentMetrics::range, percent(result_.range_change)),
-        row(tr("RMS"), &MomentMetrics::rms, percent(result_.rms_change)),
-        row(tr("mean"), &MomentMetrics::mean,
-            percent(relative(result_.M_ups.mean, result_.M_up.mean))),
-        {tr("nodes"), number(result_.printed_mean_M_up, 1), number(result_.printed_mean_M_s, 1),
-         number(result_.printed_mean_M_ups, 1),
-         percent(relative(result_.printed_mean_M_ups, result_.printed_mean_M_up))},
-        row(tr("max"), &MomentMetrics::max, percent(relative(result_.M_ups.max, result_.M_up.max))),
-        row(tr("min"), &MomentMetrics::min,
-            percent(relative(result_.M_ups.min, result_.M_up.min)))};
+    return {row(tr("range"), &MomentMetrics::range, percent(result().range_change)),
+            row(tr("RMS"), &MomentMetrics::rms, percent(result().rms_change)),
+            row(tr("mean"), &MomentMetrics::mean,
+                percent(relative(result().M_ups.mean, result().M_up.mean))),
+            {tr("nodes"), number(result().printed_mean_M_up, 1),
+             number(result().printed_mean_M_s, 1), number(result().printed_mean_M_ups, 1),
+             percent(relative(result().printed_mean_M_ups, result().printed_mean_M_up))},
+            row(tr("max"), &MomentMetrics::max,
+                percent(relative(result().M_ups.max, result().M_up.max))),
+            row(tr("min"), &MomentMetrics::min,
+                percent(relative(result().M_ups.min, result().M_up.min)))};
 }
 
 QStringList BalanceShaftModel::quantityColumns() const {
@@ -274,31 +236,31 @@ QVector<QStringList> BalanceShaftModel::quantityRows() const {
     const QString newtonMetre = tr("N·m");
     const QString millimetre = tr("mm");
     const QString share =
-        result_.order_1_share ? number(100.0 * *result_.order_1_share, 1) : QStringLiteral("–");
+        result().order_1_share ? number(100.0 * *result().order_1_share, 1) : QStringLiteral("–");
     return {
-        {tr("Inertia force Pⱼ₁, max"), number(result_.inertia_force_1_max, 1), newton},
-        {tr("Counterweight m₁"), number(result_.counterweight_mass, 4), tr("kg")},
-        {tr("Counterweight force P₁"), number(result_.counterweight_force, 1), newton},
-        {tr("Amplitude of Mₛ, P₁ l"), number(result_.moment_amplitude, 2), newtonMetre},
+        {tr("Inertia force Pⱼ₁, max"), number(result().inertia_force_1_max, 1), newton},
+        {tr("Counterweight m₁"), number(result().counterweight_mass, 4), tr("kg")},
+        {tr("Counterweight force P₁"), number(result().counterweight_force, 1), newton},
+        {tr("Amplitude of Mₛ, P₁ l"), number(result().moment_amplitude, 2), newtonMetre},
         {tr("First order's share of Mᵤₚ"), share, QStringLiteral("%")},
         {tr("Envelope, width × height"),
-         number(1e3 * result_.envelope.width(), 0) + QStringLiteral(" × ") +
-             number(1e3 * result_.envelope.height(), 0),
+         number(1e3 * result().envelope.width(), 0) + QStringLiteral(" × ") +
+             number(1e3 * result().envelope.height(), 0),
          millimetre},
     };
 }
 
 QVector<QStringList> BalanceShaftModel::cycleRows() const {
-    if (!result_.indicated) {
+    if (!result().indicated) {
         return {};
     }
-    const balance_shaft::IndicatedCycle& cycle = *result_.indicated;
+    const balance_shaft::IndicatedCycle& cycle = *result().indicated;
     constexpr double bar = balance_shaft::field::bar;
     QVector<QStringList> rows{
         {tr("Indicated mean effective pressure"), number(cycle.imep / bar, 3), tr("bar")},
         {tr("Indicated work per cycle"), number(cycle.work, 1), tr("J")},
-        {tr("Indicated power"), number(result_.indicated_power * 1e-3, 2), tr("kW")},
-        {tr("Mean torque"), number(-result_.M_up.mean, 2), tr("N·m")},
+        {tr("Indicated power"), number(result().indicated_power * 1e-3, 2), tr("kW")},
+        {tr("Mean torque"), number(-result().M_up.mean, 2), tr("N·m")},
         {tr("Peak pressure"), number(cycle.peak_pressure / bar, 1), tr("bar")},
         {tr("at crank angle"), number(cycle.peak_pressure_angle / degree, 1), QStringLiteral("°")},
         {tr("Displacement"), number(cycle.displacement * 1e6, 1), tr("cm³")},
@@ -325,17 +287,17 @@ QString bestText(const Optimum& best, const QString& sentence) {
 }  // namespace
 
 QString BalanceShaftModel::bestRangeText() const {
-    return bestText(result_.best_range, tr("Least range %2 N·m at %1°"));
+    return bestText(result().best_range, tr("Least range %2 N·m at %1°"));
 }
 
 QString BalanceShaftModel::bestRmsText() const {
-    return bestText(result_.best_rms, tr("Least RMS %2 N·m at %1°"));
+    return bestText(result().best_rms, tr("Least RMS %2 N·m at %1°"));
 }
 
 QString BalanceShaftModel::notesText() const {
     using balance_shaft::Note;
     QStringList lines;
-    for (const Note& note : result_.notes) {
+    for (const Note& note : result().notes) {
         switch (note.kind) {
             case Note::Kind::no_shaft_moment:
                 lines << tr("The shaft makes no moment, so its angle changes nothing.");
@@ -343,32 +305,32 @@ QString BalanceShaftModel::notesText() const {
             case Note::Kind::range_without_gain:
                 lines << tr("No α makes the range smaller than without a shaft: at best %1 N·m "
                             "against %2 N·m.")
-                             .arg(number(result_.best_range.value, 1),
-                                  number(result_.M_up.range, 1));
+                             .arg(number(result().best_range.value, 1),
+                                  number(result().M_up.range, 1));
                 break;
             case Note::Kind::rms_without_gain:
                 lines << tr("No α makes the RMS smaller than without a shaft: at best %1 N·m "
                             "against %2 N·m.")
-                             .arg(number(result_.best_rms.value, 1), number(result_.M_up.rms, 1));
+                             .arg(number(result().best_rms.value, 1), number(result().M_up.rms, 1));
                 break;
             case Note::Kind::counterweight_mismatch:
                 lines << tr("The counterweight given balances %1 % of the first-order inertia "
                             "force; equation (1) asks for %2 kg.")
-                             .arg(number(200.0 * result_.counterweight_force /
-                                             result_.inertia_force_1_max,
+                             .arg(number(200.0 * result().counterweight_force /
+                                             result().inertia_force_1_max,
                                          1),
-                                  number(result_.reciprocating_mass * input_.crank_radius /
-                                             (2.0 * input_.counterweight_radius),
+                                  number(result().reciprocating_mass * input().crank_radius /
+                                             (2.0 * input().counterweight_radius),
                                          4));
                 break;
             case Note::Kind::inertia_mismatch:
                 lines << tr("The torque holds an inertia torque of mⱼ r² ω² = %1 N·m; the masses "
                             "and the speed entered give %2 N·m. It fits these masses at %3 min⁻¹, "
                             "or %4 kg at this speed.")
-                             .arg(number(result_.inertia_check.fitted.value_or(0.0), 0),
-                                  number(result_.inertia_check.entered, 0),
-                                  number(result_.inertia_check.matching_speed / rpm, 0),
-                                  number(result_.inertia_check.matching_mass, 3));
+                             .arg(number(result().inertia_check.fitted.value_or(0.0), 0),
+                                  number(result().inertia_check.entered, 0),
+                                  number(result().inertia_check.matching_speed / rpm, 0),
+                                  number(result().inertia_check.matching_mass, 3));
                 break;
         }
     }

@@ -2,19 +2,32 @@
 
 #include <QStringList>
 #include <QVector>
-#include <functional>
 #include <optional>
 
 #include "balance-shaft/balance_shaft.h"
 #include "case-file/json.h"
-#include "model/scene_model.h"
+#include "model/case_model.h"
 
 namespace ravnoves {
+
+/// What CaseModel knows of the scene.
+struct BalanceShaftScene {
+    using Input = balance_shaft::Input;
+    struct Solved {
+        balance_shaft::Solver solver;
+        balance_shaft::Result result;
+    };
+    static Input defaultInput();
+    static QString defaultTitle() { return QStringLiteral("TMZ-650D"); }
+    static Input read(const Json& input, const CaseContext& context);
+    static Json write(const Input& input);
+    static Solved solve(const Input& input);
+};
 
 /// The state of the balance-shaft page: input, the solver's result, the crank angle of the picture.
 ///
 /// Moving the shaft costs about a microsecond (Solver::move_shaft), any other change a new Solver.
-class BalanceShaftModel : public SceneModel {
+class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     Q_OBJECT
 
   public:
@@ -25,31 +38,20 @@ class BalanceShaftModel : public SceneModel {
     explicit BalanceShaftModel(QObject* parent = nullptr);
 
     QString sceneName() const override { return QStringLiteral("balance-shaft"); }
-    Json inputJson() const override;
-    void loadInput(const Json& input, const CaseContext& context) override;
     Json resultJson() const override;
-    void loadDefault() override;
     bool setViewOption(const QString& key, const QString& value) override;
 
-    const balance_shaft::Input& input() const { return input_; }
-    const balance_shaft::Result& result() const { return result_; }
-    const balance_shaft::Solver& solver() const { return solver_; }
-
-    /// Changes the input by `mutate` as one step of the history; changes with the same name that
-    /// follow each other become one step.
-    /// @return an empty string, or what is wrong with it; the old input holds then
-    QString edit(const QString& name, const std::function<void(balance_shaft::Input&)>& mutate);
+    const balance_shaft::Result& result() const { return solved().result; }
+    const balance_shaft::Solver& solver() const { return solved().solver; }
 
     /// Where the torque comes from; a source used for the first time starts with values made from
-    /// what is there (rod length, bore, the table's mean torque). The same return.
+    /// what is there (rod length, bore, the table's mean torque). Returns as edit().
     QString setTorqueKind(balance_shaft::TorqueSource::Kind kind);
     /// Takes a measured trace and computes the torque from it. The same return.
     QString setPressureTrace(const balance_shaft::PressureTrace& trace, const QString& path);
 
     double shaftAngleDeg() const;  ///< α, 0…360
     void setShaftAngleDeg(double angle);
-    /// The next move of the shaft is a step of its own in the history.
-    void finishDrag() { ++mergeNumber_; }
 
     double crankAngleDeg() const { return crankAngle_; }  ///< φ of the picture, 0…720
     void setCrankAngleDeg(double angle);
@@ -81,20 +83,13 @@ class BalanceShaftModel : public SceneModel {
     void shaftMoved();
     void crankAngleChanged(double degrees);
     void meansChanged();
-    /// A change was refused.
-    void refused(const QString& why);
 
   private:
-    void apply(const balance_shaft::Input& input);
+    void taken() override { Q_EMIT shaftMoved(); }
     void applyShaftAngle(double radians);
 
-    balance_shaft::Input input_;
-    balance_shaft::Solver solver_;
-    balance_shaft::Result result_;
     double crankAngle_ = 60.0;
     Means means_ = Means::Both;
-    int mergeNumber_ = 0;
-    QString lastEdit_;
 };
 
 }  // namespace ravnoves

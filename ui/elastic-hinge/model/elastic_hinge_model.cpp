@@ -8,7 +8,6 @@
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "elastic-hinge/case_io.h"
-#include "model/input_command.h"
 #include "plot/ticks.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
@@ -94,39 +93,41 @@ std::vector<double> readList(const QString& key, const QString& value) {
 
 }  // namespace
 
+Input ElasticHingeScene::defaultInput() {
+    return elastic_hinge::preset_zotov();
+}
+
+QString ElasticHingeScene::defaultTitle() {
+    return ElasticHingeModel::tr("Zotov and Sviridov 2021");
+}
+
+Input ElasticHingeScene::read(const Json& input, const CaseContext& /*context*/) {
+    return elastic_hinge::read_input(input);
+}
+
+Json ElasticHingeScene::write(const Input& input) {
+    return elastic_hinge::write_input(input);
+}
+
+ElasticHingeScene::Solved ElasticHingeScene::solve(Input input) const {
+    input.guide_search.reset();  // looked for when it is asked for
+    return {std::make_shared<const Result>(elastic_hinge::solve(input, options)), std::nullopt};
+}
+
 ElasticHingeModel::ElasticHingeModel(QObject* parent)
-    : SceneModel(parent), input_(elastic_hinge::preset_zotov()) {
-    options_.speeds = {100.0, 300.0, 500.0};
-    options_.lambdas = {0.3, 0.4, 0.6, 0.8, 1.0};
+    : CaseModel(
+          {.options = {.speeds = {100.0, 300.0, 500.0}, .lambdas = {0.3, 0.4, 0.6, 0.8, 1.0}}},
+          parent) {
     connect(&runner_, &MotionRunner::finished, this,
             [this](std::shared_ptr<const HingeMotions> motions) {
                 motions_ = std::move(motions);
                 Q_EMIT motionsChanged();
             });
-    result_ = std::make_shared<const Result>(elastic_hinge::solve(input_, options_));
-    runner_.start(input_, result_);
-    setTitle(tr("Zotov and Sviridov 2021"));
-}
-
-Json ElasticHingeModel::inputJson() const {
-    return elastic_hinge::write_input(input_);
+    taken();
 }
 
 Json ElasticHingeModel::resultJson() const {
-    return elastic_hinge::write_result(input_, elastic_hinge::solve(input_));
-}
-
-void ElasticHingeModel::loadInput(const Json& json, const CaseContext& /*context*/) {
-    const Input input = elastic_hinge::read_input(json);
-    elastic_hinge::solve(input);  // throws before anything changes
-    finishDrag();
-    history()->push(new InputCommand<Input>(tr("Open case"), input_, input, -1,
-                                            [this](const Input& i) { apply(i); }));
-}
-
-void ElasticHingeModel::loadDefault() {
-    edit(tr("New case"), [](Input& input) { input = elastic_hinge::preset_zotov(); });
-    setTitle(tr("Zotov and Sviridov 2021"));
+    return elastic_hinge::write_result(input(), elastic_hinge::solve(input()));
 }
 
 bool ElasticHingeModel::setViewOption(const QString& key, const QString& value) {
@@ -168,43 +169,6 @@ bool ElasticHingeModel::setViewOption(const QString& key, const QString& value) 
     return true;
 }
 
-QString ElasticHingeModel::edit(const QString& name, const std::function<void(Input&)>& mutate) {
-    Input next = input_;
-    mutate(next);
-    if (next == input_) {
-        return {};
-    }
-    try {
-        prepared_ = solved(next);
-    } catch (const InputError& error) {
-        QString why = errorText(error);
-        Q_EMIT refused(why);
-        return why;
-    }
-    preparedInput_ = next;
-    if (name != lastEdit_) {
-        ++mergeNumber_;
-        lastEdit_ = name;
-    }
-    history()->push(new InputCommand<Input>(name, input_, next, mergeNumber_,
-                                            [this](const Input& i) { apply(i); }));
-    return {};
-}
-
-std::shared_ptr<const Result> ElasticHingeModel::solved(Input input) const {
-    input.guide_search.reset();  // looked for when it is asked for
-    return std::make_shared<const Result>(elastic_hinge::solve(input, options_));
-}
-
-void ElasticHingeModel::apply(const Input& input) {
-    result_ = prepared_ && preparedInput_ == input ? prepared_ : solved(input);
-    prepared_.reset();
-    input_ = input;
-    proposal_.reset();
-    Q_EMIT changed();
-    runner_.start(input_, result_);
-}
-
 void ElasticHingeModel::setCompareSpeeds(const std::vector<double>& speeds) {
     for (const double speed : speeds) {
         if (!elastic_hinge::field::angular_speed.range.contains(speed)) {
@@ -212,10 +176,9 @@ void ElasticHingeModel::setCompareSpeeds(const std::vector<double>& speeds) {
                              format_number(speed));
         }
     }
-    if (speeds != options_.speeds) {
-        options_.speeds = speeds;
-        result_ = solved(input_);
-        Q_EMIT changed();
+    if (speeds != scene().options.speeds) {
+        scene().options.speeds = speeds;
+        solveAgain();
     }
 }
 
@@ -226,10 +189,9 @@ void ElasticHingeModel::setCompareLambdas(const std::vector<double>& lambdas) {
                              format_number(lambda));
         }
     }
-    if (lambdas != options_.lambdas) {
-        options_.lambdas = lambdas;
-        result_ = solved(input_);
-        Q_EMIT changed();
+    if (lambdas != scene().options.lambdas) {
+        scene().options.lambdas = lambdas;
+        solveAgain();
     }
 }
 
@@ -286,7 +248,8 @@ const Motion* ElasticHingeModel::animatedMotion() const {
 
 double ElasticHingeModel::shownSpeed() const {
     const Motion* motion = animatedMotion();
-    return motionTime_ && motion != nullptr ? motion->speed_at(*motionTime_) : input_.angular_speed;
+    return motionTime_ && motion != nullptr ? motion->speed_at(*motionTime_)
+                                            : input().angular_speed;
 }
 
 void ElasticHingeModel::setShownHinge(Hinge hinge) {
@@ -299,13 +262,13 @@ void ElasticHingeModel::setShownHinge(Hinge hinge) {
 const Guide& ElasticHingeModel::guideOf(Hinge hinge) const {
     switch (hinge) {
         case Hinge::crank:
-            return result_->crank_guide;
+            return result().crank_guide;
         case Hinge::crank_with_rod:
-            return result_->crank_guide_with_rod;
+            return result().crank_guide_with_rod;
         case Hinge::rod:
             break;
     }
-    return result_->rod_guide;
+    return result().rod_guide;
 }
 
 double ElasticHingeModel::exaggeration() const {
@@ -333,27 +296,27 @@ void ElasticHingeModel::setExaggeration(std::optional<double> factor) {
 // --------------------------------------------------------------------------------------- search
 
 GuideWish ElasticHingeModel::wish() const {
-    return input_.guide_search.value_or(GuideWish{});
+    return input().guide_search.value_or(GuideWish{});
 }
 
 const GuideProposal& ElasticHingeModel::proposal() const {
-    if (!proposal_) {
-        if (input_.spring) {
-            proposal_ = elastic_hinge::search_guide(
-                result_->design, Hinge::crank, input_.guide_sign, result_->crank_guide.branch,
-                input_.spring->free_length, input_.roller_radius, wish());
+    if (!solved().proposal) {
+        if (input().spring) {
+            solved().proposal = elastic_hinge::search_guide(
+                result().design, Hinge::crank, input().guide_sign, result().crank_guide.branch,
+                input().spring->free_length, input().roller_radius, wish());
         } else {
-            proposal_ = GuideProposal{};
-            proposal_->reason = tr("No spring is given.").toStdString();
+            solved().proposal = GuideProposal{};
+            solved().proposal->reason = tr("No spring is given.").toStdString();
         }
     }
-    return *proposal_;
+    return *solved().proposal;
 }
 
 QString ElasticHingeModel::proposalText() const {
     const GuideProposal& found = proposal();
     using elastic_hinge::SearchProblem;
-    const double length = input_.spring ? input_.spring->free_length : 0.0;
+    const double length = input().spring ? input().spring->free_length : 0.0;
     switch (found.problem) {
         case SearchProblem::mechanism_locks:
             return tr("None: at λ = 1 the mechanism locks.");
@@ -370,7 +333,7 @@ QString ElasticHingeModel::proposalText() const {
                      number(std::ceil(found.needed_outer_diameter * mm * 10.0) / 10.0, 1));
         case SearchProblem::undercut:
             return tr("None: the roller of radius %1 mm undercuts every guide with this relief.")
-                .arg(significant(input_.roller_radius * mm));
+                .arg(significant(input().roller_radius * mm));
         case SearchProblem::stiffness_out_of_range:
             return tr("None: the stiffness that would be needed is out of range.");
         case SearchProblem::none:
@@ -399,7 +362,7 @@ void ElasticHingeModel::takeProposal() {
 }
 
 void ElasticHingeModel::takeMinimumPreload() {
-    const Guide& guide = result_->crank_guide;
+    const Guide& guide = result().crank_guide;
     if (guide.problem != GuideProblem::preload_too_small) {
         return;
     }
@@ -416,7 +379,7 @@ void ElasticHingeModel::takeMinimumPreload() {
 }
 
 void ElasticHingeModel::takeMinimumStiffness() {
-    const Guide& guide = result_->crank_guide;
+    const Guide& guide = result().crank_guide;
     if (guide.problem != GuideProblem::preload_too_small || !guide.minimum_stiffness) {
         return;
     }
@@ -431,7 +394,7 @@ void ElasticHingeModel::takeMinimumStiffness() {
 
 ElasticHingeModel::Verdict ElasticHingeModel::verdict() const {
     using Level = Verdict::Level;
-    const Guide& guide = result_->crank_guide;
+    const Guide& guide = result().crank_guide;
     switch (guide.problem) {
         case GuideProblem::mechanism_locks:
             return {Level::Bad,
@@ -443,7 +406,7 @@ ElasticHingeModel::Verdict ElasticHingeModel::verdict() const {
             return {Level::Bad,
                     tr("No guide: the spring would have to be compressed by %1 mm of its %2 mm.")
                         .arg(number(2.0 * guide.largest_deflection * mm, 1),
-                             number(input_.spring->free_length * mm, 1))};
+                             number(input().spring->free_length * mm, 1))};
         case GuideProblem::preload_too_small: {
             QString text =
                 tr("No guide: from φ = %1° on the spring would have to give out more than it "
@@ -464,10 +427,10 @@ ElasticHingeModel::Verdict ElasticHingeModel::verdict() const {
     if (guide.summary().undercut) {
         return {Level::Bad, tr("The roller of radius %1 mm undercuts the guide: at most %2 mm "
                                "follow it.")
-                                .arg(significant(input_.roller_radius * mm),
+                                .arg(significant(input().roller_radius * mm),
                                      number(*guide.summary().largest_roller_radius * mm, 2))};
     }
-    if (input_.guide_sign == GuideSign::as_printed) {
+    if (input().guide_sign == GuideSign::as_printed) {
         return {Level::Warning,
                 tr("The guide exists, but with the printed sign it stores what the mechanism "
                    "takes up: the crank does not keep its speed.")};
@@ -493,7 +456,7 @@ QVector<QStringList> ElasticHingeModel::quantityRows() const {
     QString none = QStringLiteral("–");
     const QString newton = tr("N");
     const QString millimetre = tr("mm");
-    const Guide& guide = result_->crank_guide;
+    const Guide& guide = result().crank_guide;
     const bool there = guide.feasible;
     const bool known = guide.shape != nullptr;
     const auto when = [&](bool shown, const QString& text) { return shown ? text : none; };
@@ -510,7 +473,7 @@ QVector<QStringList> ElasticHingeModel::quantityRows() const {
     rows << QStringList{tr("Largest spring force"),
                         when(there, significant(guide.largest_spring_force / 1e3)), tr("kN")};
     rows << QStringList{
-        tr("Moment error from %1 µm").arg(significant(input_.profile_error * um, 3)),
+        tr("Moment error from %1 µm").arg(significant(input().profile_error * um, 3)),
         when(there, number(guide.error.torque, 2) + QStringLiteral(" (") +
                         percent(guide.error.relative) + QLatin1Char(')')),
         tr("N·m")};
@@ -522,24 +485,24 @@ QVector<QStringList> ElasticHingeModel::quantityRows() const {
                                         ? number(*guide.summary().largest_roller_radius * mm, 2)
                                         : tr("any")),
                         millimetre};
-    rows << QStringList{tr("∮ M₁₂ dφ"), number(result_->rod_hinge_integral, 3), tr("J")};
+    rows << QStringList{tr("∮ M₁₂ dφ"), number(result().rod_hinge_integral, 3), tr("J")};
     rows << QStringList{tr("Side force without hinge"),
-                        number(result_->largest_side_force_without, 1), newton};
-    const double with = result_->largest_side_force_with;
-    const double reduction = result_->largest_side_force_without / with;
+                        number(result().largest_side_force_without, 1), newton};
+    const double with = result().largest_side_force_with;
+    const double reduction = result().largest_side_force_without / with;
     rows << QStringList{
         tr("Side force with rod hinge"),
         number(with, 2) + (with > 0.0 && std::isfinite(reduction)
                                ? QStringLiteral(" (÷ ") + number(reduction, 1) + QLatin1Char(')')
                                : QString()),
         newton};
-    const double gravity = input_.gravity;
+    const double gravity = input().gravity;
     rows << QStringList{
         tr("Counterweight P₄"),
-        when(result_->has_counterweight,
-             number(result_->counterweight_mass * (input_.masses_as_weights ? gravity : 1.0),
-                    input_.masses_as_weights ? 3 : 4)),
-        input_.masses_as_weights ? newton : tr("kg")};
+        when(result().has_counterweight,
+             number(result().counterweight_mass * (input().masses_as_weights ? gravity : 1.0),
+                    input().masses_as_weights ? 3 : 4)),
+        input().masses_as_weights ? newton : tr("kg")};
     const auto ripple = [&](const std::optional<Motion>& motion) {
         if (!motion) {
             return none;
@@ -555,26 +518,26 @@ QVector<QStringList> ElasticHingeModel::quantityRows() const {
     rows << QStringList{tr("Ripple with hinge"), motions_ ? ripple(motions_->crank) : none, share};
     rows << QStringList{
         tr("Ripple from %1 rad/s")
-            .arg(significant(motions_ ? motions_->offSpeed : MotionRunner::offSpeed(input_))),
+            .arg(significant(motions_ ? motions_->offSpeed : MotionRunner::offSpeed(input()))),
         motions_ ? ripple(motions_->offDesign) : none, share};
     return rows;
 }
 
 QString ElasticHingeModel::notesText() const {
     QStringList lines;
-    if (input_.kinematics == Kinematics::series && result_->series_error > 0.01) {
+    if (input().kinematics == Kinematics::series && result().series_error > 0.01) {
         lines << tr("The series is off by %1 in cos ψ at φ = %2°; use the exact kinematics for a "
                     "design.")
-                     .arg(significant(result_->series_error, 3),
-                          number(result_->series_error_angle / degree, 0));
+                     .arg(significant(result().series_error, 3),
+                          number(result().series_error_angle / degree, 0));
     }
-    if (input_.rod_counterweight &&
-        input_.rod_counterweight->inertia == CounterweightInertia::as_printed &&
-        result_->counterweight_mass > 0.0 && !result_->side_force_true.empty()) {
+    if (input().rod_counterweight &&
+        input().rod_counterweight->inertia == CounterweightInertia::as_printed &&
+        result().counterweight_mass > 0.0 && !result().side_force_true.empty()) {
         lines << tr("Equation (9) as printed has the wrong sign at the counterweight's inertia: "
                     "the slider would still bear up to %1 N. Newton–Euler makes the side force "
                     "zero.")
-                     .arg(number(result_->largest_side_force_true, 0));
+                     .arg(number(result().largest_side_force_true, 0));
     }
     return lines.join(QLatin1Char('\n'));
 }
@@ -622,7 +585,7 @@ QString ElasticHingeModel::motionsText() const {
 QString ElasticHingeModel::exportGuide(const QString& path, Hinge hinge,
                                        elastic_hinge::GuideDrawing drawing, double stepDeg) const {
     const Guide& guide = guideOf(hinge);
-    drawing.roller_radius = input_.roller_radius;
+    drawing.roller_radius = input().roller_radius;
     drawing.title = title().toStdString();
     try {
         const bool table = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);

@@ -11,13 +11,30 @@
 #include "elastic-hinge/guide_export.h"
 #include "elastic-hinge/model/motion_runner.h"
 #include "elastic-hinge/solver.h"
-#include "model/scene_model.h"
+#include "model/case_model.h"
 
 namespace ravnoves {
 
+/// What CaseModel knows of the scene.
+struct ElasticHingeScene {
+    using Input = elastic_hinge::Input;
+    struct Solved {
+        std::shared_ptr<const elastic_hinge::Result> result;
+        mutable std::optional<elastic_hinge::GuideProposal> proposal;  ///< once it was asked for
+    };
+    static Input defaultInput();
+    static QString defaultTitle();
+    static Input read(const Json& input, const CaseContext& context);
+    static Json write(const Input& input);
+    /// Without the search for a guide.
+    Solved solve(Input input) const;
+
+    elastic_hinge::SolveOptions options;
+};
+
 /// The state of the elastic-hinge page: input, the solver's result, the motions (computed in a
 /// worker thread), and what the pictures show.
-class ElasticHingeModel : public SceneModel {
+class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     Q_OBJECT
 
   public:
@@ -35,27 +52,13 @@ class ElasticHingeModel : public SceneModel {
     explicit ElasticHingeModel(QObject* parent = nullptr);
 
     QString sceneName() const override { return QStringLiteral("elastic-hinge"); }
-    Json inputJson() const override;
-    void loadInput(const Json& input, const CaseContext& context) override;
     Json resultJson() const override;
-    void loadDefault() override;
     bool setViewOption(const QString& key, const QString& value) override;
 
-    const elastic_hinge::Input& input() const { return input_; }
-    const elastic_hinge::Result& result() const { return *result_; }
+    const elastic_hinge::Result& result() const { return *solved().result; }
     /// The newest motions that are there; null before the first.
     const HingeMotions* motions() const { return motions_.get(); }
     MotionRunner* runner() { return &runner_; }
-
-    /// Changes the input by `mutate` as one step of the history; changes with the same name that
-    /// follow each other become one step.
-    /// @return an empty string, or what is wrong with it; the old input holds then
-    QString edit(const QString& name, const std::function<void(elastic_hinge::Input&)>& mutate);
-    /// The next change is a step of its own in the history.
-    void finishDrag() {
-        ++mergeNumber_;
-        lastEdit_.clear();
-    }
 
     double crankAngleDeg() const { return crankAngle_; }  ///< φ of the picture, 0…360
     void setCrankAngleDeg(double angle);
@@ -79,8 +82,8 @@ class ElasticHingeModel : public SceneModel {
     void setExaggeration(std::optional<double> factor);
     bool hasAutomaticExaggeration() const { return !exaggeration_; }
 
-    const std::vector<double>& compareSpeeds() const { return options_.speeds; }
-    const std::vector<double>& compareLambdas() const { return options_.lambdas; }
+    const std::vector<double>& compareSpeeds() const { return scene().options.speeds; }
+    const std::vector<double>& compareLambdas() const { return scene().options.lambdas; }
     void setCompareSpeeds(const std::vector<double>& speeds);
     void setCompareLambdas(const std::vector<double>& lambdas);
 
@@ -112,20 +115,10 @@ class ElasticHingeModel : public SceneModel {
     /// Which guide is shown, exaggeration, animated motion.
     void viewChanged();
     void motionsChanged();
-    /// A change was refused.
-    void refused(const QString& why);
 
   private:
-    void apply(const elastic_hinge::Input& input);
-    std::shared_ptr<const elastic_hinge::Result> solved(elastic_hinge::Input input) const;
+    void taken() override { runner_.start(input(), solved().result); }
 
-    elastic_hinge::Input input_;
-    elastic_hinge::SolveOptions options_;
-    std::shared_ptr<const elastic_hinge::Result> result_;
-    /// What edit() has solved and apply() is about to take over.
-    std::shared_ptr<const elastic_hinge::Result> prepared_;
-    elastic_hinge::Input preparedInput_;
-    mutable std::optional<elastic_hinge::GuideProposal> proposal_;
     MotionRunner runner_;
     std::shared_ptr<const HingeMotions> motions_;
     double crankAngle_ = 60.0;
@@ -133,8 +126,6 @@ class ElasticHingeModel : public SceneModel {
     Animated animated_ = Animated::CrankHinge;
     elastic_hinge::Hinge shownHinge_ = elastic_hinge::Hinge::crank;
     std::optional<double> exaggeration_;
-    int mergeNumber_ = 0;
-    QString lastEdit_;
 };
 
 }  // namespace ravnoves

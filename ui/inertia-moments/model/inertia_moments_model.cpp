@@ -11,7 +11,6 @@
 #include "case-file/json.h"
 #include "inertia-moments/case_io.h"
 #include "inertia-moments/preset.h"
-#include "model/input_command.h"
 #include "text/error_text.h"
 #include "text/number_text.h"
 
@@ -117,33 +116,26 @@ std::pair<double, double> extent(const std::vector<Cylinder>& cylinders, double 
 
 }  // namespace
 
-InertiaMomentsModel::InertiaMomentsModel(QObject* parent)
-    : SceneModel(parent),
-      input_(inertia_moments::preset_vw_vr5()),
-      result_(inertia_moments::solve(input_)) {
-    setTitle(QStringLiteral("Volkswagen VR5"));
+Input InertiaMomentsScene::defaultInput() {
+    return inertia_moments::preset_vw_vr5();
 }
 
-Json InertiaMomentsModel::inputJson() const {
-    return inertia_moments::write_input(input_);
+Input InertiaMomentsScene::read(const Json& input, const CaseContext& /*context*/) {
+    return inertia_moments::read_input(input);
 }
+
+Json InertiaMomentsScene::write(const Input& input) {
+    return inertia_moments::write_input(input);
+}
+
+Result InertiaMomentsScene::solve(const Input& input) {
+    return inertia_moments::solve(input);
+}
+
+InertiaMomentsModel::InertiaMomentsModel(QObject* parent) : CaseModel({}, parent) {}
 
 Json InertiaMomentsModel::resultJson() const {
-    return inertia_moments::write_result(input_, result_);
-}
-
-void InertiaMomentsModel::loadInput(const Json& json, const CaseContext& /*context*/) {
-    const Input input = inertia_moments::read_input(json);
-    probe_ = inertia_moments::solve(input);  // throws before anything changes
-    ++mergeNumber_;
-    lastEdit_.clear();
-    history()->push(new InputCommand<Input>(tr("Open case"), input_, input, -1,
-                                            [this](const Input& i) { apply(i); }));
-}
-
-void InertiaMomentsModel::loadDefault() {
-    edit(tr("New case"), [](Input& input) { input = inertia_moments::preset_vw_vr5(); });
-    setTitle(QStringLiteral("Volkswagen VR5"));
+    return inertia_moments::write_result(input(), result());
 }
 
 bool InertiaMomentsModel::setViewOption(const QString& key, const QString& value) {
@@ -185,10 +177,10 @@ bool InertiaMomentsModel::setViewOption(const QString& key, const QString& value
     return false;
 }
 
-QString InertiaMomentsModel::explain(const Input& input, const QString& fallback) const {
+QString InertiaMomentsModel::explain(const Input& input, const InputError& error) const {
     // The faults that a slider or the table can run into, in the user's language.
     if (!(input.lambda > 0.0) || !(input.crank_radius > 0.0)) {
-        return fallback;
+        return errorText(error);
     }
     std::vector<Cylinder> cylinders = input.cylinders;
     if (input.layout) {
@@ -196,7 +188,7 @@ QString InertiaMomentsModel::explain(const Input& input, const QString& fallback
     }
     const auto locking = inertia_moments::find_locking(input.crank_radius, input.lambda, cylinders);
     if (!locking) {
-        return fallback;
+        return errorText(error);
     }
     if (!locking->angles) {
         return tr("Cylinder %1 cannot be joined: its rod reaches the piston at no crank angle.")
@@ -206,35 +198,6 @@ QString InertiaMomentsModel::explain(const Input& input, const QString& fallback
               "%3° turning back, from the cylinder's axis.")
         .arg(QString::number(locking->cylinder + 1), number(locking->angles->forward / degree, 1),
              number(locking->angles->backward / degree, 1));
-}
-
-QString InertiaMomentsModel::edit(const QString& name, const std::function<void(Input&)>& mutate) {
-    Input next = input_;
-    mutate(next);
-    if (next == input_) {
-        return {};
-    }
-    try {
-        probe_ = inertia_moments::solve(next);
-    } catch (const InputError& error) {
-        QString why = explain(next, errorText(error));
-        Q_EMIT refused(why);
-        return why;
-    }
-    if (name != lastEdit_) {
-        ++mergeNumber_;
-        lastEdit_ = name;
-    }
-    history()->push(new InputCommand<Input>(name, input_, next, mergeNumber_,
-                                            [this](const Input& i) { apply(i); }));
-    return {};
-}
-
-void InertiaMomentsModel::apply(const Input& input) {
-    result_ = probe_ ? std::move(*probe_) : inertia_moments::solve(input);
-    probe_.reset();
-    input_ = input;
-    Q_EMIT changed();
 }
 
 // -------------------------------------------------------------------------------------- layout
@@ -259,27 +222,27 @@ QString InertiaMomentsModel::layoutTitle(const QString& name) const {
             return tr(known.title);
         }
     }
-    const int cylinders = input_.layout ? inertia_moments::cylinder_count(*input_.layout) : 0;
+    const int cylinders = input().layout ? inertia_moments::cylinder_count(*input().layout) : 0;
     return tr("VR%1").arg(cylinders);
 }
 
 QString InertiaMomentsModel::layoutName() const {
-    if (!input_.layout) {
+    if (!input().layout) {
         return ownTable;
     }
-    QString name = QString::fromStdString(input_.layout->name);
+    QString name = QString::fromStdString(input().layout->name);
     if (name != QLatin1String("vr")) {
         return name;
     }
     static const Input paper = inertia_moments::preset_vw_vr5();
-    if (input_.layout == paper.layout && input_.crank_radius == paper.crank_radius &&
-        input_.lambda == paper.lambda && input_.reciprocating_mass == paper.reciprocating_mass &&
-        input_.angular_speed == paper.angular_speed &&
-        input_.reference_position == paper.reference_position) {
+    if (input().layout == paper.layout && input().crank_radius == paper.crank_radius &&
+        input().lambda == paper.lambda && input().reciprocating_mass == paper.reciprocating_mass &&
+        input().angular_speed == paper.angular_speed &&
+        input().reference_position == paper.reference_position) {
         return paperEngine;
     }
     for (const int cylinders : {5, 6}) {
-        if (input_.layout->cylinders == cylinders) {
+        if (input().layout->cylinders == cylinders) {
             return QStringLiteral("vr%1").arg(cylinders);
         }
     }
@@ -318,11 +281,11 @@ void InertiaMomentsModel::chooseLayout(const QString& name) {
 }
 
 void InertiaMomentsModel::makeTable() {
-    if (!input_.layout) {
+    if (!input().layout) {
         return;
     }
     edit(tr("Own table"), [this](Input& input) {
-        input.cylinders = inertia_moments::rounded(result_.engine.cylinders);
+        input.cylinders = inertia_moments::rounded(result().engine.cylinders);
         input.firing_order = input.layout->firing_order;
         input.layout.reset();
     });
@@ -330,14 +293,14 @@ void InertiaMomentsModel::makeTable() {
 }
 
 QString InertiaMomentsModel::setEvenFiring() {
-    std::vector<int> order = input_.layout ? input_.layout->firing_order : input_.firing_order;
-    const int count = static_cast<int>(result_.engine.cylinders.size());
+    std::vector<int> order = input().layout ? input().layout->firing_order : input().firing_order;
+    const int count = static_cast<int>(result().engine.cylinders.size());
     if (!inertia_moments::is_firing_order(order, count)) {
         return tr("Even firing needs a firing order.");
     }
     return edit(tr("Even firing"), [&](Input& input) {
         if (input.layout) {
-            input.cylinders = inertia_moments::rounded(result_.engine.cylinders);
+            input.cylinders = inertia_moments::rounded(result().engine.cylinders);
             input.firing_order = order;
             input.layout.reset();
         }
@@ -348,7 +311,7 @@ QString InertiaMomentsModel::setEvenFiring() {
 
 QString InertiaMomentsModel::firingOrderText() const {
     const std::vector<int>& order =
-        input_.layout ? input_.layout->firing_order : input_.firing_order;
+        input().layout ? input().layout->firing_order : input().firing_order;
     QStringList words;
     for (const int cylinder : order) {
         words << QString::number(cylinder);
@@ -362,8 +325,8 @@ QString InertiaMomentsModel::setFiringOrderText(const QString& text) {
     for (const QString& word : text.split(separators, Qt::SkipEmptyParts)) {
         order.push_back(word.left(6).toInt());
     }
-    const int count = static_cast<int>(result_.engine.cylinders.size());
-    const bool none = order.empty() && !input_.layout;
+    const int count = static_cast<int>(result().engine.cylinders.size());
+    const bool none = order.empty() && !input().layout;
     if (!none && !inertia_moments::is_firing_order(order, count)) {
         return tr("The firing order must name each cylinder from 1 to %1 once.").arg(count);
     }
@@ -375,16 +338,16 @@ QString InertiaMomentsModel::setFiringOrderText(const QString& text) {
 // ------------------------------------------------------------------------------------- sliders
 
 double InertiaMomentsModel::bankAngleDeg() const {
-    if (input_.layout) {
-        return from_si(field::included_angle, input_.layout->bank_angle);
+    if (input().layout) {
+        return from_si(field::included_angle, input().layout->bank_angle);
     }
-    const auto [low, high] = extent(input_.cylinders, &Cylinder::bank_angle);
+    const auto [low, high] = extent(input().cylinders, &Cylinder::bank_angle);
     return (high - low) / degree;
 }
 
 bool InertiaMomentsModel::canChangeBankAngle() const {
-    if (input_.layout) {
-        return inertia_moments::arrangement_of(*input_.layout) !=
+    if (input().layout) {
+        return inertia_moments::arrangement_of(*input().layout) !=
                inertia_moments::Arrangement::in_line;
     }
     return bankAngleDeg() > 1e-9;
@@ -411,27 +374,27 @@ void InertiaMomentsModel::setBankAngleDeg(double angle) {
 }
 
 double InertiaMomentsModel::offsetMm() const {
-    if (input_.layout) {
-        return from_si(field::offset, input_.layout->offset);
+    if (input().layout) {
+        return from_si(field::offset, input().layout->offset);
     }
     double largest = 0.0;
-    for (const Cylinder& cylinder : input_.cylinders) {
+    for (const Cylinder& cylinder : input().cylinders) {
         largest = std::max(largest, std::abs(cylinder.offset));
     }
     return from_si(field::offset, largest);
 }
 
 bool InertiaMomentsModel::canChangeOffset() const {
-    return input_.layout || offsetMm() > 0.0;
+    return input().layout || offsetMm() > 0.0;
 }
 
 std::pair<double, double> InertiaMomentsModel::offsetLimitsMm() const {
-    const double reach = (input_.rod_length() - input_.crank_radius) / field::millimetre;
-    const double radius = input_.crank_radius / field::millimetre;
+    const double reach = (input().rod_length() - input().crank_radius) / field::millimetre;
+    const double radius = input().crank_radius / field::millimetre;
     const double most = std::floor(std::min(0.98 * reach, radius) * 10.0) / 10.0;
     const double high = std::max(most, std::abs(offsetMm()));
     // A table's offsets keep their signs; at 0 they would lose them.
-    return {input_.layout ? -high : std::min(0.1, high), high};
+    return {input().layout ? -high : std::min(0.1, high), high};
 }
 
 void InertiaMomentsModel::setOffsetMm(double offset) {
@@ -452,7 +415,7 @@ void InertiaMomentsModel::setOffsetMm(double offset) {
 }
 
 double InertiaMomentsModel::speedRpm() const {
-    return from_si(field::speed, input_.angular_speed);
+    return from_si(field::speed, input().angular_speed);
 }
 
 void InertiaMomentsModel::setSpeedRpm(double speed) {
@@ -460,7 +423,7 @@ void InertiaMomentsModel::setSpeedRpm(double speed) {
 }
 
 double InertiaMomentsModel::referenceMm() const {
-    return from_si(field::reference_position, input_.reference_position);
+    return from_si(field::reference_position, input().reference_position);
 }
 
 void InertiaMomentsModel::setReferenceMm(double position) {
@@ -469,9 +432,9 @@ void InertiaMomentsModel::setReferenceMm(double position) {
 }
 
 std::pair<double, double> InertiaMomentsModel::referenceLimitsMm() const {
-    const auto [low, high] = extent(result_.engine.cylinders, &Cylinder::axial_position);
-    const double room = std::max(high - low, 2.0 * input_.crank_radius) / 2.0;
-    const double reference = input_.reference_position;
+    const auto [low, high] = extent(result().engine.cylinders, &Cylinder::axial_position);
+    const double room = std::max(high - low, 2.0 * input().crank_radius) / 2.0;
+    const double reference = input().reference_position;
     return {std::floor(std::min(low - room, reference) / field::millimetre),
             std::ceil(std::max(high + room, reference) / field::millimetre)};
 }
@@ -520,7 +483,7 @@ void InertiaMomentsModel::setShaftEnabled(int index, bool enabled) {
 
 void InertiaMomentsModel::editShaft(int index, const QString& name,
                                     const std::function<void(Shaft&)>& mutate) {
-    if (index < 0 || index >= static_cast<int>(input_.shafts.size())) {
+    if (index < 0 || index >= static_cast<int>(input().shafts.size())) {
         return;
     }
     edit(name, [&](Input& input) { mutate(input.shafts[static_cast<std::size_t>(index)]); });
@@ -607,9 +570,9 @@ QStringList InertiaMomentsModel::orderColumns() const {
 
 QVector<QStringList> InertiaMomentsModel::orderRows() const {
     QVector<QStringList> rows;
-    rows.reserve(static_cast<qsizetype>(result_.differences.size()));
-    for (const Difference& d : result_.differences) {
-        const Harmonic<double> h = componentOf(result_.exact.order(d.order), d);
+    rows.reserve(static_cast<qsizetype>(result().differences.size()));
+    for (const Difference& d : result().differences) {
+        const Harmonic<double> h = componentOf(result().exact.order(d.order), d);
         if (!d.relative) {
             rows.push_back(
                 {componentName(d), QStringLiteral("0"), dash, QStringLiteral("0"), dash});
@@ -635,7 +598,7 @@ QVector<QStringList> InertiaMomentsModel::rotatingRows() const {
         rows.push_back({name, shown(pair.forward), directionText(pair.forward, scale),
                         shown(pair.backward), directionText(pair.backward, scale)});
     };
-    for (const EngineOrder& order : result_.exact.orders) {
+    for (const EngineOrder& order : result().exact.orders) {
         const QString k = QString::number(order.order) + QStringLiteral("\u2002");
         add(k + QStringLiteral("F"), order.force, order.force_scale);
         add(k + QStringLiteral("M"), order.moment, order.moment_scale);
@@ -649,7 +612,7 @@ QStringList InertiaMomentsModel::shaftColumns() const {
 
 QVector<QStringList> InertiaMomentsModel::shaftRows() const {
     QVector<QStringList> rows;
-    for (const ShaftDesign& design : result_.shafts) {
+    for (const ShaftDesign& design : result().shafts) {
         const QString mark =
             design.shaft.enabled ? QStringLiteral("\u25CF ") : QStringLiteral("\u25CB ");
         rows.push_back({mark + shaftTitle(design.shaft), figure(std::abs(design.target)),
@@ -664,7 +627,7 @@ QStringList InertiaMomentsModel::weightColumns() const {
 }
 
 QVector<QStringList> InertiaMomentsModel::weightRows() const {
-    const inertia_moments::RotatingMasses& rotating = result_.rotating;
+    const inertia_moments::RotatingMasses& rotating = result().rotating;
     const auto row = [](const QString& name, const QString& value, const Complex& vector,
                         double scale) {
         return QStringList{name, value, directionText(vector, scale),
@@ -682,8 +645,8 @@ QVector<QStringList> InertiaMomentsModel::weightRows() const {
             rotating.moment_factor, rotating.moment_scale),
         row(tr("against the force"), dash, -rotating.force_factor, rotating.force_scale),
         row(tr("against the moment"), dash, -rotating.moment_factor, rotating.moment_scale)};
-    if (result_.counterweights) {
-        const inertia_moments::CounterweightDesign& design = *result_.counterweights;
+    if (result().counterweights) {
+        const inertia_moments::CounterweightDesign& design = *result().counterweights;
         const double scale = std::abs(design.against_force) + std::abs(design.against_moment);
         const auto weight = [&](const QString& name, const inertia_moments::Counterweight& w) {
             rows.push_back(row(name + tr(", g·mm"), figure(std::abs(w.unbalance) / gramMillimetre),
@@ -702,9 +665,9 @@ QStringList InertiaMomentsModel::remainingColumns() const {
 
 QVector<QStringList> InertiaMomentsModel::remainingRows() const {
     QVector<QStringList> rows;
-    for (std::size_t i = 0; i < result_.exact.orders.size(); ++i) {
-        const EngineOrder& before = result_.exact.orders[i];
-        const EngineOrder& after = result_.remaining.orders[i];
+    for (std::size_t i = 0; i < result().exact.orders.size(); ++i) {
+        const EngineOrder& before = result().exact.orders[i];
+        const EngineOrder& after = result().remaining.orders[i];
         const QString k = QString::number(before.order) + QStringLiteral("\u2002");
         const auto add = [&](const QString& name, double was, double is, double scale) {
             const double zero = inertia_moments::zero_share * scale;
@@ -716,9 +679,9 @@ QVector<QStringList> InertiaMomentsModel::remainingRows() const {
         RotatingPair force = before.force;
         RotatingPair moment = before.moment;
         if (before.order == 1) {
-            const Complex pin = inertia_moments::crankpin_direction(result_.engine);
-            force.forward += result_.rotating.force() * pin;
-            moment.forward += result_.rotating.moment_about(input_.reference_position) * pin;
+            const Complex pin = inertia_moments::crankpin_direction(result().engine);
+            force.forward += result().rotating.force() * pin;
+            moment.forward += result().rotating.moment_about(input().reference_position) * pin;
         }
         const double forces = before.force_scale;
         const double moments = before.moment_scale;
@@ -730,13 +693,13 @@ QVector<QStringList> InertiaMomentsModel::remainingRows() const {
 
 QString InertiaMomentsModel::warningText() const {
     QStringList lines;
-    if (!result_.exact.accurate) {
+    if (!result().exact.accurate) {
         lines << tr(
             "A mechanism is so near locking that the exact orders are less accurate than "
             "usual.");
     }
     std::vector<const Difference*> warnings;
-    for (const Difference& d : result_.differences) {
+    for (const Difference& d : result().differences) {
         if (d.warning) {
             warnings.push_back(&d);
         }

@@ -9,36 +9,36 @@
 
 #include "case-file/json.h"
 #include "inertia-moments/solver.h"
-#include "model/scene_model.h"
+#include "model/case_model.h"
 
 namespace ravnoves {
+
+/// What CaseModel knows of the scene.
+struct InertiaMomentsScene {
+    using Input = inertia_moments::Input;
+    using Solved = inertia_moments::Result;
+    static Input defaultInput();
+    static QString defaultTitle() { return QStringLiteral("Volkswagen VR5"); }
+    static Input read(const Json& input, const CaseContext& context);
+    static Json write(const Input& input);
+    static Solved solve(const Input& input);
+};
 
 /// The state of the inertia-moments page: input, the solver's result, the crank angle of the
 /// picture, which tabs are in front.
 ///
 /// A change costs one solve (some tens of microseconds), so every slider changes the input itself.
-class InertiaMomentsModel : public SceneModel {
+class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     Q_OBJECT
 
   public:
     explicit InertiaMomentsModel(QObject* parent = nullptr);
 
     QString sceneName() const override { return QStringLiteral("inertia-moments"); }
-    Json inputJson() const override;
-    void loadInput(const Json& input, const CaseContext& context) override;
     Json resultJson() const override;
-    void loadDefault() override;
     bool setViewOption(const QString& key, const QString& value) override;
 
-    const inertia_moments::Input& input() const { return input_; }
-    const inertia_moments::Result& result() const { return result_; }
-
-    /// Changes the input by `mutate` as one step of the history; changes with the same name that
-    /// follow each other become one step.
-    /// @return an empty string, or what is wrong with it; the old input holds then
-    QString edit(const QString& name, const std::function<void(inertia_moments::Input&)>& mutate);
-    /// The next change is a step of its own in the history.
-    void finishDrag() { ++mergeNumber_; }
+    const inertia_moments::Result& result() const { return solved(); }
 
     // ---------------------------------------------------------------- layout
 
@@ -116,20 +116,12 @@ class InertiaMomentsModel : public SceneModel {
   Q_SIGNALS:
     void crankAngleChanged(double degrees);
     void tabChanged(InertiaMomentsModel::Tabs group, int index);
-    /// A change was refused.
-    void refused(const QString& why);
 
   private:
-    void apply(const inertia_moments::Input& input);
-    QString explain(const inertia_moments::Input& input, const QString& fallback) const;
+    QString explain(const Input& refused, const InputError& error) const override;
 
-    inertia_moments::Input input_;
-    inertia_moments::Result result_;
-    std::optional<inertia_moments::Result> probe_;  ///< of the change that is being made
     double crankAngle_ = 40.0;
     std::array<int, 3> tabs_{};
-    int mergeNumber_ = 0;
-    QString lastEdit_;
 };
 
 }  // namespace ravnoves

@@ -8,7 +8,6 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "model/input_command.h"
 #include "text/error_text.h"
 #include "v8-plugs/model/v8_text.h"
 
@@ -52,22 +51,31 @@ Engine readOwnEngine(const JournalEngine& own) {
     return engine;
 }
 
-CaseInput freshJob(bool dated) {
+}  // namespace
+
+CaseInput V8PlugsScene::defaultInput() const {
     CaseInput input;
-    const Engine& first = engine_presets().front();
-    takePreset(input, first);
+    takePreset(input, engine_presets().front());
     if (dated) {
         input.job.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
     }
     return input;
 }
 
-}  // namespace
+CaseInput V8PlugsScene::read(const Json& input, const CaseContext& /*context*/) {
+    return read_input(input, Completeness::as_is);
+}
+
+Json V8PlugsScene::write(const CaseInput& input) {
+    return write_input(input);
+}
+
+Solution V8PlugsScene::solve(const CaseInput& input) {
+    return v8_plugs::solve(input);
+}
 
 V8PlugsModel::V8PlugsModel(const QString& journalPath, QObject* parent)
-    : SceneModel(parent), journalPath_(journalPath) {
-    input_ = freshJob(!journalPath_.isEmpty());
-    solution_ = solve(input_);
+    : CaseModel({.dated = !journalPath.isEmpty()}, parent), journalPath_(journalPath) {
     if (!journalPath_.isEmpty()) {
         cardLanguage_ = QSettings().value(QStringLiteral("v8-plugs/card-language")).toString();
     }
@@ -91,32 +99,12 @@ V8PlugsModel::~V8PlugsModel() {
     }
 }
 
-Json V8PlugsModel::inputJson() const {
-    return write_input(input_);
-}
-
 Json V8PlugsModel::resultJson() const {
     try {
         return solve_case_input(inputJson(), context());
     } catch (const InputError& error) {
         return {{"error", error.what()}};  // a sheet half filled has no result yet
     }
-}
-
-void V8PlugsModel::loadInput(const Json& json, const CaseContext& /*context*/) {
-    const CaseInput next = read_input(json, Completeness::as_is);
-    jobId_ = 0;
-    jobRevision_ = 0;
-    lastEdit_.clear();
-    push(tr("Open case"), next, -1);
-}
-
-void V8PlugsModel::loadDefault() {
-    jobId_ = 0;
-    jobRevision_ = 0;
-    lastEdit_.clear();
-    push(tr("New case"), freshJob(!journalPath_.isEmpty()), -1);
-    setTitle({});
 }
 
 bool V8PlugsModel::setViewOption(const QString& key, const QString& value) {
@@ -135,28 +123,7 @@ bool V8PlugsModel::setViewOption(const QString& key, const QString& value) {
     return true;
 }
 
-void V8PlugsModel::push(const QString& name, const CaseInput& next, int mergeNumber) {
-    history()->push(new InputCommand<CaseInput>(name, input_, next, mergeNumber,
-                                                [this](const CaseInput& i) { apply(i); }));
-}
-
-void V8PlugsModel::edit(const QString& name, const std::function<void(CaseInput&)>& mutate) {
-    CaseInput next = input_;
-    mutate(next);
-    if (next == input_) {
-        return;
-    }
-    if (name != lastEdit_) {
-        ++mergeNumber_;
-        lastEdit_ = name;
-    }
-    push(name, next, mergeNumber_);
-}
-
-void V8PlugsModel::apply(const CaseInput& input) {
-    input_ = input;
-    solution_ = solve(input_);
-    Q_EMIT changed();
+void V8PlugsModel::taken() {
     draftStale_ = true;
     // Not restarted by further changes: the first waits no longer than the delay.
     if (journal_ && !draftTimer_.isActive()) {
@@ -164,23 +131,30 @@ void V8PlugsModel::apply(const CaseInput& input) {
     }
 }
 
-void V8PlugsModel::newJob() {
-    CaseInput next = freshJob(!journalPath_.isEmpty());
-    next.preset = input_.preset;
-    next.engine = input_.engine;
-    next.crankshaft = input_.crankshaft;
-    next.process = input_.process;
-    next.tolerance = input_.tolerance;
-    next.plug = input_.plug;
-    next.job.technician = input_.job.technician;
-    jobId_ = 0;
-    jobRevision_ = 0;
-    history()->clear();
-    lastEdit_.clear();
-    setTitle({});
-    apply(next);
+void V8PlugsModel::putJobId(qint64 id, int revision) {
+    jobId_ = id;
+    jobRevision_ = revision;
+}
+
+void V8PlugsModel::takeJob(const CaseInput& job, const QString& title, qint64 id, int revision) {
+    putJobId(id, revision);
+    setTitle(title);
+    // Undo must not bring another job's values under this job's number.
+    restart(job);
     draftStale_ = false;
     draftTimer_.stop();
+}
+
+void V8PlugsModel::newJob() {
+    CaseInput next = scene().defaultInput();
+    next.preset = input().preset;
+    next.engine = input().engine;
+    next.crankshaft = input().crankshaft;
+    next.process = input().process;
+    next.tolerance = input().tolerance;
+    next.plug = input().plug;
+    next.job.technician = input().job.technician;
+    takeJob(next, {}, 0, 0);
 }
 
 // ------------------------------------------------------------------------------------- engines
@@ -210,12 +184,12 @@ bool V8PlugsModel::isOwnEngine(int place) const {
 int V8PlugsModel::engineIndex() const {
     const auto presets = engine_presets();
     for (std::size_t i = 0; i < presets.size(); ++i) {
-        if (presets[i].name == input_.preset) {
+        if (presets[i].name == input().preset) {
             return static_cast<int>(i);
         }
     }
     for (qsizetype i = 0; i < ownEngines_.size(); ++i) {
-        if (ownEngines_.at(i).name == QString::fromStdString(input_.engine.name)) {
+        if (ownEngines_.at(i).name == QString::fromStdString(input().engine.name)) {
             return static_cast<int>(presets.size()) + static_cast<int>(i);
         }
     }
@@ -227,7 +201,7 @@ void V8PlugsModel::chooseEngine(int place) {
     if (place < 0 || place >= static_cast<int>(presets.size()) + ownEngines_.size()) {
         return;
     }
-    lastEdit_.clear();
+    finishDrag();
     if (!isOwnEngine(place)) {
         edit(tr("Engine"), [&](CaseInput& input) {
             takePreset(input, presets[static_cast<std::size_t>(place)]);
@@ -248,7 +222,7 @@ void V8PlugsModel::chooseEngine(int place) {
                                   .arg(own.name, errorText(error)));
         }
     }
-    lastEdit_.clear();
+    finishDrag();
 }
 
 bool V8PlugsModel::hasOwnEngine(const QString& name) const {
@@ -291,7 +265,7 @@ QString V8PlugsModel::saveEngineAs(const QString& name) {
             return journal_->lastError();
         }
     }
-    CaseInput own = input_;
+    CaseInput own = input();
     own.preset.clear();
     own.engine.name = trimmed.toStdString();
     const std::string values = write_input(own).at("engine").dump();
@@ -323,7 +297,7 @@ QString V8PlugsModel::renameEngine(const QString& from, const QString& to) {
         return journal_->lastError();
     }
     ownEngines_ = journal_->engines();
-    if (QString::fromStdString(input_.engine.name) == from) {
+    if (QString::fromStdString(input().engine.name) == from) {
         edit(tr("Rename engine"),
              [&](CaseInput& input) { input.engine.name = trimmed.toStdString(); });
     }
@@ -350,14 +324,14 @@ bool V8PlugsModel::ownEngineChanged() const {
     }
     try {
         return readOwnEngine(ownEngines_.at(place - static_cast<int>(engine_presets().size()))) !=
-               input_.engine;
+               input().engine;
     } catch (const InputError&) {
         return true;
     }
 }
 
 QString V8PlugsModel::engineNote() const {
-    const Engine* preset = find_preset(input_.preset);
+    const Engine* preset = find_preset(input().preset);
     if (preset == nullptr) {
         return ownEngineChanged()
                    ? tr("The values differ from those kept under this name; “Keep as own engine” "
@@ -369,7 +343,7 @@ QString V8PlugsModel::engineNote() const {
             "The paper gives only the crank radius of this engine; the rest has to be "
             "measured.");
     }
-    if (input_.engine.steel_plug_mass == preset->steel_plug_mass) {
+    if (input().engine.steel_plug_mass == preset->steel_plug_mass) {
         return tr(
             "Plug masses as the paper prints them. They look too small for the threads it "
             "prints: weigh the plugs and type what the scale says.");

@@ -4,11 +4,10 @@
 #include <QStringList>
 #include <QTimer>
 #include <QVector>
-#include <functional>
 #include <memory>
 
 #include "case-file/json.h"
-#include "model/scene_model.h"
+#include "model/case_model.h"
 #include "v8-plugs/case_input.h"
 #include "v8-plugs/model/journal.h"
 #include "v8-plugs/model/words.h"
@@ -16,13 +15,28 @@
 
 namespace ravnoves {
 
+/// What CaseModel knows of the scene.
+struct V8PlugsScene {
+    using Input = v8_plugs::CaseInput;
+    using Solved = v8_plugs::Solution;
+    Input defaultInput() const;
+    static QString defaultTitle() { return {}; }
+    static Input read(const Json& input, const CaseContext& context);
+    static Json write(const Input& input);
+    /// Refuses nothing: what is missing or broken is named in the solution.
+    static Solved solve(const Input& input);
+
+    bool dated;  ///< a new job is of today
+};
+
 /// The state of the V-8 workshop page: the job on the sheet, what follows from it, its history and
 /// its place in the journal.
 ///
 /// The sheet may be half filled: what is missing stays empty and is named, what can be computed is
-/// computed. Every change is kept as a draft in the journal within a third of a second, so that a
-/// crash loses at most the field being typed.
-class V8PlugsModel : public SceneModel {
+/// computed. A change that breaks a rule between fields (more off a plug than it weighs, a bore
+/// wider than the thread) is taken over and named in troubles(). Every change is kept as a draft in
+/// the journal within a third of a second, so that a crash loses at most the field being typed.
+class V8PlugsModel : public CaseModel<V8PlugsScene> {
     Q_OBJECT
 
   public:
@@ -31,19 +45,10 @@ class V8PlugsModel : public SceneModel {
     ~V8PlugsModel() override;
 
     QString sceneName() const override { return QStringLiteral("v8-plugs"); }
-    Json inputJson() const override;
-    void loadInput(const Json& input, const CaseContext& context) override;
     Json resultJson() const override;
-    void loadDefault() override;
     bool setViewOption(const QString& key, const QString& value) override;
 
-    const v8_plugs::CaseInput& input() const { return input_; }
-    const v8_plugs::Solution& solution() const { return solution_; }
-
-    /// Changes the input by `mutate` as one step of the history; changes with the same name that
-    /// follow each other become one step. A change that breaks a rule between fields (more off a
-    /// plug than it weighs, a bore wider than the thread) is taken over and named in troubles().
-    void edit(const QString& name, const std::function<void(v8_plugs::CaseInput&)>& mutate);
+    const v8_plugs::Solution& solution() const { return solved(); }
 
     // ------------------------------------------------------------------------------- engines
     /// Reads the user's own engines again: another program may have kept one.
@@ -140,19 +145,17 @@ class V8PlugsModel : public SceneModel {
     void sheetChosen(int sheet);
 
   private:
-    void apply(const v8_plugs::CaseInput& input);
+    void aboutToLoad() override { putJobId(0, 0); }
+    void taken() override;
+    void putJobId(qint64 id, int revision);
+    void takeJob(const v8_plugs::CaseInput& input, const QString& title, qint64 id, int revision);
     QString engineNameTrouble(const QString& name) const;
-    void push(const QString& name, const v8_plugs::CaseInput& next, int mergeNumber);
     void setJournalTrouble(const QString& text);
     QByteArray formText() const;
     QString takeForm(const QByteArray& form, qint64 id, int revision, bool copy);
     JournalJob journalJob() const;
 
-    v8_plugs::CaseInput input_;
-    v8_plugs::Solution solution_;
     Words words_;
-    int mergeNumber_ = 0;
-    QString lastEdit_;
     QString cardLanguage_;
 
     QString journalPath_;

@@ -26,11 +26,11 @@ std::size_t index(OptionId id) {
 }  // namespace
 
 QString V8PlugsModel::adviceText() const {
-    if (solution_.advice) {
-        return v8_text::advice(words_, input_, solution_);
+    if (solution().advice) {
+        return v8_text::advice(words_, input(), solution());
     }
     QStringList names;
-    for (const EngineField* field : missing_fields(input_.engine, false)) {
+    for (const EngineField* field : missing_fields(input().engine, false)) {
         names << v8_text::fieldName(words_, field->spec.key);
     }
     return names.isEmpty() ? tr("The values do not go together.")
@@ -38,45 +38,45 @@ QString V8PlugsModel::adviceText() const {
 }
 
 QString V8PlugsModel::boringText() const {
-    return solution_.advice && solution_.advice->kind == Advice::Kind::option
-               ? v8_text::boring(words_, input_, solution_, solution_.advice->option->id)
+    return solution().advice && solution().advice->kind == Advice::Kind::option
+               ? v8_text::boring(words_, input(), solution(), solution().advice->option->id)
                : QString();
 }
 
 QString V8PlugsModel::excessText() const {
-    if (!solution_.unbalanced_mass || !input_.engine.crank_radius) {
+    if (!solution().unbalanced_mass || !input().engine.crank_radius) {
         return tr("Excess Δm_y: not known yet");
     }
     return tr("Excess Δm_y: %1, %2")
-        .arg(v8_text::grams(words_, *solution_.unbalanced_mass, 3),
+        .arg(v8_text::grams(words_, *solution().unbalanced_mass, 3),
              v8_text::gramMillimetres(words_,
-                                      *solution_.unbalanced_mass * *input_.engine.crank_radius));
+                                      *solution().unbalanced_mass * *input().engine.crank_radius));
 }
 
 QStringList V8PlugsModel::troubles() const {
-    return v8_text::troubles(words_, input_, solution_);
+    return v8_text::troubles(words_, input(), solution());
 }
 
 QString V8PlugsModel::shiftText() const {
-    if (!solution_.plugs) {
+    if (!solution().plugs) {
         return {};
     }
-    const auto chosen = v8_text::chosenOption(solution_);
-    return v8_text::shiftText(words_, input_, solution_,
-                              chosen ? *chosen : *solution_.option(OptionId::steel_machined));
+    const auto chosen = v8_text::chosenOption(solution());
+    return v8_text::shiftText(words_, input(), solution(),
+                              chosen ? *chosen : *solution().option(OptionId::steel_machined));
 }
 
 QString V8PlugsModel::checkText() const {
-    return v8_text::bobWeightCheck(words_, input_, solution_);
+    return v8_text::bobWeightCheck(words_, input(), solution());
 }
 
 QString V8PlugsModel::hangText() const {
-    return solution_.before ? v8_text::hang(words_, solution_) : missingText();
+    return solution().before ? v8_text::hang(words_, solution()) : missingText();
 }
 
 QString V8PlugsModel::missingText() const {
     QStringList names;
-    for (const EngineField* field : missing_fields(input_.engine, true)) {
+    for (const EngineField* field : missing_fields(input().engine, true)) {
         names << v8_text::fieldName(words_, field->spec.key);
     }
     return names.isEmpty()
@@ -85,31 +85,31 @@ QString V8PlugsModel::missingText() const {
 }
 
 QString V8PlugsModel::isoText() const {
-    if (!solution_.balancing || !input_.balancing) {
+    if (!solution().balancing || !input().balancing) {
         return tr("ISO 21940-11 needs grade, mass and speed.");
     }
     return tr("ISO 21940-11: U_per = 1000 m G / ω = %1 for the whole crankshaft; the method's own "
               "limit is %2 in each plane.")
-        .arg(v8_text::gramMillimetres(words_, solution_.balancing->permissible),
-             v8_text::gramMillimetres(words_, input_.tolerance));
+        .arg(v8_text::gramMillimetres(words_, solution().balancing->permissible),
+             v8_text::gramMillimetres(words_, input().tolerance));
 }
 
 QString V8PlugsModel::plugWeightText() const {
-    if (!input_.plug || !input_.plug->geometry() || geometry_fault(*input_.plug->geometry())) {
+    if (!input().plug || !input().plug->geometry() || geometry_fault(*input().plug->geometry())) {
         return tr("With thread and height the sheet says what the plug would weigh.");
     }
-    const double volume = input_.plug->geometry()->volume();
+    const double volume = input().plug->geometry()->volume();
     return tr("A plug of these dimensions weighs %1 in steel, %2 in aluminium.")
-        .arg(v8_text::grams(words_, volume * input_.plug->steel_density, 1),
-             v8_text::grams(words_, volume * input_.plug->aluminium_density, 1));
+        .arg(v8_text::grams(words_, volume * input().plug->steel_density, 1),
+             v8_text::grams(words_, volume * input().plug->aluminium_density, 1));
 }
 
 QString V8PlugsModel::assignmentText() const {
-    return v8_text::assignmentText(words_, solution_);
+    return v8_text::assignmentText(words_, solution());
 }
 
 QStringList V8PlugsModel::weighInGaps() const {
-    return v8_text::weighInGaps(words_, input_);
+    return v8_text::weighInGaps(words_, input());
 }
 
 QStringList V8PlugsModel::optionColumns() const {
@@ -120,14 +120,14 @@ QStringList V8PlugsModel::optionColumns() const {
 QVector<QStringList> V8PlugsModel::optionRows() const {
     QVector<QStringList> rows;
     for (const OptionId id : all_options) {
-        const auto& option = solution_.option(id);
+        const auto& option = solution().option(id);
         const QString name = v8_text::optionName(words_, id);
         if (!option) {
             rows << QStringList{name, dash, dash, dash, dash, dash, dash};
             continue;
         }
         const bool fitted =
-            needs_new_crankshaft(id) == (input_.crankshaft == Crankshaft::new_plugs);
+            needs_new_crankshaft(id) == (input().crankshaft == Crankshaft::new_plugs);
         const QString mark = option->feasible ? QStringLiteral("✓") : QStringLiteral("✗");
         rows << QStringList{
             // in brackets what the crankshaft that is fitted does not allow
@@ -144,26 +144,26 @@ QVector<QStringList> V8PlugsModel::optionRows() const {
 
 QString V8PlugsModel::optionToolTip(int row) const {
     const OptionId id = all_options.at(static_cast<std::size_t>(row));
-    const auto& option = solution_.option(id);
+    const auto& option = solution().option(id);
     if (!option) {
         return tr("The engine has no such plug, or its data are missing.");
     }
-    const bool fitted = needs_new_crankshaft(id) == (input_.crankshaft == Crankshaft::new_plugs);
+    const bool fitted = needs_new_crankshaft(id) == (input().crankshaft == Crankshaft::new_plugs);
     QStringList text;
     if (!fitted) {
         text << tr("For the other crankshaft.");
     }
     text << QStringList{
         tr("%1: %2.").arg(v8_text::optionName(words_, id),
-                          v8_text::verdict(words_, *option, input_.tolerance)),
+                          v8_text::verdict(words_, *option, input().tolerance)),
         tr("At most %1 may come off a plug; slope k_y = %2, %3°.")
             .arg(v8_text::grams(words_, option->max_reduction, 3), words_.number(option->slope, 3),
                  words_.number(std::atan(option->slope) / degree, 1))};
-    const QString boring = v8_text::boring(words_, input_, solution_, id);
+    const QString boring = v8_text::boring(words_, input(), solution(), id);
     if (!boring.isEmpty()) {
         text << boring;
     }
-    text << v8_text::shiftText(words_, input_, solution_, *option);
+    text << v8_text::shiftText(words_, input(), solution(), *option);
     return text.join(QLatin1Char('\n'));
 }
 
@@ -173,11 +173,11 @@ QStringList V8PlugsModel::bobWeightColumns() const {
 
 QVector<QStringList> V8PlugsModel::bobWeightRows() const {
     QVector<QStringList> rows;
-    if (!solution_.nominal || !solution_.before) {
+    if (!solution().nominal || !solution().before) {
         return rows;
     }
-    const auto chosen = v8_text::chosenOption(solution_);
-    const BobWeight* after = chosen ? &solution_.bob_weights[index(chosen->id)]->after : nullptr;
+    const auto chosen = v8_text::chosenOption(solution());
+    const BobWeight* after = chosen ? &solution().bob_weights[index(chosen->id)]->after : nullptr;
     const auto product = [&](const BobWeight* weight, BobWeightLine::Part part) {
         if (weight != nullptr) {
             for (const BobWeightLine& line : weight->lines) {
@@ -188,13 +188,13 @@ QVector<QStringList> V8PlugsModel::bobWeightRows() const {
         }
         return dash;
     };
-    for (const BobWeightLine& line : solution_.before->lines) {
+    for (const BobWeightLine& line : solution().before->lines) {
         rows << QStringList{v8_text::shortLine(words_, line),
-                            product(&*solution_.nominal, line.part),
-                            product(&*solution_.before, line.part), product(after, line.part)};
+                            product(&*solution().nominal, line.part),
+                            product(&*solution().before, line.part), product(after, line.part)};
     }
-    rows << QStringList{tr("Bob weight"), words_.number(solution_.nominal->sum() / gram, 2),
-                        words_.number(solution_.before->sum() / gram, 2),
+    rows << QStringList{tr("Bob weight"), words_.number(solution().nominal->sum() / gram, 2),
+                        words_.number(solution().before->sum() / gram, 2),
                         after != nullptr ? words_.number(after->sum() / gram, 2) : dash};
     return rows;
 }
@@ -215,11 +215,11 @@ QVector<QStringList> V8PlugsModel::planeRows() const {
                                                : tr("✗ fails")};
     };
     const auto reading = [&](std::optional<double> BalancingSheet::*member) {
-        return input_.balancing ? *input_.balancing.*member : std::nullopt;
+        return input().balancing ? *input().balancing.*member : std::nullopt;
     };
-    add(tr("Front (pulley)"), solution_.balancing ? &solution_.balancing->front : nullptr,
+    add(tr("Front (pulley)"), solution().balancing ? &solution().balancing->front : nullptr,
         reading(&BalancingSheet::front_reading));
-    add(tr("Rear (flywheel)"), solution_.balancing ? &solution_.balancing->rear : nullptr,
+    add(tr("Rear (flywheel)"), solution().balancing ? &solution().balancing->rear : nullptr,
         reading(&BalancingSheet::rear_reading));
     return rows;
 }
@@ -234,7 +234,7 @@ QStringList V8PlugsModel::assignmentColumns() const {
 
 QVector<QStringList> V8PlugsModel::assignmentRows() const {
     QVector<QStringList> rows;
-    if (!solution_.assignment) {
+    if (!solution().assignment) {
         return rows;
     }
     const auto row = [](const QString& name, const std::vector<int>& from) {
@@ -246,8 +246,8 @@ QVector<QStringList> V8PlugsModel::assignmentRows() const {
         }
         return cells;
     };
-    return {row(tr("Piston from"), solution_.assignment->pistons),
-            row(tr("Rod from"), solution_.assignment->rods)};
+    return {row(tr("Piston from"), solution().assignment->pistons),
+            row(tr("Rod from"), solution().assignment->rods)};
 }
 
 QStringList V8PlugsModel::crankpinColumns() const {
@@ -257,7 +257,7 @@ QStringList V8PlugsModel::crankpinColumns() const {
 
 QVector<QStringList> V8PlugsModel::crankpinRows() const {
     QVector<QStringList> rows;
-    if (!solution_.crankpin_excess || !solution_.assigned_excess) {
+    if (!solution().crankpin_excess || !solution().assigned_excess) {
         return rows;
     }
     const auto row = [&](const QString& name, const std::array<double, crankpin_count>& excess) {
@@ -269,21 +269,21 @@ QVector<QStringList> V8PlugsModel::crankpinRows() const {
         cells << words_.number((*most - *least) / gram, 2);
         return cells;
     };
-    return {row(tr("as weighed, g"), *solution_.crankpin_excess),
-            row(tr("after moving, g"), *solution_.assigned_excess)};
+    return {row(tr("as weighed, g"), *solution().crankpin_excess),
+            row(tr("after moving, g"), *solution().assigned_excess)};
 }
 
 V8PlugsModel::ColumnNote V8PlugsModel::columnNote(Part part) const {
     ColumnNote note{dash, dash, dash, false, {}};
-    if (!input_.weigh_in) {
+    if (!input().weigh_in) {
         return note;
     }
-    const auto s = statistics((*input_.weigh_in)[part]);
+    const auto s = statistics((*input().weigh_in)[part]);
     if (!s) {
         return note;
     }
     note.mean = words_.number(s->mean / gram, 2);
-    if (const auto& nominal = (*input_.weigh_in)[part].nominal) {
+    if (const auto& nominal = (*input().weigh_in)[part].nominal) {
         const double deviation = (s->mean - *nominal) / gram;
         note.deviation =
             (deviation >= 0.005 ? QStringLiteral("+") : QString()) + words_.number(deviation, 2);

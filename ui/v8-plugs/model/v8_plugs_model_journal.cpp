@@ -57,25 +57,25 @@ JournalJob V8PlugsModel::journalJob() const {
     JournalJob job;
     job.id = jobId_;
     job.revision = jobRevision_;
-    job.engineNumber = QString::fromStdString(input_.job.engine_number);
-    job.customer = QString::fromStdString(input_.job.customer);
-    job.technician = QString::fromStdString(input_.job.technician);
-    job.engine = QString::fromStdString(input_.engine.name);
-    job.date = QDate::fromString(QString::fromStdString(input_.job.date), Qt::ISODate);
-    job.process = input_.process == Process::repair ? QStringLiteral("repair")
-                                                    : QStringLiteral("manufacture");
-    if (solution_.unbalanced_mass) {
-        job.unbalancedMass = *solution_.unbalanced_mass / gram;
+    job.engineNumber = QString::fromStdString(input().job.engine_number);
+    job.customer = QString::fromStdString(input().job.customer);
+    job.technician = QString::fromStdString(input().job.technician);
+    job.engine = QString::fromStdString(input().engine.name);
+    job.date = QDate::fromString(QString::fromStdString(input().job.date), Qt::ISODate);
+    job.process = input().process == Process::repair ? QStringLiteral("repair")
+                                                     : QStringLiteral("manufacture");
+    if (solution().unbalanced_mass) {
+        job.unbalancedMass = *solution().unbalanced_mass / gram;
     }
-    if (solution_.advice) {
-        if (solution_.advice->kind == Advice::Kind::none_needed) {
+    if (solution().advice) {
+        if (solution().advice->kind == Advice::Kind::none_needed) {
             job.recommended = QStringLiteral("none-needed");
-        } else if (solution_.advice->kind == Advice::Kind::option) {
-            const Option& option = *solution_.advice->option;
+        } else if (solution().advice->kind == Advice::Kind::option) {
+            const Option& option = *solution().advice->option;
             const std::string_view name = option_name(option.id);
             job.recommended = QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
             job.reduction = option.reduction / gram;
-            if (const auto& weights = solution_.bob_weights[static_cast<std::size_t>(option.id)]) {
+            if (const auto& weights = solution().bob_weights[static_cast<std::size_t>(option.id)]) {
                 job.bobWeight = weights->after.sum() / gram;
             }
         }
@@ -97,8 +97,7 @@ QString V8PlugsModel::saveJob(bool* ok) {
         setJournalTrouble(journal_->lastError());
         return journal_->lastError();
     }
-    jobId_ = job.id;
-    jobRevision_ = job.revision;
+    putJobId(job.id, job.revision);
     draftTimer_.stop();
     draftStale_ = false;
     journal_->discardDraft(journal_->session());
@@ -131,15 +130,7 @@ QString V8PlugsModel::takeForm(const QByteArray& form, qint64 id, int revision, 
                 next.balancing->rear_reading.reset();
             }
         }
-        jobId_ = copy ? 0 : id;
-        jobRevision_ = copy ? 0 : revision;
-        // Undo must not bring another job's values under this job's number.
-        history()->clear();
-        lastEdit_.clear();
-        setTitle(QString::fromStdString(file.title));
-        apply(next);
-        draftStale_ = false;
-        draftTimer_.stop();
+        takeJob(next, QString::fromStdString(file.title), copy ? 0 : id, copy ? 0 : revision);
         return {};
     } catch (const InputError& error) {
         return tr("The job's sheet cannot be read: %1").arg(errorText(error));
@@ -176,7 +167,7 @@ void V8PlugsModel::flushDraft() {
     JournalDraft draft;
     draft.jobId = jobId_;
     draft.jobRevision = jobRevision_;
-    draft.engineNumber = QString::fromStdString(input_.job.engine_number);
+    draft.engineNumber = QString::fromStdString(input().job.engine_number);
     draft.form = formText();
     if (journal_->saveDraft(draft)) {
         draftStale_ = false;
