@@ -3,12 +3,39 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "case-file/object_reader.h"
+#include "text/number_text.h"
 
 namespace ravnoves {
 
 bool SceneModel::setViewOption(const QString& /*key*/, const QString& /*value*/) {
     return false;
+}
+
+double SceneModel::readNumber(const QString& key, const QString& value) {
+    const auto number = readFormNumber(value);
+    if (!number) {
+        throw InputError(key.toStdString(), "must be a number", value.toStdString());
+    }
+    return *number;
+}
+
+int SceneModel::oneOf(const QString& key, const QString& value, const QStringList& words) {
+    const auto place = words.indexOf(value);
+    if (place < 0) {
+        const QString known = words.join(QStringLiteral("\", \""));
+        throw InputError(key.toStdString(), "must be one of \"" + known.toStdString() + "\"",
+                         value.toStdString());
+    }
+    return static_cast<int>(place);
+}
+
+int SceneModel::oneOf(const QString& key, const QString& value,
+                      std::initializer_list<const char*> words) {
+    QStringList list;
+    for (const char* word : words) {
+        list << QLatin1String(word);
+    }
+    return oneOf(key, value, list);
 }
 
 void SceneModel::setTitle(const QString& title) {

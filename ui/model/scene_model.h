@@ -2,8 +2,10 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <QUndoStack>
 #include <functional>
+#include <initializer_list>
 #include <optional>
 
 #include "case-file/case_context.h"
@@ -84,6 +86,13 @@ class SceneModel : public QObject {
         }
         return step_;
     }
+    // For setViewOption().
+    /// @throws InputError for what is no number
+    static double readNumber(const QString& key, const QString& value);
+    /// Place of the value among the words. @throws InputError that names them
+    static int oneOf(const QString& key, const QString& value, const QStringList& words);
+    static int oneOf(const QString& key, const QString& value,
+                     std::initializer_list<const char*> words);
     static QString openName() { return tr("Open case"); }
     static QString newName() { return tr("New case"); }
 

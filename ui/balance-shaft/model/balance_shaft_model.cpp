@@ -39,23 +39,6 @@ QString percent(const std::optional<double>& fraction) {
 
 }  // namespace
 
-Input BalanceShaftScene::defaultInput() {
-    return balance_shaft::preset_tmz_650d();
-}
-
-Input BalanceShaftScene::read(const Json& input, const CaseContext& context) {
-    return balance_shaft::read_input(input, context);
-}
-
-Json BalanceShaftScene::write(const Input& input) {
-    return balance_shaft::write_input(input);
-}
-
-BalanceShaftScene::Solved BalanceShaftScene::solve(const Input& input) {
-    const Solver solver(input);
-    return {solver, solver.result()};
-}
-
 BalanceShaftModel::BalanceShaftModel(QObject* parent) : CaseModel({}, parent) {}
 
 Json BalanceShaftModel::resultJson() const {
@@ -64,27 +47,13 @@ Json BalanceShaftModel::resultJson() const {
 
 bool BalanceShaftModel::setViewOption(const QString& key, const QString& value) {
     if (key == QLatin1String("crank_angle_deg")) {
-        const auto angle = readFormNumber(value);
-        if (!angle) {
-            throw InputError(key.toStdString(), "must be a number", value.toStdString());
-        }
-        setCrankAngleDeg(*angle);
-        return true;
+        setCrankAngleDeg(readNumber(key, value));
+    } else if (key == QLatin1String("means")) {
+        setMeans(static_cast<Means>(oneOf(key, value, {"both", "cycle", "printed"})));
+    } else {
+        return false;
     }
-    if (key == QLatin1String("means")) {
-        if (value == QLatin1String("cycle")) {
-            setMeans(Means::CycleIntegral);
-        } else if (value == QLatin1String("printed")) {
-            setMeans(Means::PrintedNodes);
-        } else if (value == QLatin1String("both")) {
-            setMeans(Means::Both);
-        } else {
-            throw InputError("means", "must be one of \"both\", \"cycle\", \"printed\"",
-                             value.toStdString());
-        }
-        return true;
-    }
-    return false;
+    return true;
 }
 
 namespace {

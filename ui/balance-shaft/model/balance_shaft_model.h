@@ -17,11 +17,16 @@ struct BalanceShaftScene {
         balance_shaft::Solver solver;
         balance_shaft::Result result;
     };
-    static Input defaultInput();
+    static Input defaultInput() { return balance_shaft::preset_tmz_650d(); }
     static QString defaultTitle() { return QStringLiteral("TMZ-650D"); }
-    static Input read(const Json& input, const CaseContext& context);
-    static Json write(const Input& input);
-    static Solved solve(const Input& input);
+    static Input read(const Json& input, const CaseContext& context) {
+        return balance_shaft::read_input(input, context);
+    }
+    static Json write(const Input& input) { return balance_shaft::write_input(input); }
+    static Solved solve(const Input& input) {
+        const balance_shaft::Solver solver(input);
+        return {solver, solver.result()};
+    }
 };
 
 /// The state of the balance-shaft page: input, the solver's result, the crank angle of the picture.

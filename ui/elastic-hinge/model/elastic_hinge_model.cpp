@@ -7,7 +7,6 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
-#include "elastic-hinge/case_io.h"
 #include "plot/ticks.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
@@ -93,20 +92,8 @@ std::vector<double> readList(const QString& key, const QString& value) {
 
 }  // namespace
 
-Input ElasticHingeScene::defaultInput() {
-    return elastic_hinge::preset_zotov();
-}
-
 QString ElasticHingeScene::defaultTitle() {
     return ElasticHingeModel::tr("Zotov and Sviridov 2021");
-}
-
-Input ElasticHingeScene::read(const Json& input, const CaseContext& /*context*/) {
-    return elastic_hinge::read_input(input);
-}
-
-Json ElasticHingeScene::write(const Input& input) {
-    return elastic_hinge::write_input(input);
 }
 
 ElasticHingeScene::Solved ElasticHingeScene::solve(Input input) const {
@@ -131,34 +118,17 @@ Json ElasticHingeModel::resultJson() const {
 }
 
 bool ElasticHingeModel::setViewOption(const QString& key, const QString& value) {
-    const auto choose = [&](std::initializer_list<const char*> words) {
-        int index = 0;
-        std::string allowed;
-        for (const char* word : words) {
-            if (value == QLatin1String(word)) {
-                return index;
-            }
-            allowed += (allowed.empty() ? "\"" : ", \"") + std::string(word) + "\"";
-            ++index;
-        }
-        throw InputError(key.toStdString(), "must be one of " + allowed, value.toStdString());
-    };
-    const auto read = [&] {
-        const auto numeric = readFormNumber(value);
-        if (!numeric) {
-            throw InputError(key.toStdString(), "must be a number", value.toStdString());
-        }
-        return *numeric;
-    };
     if (key == QLatin1String("crank_angle_deg")) {
         setMotionTime(std::nullopt);
-        setCrankAngleDeg(read());
+        setCrankAngleDeg(readNumber(key, value));
     } else if (key == QLatin1String("exaggeration")) {
-        setExaggeration(value == QLatin1String("auto") ? std::nullopt : std::optional(read()));
+        setExaggeration(value == QLatin1String("auto") ? std::nullopt
+                                                       : std::optional(readNumber(key, value)));
     } else if (key == QLatin1String("guide_shown")) {
-        setShownHinge(static_cast<Hinge>(choose({"crank", "crank-with-rod", "rod"})));
+        setShownHinge(static_cast<Hinge>(oneOf(key, value, {"crank", "crank-with-rod", "rod"})));
     } else if (key == QLatin1String("animate")) {
-        setAnimated(static_cast<Animated>(choose({"none", "crank", "both", "off-design"})));
+        setAnimated(
+            static_cast<Animated>(oneOf(key, value, {"none", "crank", "both", "off-design"})));
     } else if (key == QLatin1String("compare_speeds")) {
         setCompareSpeeds(readList(key, value));
     } else if (key == QLatin1String("compare_lambdas")) {

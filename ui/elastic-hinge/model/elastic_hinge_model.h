@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "case-file/json.h"
+#include "elastic-hinge/case_io.h"
 #include "elastic-hinge/guide_export.h"
 #include "elastic-hinge/model/motion_runner.h"
 #include "elastic-hinge/solver.h"
@@ -22,10 +23,12 @@ struct ElasticHingeScene {
         std::shared_ptr<const elastic_hinge::Result> result;
         mutable std::optional<elastic_hinge::GuideProposal> proposal;  ///< once it was asked for
     };
-    static Input defaultInput();
+    static Input defaultInput() { return elastic_hinge::preset_zotov(); }
     static QString defaultTitle();
-    static Input read(const Json& input, const CaseContext& context);
-    static Json write(const Input& input);
+    static Input read(const Json& input, const CaseContext& /*context*/) {
+        return elastic_hinge::read_input(input);
+    }
+    static Json write(const Input& input) { return elastic_hinge::write_input(input); }
     /// Without the search for a guide.
     Solved solve(Input input) const;
 

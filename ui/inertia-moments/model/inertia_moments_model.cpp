@@ -9,8 +9,6 @@
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "inertia-moments/case_io.h"
-#include "inertia-moments/preset.h"
 #include "text/error_text.h"
 #include "text/number_text.h"
 
@@ -116,22 +114,6 @@ std::pair<double, double> extent(const std::vector<Cylinder>& cylinders, double 
 
 }  // namespace
 
-Input InertiaMomentsScene::defaultInput() {
-    return inertia_moments::preset_vw_vr5();
-}
-
-Input InertiaMomentsScene::read(const Json& input, const CaseContext& /*context*/) {
-    return inertia_moments::read_input(input);
-}
-
-Json InertiaMomentsScene::write(const Input& input) {
-    return inertia_moments::write_input(input);
-}
-
-Result InertiaMomentsScene::solve(const Input& input) {
-    return inertia_moments::solve(input);
-}
-
 InertiaMomentsModel::InertiaMomentsModel(QObject* parent) : CaseModel({}, parent) {}
 
 Json InertiaMomentsModel::resultJson() const {
@@ -139,42 +121,20 @@ Json InertiaMomentsModel::resultJson() const {
 }
 
 bool InertiaMomentsModel::setViewOption(const QString& key, const QString& value) {
+    const QStringList groups{QStringLiteral("inputs"), QStringLiteral("charts"),
+                             QStringLiteral("answer")};
     if (key == QLatin1String("crank_angle_deg")) {
-        const auto angle = readFormNumber(value);
-        if (!angle) {
-            throw InputError(key.toStdString(), "must be a number", value.toStdString());
-        }
-        setCrankAngleDeg(*angle);
-        return true;
-    }
-    const std::array groups{std::pair{QStringLiteral("inputs"), Tabs::Inputs},
-                            std::pair{QStringLiteral("charts"), Tabs::Charts},
-                            std::pair{QStringLiteral("answer"), Tabs::Answer}};
-    for (const auto& [name, group] : groups) {
-        if (key == name) {
-            const QStringList names = tabNames(group);
-            const auto index = names.indexOf(value);
-            if (index < 0) {
-                throw InputError(
-                    key.toStdString(),
-                    "must be one of \"" + names.join(QStringLiteral("\", \"")).toStdString() + "\"",
-                    value.toStdString());
-            }
-            setTab(group, static_cast<int>(index));
-            return true;
-        }
-    }
-    if (key == QLatin1String("layout_name")) {
-        if (!layoutNames().contains(value)) {
-            throw InputError("layout_name",
-                             "must be one of \"" +
-                                 layoutNames().join(QStringLiteral("\", \"")).toStdString() + "\"",
-                             value.toStdString());
-        }
+        setCrankAngleDeg(readNumber(key, value));
+    } else if (const auto place = groups.indexOf(key); place >= 0) {
+        const auto group = static_cast<Tabs>(place);
+        setTab(group, oneOf(key, value, tabNames(group)));
+    } else if (key == QLatin1String("layout_name")) {
+        oneOf(key, value, layoutNames());
         chooseLayout(value);
-        return true;
+    } else {
+        return false;
     }
-    return false;
+    return true;
 }
 
 QString InertiaMomentsModel::explain(const Input& input, const InputError& error) const {

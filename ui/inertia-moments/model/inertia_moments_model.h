@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "case-file/json.h"
+#include "inertia-moments/case_io.h"
+#include "inertia-moments/preset.h"
 #include "inertia-moments/solver.h"
 #include "model/case_model.h"
 
@@ -17,11 +19,13 @@ namespace ravnoves {
 struct InertiaMomentsScene {
     using Input = inertia_moments::Input;
     using Solved = inertia_moments::Result;
-    static Input defaultInput();
+    static Input defaultInput() { return inertia_moments::preset_vw_vr5(); }
     static QString defaultTitle() { return QStringLiteral("Volkswagen VR5"); }
-    static Input read(const Json& input, const CaseContext& context);
-    static Json write(const Input& input);
-    static Solved solve(const Input& input);
+    static Input read(const Json& input, const CaseContext& /*context*/) {
+        return inertia_moments::read_input(input);
+    }
+    static Json write(const Input& input) { return inertia_moments::write_input(input); }
+    static Solved solve(const Input& input) { return inertia_moments::solve(input); }
 };
 
 /// The state of the inertia-moments page: input, the solver's result, the crank angle of the

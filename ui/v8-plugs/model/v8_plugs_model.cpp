@@ -62,18 +62,6 @@ CaseInput V8PlugsScene::defaultInput() const {
     return input;
 }
 
-CaseInput V8PlugsScene::read(const Json& input, const CaseContext& /*context*/) {
-    return read_input(input, Completeness::as_is);
-}
-
-Json V8PlugsScene::write(const CaseInput& input) {
-    return write_input(input);
-}
-
-Solution V8PlugsScene::solve(const CaseInput& input) {
-    return v8_plugs::solve(input);
-}
-
 V8PlugsModel::V8PlugsModel(const QString& journalPath, QObject* parent)
     : CaseModel({.dated = !journalPath.isEmpty()}, parent), journalPath_(journalPath) {
     if (!journalPath_.isEmpty()) {
@@ -111,15 +99,7 @@ bool V8PlugsModel::setViewOption(const QString& key, const QString& value) {
     if (key != QLatin1String("sheet")) {
         return false;
     }
-    const QStringList allowed{QStringLiteral("job"), QStringLiteral("engine"),
-                              QStringLiteral("weigh-in"), QStringLiteral("plug"),
-                              QStringLiteral("machine")};
-    if (!allowed.contains(value)) {
-        throw InputError(key.toStdString(),
-                         "must be one of " + allowed.join(QStringLiteral(", ")).toStdString(),
-                         value.toStdString());
-    }
-    Q_EMIT sheetChosen(static_cast<int>(allowed.indexOf(value)));
+    Q_EMIT sheetChosen(oneOf(key, value, {"job", "engine", "weigh-in", "plug", "machine"}));
     return true;
 }
 
