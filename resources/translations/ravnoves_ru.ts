@@ -709,6 +709,197 @@
     </message>
 </context>
 <context>
+    <name>ravnoves::BalanceShaftModel</name>
+    <message>
+        <source>Every α is as good as any other.</source>
+        <translation>Все α одинаково хороши.</translation>
+    </message>
+    <message>
+        <source>Torque source</source>
+        <translation>Источник момента</translation>
+    </message>
+    <message>
+        <source>Pressure trace</source>
+        <translation>Индикаторная диаграмма</translation>
+    </message>
+    <message>
+        <source>Move shaft</source>
+        <translation>Поворот вала</translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation>Н·м</translation>
+    </message>
+    <message>
+        <source>Mᵤₚ</source>
+        <translation>Mᵤₚ</translation>
+    </message>
+    <message>
+        <source>Mₛ</source>
+        <translation>Mₛ</translation>
+    </message>
+    <message>
+        <source>Mᵤₚₛ</source>
+        <translation>Mᵤₚₛ</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>измен.</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>размах</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>СКЗ</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>среднее</translation>
+    </message>
+    <message>
+        <source>nodes</source>
+        <translation>по узлам</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>макс.</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>мин.</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Величина</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Значение</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Ед.</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>Н</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>мм</translation>
+    </message>
+    <message>
+        <source>Inertia force Pⱼ₁, max</source>
+        <translation>Сила инерции Pⱼ₁, макс.</translation>
+    </message>
+    <message>
+        <source>Counterweight m₁</source>
+        <translation>Противовес m₁</translation>
+    </message>
+    <message>
+        <source>kg</source>
+        <translation>кг</translation>
+    </message>
+    <message>
+        <source>Counterweight force P₁</source>
+        <translation>Сила противовеса P₁</translation>
+    </message>
+    <message>
+        <source>Amplitude of Mₛ, P₁ l</source>
+        <translation>Амплитуда Mₛ, P₁ l</translation>
+    </message>
+    <message>
+        <source>First order&apos;s share of Mᵤₚ</source>
+        <translation>Доля 1-го порядка в Mᵤₚ</translation>
+    </message>
+    <message>
+        <source>Envelope, width × height</source>
+        <translation>Габарит, ширина × высота</translation>
+    </message>
+    <message>
+        <source>Indicated mean effective pressure</source>
+        <translation>Среднее индикаторное давление</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>бар</translation>
+    </message>
+    <message>
+        <source>Indicated work per cycle</source>
+        <translation>Индикаторная работа за цикл</translation>
+    </message>
+    <message>
+        <source>J</source>
+        <translation>Дж</translation>
+    </message>
+    <message>
+        <source>Indicated power</source>
+        <translation>Индикаторная мощность</translation>
+    </message>
+    <message>
+        <source>kW</source>
+        <translation>кВт</translation>
+    </message>
+    <message>
+        <source>Mean torque</source>
+        <translation>Средний крутящий момент</translation>
+    </message>
+    <message>
+        <source>Peak pressure</source>
+        <translation>Наибольшее давление</translation>
+    </message>
+    <message>
+        <source>at crank angle</source>
+        <translation>при угле поворота</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Рабочий объём</translation>
+    </message>
+    <message>
+        <source>cm³</source>
+        <translation>см³</translation>
+    </message>
+    <message>
+        <source>Clearance volume</source>
+        <translation>Объём камеры сгорания</translation>
+    </message>
+    <message>
+        <source>Heat per cycle</source>
+        <translation>Теплота за цикл</translation>
+    </message>
+    <message>
+        <source>Least range %2 N·m at %1°</source>
+        <translation>Наименьший размах %2 Н·м при %1°</translation>
+    </message>
+    <message>
+        <source>Least RMS %2 N·m at %1°</source>
+        <translation>Наименьшее СКЗ %2 Н·м при %1°</translation>
+    </message>
+    <message>
+        <source>The shaft makes no moment, so its angle changes nothing.</source>
+        <translation>Вал не создаёт момента, его угол ничего не меняет.</translation>
+    </message>
+    <message>
+        <source>No α makes the range smaller than without a shaft: at best %1 N·m against %2 N·m.</source>
+        <translation>Ни при каком α размах не меньше, чем без вала: в лучшем случае %1 Н·м против %2 Н·м.</translation>
+    </message>
+    <message>
+        <source>No α makes the RMS smaller than without a shaft: at best %1 N·m against %2 N·m.</source>
+        <translation>Ни при каком α СКЗ не меньше, чем без вала: в лучшем случае %1 Н·м против %2 Н·м.</translation>
+    </message>
+    <message>
+        <source>The counterweight given balances %1 % of the first-order inertia force; equation (1) asks for %2 kg.</source>
+        <translation>Заданный противовес уравновешивает %1 % силы инерции первого порядка; по формуле (1) нужно %2 кг.</translation>
+    </message>
+    <message>
+        <source>The torque holds an inertia torque of mⱼ r² ω² = %1 N·m; the masses and the speed entered give %2 N·m. It fits these masses at %3 min⁻¹, or %4 kg at this speed.</source>
+        <translation>В крутящем моменте содержится момент сил инерции mⱼ r² ω² = %1 Н·м, а введённые массы и частота вращения дают %2 Н·м. Он соответствует этим массам при %3 мин⁻¹ или %4 кг при этой частоте.</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::BalanceShaftPage</name>
     <message>
         <source>&amp;Piston</source>
@@ -1192,205 +1383,6 @@
     </message>
 </context>
 <context>
-    <name>ravnoves::BalanceShaftViewModel</name>
-    <message>
-        <source>Every α is as good as any other.</source>
-        <translation>Все α одинаково хороши.</translation>
-    </message>
-    <message>
-        <source>Open case</source>
-        <translation>Открытие задачи</translation>
-    </message>
-    <message>
-        <source>New case</source>
-        <translation>Новая задача</translation>
-    </message>
-    <message>
-        <source>Torque source</source>
-        <translation>Источник момента</translation>
-    </message>
-    <message>
-        <source>Pressure trace</source>
-        <translation>Индикаторная диаграмма</translation>
-    </message>
-    <message>
-        <source>Move shaft</source>
-        <translation>Поворот вала</translation>
-    </message>
-    <message>
-        <source>N·m</source>
-        <translation>Н·м</translation>
-    </message>
-    <message>
-        <source>Mᵤₚ</source>
-        <translation>Mᵤₚ</translation>
-    </message>
-    <message>
-        <source>Mₛ</source>
-        <translation>Mₛ</translation>
-    </message>
-    <message>
-        <source>Mᵤₚₛ</source>
-        <translation>Mᵤₚₛ</translation>
-    </message>
-    <message>
-        <source>change</source>
-        <translation>измен.</translation>
-    </message>
-    <message>
-        <source>range</source>
-        <translation>размах</translation>
-    </message>
-    <message>
-        <source>RMS</source>
-        <translation>СКЗ</translation>
-    </message>
-    <message>
-        <source>mean</source>
-        <translation>среднее</translation>
-    </message>
-    <message>
-        <source>nodes</source>
-        <translation>по узлам</translation>
-    </message>
-    <message>
-        <source>max</source>
-        <translation>макс.</translation>
-    </message>
-    <message>
-        <source>min</source>
-        <translation>мин.</translation>
-    </message>
-    <message>
-        <source>Quantity</source>
-        <translation>Величина</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Значение</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Ед.</translation>
-    </message>
-    <message>
-        <source>N</source>
-        <translation>Н</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>мм</translation>
-    </message>
-    <message>
-        <source>Inertia force Pⱼ₁, max</source>
-        <translation>Сила инерции Pⱼ₁, макс.</translation>
-    </message>
-    <message>
-        <source>Counterweight m₁</source>
-        <translation>Противовес m₁</translation>
-    </message>
-    <message>
-        <source>kg</source>
-        <translation>кг</translation>
-    </message>
-    <message>
-        <source>Counterweight force P₁</source>
-        <translation>Сила противовеса P₁</translation>
-    </message>
-    <message>
-        <source>Amplitude of Mₛ, P₁ l</source>
-        <translation>Амплитуда Mₛ, P₁ l</translation>
-    </message>
-    <message>
-        <source>First order&apos;s share of Mᵤₚ</source>
-        <translation>Доля 1-го порядка в Mᵤₚ</translation>
-    </message>
-    <message>
-        <source>Envelope, width × height</source>
-        <translation>Габарит, ширина × высота</translation>
-    </message>
-    <message>
-        <source>Indicated mean effective pressure</source>
-        <translation>Среднее индикаторное давление</translation>
-    </message>
-    <message>
-        <source>bar</source>
-        <translation>бар</translation>
-    </message>
-    <message>
-        <source>Indicated work per cycle</source>
-        <translation>Индикаторная работа за цикл</translation>
-    </message>
-    <message>
-        <source>J</source>
-        <translation>Дж</translation>
-    </message>
-    <message>
-        <source>Indicated power</source>
-        <translation>Индикаторная мощность</translation>
-    </message>
-    <message>
-        <source>kW</source>
-        <translation>кВт</translation>
-    </message>
-    <message>
-        <source>Mean torque</source>
-        <translation>Средний крутящий момент</translation>
-    </message>
-    <message>
-        <source>Peak pressure</source>
-        <translation>Наибольшее давление</translation>
-    </message>
-    <message>
-        <source>at crank angle</source>
-        <translation>при угле поворота</translation>
-    </message>
-    <message>
-        <source>Displacement</source>
-        <translation>Рабочий объём</translation>
-    </message>
-    <message>
-        <source>cm³</source>
-        <translation>см³</translation>
-    </message>
-    <message>
-        <source>Clearance volume</source>
-        <translation>Объём камеры сгорания</translation>
-    </message>
-    <message>
-        <source>Heat per cycle</source>
-        <translation>Теплота за цикл</translation>
-    </message>
-    <message>
-        <source>Least range %2 N·m at %1°</source>
-        <translation>Наименьший размах %2 Н·м при %1°</translation>
-    </message>
-    <message>
-        <source>Least RMS %2 N·m at %1°</source>
-        <translation>Наименьшее СКЗ %2 Н·м при %1°</translation>
-    </message>
-    <message>
-        <source>The shaft makes no moment, so its angle changes nothing.</source>
-        <translation>Вал не создаёт момента, его угол ничего не меняет.</translation>
-    </message>
-    <message>
-        <source>No α makes the range smaller than without a shaft: at best %1 N·m against %2 N·m.</source>
-        <translation>Ни при каком α размах не меньше, чем без вала: в лучшем случае %1 Н·м против %2 Н·м.</translation>
-    </message>
-    <message>
-        <source>No α makes the RMS smaller than without a shaft: at best %1 N·m against %2 N·m.</source>
-        <translation>Ни при каком α СКЗ не меньше, чем без вала: в лучшем случае %1 Н·м против %2 Н·м.</translation>
-    </message>
-    <message>
-        <source>The counterweight given balances %1 % of the first-order inertia force; equation (1) asks for %2 kg.</source>
-        <translation>Заданный противовес уравновешивает %1 % силы инерции первого порядка; по формуле (1) нужно %2 кг.</translation>
-    </message>
-    <message>
-        <source>The torque holds an inertia torque of mⱼ r² ω² = %1 N·m; the masses and the speed entered give %2 N·m. It fits these masses at %3 min⁻¹, or %4 kg at this speed.</source>
-        <translation>В крутящем моменте содержится момент сил инерции mⱼ r² ω² = %1 Н·м, а введённые массы и частота вращения дают %2 Н·м. Он соответствует этим массам при %3 мин⁻¹ или %4 кг при этой частоте.</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::CompensationPlot</name>
     <message>
         <source>Excess compensated</source>
@@ -1644,189 +1636,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
-    <name>ravnoves::ElasticHingePage</name>
-    <message>
-        <source>&amp;Play</source>
-        <translation>&amp;Пуск</translation>
-    </message>
-    <message>
-        <source>Play the computed motion in slow motion</source>
-        <translation>Показать рассчитанное движение замедленно</translation>
-    </message>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>&amp;Пауза</translation>
-    </message>
-    <message>
-        <source>Pause (Space)</source>
-        <translation>Пауза (пробел)</translation>
-    </message>
-    <message>
-        <source>Play (Space)</source>
-        <translation>Пуск (пробел)</translation>
-    </message>
-    <message>
-        <source>&amp;ω</source>
-        <translation>&amp;ω</translation>
-    </message>
-    <message>
-        <source>rad/s</source>
-        <translation>рад/с</translation>
-    </message>
-    <message>
-        <source>Crank speed</source>
-        <translation>Угловая скорость</translation>
-    </message>
-    <message>
-        <source>Crank speed that the hinges are designed for. Paper: 100, 300 and 500 rad/s.</source>
-        <translation>Угловая скорость кривошипа, на которую рассчитаны шарниры. В статье 100, 300 и 500 рад/с.</translation>
-    </message>
-    <message>
-        <source>&amp;λ</source>
-        <translation>&amp;λ</translation>
-    </message>
-    <message>
-        <source>Ratio λ</source>
-        <translation>Отношение λ</translation>
-    </message>
-    <message>
-        <source>Crank radius to rod length. Paper: 0.3. Below 1; λ = 1 can be drawn with the series only.</source>
-        <translation>Радиус кривошипа к длине шатуна. В статье 0,3. Меньше 1; λ = 1 можно начертить только с рядом.</translation>
-    </message>
-    <message>
-        <source>&amp;c</source>
-        <translation>&amp;c</translation>
-    </message>
-    <message>
-        <source>kN/m</source>
-        <translation>кН/м</translation>
-    </message>
-    <message>
-        <source>Stiffness</source>
-        <translation>Жёсткость</translation>
-    </message>
-    <message>
-        <source>Stiffness of the spring of the crank&apos;s hinge. Paper: 20 000 kN/m. A softer spring gives more relief.</source>
-        <translation>Жёсткость пружины шарнира кривошипа. В статье 20 000 кН/м. У более мягкой пружины перепад больше.</translation>
-    </message>
-    <message>
-        <source>&amp;ρ₀</source>
-        <translation>&amp;ρ₀</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>мм</translation>
-    </message>
-    <message>
-        <source>Guide radius ρ₀</source>
-        <translation>Радиус направляющей ρ₀</translation>
-    </message>
-    <message>
-        <source>Radius of the guide at φ = 0. Below ℓ₀/2 the spring is compressed, above it is stretched. Paper: 90 mm.</source>
-        <translation>Радиус направляющей при φ = 0. Меньше ℓ₀/2 — пружина сжата, больше — растянута. В статье 90 мм.</translation>
-    </message>
-    <message>
-        <source>ℓ&amp;₂</source>
-        <translation>ℓ&amp;₂</translation>
-    </message>
-    <message>
-        <source>Counterweight&apos;s distance</source>
-        <translation>Вынос противовеса</translation>
-    </message>
-    <message>
-        <source>From the crankpin to the counterweight on the rod. Paper: 50, 100 and 150 mm.</source>
-        <translation>От шатунной шейки до противовеса на шатуне. В статье 50, 100 и 150 мм.</translation>
-    </message>
-    <message>
-        <source>&amp;error</source>
-        <translation>по&amp;гр.</translation>
-    </message>
-    <message>
-        <source>µm</source>
-        <translation>мкм</translation>
-    </message>
-    <message>
-        <source>Profile error</source>
-        <translation>Погрешность профиля</translation>
-    </message>
-    <message>
-        <source>Amplitude of the waves on the guide&apos;s profile as it is made. Good grinding leaves a few micrometres.</source>
-        <translation>Амплитуда волн на профиле изготовленной направляющей. После хорошего шлифования — несколько микрометров.</translation>
-    </message>
-    <message>
-        <source>Inputs</source>
-        <translation>Данные</translation>
-    </message>
-    <message>
-        <source>Search</source>
-        <translation>Подбор</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Чертёж</translation>
-    </message>
-    <message>
-        <source>Play or pause the motion</source>
-        <translation>Пуск или пауза движения</translation>
-    </message>
-    <message>
-        <source>without hinge</source>
-        <translation>без шарнира</translation>
-    </message>
-    <message>
-        <source>crank hinge</source>
-        <translation>у кривошипа</translation>
-    </message>
-    <message>
-        <source>both hinges</source>
-        <translation>оба шарнира</translation>
-    </message>
-    <message>
-        <source>off design</source>
-        <translation>вне расчёта</translation>
-    </message>
-    <message>
-        <source>Which motion is played</source>
-        <translation>Какое движение показано</translation>
-    </message>
-    <message>
-        <source>Which of the computed motions the picture plays</source>
-        <translation>Какое из рассчитанных движений показывает рисунок</translation>
-    </message>
-    <message>
-        <source>&amp;φ</source>
-        <translation>&amp;φ</translation>
-    </message>
-    <message>
-        <source>Crank angle of the picture, counter-clockwise from the slider line</source>
-        <translation>Угол кривошипа на рисунке, против часовой стрелки от линии ползуна</translation>
-    </message>
-    <message>
-        <source>Take this pre&amp;load</source>
-        <translation>Взять &amp;этот преднатяг</translation>
-    </message>
-    <message>
-        <source>Take this sti&amp;ffness</source>
-        <translation>Взять эту жёсткост&amp;ь</translation>
-    </message>
-    <message>
-        <source>What the design gives</source>
-        <translation>Что даёт конструкция</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::ElasticHingeViewModel</name>
+    <name>ravnoves::ElasticHingeModel</name>
     <message>
         <source>Zotov and Sviridov 2021</source>
         <translation>Зотов и Свиридов 2021</translation>
-    </message>
-    <message>
-        <source>Open case</source>
-        <translation>Открытие задачи</translation>
-    </message>
-    <message>
-        <source>New case</source>
-        <translation>Новая задача</translation>
     </message>
     <message>
         <source>No spring is given.</source>
@@ -2043,6 +1856,177 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>from %1 rad/s</source>
         <translation>от %1 рад/с</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ElasticHingePage</name>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Пуск</translation>
+    </message>
+    <message>
+        <source>Play the computed motion in slow motion</source>
+        <translation>Показать рассчитанное движение замедленно</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Пауза</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>Пауза (пробел)</translation>
+    </message>
+    <message>
+        <source>Play (Space)</source>
+        <translation>Пуск (пробел)</translation>
+    </message>
+    <message>
+        <source>&amp;ω</source>
+        <translation>&amp;ω</translation>
+    </message>
+    <message>
+        <source>rad/s</source>
+        <translation>рад/с</translation>
+    </message>
+    <message>
+        <source>Crank speed</source>
+        <translation>Угловая скорость</translation>
+    </message>
+    <message>
+        <source>Crank speed that the hinges are designed for. Paper: 100, 300 and 500 rad/s.</source>
+        <translation>Угловая скорость кривошипа, на которую рассчитаны шарниры. В статье 100, 300 и 500 рад/с.</translation>
+    </message>
+    <message>
+        <source>&amp;λ</source>
+        <translation>&amp;λ</translation>
+    </message>
+    <message>
+        <source>Ratio λ</source>
+        <translation>Отношение λ</translation>
+    </message>
+    <message>
+        <source>Crank radius to rod length. Paper: 0.3. Below 1; λ = 1 can be drawn with the series only.</source>
+        <translation>Радиус кривошипа к длине шатуна. В статье 0,3. Меньше 1; λ = 1 можно начертить только с рядом.</translation>
+    </message>
+    <message>
+        <source>&amp;c</source>
+        <translation>&amp;c</translation>
+    </message>
+    <message>
+        <source>kN/m</source>
+        <translation>кН/м</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Жёсткость</translation>
+    </message>
+    <message>
+        <source>Stiffness of the spring of the crank&apos;s hinge. Paper: 20 000 kN/m. A softer spring gives more relief.</source>
+        <translation>Жёсткость пружины шарнира кривошипа. В статье 20 000 кН/м. У более мягкой пружины перепад больше.</translation>
+    </message>
+    <message>
+        <source>&amp;ρ₀</source>
+        <translation>&amp;ρ₀</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>мм</translation>
+    </message>
+    <message>
+        <source>Guide radius ρ₀</source>
+        <translation>Радиус направляющей ρ₀</translation>
+    </message>
+    <message>
+        <source>Radius of the guide at φ = 0. Below ℓ₀/2 the spring is compressed, above it is stretched. Paper: 90 mm.</source>
+        <translation>Радиус направляющей при φ = 0. Меньше ℓ₀/2 — пружина сжата, больше — растянута. В статье 90 мм.</translation>
+    </message>
+    <message>
+        <source>ℓ&amp;₂</source>
+        <translation>ℓ&amp;₂</translation>
+    </message>
+    <message>
+        <source>Counterweight&apos;s distance</source>
+        <translation>Вынос противовеса</translation>
+    </message>
+    <message>
+        <source>From the crankpin to the counterweight on the rod. Paper: 50, 100 and 150 mm.</source>
+        <translation>От шатунной шейки до противовеса на шатуне. В статье 50, 100 и 150 мм.</translation>
+    </message>
+    <message>
+        <source>&amp;error</source>
+        <translation>по&amp;гр.</translation>
+    </message>
+    <message>
+        <source>µm</source>
+        <translation>мкм</translation>
+    </message>
+    <message>
+        <source>Profile error</source>
+        <translation>Погрешность профиля</translation>
+    </message>
+    <message>
+        <source>Amplitude of the waves on the guide&apos;s profile as it is made. Good grinding leaves a few micrometres.</source>
+        <translation>Амплитуда волн на профиле изготовленной направляющей. После хорошего шлифования — несколько микрометров.</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Данные</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Подбор</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Чертёж</translation>
+    </message>
+    <message>
+        <source>Play or pause the motion</source>
+        <translation>Пуск или пауза движения</translation>
+    </message>
+    <message>
+        <source>without hinge</source>
+        <translation>без шарнира</translation>
+    </message>
+    <message>
+        <source>crank hinge</source>
+        <translation>у кривошипа</translation>
+    </message>
+    <message>
+        <source>both hinges</source>
+        <translation>оба шарнира</translation>
+    </message>
+    <message>
+        <source>off design</source>
+        <translation>вне расчёта</translation>
+    </message>
+    <message>
+        <source>Which motion is played</source>
+        <translation>Какое движение показано</translation>
+    </message>
+    <message>
+        <source>Which of the computed motions the picture plays</source>
+        <translation>Какое из рассчитанных движений показывает рисунок</translation>
+    </message>
+    <message>
+        <source>&amp;φ</source>
+        <translation>&amp;φ</translation>
+    </message>
+    <message>
+        <source>Crank angle of the picture, counter-clockwise from the slider line</source>
+        <translation>Угол кривошипа на рисунке, против часовой стрелки от линии ползуна</translation>
+    </message>
+    <message>
+        <source>Take this pre&amp;load</source>
+        <translation>Взять &amp;этот преднатяг</translation>
+    </message>
+    <message>
+        <source>Take this sti&amp;ffness</source>
+        <translation>Взять эту жёсткост&amp;ь</translation>
+    </message>
+    <message>
+        <source>What the design gives</source>
+        <translation>Что даёт конструкция</translation>
     </message>
 </context>
 <context>
@@ -3395,6 +3379,297 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::InertiaMomentsModel</name>
+    <message>
+        <source>Single</source>
+        <translation>Одноцилиндровый</translation>
+    </message>
+    <message>
+        <source>In-line 2, 180°</source>
+        <translation>Рядный 2, 180°</translation>
+    </message>
+    <message>
+        <source>In-line 2, 360°</source>
+        <translation>Рядный 2, 360°</translation>
+    </message>
+    <message>
+        <source>In-line 3</source>
+        <translation>Рядный 3</translation>
+    </message>
+    <message>
+        <source>In-line 4</source>
+        <translation>Рядный 4</translation>
+    </message>
+    <message>
+        <source>In-line 5</source>
+        <translation>Рядный 5</translation>
+    </message>
+    <message>
+        <source>In-line 6</source>
+        <translation>Рядный 6</translation>
+    </message>
+    <message>
+        <source>V-twin 45°</source>
+        <translation>V2 45°</translation>
+    </message>
+    <message>
+        <source>V-twin 60°</source>
+        <translation>V2 60°</translation>
+    </message>
+    <message>
+        <source>V-twin 90°</source>
+        <translation>V2 90°</translation>
+    </message>
+    <message>
+        <source>V6 60°, split pins</source>
+        <translation>V6 60°, смещённые шейки</translation>
+    </message>
+    <message>
+        <source>V6 90°, split pins</source>
+        <translation>V6 90°, смещённые шейки</translation>
+    </message>
+    <message>
+        <source>V8, cross-plane</source>
+        <translation>V8, крестообразный вал</translation>
+    </message>
+    <message>
+        <source>V8, flat-plane</source>
+        <translation>V8, плоский вал</translation>
+    </message>
+    <message>
+        <source>Flat twin</source>
+        <translation>Оппозитный 2</translation>
+    </message>
+    <message>
+        <source>Flat 4</source>
+        <translation>Оппозитный 4</translation>
+    </message>
+    <message>
+        <source>Flat 6</source>
+        <translation>Оппозитный 6</translation>
+    </message>
+    <message>
+        <source>VR5</source>
+        <translation>VR5</translation>
+    </message>
+    <message>
+        <source>VR6</source>
+        <translation>VR6</translation>
+    </message>
+    <message>
+        <source>W12</source>
+        <translation>W12</translation>
+    </message>
+    <message>
+        <source>Cylinder %1 cannot be joined: its rod reaches the piston at no crank angle.</source>
+        <translation>Цилиндр %1 собрать нельзя: его шатун не достаёт до поршня ни при каком угле кривошипа.</translation>
+    </message>
+    <message>
+        <source>The mechanism of cylinder %1 locks with its crank at %2° turning forward and at %3° turning back, from the cylinder&apos;s axis.</source>
+        <translation>Механизм цилиндра %1 заклинивает при угле кривошипа %2° при вращении вперёд и %3° назад, от оси цилиндра.</translation>
+    </message>
+    <message>
+        <source>Own table</source>
+        <translation>Своя таблица</translation>
+    </message>
+    <message>
+        <source>VR%1</source>
+        <translation>VR%1</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Компоновка</translation>
+    </message>
+    <message>
+        <source>Even firing needs a firing order.</source>
+        <translation>Для равномерного чередования нужен порядок работы.</translation>
+    </message>
+    <message>
+        <source>Even firing</source>
+        <translation>Равномерное чередование</translation>
+    </message>
+    <message>
+        <source>The firing order must name each cylinder from 1 to %1 once.</source>
+        <translation>Порядок работы должен назвать каждый цилиндр от 1 до %1 один раз.</translation>
+    </message>
+    <message>
+        <source>Firing order</source>
+        <translation>Порядок работы</translation>
+    </message>
+    <message>
+        <source>Bank angle</source>
+        <translation>Угол развала</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Дезаксаж</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Частота вращения</translation>
+    </message>
+    <message>
+        <source>Centre of mass</source>
+        <translation>Центр масс</translation>
+    </message>
+    <message>
+        <source>Add shaft</source>
+        <translation>Добавление вала</translation>
+    </message>
+    <message>
+        <source>Remove shaft</source>
+        <translation>Удаление вала</translation>
+    </message>
+    <message>
+        <source>Shaft on</source>
+        <translation>Вал включён</translation>
+    </message>
+    <message>
+        <source>Shaft off</source>
+        <translation>Вал выключен</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>N; N·m</source>
+        <translation>Н; Н·м</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>точно</translation>
+    </message>
+    <message>
+        <source>phase, °</source>
+        <translation>фаза, °</translation>
+    </message>
+    <message>
+        <source>two-term</source>
+        <translation>2 члена</translation>
+    </message>
+    <message>
+        <source>diff., %</source>
+        <translation>откл., %</translation>
+    </message>
+    <message>
+        <source>+kω</source>
+        <translation>+kω</translation>
+    </message>
+    <message>
+        <source>at, °</source>
+        <translation>угол, °</translation>
+    </message>
+    <message>
+        <source>−kω</source>
+        <translation>−kω</translation>
+    </message>
+    <message>
+        <source>Shaft</source>
+        <translation>Вал</translation>
+    </message>
+    <message>
+        <source>cancels</source>
+        <translation>гасит</translation>
+    </message>
+    <message>
+        <source>mρ, g·mm</source>
+        <translation>mρ, г·мм</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>остаток</translation>
+    </message>
+    <message>
+        <source>Rotating masses</source>
+        <translation>Вращающиеся массы</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>значение</translation>
+    </message>
+    <message>
+        <source>angle, °</source>
+        <translation>угол, °</translation>
+    </message>
+    <message>
+        <source>lag, °</source>
+        <translation>отст., °</translation>
+    </message>
+    <message>
+        <source>Force, N</source>
+        <translation>Сила, Н</translation>
+    </message>
+    <message>
+        <source>Moment, N·m</source>
+        <translation>Момент, Н·м</translation>
+    </message>
+    <message>
+        <source>against the force</source>
+        <translation>против силы</translation>
+    </message>
+    <message>
+        <source>against the moment</source>
+        <translation>против момента</translation>
+    </message>
+    <message>
+        <source>, g·mm</source>
+        <translation>, г·мм</translation>
+    </message>
+    <message>
+        <source>, g</source>
+        <translation>, г</translation>
+    </message>
+    <message>
+        <source>Front web</source>
+        <translation>Передняя щека</translation>
+    </message>
+    <message>
+        <source>Rear web</source>
+        <translation>Задняя щека</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>до</translation>
+    </message>
+    <message>
+        <source>left, %</source>
+        <translation>ост., %</translation>
+    </message>
+    <message>
+        <source>A mechanism is so near locking that the exact orders are less accurate than usual.</source>
+        <translation>Механизм так близок к заклиниванию, что точные порядки менее точны, чем обычно.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>и ещё %n</numerusform>
+            <numerusform>и ещё %n</numerusform>
+            <numerusform>и ещё %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 left out (%2 % of the largest)</source>
+        <translation>%1 отброшен (%2 % наибольшего)</translation>
+    </message>
+    <message>
+        <source>%1 %2 % off</source>
+        <translation>%1: ошибка %2 %</translation>
+    </message>
+    <message>
+        <source>Two-term is not enough: order %1.</source>
+        <translation>Двух членов мало: порядок %1.</translation>
+    </message>
+    <message>
+        <source>VW VR5 (paper)</source>
+        <translation>VW VR5 (статья)</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::InertiaMomentsPage</name>
     <message>
         <source>&amp;Play</source>
@@ -3955,305 +4230,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source> mm</source>
         <translation> мм</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::InertiaMomentsViewModel</name>
-    <message>
-        <source>Single</source>
-        <translation>Одноцилиндровый</translation>
-    </message>
-    <message>
-        <source>In-line 2, 180°</source>
-        <translation>Рядный 2, 180°</translation>
-    </message>
-    <message>
-        <source>In-line 2, 360°</source>
-        <translation>Рядный 2, 360°</translation>
-    </message>
-    <message>
-        <source>In-line 3</source>
-        <translation>Рядный 3</translation>
-    </message>
-    <message>
-        <source>In-line 4</source>
-        <translation>Рядный 4</translation>
-    </message>
-    <message>
-        <source>In-line 5</source>
-        <translation>Рядный 5</translation>
-    </message>
-    <message>
-        <source>In-line 6</source>
-        <translation>Рядный 6</translation>
-    </message>
-    <message>
-        <source>V-twin 45°</source>
-        <translation>V2 45°</translation>
-    </message>
-    <message>
-        <source>V-twin 60°</source>
-        <translation>V2 60°</translation>
-    </message>
-    <message>
-        <source>V-twin 90°</source>
-        <translation>V2 90°</translation>
-    </message>
-    <message>
-        <source>V6 60°, split pins</source>
-        <translation>V6 60°, смещённые шейки</translation>
-    </message>
-    <message>
-        <source>V6 90°, split pins</source>
-        <translation>V6 90°, смещённые шейки</translation>
-    </message>
-    <message>
-        <source>V8, cross-plane</source>
-        <translation>V8, крестообразный вал</translation>
-    </message>
-    <message>
-        <source>V8, flat-plane</source>
-        <translation>V8, плоский вал</translation>
-    </message>
-    <message>
-        <source>Flat twin</source>
-        <translation>Оппозитный 2</translation>
-    </message>
-    <message>
-        <source>Flat 4</source>
-        <translation>Оппозитный 4</translation>
-    </message>
-    <message>
-        <source>Flat 6</source>
-        <translation>Оппозитный 6</translation>
-    </message>
-    <message>
-        <source>VR5</source>
-        <translation>VR5</translation>
-    </message>
-    <message>
-        <source>VR6</source>
-        <translation>VR6</translation>
-    </message>
-    <message>
-        <source>W12</source>
-        <translation>W12</translation>
-    </message>
-    <message>
-        <source>Open case</source>
-        <translation>Открытие задачи</translation>
-    </message>
-    <message>
-        <source>New case</source>
-        <translation>Новая задача</translation>
-    </message>
-    <message>
-        <source>Cylinder %1 cannot be joined: its rod reaches the piston at no crank angle.</source>
-        <translation>Цилиндр %1 собрать нельзя: его шатун не достаёт до поршня ни при каком угле кривошипа.</translation>
-    </message>
-    <message>
-        <source>The mechanism of cylinder %1 locks with its crank at %2° turning forward and at %3° turning back, from the cylinder&apos;s axis.</source>
-        <translation>Механизм цилиндра %1 заклинивает при угле кривошипа %2° при вращении вперёд и %3° назад, от оси цилиндра.</translation>
-    </message>
-    <message>
-        <source>Own table</source>
-        <translation>Своя таблица</translation>
-    </message>
-    <message>
-        <source>VR%1</source>
-        <translation>VR%1</translation>
-    </message>
-    <message>
-        <source>Layout</source>
-        <translation>Компоновка</translation>
-    </message>
-    <message>
-        <source>Even firing needs a firing order.</source>
-        <translation>Для равномерного чередования нужен порядок работы.</translation>
-    </message>
-    <message>
-        <source>Even firing</source>
-        <translation>Равномерное чередование</translation>
-    </message>
-    <message>
-        <source>The firing order must name each cylinder from 1 to %1 once.</source>
-        <translation>Порядок работы должен назвать каждый цилиндр от 1 до %1 один раз.</translation>
-    </message>
-    <message>
-        <source>Firing order</source>
-        <translation>Порядок работы</translation>
-    </message>
-    <message>
-        <source>Bank angle</source>
-        <translation>Угол развала</translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation>Дезаксаж</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Частота вращения</translation>
-    </message>
-    <message>
-        <source>Centre of mass</source>
-        <translation>Центр масс</translation>
-    </message>
-    <message>
-        <source>Add shaft</source>
-        <translation>Добавление вала</translation>
-    </message>
-    <message>
-        <source>Remove shaft</source>
-        <translation>Удаление вала</translation>
-    </message>
-    <message>
-        <source>Shaft on</source>
-        <translation>Вал включён</translation>
-    </message>
-    <message>
-        <source>Shaft off</source>
-        <translation>Вал выключен</translation>
-    </message>
-    <message>
-        <source>F</source>
-        <translation>F</translation>
-    </message>
-    <message>
-        <source>M</source>
-        <translation>M</translation>
-    </message>
-    <message>
-        <source>N; N·m</source>
-        <translation>Н; Н·м</translation>
-    </message>
-    <message>
-        <source>exact</source>
-        <translation>точно</translation>
-    </message>
-    <message>
-        <source>phase, °</source>
-        <translation>фаза, °</translation>
-    </message>
-    <message>
-        <source>two-term</source>
-        <translation>2 члена</translation>
-    </message>
-    <message>
-        <source>diff., %</source>
-        <translation>откл., %</translation>
-    </message>
-    <message>
-        <source>+kω</source>
-        <translation>+kω</translation>
-    </message>
-    <message>
-        <source>at, °</source>
-        <translation>угол, °</translation>
-    </message>
-    <message>
-        <source>−kω</source>
-        <translation>−kω</translation>
-    </message>
-    <message>
-        <source>Shaft</source>
-        <translation>Вал</translation>
-    </message>
-    <message>
-        <source>cancels</source>
-        <translation>гасит</translation>
-    </message>
-    <message>
-        <source>mρ, g·mm</source>
-        <translation>mρ, г·мм</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>остаток</translation>
-    </message>
-    <message>
-        <source>Rotating masses</source>
-        <translation>Вращающиеся массы</translation>
-    </message>
-    <message>
-        <source>value</source>
-        <translation>значение</translation>
-    </message>
-    <message>
-        <source>angle, °</source>
-        <translation>угол, °</translation>
-    </message>
-    <message>
-        <source>lag, °</source>
-        <translation>отст., °</translation>
-    </message>
-    <message>
-        <source>Force, N</source>
-        <translation>Сила, Н</translation>
-    </message>
-    <message>
-        <source>Moment, N·m</source>
-        <translation>Момент, Н·м</translation>
-    </message>
-    <message>
-        <source>against the force</source>
-        <translation>против силы</translation>
-    </message>
-    <message>
-        <source>against the moment</source>
-        <translation>против момента</translation>
-    </message>
-    <message>
-        <source>, g·mm</source>
-        <translation>, г·мм</translation>
-    </message>
-    <message>
-        <source>, g</source>
-        <translation>, г</translation>
-    </message>
-    <message>
-        <source>Front web</source>
-        <translation>Передняя щека</translation>
-    </message>
-    <message>
-        <source>Rear web</source>
-        <translation>Задняя щека</translation>
-    </message>
-    <message>
-        <source>before</source>
-        <translation>до</translation>
-    </message>
-    <message>
-        <source>left, %</source>
-        <translation>ост., %</translation>
-    </message>
-    <message>
-        <source>A mechanism is so near locking that the exact orders are less accurate than usual.</source>
-        <translation>Механизм так близок к заклиниванию, что точные порядки менее точны, чем обычно.</translation>
-    </message>
-    <message numerus="yes">
-        <source>and %n more</source>
-        <translation>
-            <numerusform>и ещё %n</numerusform>
-            <numerusform>и ещё %n</numerusform>
-            <numerusform>и ещё %n</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 left out (%2 % of the largest)</source>
-        <translation>%1 отброшен (%2 % наибольшего)</translation>
-    </message>
-    <message>
-        <source>%1 %2 % off</source>
-        <translation>%1: ошибка %2 %</translation>
-    </message>
-    <message>
-        <source>Two-term is not enough: order %1.</source>
-        <translation>Двух членов мало: порядок %1.</translation>
-    </message>
-    <message>
-        <source>VW VR5 (paper)</source>
-        <translation>VW VR5 (статья)</translation>
     </message>
 </context>
 <context>
@@ -7045,6 +7021,17 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::SceneModel</name>
+    <message>
+        <source>Open case</source>
+        <translation>Открытие задачи</translation>
+    </message>
+    <message>
+        <source>New case</source>
+        <translation>Новая задача</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::ShaftRow</name>
     <message>
         <source>Shaft %1</source>
@@ -7801,142 +7788,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
-    <name>ravnoves::V8PlugsPage</name>
-    <message>
-        <source>The unfinished job is on the sheet again.</source>
-        <translation>Незаконченная работа снова на листе.</translation>
-    </message>
-    <message>
-        <source>Unfinished job</source>
-        <translation>Незаконченная работа</translation>
-    </message>
-    <message>
-        <source>&amp;3 Weigh-in</source>
-        <translation>&amp;3 Весы</translation>
-    </message>
-    <message>
-        <source>&amp;1 Job</source>
-        <translation>&amp;1 Работа</translation>
-    </message>
-    <message>
-        <source>&amp;2 Engine</source>
-        <translation>&amp;2 Двигатель</translation>
-    </message>
-    <message>
-        <source>&amp;4 Plug</source>
-        <translation>&amp;4 Пробка</translation>
-    </message>
-    <message>
-        <source>&amp;5 Machine</source>
-        <translation>&amp;5 Станок</translation>
-    </message>
-    <message>
-        <source>&amp;Save job in the journal</source>
-        <translation>&amp;Сохранить работу в журнале</translation>
-    </message>
-    <message>
-        <source>Save the job in the journal</source>
-        <translation>Сохранить работу в журнале</translation>
-    </message>
-    <message>
-        <source>&amp;Next job</source>
-        <translation>С&amp;ледующая работа</translation>
-    </message>
-    <message>
-        <source>Next job: the engine&apos;s values stay, the rest is empty</source>
-        <translation>Следующая работа: данные двигателя остаются, остальное пусто</translation>
-    </message>
-    <message>
-        <source>&amp;Journal…</source>
-        <translation>&amp;Журнал…</translation>
-    </message>
-    <message>
-        <source>Find, open and copy jobs</source>
-        <translation>Найти, открыть, скопировать работы</translation>
-    </message>
-    <message>
-        <source>Job card, &amp;preview…</source>
-        <translation>&amp;Просмотр карты…</translation>
-    </message>
-    <message>
-        <source>Look at the job card</source>
-        <translation>Посмотреть карту</translation>
-    </message>
-    <message>
-        <source>&amp;Print job card…</source>
-        <translation>П&amp;ечать карты…</translation>
-    </message>
-    <message>
-        <source>Print the job card</source>
-        <translation>Напечатать карту</translation>
-    </message>
-    <message>
-        <source>Job card as P&amp;DF…</source>
-        <translation>Карта в P&amp;DF…</translation>
-    </message>
-    <message>
-        <source>Write the job card as PDF</source>
-        <translation>Записать карту в PDF</translation>
-    </message>
-    <message>
-        <source>&amp;Language of the job card</source>
-        <translation>&amp;Язык карты</translation>
-    </message>
-    <message>
-        <source>As the program</source>
-        <translation>Как в программе</translation>
-    </message>
-    <message>
-        <source>Unsaved job</source>
-        <translation>Несохранённая работа</translation>
-    </message>
-    <message>
-        <source>Save the job on the sheet in the journal?</source>
-        <translation>Сохранить работу с листа в журнале?</translation>
-    </message>
-    <message>
-        <source>Journal</source>
-        <translation>Журнал</translation>
-    </message>
-    <message>
-        <source>Job card</source>
-        <translation>Карта</translation>
-    </message>
-    <message>
-        <source>The printer cannot be used.</source>
-        <translation>Принтер недоступен.</translation>
-    </message>
-    <message>
-        <source>Job card as PDF</source>
-        <translation>Карта в PDF</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>Written: %1</source>
-        <translation>Записано: %1</translation>
-    </message>
-    <message>
-        <source>Refused entries</source>
-        <translation>Непринятые значения</translation>
-    </message>
-    <message>
-        <source>These entries were refused; the values before them count:</source>
-        <translation>Эти значения не приняты; действуют прежние:</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::V8PlugsViewModel</name>
-    <message>
-        <source>Open case</source>
-        <translation>Открытие задачи</translation>
-    </message>
-    <message>
-        <source>New case</source>
-        <translation>Новая задача</translation>
-    </message>
+    <name>ravnoves::V8PlugsModel</name>
     <message>
         <source>Engine</source>
         <translation>Двигатель</translation>
@@ -8160,6 +8012,196 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>For the other crankshaft.</source>
         <translation>Для другого вала.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::V8PlugsPage</name>
+    <message>
+        <source>The unfinished job is on the sheet again.</source>
+        <translation>Незаконченная работа снова на листе.</translation>
+    </message>
+    <message>
+        <source>Unfinished job</source>
+        <translation>Незаконченная работа</translation>
+    </message>
+    <message>
+        <source>&amp;3 Weigh-in</source>
+        <translation>&amp;3 Весы</translation>
+    </message>
+    <message>
+        <source>&amp;1 Job</source>
+        <translation>&amp;1 Работа</translation>
+    </message>
+    <message>
+        <source>&amp;2 Engine</source>
+        <translation>&amp;2 Двигатель</translation>
+    </message>
+    <message>
+        <source>&amp;4 Plug</source>
+        <translation>&amp;4 Пробка</translation>
+    </message>
+    <message>
+        <source>&amp;5 Machine</source>
+        <translation>&amp;5 Станок</translation>
+    </message>
+    <message>
+        <source>&amp;Save job in the journal</source>
+        <translation>&amp;Сохранить работу в журнале</translation>
+    </message>
+    <message>
+        <source>Save the job in the journal</source>
+        <translation>Сохранить работу в журнале</translation>
+    </message>
+    <message>
+        <source>&amp;Next job</source>
+        <translation>С&amp;ледующая работа</translation>
+    </message>
+    <message>
+        <source>Next job: the engine&apos;s values stay, the rest is empty</source>
+        <translation>Следующая работа: данные двигателя остаются, остальное пусто</translation>
+    </message>
+    <message>
+        <source>&amp;Journal…</source>
+        <translation>&amp;Журнал…</translation>
+    </message>
+    <message>
+        <source>Find, open and copy jobs</source>
+        <translation>Найти, открыть, скопировать работы</translation>
+    </message>
+    <message>
+        <source>Job card, &amp;preview…</source>
+        <translation>&amp;Просмотр карты…</translation>
+    </message>
+    <message>
+        <source>Look at the job card</source>
+        <translation>Посмотреть карту</translation>
+    </message>
+    <message>
+        <source>&amp;Print job card…</source>
+        <translation>П&amp;ечать карты…</translation>
+    </message>
+    <message>
+        <source>Print the job card</source>
+        <translation>Напечатать карту</translation>
+    </message>
+    <message>
+        <source>Job card as P&amp;DF…</source>
+        <translation>Карта в P&amp;DF…</translation>
+    </message>
+    <message>
+        <source>Write the job card as PDF</source>
+        <translation>Записать карту в PDF</translation>
+    </message>
+    <message>
+        <source>&amp;Language of the job card</source>
+        <translation>&amp;Язык карты</translation>
+    </message>
+    <message>
+        <source>As the program</source>
+        <translation>Как в программе</translation>
+    </message>
+    <message>
+        <source>Unsaved job</source>
+        <translation>Несохранённая работа</translation>
+    </message>
+    <message>
+        <source>Save the job on the sheet in the journal?</source>
+        <translation>Сохранить работу с листа в журнале?</translation>
+    </message>
+    <message>
+        <source>Journal</source>
+        <translation>Журнал</translation>
+    </message>
+    <message>
+        <source>Job card</source>
+        <translation>Карта</translation>
+    </message>
+    <message>
+        <source>The printer cannot be used.</source>
+        <translation>Принтер недоступен.</translation>
+    </message>
+    <message>
+        <source>Job card as PDF</source>
+        <translation>Карта в PDF</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Записано: %1</translation>
+    </message>
+    <message>
+        <source>Refused entries</source>
+        <translation>Непринятые значения</translation>
+    </message>
+    <message>
+        <source>These entries were refused; the values before them count:</source>
+        <translation>Эти значения не приняты; действуют прежние:</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ValidationModel</name>
+    <message>
+        <source>reproduced</source>
+        <translation>воспроизведено</translation>
+    </message>
+    <message>
+        <source>artefact</source>
+        <translation>артефакт</translation>
+    </message>
+    <message>
+        <source>slip</source>
+        <translation>опечатка</translation>
+    </message>
+    <message>
+        <source>not derivable</source>
+        <translation>не выводится</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>расходится</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Статья</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Место</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Величина</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Ед.</translation>
+    </message>
+    <message>
+        <source>Printed</source>
+        <translation>В статье</translation>
+    </message>
+    <message>
+        <source>Ours</source>
+        <translation>У нас</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Разность</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Вывод</translation>
+    </message>
+    <message>
+        <source>computing…</source>
+        <translation>вычисляется…</translation>
+    </message>
+    <message>
+        <source>Printed numbers: %1</source>
+        <translation>Напечатанных чисел: %1</translation>
     </message>
 </context>
 <context>
@@ -8942,69 +8984,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Choose a row to read why it has its verdict.</source>
         <translation>Выберите строку, чтобы прочесть, почему вывод таков.</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::ValidationViewModel</name>
-    <message>
-        <source>reproduced</source>
-        <translation>воспроизведено</translation>
-    </message>
-    <message>
-        <source>artefact</source>
-        <translation>артефакт</translation>
-    </message>
-    <message>
-        <source>slip</source>
-        <translation>опечатка</translation>
-    </message>
-    <message>
-        <source>not derivable</source>
-        <translation>не выводится</translation>
-    </message>
-    <message>
-        <source>differs</source>
-        <translation>расходится</translation>
-    </message>
-    <message>
-        <source>Paper</source>
-        <translation>Статья</translation>
-    </message>
-    <message>
-        <source>Place</source>
-        <translation>Место</translation>
-    </message>
-    <message>
-        <source>Quantity</source>
-        <translation>Величина</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Ед.</translation>
-    </message>
-    <message>
-        <source>Printed</source>
-        <translation>В статье</translation>
-    </message>
-    <message>
-        <source>Ours</source>
-        <translation>У нас</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>Разность</translation>
-    </message>
-    <message>
-        <source>Verdict</source>
-        <translation>Вывод</translation>
-    </message>
-    <message>
-        <source>computing…</source>
-        <translation>вычисляется…</translation>
-    </message>
-    <message>
-        <source>Printed numbers: %1</source>
-        <translation>Напечатанных чисел: %1</translation>
     </message>
 </context>
 <context>

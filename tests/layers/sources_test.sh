@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# sources_test.sh SOURCE-FOLDER [QT-WIDGETS-INCLUDE-FOLDER...]
+# sources_test.sh SOURCE-FOLDER [core-only]
 # The arrows app -> ui -> core as the includes draw them:
 #   core and the command line include no Qt, and nothing from the layers above them;
 #   ui includes nothing from app;
 #   a scene includes no other scene; core's ground (case files, numerics, drawing, bibliography)
-#   includes nothing that stands on it, nor does a scene include the methods or the registry;
-#   a view-model includes no widget or chart class, nor does any header of ours that it reaches.
+#   includes nothing that stands on it, nor does a scene include the methods or the registry.
+# That a model includes no widget, the compiler sees: their library has no QtWidgets to include.
 set -euo pipefail
 cd "$1"
 shift
@@ -111,43 +111,9 @@ if grep -nE 'Qt[0-9]*(::|[[:space:]]+REQUIRED|[[:space:]]+COMPONENTS)' core/CMak
     fault "core/CMakeLists.txt asks for Qt"
 fi
 
-if [ $# -gt 0 ]; then
+if [ "${1:-}" != core-only ]; then
     check_layer ui ui core
     check_layer app/desktop app/desktop ui core
-
-    declare -A is_widget=()
-    for folder in "$@"; do
-        for header in "$folder"/*; do
-            is_widget[${header##*/}]=1
-        done
-    done
-    [ -n "${is_widget[QWidget]:-}" ] || fault "QWidget is not in: $*"
-
-    view_models=$(sources ui | grep view_model || true)
-    [ -n "$view_models" ] || fault "ui holds no view-models: nothing was checked"
-    for start in $view_models; do
-        declare -A reached=([$start]=$start)
-        queue=("$start")
-        while [ ${#queue[@]} -gt 0 ]; do
-            file=${queue[0]}
-            queue=("${queue[@]:1}")
-            for include in ${angled[$file]:-}; do
-                name=${include##*/}
-                if [[ $include == QtWidgets/* || $include == QtCharts/* || -n "${is_widget[$name]:-}" ]]; then
-                    fault "$start reaches <$include> by ${reached[$file]}"
-                fi
-            done
-            for include in ${quoted[$file]:-}; do
-                resolve "$file" "$include" ui core || continue
-                next=$found
-                if [ -z "${reached[$next]:-}" ]; then
-                    reached[$next]="${reached[$file]} -> $next"
-                    queue+=("$next")
-                fi
-            done
-        done
-        unset reached
-    done
 fi
 
 if [ $faults -ne 0 ]; then

@@ -15,22 +15,22 @@
 #include <array>
 #include <cmath>
 
-#include "balance-shaft/balance_shaft_view_model.h"
 #include "balance-shaft/cycle_view.h"
 #include "balance-shaft/envelope_view.h"
 #include "balance-shaft/forces_view.h"
 #include "balance-shaft/mechanism_view.h"
+#include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/orders_view.h"
 #include "balance-shaft/presets.h"
 #include "balance-shaft/relieved_shaft_view.h"
 #include "balance-shaft/speed_view.h"
 #include "balance-shaft/torque_source_editor.h"
 #include "balance-shaft/torque_table_editor.h"
+#include "text/number_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
-#include "widgets/number_text.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 #include "widgets/value_slider.h"
@@ -101,7 +101,7 @@ double otherMasses(const Input& input) {
 }  // namespace
 
 BalanceShaftPage::BalanceShaftPage(QWidget* parent)
-    : ScenePage(parent), model_(new BalanceShaftViewModel(this)) {
+    : ScenePage(parent), model_(new BalanceShaftModel(this)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     row->setSpacing(Theme::space);
@@ -115,9 +115,9 @@ BalanceShaftPage::BalanceShaftPage(QWidget* parent)
             [this] { picture_->setPlaying(!picture_->isPlaying()); });
     bestRangeAction_ = new QAction(themedIcon(QStringLiteral("best")),
                                    tr("Go to the α of the least &range"), this);
-    connect(bestRangeAction_, &QAction::triggered, model_, &BalanceShaftViewModel::goToBestRange);
+    connect(bestRangeAction_, &QAction::triggered, model_, &BalanceShaftModel::goToBestRange);
     bestRmsAction_ = new QAction(tr("Go to the α of the least R&MS"), this);
-    connect(bestRmsAction_, &QAction::triggered, model_, &BalanceShaftViewModel::goToBestRms);
+    connect(bestRmsAction_, &QAction::triggered, model_, &BalanceShaftModel::goToBestRms);
     connect(picture_, &MechanismView::playingChanged, this, [this](bool playing) {
         const QIcon icon = themedIcon(playing ? QStringLiteral("pause") : QStringLiteral("play"));
         playAction_->setIcon(icon);
@@ -126,12 +126,12 @@ BalanceShaftPage::BalanceShaftPage(QWidget* parent)
         playButton_->setToolTip(playing ? tr("Pause (Space)") : tr("Play (Space)"));
     });
 
-    connect(model_, &SceneViewModel::changed, this, &BalanceShaftPage::showInput);
-    connect(model_, &SceneViewModel::changed, this, &BalanceShaftPage::showSweep);
-    connect(model_, &BalanceShaftViewModel::shaftMoved, this, &BalanceShaftPage::showShaft);
-    connect(model_, &BalanceShaftViewModel::meansChanged, this, &BalanceShaftPage::showMeans);
-    connect(model_, &BalanceShaftViewModel::crankAngleChanged, this, &BalanceShaftPage::showCursor);
-    connect(model_, &BalanceShaftViewModel::refused, this, &ScenePage::status);
+    connect(model_, &SceneModel::changed, this, &BalanceShaftPage::showInput);
+    connect(model_, &SceneModel::changed, this, &BalanceShaftPage::showSweep);
+    connect(model_, &BalanceShaftModel::shaftMoved, this, &BalanceShaftPage::showShaft);
+    connect(model_, &BalanceShaftModel::meansChanged, this, &BalanceShaftPage::showMeans);
+    connect(model_, &BalanceShaftModel::crankAngleChanged, this, &BalanceShaftPage::showCursor);
+    connect(model_, &BalanceShaftModel::refused, this, &ScenePage::status);
 
     showInput();
     showSweep();
@@ -144,7 +144,7 @@ TorqueTableEditor* BalanceShaftPage::torqueEditor() const {
     return source_->tableEditor();
 }
 
-SceneViewModel* BalanceShaftPage::model() {
+SceneModel* BalanceShaftPage::model() {
     return model_;
 }
 
@@ -358,8 +358,8 @@ QWidget* BalanceShaftPage::buildPlots() {
            "rotation; 90° is beside the crank. 0 to 360°, steps of 0.1°."));
     angle_->slider()->setObjectName(QStringLiteral("shaft_angle_slider"));
     angle_->box()->setObjectName(QStringLiteral("shaft_angle_deg"));
-    connect(angle_, &ValueSlider::valueEdited, model_, &BalanceShaftViewModel::setShaftAngleDeg);
-    connect(angle_, &ValueSlider::released, model_, &BalanceShaftViewModel::finishDrag);
+    connect(angle_, &ValueSlider::valueEdited, model_, &BalanceShaftModel::setShaftAngleDeg);
+    connect(angle_, &ValueSlider::released, model_, &BalanceShaftModel::finishDrag);
     barRow->addWidget(angle_, 1);
     auto* meansLabel = new QLabel(tr("Mea&ns"), bar);
     meansChoice_ = new QComboBox(bar);
@@ -371,9 +371,8 @@ QWidget* BalanceShaftPage::buildPlots() {
     meansLabel->setBuddy(meansChoice_);
     barRow->addWidget(meansLabel);
     barRow->addWidget(meansChoice_);
-    connect(meansChoice_, &QComboBox::activated, this, [this](int index) {
-        model_->setMeans(static_cast<BalanceShaftViewModel::Means>(index));
-    });
+    connect(meansChoice_, &QComboBox::activated, this,
+            [this](int index) { model_->setMeans(static_cast<BalanceShaftModel::Means>(index)); });
     column->addWidget(bar);
 
     views_ = new QTabWidget(holder);
@@ -418,7 +417,7 @@ QWidget* BalanceShaftPage::buildMoments() {
                                .colour = 2,
                                .width = 2.0,
                                .toolTip = tr("Moment on the mounts, Mᵤₚ + Mₛ, (5)")});
-    connect(moments_, &PlotView::cursorMoved, model_, &BalanceShaftViewModel::setCrankAngleDeg);
+    connect(moments_, &PlotView::cursorMoved, model_, &BalanceShaftModel::setCrankAngleDeg);
     connect(moments_, &PlotView::curveToggled, this, &BalanceShaftPage::showShaft);
     column->addWidget(moments_, 5);
 
@@ -496,7 +495,7 @@ QWidget* BalanceShaftPage::buildAnswer() {
     crank_ = new ValueSlider(tr("&φ"), 0.0, 720.0, crankStep, 15.0, 0, QStringLiteral("°"),
                              picturePanel);
     crank_->setHint(tr("Crank angle of the picture; 0 is top dead centre"));
-    connect(crank_, &ValueSlider::valueEdited, model_, &BalanceShaftViewModel::setCrankAngleDeg);
+    connect(crank_, &ValueSlider::valueEdited, model_, &BalanceShaftModel::setCrankAngleDeg);
     controls->addWidget(crank_, 1);
     pictureColumn->addLayout(controls);
     column->addWidget(picturePanel, 1);
@@ -531,8 +530,8 @@ QWidget* BalanceShaftPage::buildAnswer() {
     best->setColumnStretch(0, 1);
     goRange_->setObjectName(QStringLiteral("go_best_range"));
     goRms_->setObjectName(QStringLiteral("go_best_rms"));
-    connect(goRange_, &QPushButton::clicked, model_, &BalanceShaftViewModel::goToBestRange);
-    connect(goRms_, &QPushButton::clicked, model_, &BalanceShaftViewModel::goToBestRms);
+    connect(goRange_, &QPushButton::clicked, model_, &BalanceShaftModel::goToBestRange);
+    connect(goRms_, &QPushButton::clicked, model_, &BalanceShaftModel::goToBestRms);
     answerColumn->addLayout(best);
 
     quantities_ = new ResultTable(answer);
@@ -629,7 +628,7 @@ void BalanceShaftPage::showShaft() {
 }
 
 void BalanceShaftPage::showMeans() {
-    using Means = BalanceShaftViewModel::Means;
+    using Means = BalanceShaftModel::Means;
     const Means shown = model_->means();
     meansChoice_->setCurrentIndex(static_cast<int>(shown));
     const bool truth = shown != Means::PrintedNodes;

@@ -15,7 +15,7 @@ class QToolButton;
 
 namespace ravnoves {
 
-class BalanceShaftViewModel;
+class BalanceShaftModel;
 class MechanismView;
 class NumberField;
 class ResultTable;
@@ -32,8 +32,8 @@ class BalanceShaftPage : public ScenePage {
     explicit BalanceShaftPage(QWidget* parent = nullptr);
     ~BalanceShaftPage() override { putAway(); }
 
-    SceneViewModel* model() override;
-    BalanceShaftViewModel* viewModel() { return model_; }
+    SceneModel* model() override;
+    BalanceShaftModel* viewModel() { return model_; }
     QList<QAction*> sceneActions() override;
     QString resultsAsText() const override;
     QString resultsAsCsv() const override;
@@ -69,7 +69,7 @@ class BalanceShaftPage : public ScenePage {
     void showMeans();
     void showCursor(double crankAngle);
 
-    BalanceShaftViewModel* model_;
+    BalanceShaftModel* model_;
     std::vector<Binding> bindings_;
     QComboBox* preset_ = nullptr;
     QComboBox* interpolation_ = nullptr;

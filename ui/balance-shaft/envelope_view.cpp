@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "balance-shaft/balance_shaft_view_model.h"
+#include "balance-shaft/model/balance_shaft_model.h"
 #include "plot/plot_view.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
-#include "widgets/number_text.h"
 
 namespace ravnoves {
 
@@ -19,7 +19,7 @@ constexpr double millimetre = 1e-3;        ///< m
 
 }  // namespace
 
-EnvelopeView::EnvelopeView(BalanceShaftViewModel* model, QWidget* parent)
+EnvelopeView::EnvelopeView(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, Theme::space, 0, 0);
@@ -68,13 +68,13 @@ EnvelopeView::EnvelopeView(BalanceShaftViewModel* model, QWidget* parent)
            "wall are on the Inputs tab. Click either chart to set α."),
         this));
 
-    connect(model_, &SceneViewModel::changed, this, [this] {
+    connect(model_, &SceneModel::changed, this, [this] {
         stale_ = true;
         if (isVisible()) {
             solve();
         }
     });
-    connect(model_, &BalanceShaftViewModel::shaftMoved, this, [this] {
+    connect(model_, &BalanceShaftModel::shaftMoved, this, [this] {
         if (isVisible()) {
             showPresent();
         }

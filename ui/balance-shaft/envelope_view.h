@@ -7,7 +7,7 @@
 
 namespace ravnoves {
 
-class BalanceShaftViewModel;
+class BalanceShaftModel;
 class PlotView;
 
 /// Overall size over α, and range of the moment against overall size with α along the curve.
@@ -15,7 +15,7 @@ class EnvelopeView : public QWidget {
     Q_OBJECT
 
   public:
-    explicit EnvelopeView(BalanceShaftViewModel* model, QWidget* parent = nullptr);
+    explicit EnvelopeView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
     PlotView* sizePlot() const { return sizes_; }
     PlotView* paretoPlot() const { return pareto_; }
@@ -27,7 +27,7 @@ class EnvelopeView : public QWidget {
     void solve();
     void showPresent();
 
-    BalanceShaftViewModel* model_;
+    BalanceShaftModel* model_;
     PlotView* sizes_;
     PlotView* pareto_;
     int width_ = 0;

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "balance-shaft/balance_shaft_view_model.h"
 #include "balance-shaft/crank_balance.h"
 #include "balance-shaft/gear_error.h"
+#include "balance-shaft/model/balance_shaft_model.h"
 #include "plot/plot_view.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
-#include "widgets/number_text.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 #include "widgets/value_slider.h"
@@ -32,8 +32,7 @@ std::vector<double> kilonewtons(std::vector<double> newtons) {
 
 }  // namespace
 
-ForcesView::ForcesView(BalanceShaftViewModel* model, QWidget* parent)
-    : QWidget(parent), model_(model) {
+ForcesView::ForcesView(BalanceShaftModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, Theme::space, 0, 0);
     grid->setSpacing(Theme::space);
@@ -156,13 +155,13 @@ ForcesView::ForcesView(BalanceShaftViewModel* model, QWidget* parent)
     grid->setColumnStretch(0, 1);
     grid->setColumnStretch(1, 1);
 
-    connect(model_, &SceneViewModel::changed, this, [this] {
+    connect(model_, &SceneModel::changed, this, [this] {
         if (isVisible()) {
             showInput();
             showLocus();
         }
     });
-    connect(model_, &BalanceShaftViewModel::shaftMoved, this, [this] {
+    connect(model_, &BalanceShaftModel::shaftMoved, this, [this] {
         if (isVisible()) {
             showGears();
         }

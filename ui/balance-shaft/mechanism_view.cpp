@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "balance-shaft/balance_shaft_view_model.h"
-#include "balance-shaft/mechanism.h"
+#include "balance-shaft/model/balance_shaft_model.h"
 #include "numerics/constants.h"
 #include "theme/theme.h"
+#include "balance-shaft/mechanism.h"
 
 namespace ravnoves {
 
@@ -70,7 +70,7 @@ struct MechanismView::Scale {
     }
 };
 
-MechanismView::MechanismView(BalanceShaftViewModel* model, QWidget* parent)
+MechanismView::MechanismView(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Front view of the mechanism"));
@@ -81,8 +81,8 @@ MechanismView::MechanismView(BalanceShaftViewModel* model, QWidget* parent)
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this,
             [this] { model_->setCrankAngleDeg(model_->crankAngleDeg() + degreesPerFrame); });
-    connect(model_, &BalanceShaftViewModel::shaftMoved, this, qOverload<>(&QWidget::update));
-    connect(model_, &BalanceShaftViewModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
+    connect(model_, &BalanceShaftModel::shaftMoved, this, qOverload<>(&QWidget::update));
+    connect(model_, &BalanceShaftModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 

@@ -5,7 +5,7 @@
 
 namespace ravnoves {
 
-class BalanceShaftViewModel;
+class BalanceShaftModel;
 
 /// Front view of the mechanism to scale: cylinder, piston, rod, crank, both counterweights, the
 /// shaft at α, gear circles, force arrows, the envelope. Space plays and pauses; dragging the shaft
@@ -14,7 +14,7 @@ class MechanismView : public QWidget {
     Q_OBJECT
 
   public:
-    explicit MechanismView(BalanceShaftViewModel* model, QWidget* parent = nullptr);
+    explicit MechanismView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
     bool isPlaying() const { return timer_.isActive(); }
     void setPlaying(bool playing);
@@ -36,7 +36,7 @@ class MechanismView : public QWidget {
     struct Scale;
     Scale scale() const;
 
-    BalanceShaftViewModel* model_;
+    BalanceShaftModel* model_;
     QTimer timer_;
     bool draggingShaft_ = false;
 };

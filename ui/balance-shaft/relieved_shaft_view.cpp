@@ -10,14 +10,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "balance-shaft/balance_shaft_view_model.h"
+#include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/scene.h"
 #include "case-file/input_error.h"
 #include "case-file/text_file.h"
+#include "text/error_text.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/error_text.h"
 #include "widgets/form_section.h"
-#include "widgets/number_text.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 
@@ -148,7 +148,7 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
                      Qt::AlignCenter, QStringLiteral("b ") + mm(shaft_.length));
 }
 
-RelievedShaftView::RelievedShaftView(BalanceShaftViewModel* model, QWidget* parent)
+RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, Theme::space, 0, 0);
@@ -221,7 +221,7 @@ RelievedShaftView::RelievedShaftView(BalanceShaftViewModel* model, QWidget* pare
     drawing_ = new RelievedShaftDrawing(this);
     column->addWidget(drawing_, 1);
 
-    connect(model_, &SceneViewModel::changed, this, [this] {
+    connect(model_, &SceneModel::changed, this, [this] {
         if (isVisible()) {
             showAll();
         }

@@ -10,7 +10,7 @@ class QPushButton;
 
 namespace ravnoves {
 
-class BalanceShaftViewModel;
+class BalanceShaftModel;
 class NumberField;
 class ResultTable;
 
@@ -41,7 +41,7 @@ class RelievedShaftView : public QWidget {
     enum class Sized { Depth, Length, Diameter, None };
     Q_ENUM(Sized)
 
-    explicit RelievedShaftView(BalanceShaftViewModel* model, QWidget* parent = nullptr);
+    explicit RelievedShaftView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
     QComboBox* sizedBox() const { return sized_; }
     NumberField* diameterField() const { return diameter_; }
@@ -66,7 +66,7 @@ class RelievedShaftView : public QWidget {
                          const QString& hint,
                          std::optional<double> balance_shaft::RelievedShaftSizes::*member);
 
-    BalanceShaftViewModel* model_;
+    BalanceShaftModel* model_;
     balance_shaft::RelievedShaft shaft_;
     QComboBox* sized_;
     NumberField* diameter_;

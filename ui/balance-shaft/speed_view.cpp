@@ -10,14 +10,14 @@
 #include <array>
 #include <cmath>
 
-#include "balance-shaft/balance_shaft_view_model.h"
+#include "balance-shaft/model/balance_shaft_model.h"
 #include "case-file/input_error.h"
 #include "plot/plot_view.h"
+#include "text/error_text.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/background_job.h"
-#include "widgets/error_text.h"
 #include "widgets/form_section.h"
-#include "widgets/number_text.h"
 #include "widgets/panel.h"
 #include "widgets/value_slider.h"
 
@@ -49,7 +49,7 @@ QRgb mapColour(double part) {
 
 }  // namespace
 
-SpeedView::SpeedView(BalanceShaftViewModel* model, QWidget* parent)
+SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(model), job_(new BackgroundJob(this)) {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, Theme::space, 0, 0);
@@ -190,14 +190,14 @@ SpeedView::SpeedView(BalanceShaftViewModel* model, QWidget* parent)
     });
     progress_->hide();
     cancel_->hide();
-    connect(model_, &SceneViewModel::changed, this, [this] {
+    connect(model_, &SceneModel::changed, this, [this] {
         stale_ = true;
         if (isVisible()) {
             showInput();
             solveAgain();
         }
     });
-    connect(model_, &BalanceShaftViewModel::shaftMoved, this,
+    connect(model_, &BalanceShaftModel::shaftMoved, this,
             [this] { map_->setPresentX(model_->shaftAngleDeg()); });
     connect(&Theme::instance(), &Theme::changed, this, &SpeedView::showStudy);
 }

@@ -15,7 +15,7 @@ class QPushButton;
 namespace ravnoves {
 
 class BackgroundJob;
-class BalanceShaftViewModel;
+class BalanceShaftModel;
 class NumberField;
 class PlotView;
 class ValueSlider;
@@ -26,7 +26,7 @@ class SpeedView : public QWidget {
     Q_OBJECT
 
   public:
-    explicit SpeedView(BalanceShaftViewModel* model, QWidget* parent = nullptr);
+    explicit SpeedView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
     BackgroundJob* job() const { return job_; }
     PlotView* anglePlot() const { return angles_; }
@@ -51,7 +51,7 @@ class SpeedView : public QWidget {
     void showStudy();
     void showMap();
 
-    BalanceShaftViewModel* model_;
+    BalanceShaftModel* model_;
     BackgroundJob* job_;
     ValueSlider* speed_;
     ValueSlider* load_;

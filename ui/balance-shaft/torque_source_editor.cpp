@@ -11,19 +11,19 @@
 #include <QVBoxLayout>
 #include <array>
 
-#include "balance-shaft/balance_shaft_view_model.h"
 #include "balance-shaft/inertia_check.h"
-#include "balance-shaft/table_format_text.h"
+#include "balance-shaft/model/balance_shaft_model.h"
+#include "balance-shaft/model/table_format_text.h"
 #include "balance-shaft/torque_table_editor.h"
 #include "case-file/input_error.h"
 #include "case-file/text_file.h"
+#include "text/error_text.h"
+#include "text/file_path.h"
+#include "text/number_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
-#include "widgets/error_text.h"
-#include "widgets/file_path.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
-#include "widgets/number_text.h"
 
 namespace ravnoves {
 
@@ -58,7 +58,7 @@ QWidget* scrolled(QWidget* content, QWidget* parent) {
 
 }  // namespace
 
-TorqueSourceEditor::TorqueSourceEditor(BalanceShaftViewModel* model, QWidget* parent)
+TorqueSourceEditor::TorqueSourceEditor(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, Theme::space, 0, 0);
@@ -98,7 +98,7 @@ TorqueSourceEditor::TorqueSourceEditor(BalanceShaftViewModel* model, QWidget* pa
         trouble_->setVisible(!why.isEmpty());
         showInput();
     });
-    connect(model_, &SceneViewModel::changed, this, &TorqueSourceEditor::showInput);
+    connect(model_, &SceneModel::changed, this, &TorqueSourceEditor::showInput);
     showInput();
 }
 

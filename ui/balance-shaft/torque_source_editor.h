@@ -11,7 +11,7 @@ class QStackedWidget;
 
 namespace ravnoves {
 
-class BalanceShaftViewModel;
+class BalanceShaftModel;
 class FormSection;
 class NumberField;
 class TorqueTableEditor;
@@ -22,7 +22,7 @@ class TorqueSourceEditor : public QWidget {
     Q_OBJECT
 
   public:
-    explicit TorqueSourceEditor(BalanceShaftViewModel* model, QWidget* parent = nullptr);
+    explicit TorqueSourceEditor(BalanceShaftModel* model, QWidget* parent = nullptr);
 
     QComboBox* choice() const { return choice_; }
     TorqueTableEditor* tableEditor() const { return table_; }
@@ -43,7 +43,7 @@ class TorqueSourceEditor : public QWidget {
     void showCheck();
     QWidget* buildCheck();
 
-    BalanceShaftViewModel* model_;
+    BalanceShaftModel* model_;
     QComboBox* choice_ = nullptr;
     QStackedWidget* forms_ = nullptr;
     TorqueTableEditor* table_ = nullptr;

@@ -12,20 +12,22 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "balance-shaft/balance_shaft_view_model.h"
-#include "balance-shaft/torque_table_model.h"
+#include "balance-shaft/model/balance_shaft_model.h"
+#include "balance-shaft/model/torque_table_model.h"
 #include "case-file/input_error.h"
 #include "case-file/text_file.h"
+#include "text/error_text.h"
+#include "text/file_path.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
-#include "widgets/error_text.h"
-#include "widgets/file_path.h"
 #include "widgets/form_section.h"
 
 namespace ravnoves {
 
-TorqueTableEditor::TorqueTableEditor(BalanceShaftViewModel* model, QWidget* parent)
-    : QWidget(parent), model_(model), table_(new TorqueTableModel(this)) {
+TorqueTableEditor::TorqueTableEditor(BalanceShaftModel* model, QWidget* parent)
+    : QWidget(parent),
+      model_(model),
+      table_(new TorqueTableModel([] { return Theme::instance().error(); }, this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(Theme::margin, Theme::space, Theme::margin, Theme::space);
     column->setSpacing(Theme::gap);
@@ -100,7 +102,7 @@ TorqueTableEditor::TorqueTableEditor(BalanceShaftViewModel* model, QWidget* pare
     column->addWidget(message_);
 
     table_->setTable(model_->input().torque.table);
-    connect(model_, &SceneViewModel::changed, this,
+    connect(model_, &SceneModel::changed, this,
             [this] { table_->setTable(model_->input().torque.table); });
     connect(table_, &TorqueTableModel::tableEdited, this, [this] {
         model_->edit(tr("Edit torque table"), [this](balance_shaft::Input& input) {

@@ -7,7 +7,7 @@ class QTableView;
 
 namespace ravnoves {
 
-class BalanceShaftViewModel;
+class BalanceShaftModel;
 class TorqueTableModel;
 
 /// The torque table with its tools: edit, insert, delete, paste, import and export.
@@ -15,7 +15,7 @@ class TorqueTableEditor : public QWidget {
     Q_OBJECT
 
   public:
-    explicit TorqueTableEditor(BalanceShaftViewModel* model, QWidget* parent = nullptr);
+    explicit TorqueTableEditor(BalanceShaftModel* model, QWidget* parent = nullptr);
 
     QTableView* view() const { return view_; }
     TorqueTableModel* tableModel() const { return table_; }
@@ -31,7 +31,7 @@ class TorqueTableEditor : public QWidget {
   private:
     void say(const QString& text, bool isTrouble);
 
-    BalanceShaftViewModel* model_;
+    BalanceShaftModel* model_;
     TorqueTableModel* table_;
     QTableView* view_;
     QLabel* message_;

@@ -59,7 +59,7 @@ void showValue(ValueSlider* slider, double value, double min, double max) {
 }  // namespace
 
 ElasticHingePage::ElasticHingePage(QWidget* parent)
-    : ScenePage(parent), model_(new ElasticHingeViewModel(this)) {
+    : ScenePage(parent), model_(new ElasticHingeModel(this)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     row->setSpacing(Theme::space);
@@ -80,18 +80,18 @@ ElasticHingePage::ElasticHingePage(QWidget* parent)
         playButton_->setToolTip(playing ? tr("Pause (Space)") : tr("Play (Space)"));
     });
 
-    connect(model_, &SceneViewModel::changed, this, &ElasticHingePage::showInput);
-    connect(model_, &SceneViewModel::changed, this, &ElasticHingePage::showAnswer);
-    connect(model_, &ElasticHingeViewModel::motionsChanged, this, &ElasticHingePage::showAnswer);
-    connect(model_, &ElasticHingeViewModel::viewChanged, this, &ElasticHingePage::showCrank);
-    connect(model_, &ElasticHingeViewModel::crankAngleChanged, this, &ElasticHingePage::showCrank);
-    connect(model_, &ElasticHingeViewModel::refused, this, &ScenePage::status);
+    connect(model_, &SceneModel::changed, this, &ElasticHingePage::showInput);
+    connect(model_, &SceneModel::changed, this, &ElasticHingePage::showAnswer);
+    connect(model_, &ElasticHingeModel::motionsChanged, this, &ElasticHingePage::showAnswer);
+    connect(model_, &ElasticHingeModel::viewChanged, this, &ElasticHingePage::showCrank);
+    connect(model_, &ElasticHingeModel::crankAngleChanged, this, &ElasticHingePage::showCrank);
+    connect(model_, &ElasticHingeModel::refused, this, &ScenePage::status);
     showInput();
     showAnswer();
     showCrank();
 }
 
-SceneViewModel* ElasticHingePage::model() {
+SceneModel* ElasticHingePage::model() {
     return model_;
 }
 
@@ -113,7 +113,7 @@ ValueSlider* ElasticHingePage::addSlider(QWidget* parent, const QString& name, c
             showInput();  // refused: the slider goes back
         }
     });
-    connect(slider, &ValueSlider::released, model_, &ElasticHingeViewModel::finishDrag);
+    connect(slider, &ValueSlider::released, model_, &ElasticHingeModel::finishDrag);
     parent->layout()->addWidget(slider);
     return slider;
 }
@@ -235,7 +235,7 @@ QWidget* ElasticHingePage::buildAnswer() {
     animated_->setAccessibleName(tr("Which motion is played"));
     animated_->setToolTip(tr("Which of the computed motions the picture plays"));
     connect(animated_, &QComboBox::activated, this, [this](int index) {
-        model_->setAnimated(static_cast<ElasticHingeViewModel::Animated>(index));
+        model_->setAnimated(static_cast<ElasticHingeModel::Animated>(index));
     });
     controls->addWidget(animated_);
     crank_ = new ValueSlider(tr("&φ"), 0.0, 360.0, 1.0, 15.0, 0, QStringLiteral("°"), picturePanel);
@@ -263,10 +263,9 @@ QWidget* ElasticHingePage::buildAnswer() {
     takePreload_->setObjectName(QStringLiteral("take_preload"));
     takeStiffness_ = new QPushButton(tr("Take this sti&ffness"), answer);
     takeStiffness_->setObjectName(QStringLiteral("take_stiffness"));
-    connect(takePreload_, &QPushButton::clicked, model_,
-            &ElasticHingeViewModel::takeMinimumPreload);
+    connect(takePreload_, &QPushButton::clicked, model_, &ElasticHingeModel::takeMinimumPreload);
     connect(takeStiffness_, &QPushButton::clicked, model_,
-            &ElasticHingeViewModel::takeMinimumStiffness);
+            &ElasticHingeModel::takeMinimumStiffness);
     mend->addWidget(takePreload_);
     mend->addWidget(takeStiffness_);
     answerColumn->addLayout(mend);
@@ -300,7 +299,7 @@ void ElasticHingePage::showInput() {
 }
 
 void ElasticHingePage::showAnswer() {
-    using Level = ElasticHingeViewModel::Verdict::Level;
+    using Level = ElasticHingeModel::Verdict::Level;
     const auto verdict = model_->verdict();
     const Theme& theme = Theme::instance();
     QPalette palette = verdict_->palette();

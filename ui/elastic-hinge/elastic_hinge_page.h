@@ -1,6 +1,6 @@
 #pragma once
 
-#include "elastic-hinge/elastic_hinge_view_model.h"
+#include "elastic-hinge/model/elastic_hinge_model.h"
 #include "shell/scene_page.h"
 
 class QComboBox;
@@ -25,8 +25,8 @@ class ElasticHingePage : public ScenePage {
     explicit ElasticHingePage(QWidget* parent = nullptr);
     ~ElasticHingePage() override { putAway(); }
 
-    SceneViewModel* model() override;
-    ElasticHingeViewModel* viewModel() { return model_; }
+    SceneModel* model() override;
+    ElasticHingeModel* viewModel() { return model_; }
     QList<QAction*> sceneActions() override;
     QString resultsAsText() const override;
     QString resultsAsCsv() const override;
@@ -52,7 +52,7 @@ class ElasticHingePage : public ScenePage {
     void showAnswer();
     void showCrank();
 
-    ElasticHingeViewModel* model_;
+    ElasticHingeModel* model_;
     ValueSlider* omega_ = nullptr;
     ValueSlider* lambda_ = nullptr;
     ValueSlider* stiffness_ = nullptr;

@@ -27,7 +27,7 @@ constexpr FieldSpec stepField{"step_deg", "°", Range::between(0.01, 90)};
 
 }  // namespace
 
-GuideExportForm::GuideExportForm(ElasticHingeViewModel* model, QWidget* parent)
+GuideExportForm::GuideExportForm(ElasticHingeModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(Theme::margin, Theme::margin, Theme::margin, Theme::margin);
@@ -82,7 +82,7 @@ GuideExportForm::GuideExportForm(ElasticHingeViewModel* model, QWidget* parent)
             [this] { ask(tr("DXF drawing (*.dxf)"), QStringLiteral(".dxf")); });
     connect(csv_, &QPushButton::clicked, this,
             [this] { ask(tr("CSV table (*.csv)"), QStringLiteral(".csv")); });
-    connect(model_, &SceneViewModel::changed, this, &GuideExportForm::show);
+    connect(model_, &SceneModel::changed, this, &GuideExportForm::show);
     show();
 }
 

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "elastic-hinge/elastic_hinge_view_model.h"
+#include "elastic-hinge/model/elastic_hinge_model.h"
 
 class QComboBox;
 class QLabel;
@@ -17,7 +17,7 @@ class GuideExportForm : public QWidget {
     Q_OBJECT
 
   public:
-    explicit GuideExportForm(ElasticHingeViewModel* model, QWidget* parent = nullptr);
+    explicit GuideExportForm(ElasticHingeModel* model, QWidget* parent = nullptr);
 
     /// Writes to a file, DXF or CSV by its ending, as the form is set.
     /// @return an empty string, or what is wrong
@@ -32,7 +32,7 @@ class GuideExportForm : public QWidget {
     void ask(const QString& filter, const QString& ending);
     elastic_hinge::Hinge hinge() const;
 
-    ElasticHingeViewModel* model_;
+    ElasticHingeModel* model_;
     QComboBox* hinge_;
     QComboBox* branch_;
     QComboBox* turns_;

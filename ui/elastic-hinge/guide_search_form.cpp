@@ -14,7 +14,7 @@ using elastic_hinge::GuideWish;
 using elastic_hinge::Input;
 namespace field = elastic_hinge::field;
 
-GuideSearchForm::GuideSearchForm(ElasticHingeViewModel* model, QWidget* parent)
+GuideSearchForm::GuideSearchForm(ElasticHingeModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(Theme::margin, Theme::margin, Theme::margin, Theme::margin);
@@ -45,7 +45,7 @@ GuideSearchForm::GuideSearchForm(ElasticHingeViewModel* model, QWidget* parent)
     take_->setToolTip(tr("Sets c and ρ₀ to the values found"));
     column->addWidget(take_);
     column->addStretch();
-    connect(take_, &QPushButton::clicked, model_, &ElasticHingeViewModel::takeProposal);
+    connect(take_, &QPushButton::clicked, model_, &ElasticHingeModel::takeProposal);
 
     const auto edit = [this](const QString& name, auto write) {
         return [this, name, write](std::optional<double> value) {
@@ -69,7 +69,7 @@ GuideSearchForm::GuideSearchForm(ElasticHingeViewModel* model, QWidget* parent)
                 wish.smallest_spring_length =
                     value ? std::optional(*value * field::millimetre) : std::nullopt;
             }));
-    connect(model_, &SceneViewModel::changed, this, [this] {
+    connect(model_, &SceneModel::changed, this, [this] {
         if (isVisible()) {
             show();
         }

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "elastic-hinge/elastic_hinge_view_model.h"
+#include "elastic-hinge/model/elastic_hinge_model.h"
 
 class QLabel;
 class QPushButton;
@@ -16,7 +16,7 @@ class GuideSearchForm : public QWidget {
     Q_OBJECT
 
   public:
-    explicit GuideSearchForm(ElasticHingeViewModel* model, QWidget* parent = nullptr);
+    explicit GuideSearchForm(ElasticHingeModel* model, QWidget* parent = nullptr);
 
   protected:
     void showEvent(QShowEvent* event) override;
@@ -24,7 +24,7 @@ class GuideSearchForm : public QWidget {
   private:
     void show();
 
-    ElasticHingeViewModel* model_;
+    ElasticHingeModel* model_;
     NumberField* relief_;
     NumberField* diameter_;
     NumberField* shortest_;

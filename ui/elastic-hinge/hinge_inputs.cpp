@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "elastic-hinge/number_list_field.h"
-#include "elastic-hinge/presets.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
-#include "widgets/number_text.h"
+#include "elastic-hinge/presets.h"
 
 namespace ravnoves {
 
@@ -44,7 +44,7 @@ Spring rodSpring(const Input& input) {
 
 }  // namespace
 
-HingeInputs::HingeInputs(ElasticHingeViewModel* model, QWidget* parent)
+HingeInputs::HingeInputs(ElasticHingeModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(Theme::margin, Theme::margin, Theme::margin, Theme::margin);
@@ -109,7 +109,7 @@ HingeInputs::HingeInputs(ElasticHingeViewModel* model, QWidget* parent)
     column->addWidget(familySection());
     column->addStretch();
 
-    connect(model_, &SceneViewModel::changed, this, &HingeInputs::show);
+    connect(model_, &SceneModel::changed, this, &HingeInputs::show);
     show();
 }
 
@@ -414,10 +414,9 @@ FormSection* HingeInputs::familySection() {
         tr("λ that the side force is compared for. Paper: 0.3, 0.4, 0.6, 0.8, 1 "
            "(1 with the series only)."));
     section->addWidget(tr("Ratios &λ"), lambdas_);
-    connect(speeds_, &NumberListField::valuesEdited, model_,
-            &ElasticHingeViewModel::setCompareSpeeds);
+    connect(speeds_, &NumberListField::valuesEdited, model_, &ElasticHingeModel::setCompareSpeeds);
     connect(lambdas_, &NumberListField::valuesEdited, model_,
-            &ElasticHingeViewModel::setCompareLambdas);
+            &ElasticHingeModel::setCompareLambdas);
     return section;
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "elastic-hinge/elastic_hinge_view_model.h"
+#include "elastic-hinge/model/elastic_hinge_model.h"
 
 class QCheckBox;
 class QComboBox;
@@ -21,7 +21,7 @@ class HingeInputs : public QWidget {
     Q_OBJECT
 
   public:
-    explicit HingeInputs(ElasticHingeViewModel* model, QWidget* parent = nullptr);
+    explicit HingeInputs(ElasticHingeModel* model, QWidget* parent = nullptr);
 
   private:
     /// A field bound to one number of the input.
@@ -45,7 +45,7 @@ class HingeInputs : public QWidget {
     FormSection* familySection();
     void show();
 
-    ElasticHingeViewModel* model_;
+    ElasticHingeModel* model_;
     std::vector<Binding> bindings_;
     QComboBox* preset_ = nullptr;
     QComboBox* given_ = nullptr;

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "elastic-hinge/elastic_hinge_view_model.h"
+#include "elastic-hinge/model/elastic_hinge_model.h"
 #include "numerics/constants.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/number_text.h"
 
 namespace ravnoves {
 
@@ -62,7 +62,7 @@ struct HingeMechanismView::Scale {
     }
 };
 
-HingeMechanismView::HingeMechanismView(ElasticHingeViewModel* model, QWidget* parent)
+HingeMechanismView::HingeMechanismView(ElasticHingeModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Picture of the mechanism with its hinges"));
@@ -73,9 +73,9 @@ HingeMechanismView::HingeMechanismView(ElasticHingeViewModel* model, QWidget* pa
     timer_.setInterval(frameMs);
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &HingeMechanismView::step);
-    connect(model_, &SceneViewModel::changed, this, qOverload<>(&QWidget::update));
-    connect(model_, &ElasticHingeViewModel::viewChanged, this, qOverload<>(&QWidget::update));
-    connect(model_, &ElasticHingeViewModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
+    connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
+    connect(model_, &ElasticHingeModel::viewChanged, this, qOverload<>(&QWidget::update));
+    connect(model_, &ElasticHingeModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 

@@ -6,7 +6,7 @@
 
 namespace ravnoves {
 
-class ElasticHingeViewModel;
+class ElasticHingeModel;
 
 /// The mechanism to scale, with the crank's spring and guide (relief enlarged as in the plot), the
 /// rod's hinge and the counterweight. Space plays the computed motion in slow motion; dragging
@@ -15,7 +15,7 @@ class HingeMechanismView : public QWidget {
     Q_OBJECT
 
   public:
-    explicit HingeMechanismView(ElasticHingeViewModel* model, QWidget* parent = nullptr);
+    explicit HingeMechanismView(ElasticHingeModel* model, QWidget* parent = nullptr);
 
     bool isPlaying() const { return timer_.isActive(); }
     void setPlaying(bool playing);
@@ -39,7 +39,7 @@ class HingeMechanismView : public QWidget {
     Scale scale() const;
     void step();
 
-    ElasticHingeViewModel* model_;
+    ElasticHingeModel* model_;
     QTimer timer_;
     QElapsedTimer sinceStep_;
 };

@@ -11,9 +11,9 @@
 #include <cmath>
 
 #include "elastic-hinge/rod_hinge_moment.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
-#include "widgets/number_text.h"
 #include "widgets/panel.h"
 #include "widgets/value_slider.h"
 
@@ -47,7 +47,7 @@ PlotView::CurveStyle HingePlots::profileStyle(const QString& name) {
             .toolTip = tr("What the roller touches: the path of its centre offset by its radius")};
 }
 
-HingePlots::HingePlots(ElasticHingeViewModel* model, QWidget* parent)
+HingePlots::HingePlots(ElasticHingeModel* model, QWidget* parent)
     : QTabWidget(parent), model_(model) {
     setDocumentMode(true);
     addTab(buildGuides(), tr("&Guides"));
@@ -64,14 +64,14 @@ HingePlots::HingePlots(ElasticHingeViewModel* model, QWidget* parent)
         }
     }
     connect(this, &QTabWidget::currentChanged, this, &HingePlots::refresh);
-    connect(model_, &SceneViewModel::changed, this, &HingePlots::refresh);
-    connect(model_, &ElasticHingeViewModel::viewChanged, this, &HingePlots::refresh);
-    connect(model_, &ElasticHingeViewModel::motionsChanged, this, [this] {
+    connect(model_, &SceneModel::changed, this, &HingePlots::refresh);
+    connect(model_, &ElasticHingeModel::viewChanged, this, &HingePlots::refresh);
+    connect(model_, &ElasticHingeModel::motionsChanged, this, [this] {
         if (currentWidget()->objectName() == QLatin1String("motion")) {
             showMotion();
         }
     });
-    connect(model_, &ElasticHingeViewModel::crankAngleChanged, this, &HingePlots::showPresent);
+    connect(model_, &ElasticHingeModel::crankAngleChanged, this, &HingePlots::showPresent);
     refresh();
 }
 

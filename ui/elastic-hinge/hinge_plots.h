@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "elastic-hinge/elastic_hinge_view_model.h"
+#include "elastic-hinge/model/elastic_hinge_model.h"
 #include "plot/plot_view.h"
 
 class QComboBox;
@@ -23,7 +23,7 @@ class HingePlots : public QTabWidget {
     Q_OBJECT
 
   public:
-    explicit HingePlots(ElasticHingeViewModel* model, QWidget* parent = nullptr);
+    explicit HingePlots(ElasticHingeModel* model, QWidget* parent = nullptr);
 
     QList<PlotView*> plots() const;
     /// The plots of the tab in front.
@@ -78,7 +78,7 @@ class HingePlots : public QTabWidget {
     void showMotion();
     void showPresent();
 
-    ElasticHingeViewModel* model_;
+    ElasticHingeModel* model_;
     PlotView* guide_ = nullptr;
     PlotView* relief_ = nullptr;
     PlotView* rodMoment_ = nullptr;

@@ -3,8 +3,8 @@
 #include <QPainter>
 #include <QRegularExpression>
 
+#include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/number_text.h"
 
 namespace ravnoves {
 

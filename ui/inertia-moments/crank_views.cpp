@@ -7,9 +7,9 @@
 #include <map>
 
 #include "inertia-moments/drawing.h"
-#include "inertia-moments/inertia_moments_view_model.h"
+#include "inertia-moments/model/inertia_moments_model.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/number_text.h"
 
 namespace ravnoves {
 
@@ -27,15 +27,15 @@ QString angleText(double radians) {
     return fixedNumber(value > 359.95 ? 0.0 : value, 1, QLocale()) + QStringLiteral("°");
 }
 
-void connectTo(InertiaMomentsViewModel* model, QWidget* widget) {
+void connectTo(InertiaMomentsModel* model, QWidget* widget) {
     widget->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    QObject::connect(model, &SceneViewModel::changed, widget, qOverload<>(&QWidget::update));
+    QObject::connect(model, &SceneModel::changed, widget, qOverload<>(&QWidget::update));
     QObject::connect(&Theme::instance(), &Theme::changed, widget, qOverload<>(&QWidget::update));
 }
 
 }  // namespace
 
-CounterweightView::CounterweightView(InertiaMomentsViewModel* model, QWidget* parent)
+CounterweightView::CounterweightView(InertiaMomentsModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     setAccessibleName(tr("Rotating masses and counterweights"));
     setToolTip(
@@ -169,15 +169,14 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
     }
 }
 
-FiringWheel::FiringWheel(InertiaMomentsViewModel* model, QWidget* parent)
+FiringWheel::FiringWheel(InertiaMomentsModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     setAccessibleName(tr("Firing order"));
     setToolTip(
         tr("One four-stroke cycle of 720°, counter-clockwise from the top: cylinders in "
            "the order of firing, the intervals between them, the present crank angle."));
     connectTo(model, this);
-    connect(model_, &InertiaMomentsViewModel::crankAngleChanged, this,
-            qOverload<>(&QWidget::update));
+    connect(model_, &InertiaMomentsModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
 }
 
 void FiringWheel::paintEvent(QPaintEvent* /*event*/) {

@@ -11,15 +11,15 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "inertia-moments/cylinder_table_model.h"
-#include "inertia-moments/inertia_moments_view_model.h"
+#include "inertia-moments/model/cylinder_table_model.h"
+#include "inertia-moments/model/inertia_moments_model.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 
 namespace ravnoves {
 
-CylinderEditor::CylinderEditor(InertiaMomentsViewModel* model, QWidget* parent)
+CylinderEditor::CylinderEditor(InertiaMomentsModel* model, QWidget* parent)
     : QWidget(parent), model_(model), table_(new CylinderTableModel(model, this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(Theme::margin, Theme::space, Theme::margin, Theme::space);
@@ -84,7 +84,7 @@ CylinderEditor::CylinderEditor(InertiaMomentsViewModel* model, QWidget* parent)
     column->addWidget(message_);
 
     connect(table_, &CylinderTableModel::troubleChanged, this, &CylinderEditor::say);
-    connect(model_, &SceneViewModel::changed, this, &CylinderEditor::showState);
+    connect(model_, &SceneModel::changed, this, &CylinderEditor::showState);
     showState();
 }
 

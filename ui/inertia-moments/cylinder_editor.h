@@ -9,14 +9,14 @@ class QTableView;
 namespace ravnoves {
 
 class CylinderTableModel;
-class InertiaMomentsViewModel;
+class InertiaMomentsModel;
 
 /// The cylinder table with its tools: edit, add, remove, copy, paste, even firing.
 class CylinderEditor : public QWidget {
     Q_OBJECT
 
   public:
-    explicit CylinderEditor(InertiaMomentsViewModel* model, QWidget* parent = nullptr);
+    explicit CylinderEditor(InertiaMomentsModel* model, QWidget* parent = nullptr);
 
     QTableView* view() const { return view_; }
     CylinderTableModel* tableModel() const { return table_; }
@@ -30,7 +30,7 @@ class CylinderEditor : public QWidget {
     void say(const QString& trouble);
     void showState();
 
-    InertiaMomentsViewModel* model_;
+    InertiaMomentsModel* model_;
     CylinderTableModel* table_;
     QTableView* view_;
     QLabel* state_;

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "inertia-moments/drawing.h"
-#include "inertia-moments/inertia_moments_view_model.h"
+#include "inertia-moments/model/inertia_moments_model.h"
 #include "inertia-moments/pose.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/number_text.h"
 
 namespace ravnoves {
 
@@ -55,7 +55,7 @@ double pointerAngle(const QPointF& from, const QPointF& to) {
 
 }  // namespace
 
-EngineView::EngineView(InertiaMomentsViewModel* model, QWidget* parent)
+EngineView::EngineView(InertiaMomentsModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Engine from the front and the crank from the side"));
@@ -66,9 +66,8 @@ EngineView::EngineView(InertiaMomentsViewModel* model, QWidget* parent)
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this,
             [this] { model_->setCrankAngleDeg(model_->crankAngleDeg() + degreesPerFrame); });
-    connect(model_, &SceneViewModel::changed, this, qOverload<>(&QWidget::update));
-    connect(model_, &InertiaMomentsViewModel::crankAngleChanged, this,
-            qOverload<>(&QWidget::update));
+    connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
+    connect(model_, &InertiaMomentsModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 

@@ -7,7 +7,7 @@
 
 namespace ravnoves {
 
-class InertiaMomentsViewModel;
+class InertiaMomentsModel;
 
 /// The engine to scale: front view with banks, offsets, pistons, rods and the crank star, and below
 /// it the crank from the side. Space plays and pauses; dragging turns the crank.
@@ -15,7 +15,7 @@ class EngineView : public QWidget {
     Q_OBJECT
 
   public:
-    explicit EngineView(InertiaMomentsViewModel* model, QWidget* parent = nullptr);
+    explicit EngineView(InertiaMomentsModel* model, QWidget* parent = nullptr);
 
     bool isPlaying() const { return timer_.isActive(); }
     void setPlaying(bool playing);
@@ -41,7 +41,7 @@ class EngineView : public QWidget {
     void paintFront(QPainter& painter, const QRectF& area);
     void paintSide(QPainter& painter, const QRectF& area);
 
-    InertiaMomentsViewModel* model_;
+    InertiaMomentsModel* model_;
     QTimer timer_;
     double dragOffset_ = 0.0;  ///< crank angle less pointer's angle at the press, °
     QPointF crankPixel_;       ///< crank axis in the front view as last drawn

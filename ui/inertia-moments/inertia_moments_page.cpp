@@ -21,16 +21,16 @@
 #include "inertia-moments/crank_views.h"
 #include "inertia-moments/cylinder_editor.h"
 #include "inertia-moments/engine_view.h"
-#include "inertia-moments/inertia_moments_view_model.h"
+#include "inertia-moments/model/inertia_moments_model.h"
 #include "inertia-moments/order_bars.h"
 #include "inertia-moments/presets.h"
 #include "inertia-moments/shaft_editor.h"
 #include "inertia-moments/shaft_view.h"
+#include "text/number_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
-#include "widgets/number_text.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 #include "widgets/value_slider.h"
@@ -49,7 +49,7 @@ namespace field = inertia_moments::field;
 
 namespace {
 
-using Tabs = InertiaMomentsViewModel::Tabs;
+using Tabs = InertiaMomentsModel::Tabs;
 
 constexpr double crankStep = 1.0;
 constexpr int plotStep = 3;        // degrees between the points of one order
@@ -125,7 +125,7 @@ double niceReach(double value) {
 }  // namespace
 
 InertiaMomentsPage::InertiaMomentsPage(QWidget* parent)
-    : ScenePage(parent), model_(new InertiaMomentsViewModel(this)) {
+    : ScenePage(parent), model_(new InertiaMomentsModel(this)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     row->setSpacing(Theme::space);
@@ -166,15 +166,14 @@ InertiaMomentsPage::InertiaMomentsPage(QWidget* parent)
         playButton_->setToolTip(playing ? tr("Pause (Space)") : tr("Play (Space)"));
     });
 
-    connect(model_, &SceneViewModel::changed, this, &InertiaMomentsPage::showInput);
-    connect(model_, &SceneViewModel::changed, this, &InertiaMomentsPage::showResult);
-    connect(model_, &InertiaMomentsViewModel::crankAngleChanged, this,
-            &InertiaMomentsPage::showCursor);
-    connect(model_, &InertiaMomentsViewModel::refused, this, [this](const QString& why) {
+    connect(model_, &SceneModel::changed, this, &InertiaMomentsPage::showInput);
+    connect(model_, &SceneModel::changed, this, &InertiaMomentsPage::showResult);
+    connect(model_, &InertiaMomentsModel::crankAngleChanged, this, &InertiaMomentsPage::showCursor);
+    connect(model_, &InertiaMomentsModel::refused, this, [this](const QString& why) {
         Q_EMIT status(why);
         showSliders();  // a slider that went too far comes back
     });
-    connect(model_, &InertiaMomentsViewModel::tabChanged, this, [this](Tabs group, int index) {
+    connect(model_, &InertiaMomentsModel::tabChanged, this, [this](Tabs group, int index) {
         QTabWidget* tabs = group == Tabs::Inputs   ? inputs_
                            : group == Tabs::Charts ? charts_
                                                    : answer_;
@@ -188,7 +187,7 @@ InertiaMomentsPage::InertiaMomentsPage(QWidget* parent)
     showCursor(model_->crankAngleDeg());
 }
 
-SceneViewModel* InertiaMomentsPage::model() {
+SceneModel* InertiaMomentsPage::model() {
     return model_;
 }
 
@@ -231,7 +230,7 @@ QWidget* InertiaMomentsPage::buildEngineForm() {
 
     auto* layout = new FormSection(tr("Layout"), form);
     layout_ = new QComboBox(form);
-    for (const QString& name : InertiaMomentsViewModel::layoutNames()) {
+    for (const QString& name : InertiaMomentsModel::layoutNames()) {
         layout_->addItem(model_->layoutTitle(name), name);
     }
     layout_->setMaxVisibleItems(24);
@@ -400,7 +399,7 @@ QWidget* InertiaMomentsPage::buildBalancingForm() {
     shafts->addWide(shafts_);
     auto* add = new QPushButton(tr("&Add shaft"), form);
     add->setObjectName(QStringLiteral("add_shaft"));
-    connect(add, &QPushButton::clicked, model_, &InertiaMomentsViewModel::addShaft);
+    connect(add, &QPushButton::clicked, model_, &InertiaMomentsModel::addShaft);
     shafts->addWide(add);
     column->addWidget(shafts);
 
@@ -472,29 +471,29 @@ QWidget* InertiaMomentsPage::buildSliders() {
         slider->box()->setObjectName(name);
         slider->setHint(hint);
         connect(slider, &ValueSlider::valueEdited, model_, set);
-        connect(slider, &ValueSlider::released, model_, &InertiaMomentsViewModel::finishDrag);
+        connect(slider, &ValueSlider::released, model_, &InertiaMomentsModel::finishDrag);
         grid->addWidget(slider, row, column);
     };
     bank_ = new ValueSlider(tr("Bank an&gle γ"), 0.0, 180.0, 0.1, 5.0, 1, QStringLiteral("°"), bar);
     add(bank_, QStringLiteral("bank_angle_deg"),
         tr("Between the banks, 0 to 180°. Crankpins for even firing follow it; those of a table "
            "stay, and its bank angles are scaled."),
-        0, 0, &InertiaMomentsViewModel::setBankAngleDeg);
+        0, 0, &InertiaMomentsModel::setBankAngleDeg);
     offset_ = new ValueSlider(tr("O&ffset e"), -50.0, 50.0, 0.01, 1.0, 2, tr("mm"), bar);
     add(offset_, QStringLiteral("offset_mm"),
         tr("Distance of the cylinder axes from the crank axis, as far as the mechanism does not "
            "lock. Of a table: the largest; the others are scaled with it."),
-        0, 1, &InertiaMomentsViewModel::setOffsetMm);
+        0, 1, &InertiaMomentsModel::setOffsetMm);
     speed_ = new ValueSlider(tr("Speed &n"), 100.0, 10000.0, 10.0, 500.0, 0, tr("min⁻¹"), bar);
     add(speed_, QStringLiteral("speed_rpm"),
         tr("Crankshaft speed; forces and moments grow with its square."), 1, 0,
-        &InertiaMomentsViewModel::setSpeedRpm);
+        &InertiaMomentsModel::setSpeedRpm);
     reference_ =
         new ValueSlider(tr("Centre of mass &z"), -500.0, 500.0, 0.1, 10.0, 1, tr("mm"), bar);
     add(reference_, QStringLiteral("reference_position_mm"),
         tr("Axial position of the point that moments refer to, in the coordinates of the "
            "cylinders; positive towards cylinder 1."),
-        1, 1, &InertiaMomentsViewModel::setReferenceMm);
+        1, 1, &InertiaMomentsModel::setReferenceMm);
     grid->setColumnStretch(0, 1);
     grid->setColumnStretch(1, 1);
     return bar;
@@ -537,7 +536,7 @@ QWidget* InertiaMomentsPage::buildPlots() {
                         .colour = 4,
                         .width = 2.2,
                         .toolTip = tr("Horizontal plane, likewise")});
-        connect(plot, &PlotView::cursorMoved, model_, &InertiaMomentsViewModel::setCrankAngleDeg);
+        connect(plot, &PlotView::cursorMoved, model_, &InertiaMomentsModel::setCrankAngleDeg);
         moments_[i] = plot;
         column->addWidget(plot, 4);
     }
@@ -609,7 +608,7 @@ QWidget* InertiaMomentsPage::buildCharts() {
     roll_->addCurve({.name = tr("reaction torque"),
                      .colour = 3,
                      .toolTip = tr("Reaction of the inertia torque on the crank, −Σ F ds/dφ")});
-    connect(roll_, &PlotView::cursorMoved, model_, &InertiaMomentsViewModel::setCrankAngleDeg);
+    connect(roll_, &PlotView::cursorMoved, model_, &InertiaMomentsModel::setCrankAngleDeg);
     charts_->addTab(roll_, tr("Roll"));
     shaftView_ = new ShaftView(model_, charts_);
     charts_->addTab(shaftView_, tr("Shafts"));
@@ -665,7 +664,7 @@ QWidget* InertiaMomentsPage::buildAnswer() {
     crank_ = new ValueSlider(tr("&φ"), 0.0, cycleDegrees, crankStep, 15.0, 0, QStringLiteral("°"),
                              picturePanel);
     crank_->setHint(tr("Crank angle of the picture, from cylinder 1's axis"));
-    connect(crank_, &ValueSlider::valueEdited, model_, &InertiaMomentsViewModel::setCrankAngleDeg);
+    connect(crank_, &ValueSlider::valueEdited, model_, &InertiaMomentsModel::setCrankAngleDeg);
     controls->addWidget(crank_, 1);
     pictureColumn->addLayout(controls);
     column->addWidget(picturePanel, 5);

@@ -25,7 +25,7 @@ class CylinderEditor;
 class EngineView;
 class FiringWheel;
 class FormSection;
-class InertiaMomentsViewModel;
+class InertiaMomentsModel;
 class NumberField;
 class OrderBars;
 class ResultTable;
@@ -42,8 +42,8 @@ class InertiaMomentsPage : public ScenePage {
     explicit InertiaMomentsPage(QWidget* parent = nullptr);
     ~InertiaMomentsPage() override { putAway(); }
 
-    SceneViewModel* model() override;
-    InertiaMomentsViewModel* viewModel() { return model_; }
+    SceneModel* model() override;
+    InertiaMomentsModel* viewModel() { return model_; }
     QList<QAction*> sceneActions() override;
     QString resultsAsText() const override;
     QString resultsAsCsv() const override;
@@ -102,7 +102,7 @@ class InertiaMomentsPage : public ScenePage {
     void showAnswer();
     void showCursor(double crankAngle);
 
-    InertiaMomentsViewModel* model_;
+    InertiaMomentsModel* model_;
     std::vector<Binding> bindings_;
     QTabWidget* inputs_ = nullptr;
     QComboBox* layout_ = nullptr;

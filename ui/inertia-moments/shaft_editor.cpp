@@ -9,12 +9,12 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "inertia-moments/inertia_moments_view_model.h"
+#include "inertia-moments/model/inertia_moments_model.h"
+#include "text/number_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
-#include "widgets/number_text.h"
 
 namespace ravnoves {
 
@@ -27,7 +27,7 @@ class ShaftRow : public QWidget {
     Q_OBJECT
 
   public:
-    ShaftRow(InertiaMomentsViewModel* model, int index, QWidget* parent)
+    ShaftRow(InertiaMomentsModel* model, int index, QWidget* parent)
         : QWidget(parent), model_(model), index_(index) {
         auto* column = new QVBoxLayout(this);
         column->setContentsMargins(0, Theme::gap, 0, Theme::gap);
@@ -183,7 +183,7 @@ class ShaftRow : public QWidget {
         box->setMinimumContentsLength(2);
     }
 
-    InertiaMomentsViewModel* model_;
+    InertiaMomentsModel* model_;
     int index_;
     std::optional<bool> moment_;  ///< task that the place's field is set up for
     QCheckBox* enabled_;
@@ -196,7 +196,7 @@ class ShaftRow : public QWidget {
     NumberField* error_;
 };
 
-ShaftEditor::ShaftEditor(InertiaMomentsViewModel* model, QWidget* parent)
+ShaftEditor::ShaftEditor(InertiaMomentsModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -204,7 +204,7 @@ ShaftEditor::ShaftEditor(InertiaMomentsViewModel* model, QWidget* parent)
     list_ = new QVBoxLayout;
     list_->setSpacing(0);
     column->addLayout(list_);
-    connect(model_, &SceneViewModel::changed, this, &ShaftEditor::refresh);
+    connect(model_, &SceneModel::changed, this, &ShaftEditor::refresh);
     refresh();
 }
 

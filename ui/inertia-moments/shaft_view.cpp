@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "inertia-moments/drawing.h"
-#include "inertia-moments/inertia_moments_view_model.h"
+#include "inertia-moments/model/inertia_moments_model.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/number_text.h"
 
 namespace ravnoves {
 
@@ -28,8 +28,7 @@ QString short4(double value) {
 
 }  // namespace
 
-ShaftView::ShaftView(InertiaMomentsViewModel* model, QWidget* parent)
-    : QWidget(parent), model_(model) {
+ShaftView::ShaftView(InertiaMomentsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Balance shafts: arrangement and phases"));
     setToolTip(
@@ -37,9 +36,8 @@ ShaftView::ShaftView(InertiaMomentsViewModel* model, QWidget* parent)
            "weights lie opposite. Dashed: cylinder 1's axis and crankpin 1. Click a shaft to "
            "switch it; arrow keys and Space do the same."));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    connect(model_, &SceneViewModel::changed, this, qOverload<>(&QWidget::update));
-    connect(model_, &InertiaMomentsViewModel::crankAngleChanged, this,
-            qOverload<>(&QWidget::update));
+    connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
+    connect(model_, &InertiaMomentsModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 

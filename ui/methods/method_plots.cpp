@@ -8,11 +8,11 @@
 #include <limits>
 #include <tuple>
 
-#include "methods/method_words.h"
+#include "methods/model/method_words.h"
 #include "methods/sweep_value_field.h"
 #include "plot/ticks.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/number_text.h"
 
 namespace ravnoves {
 
@@ -86,8 +86,7 @@ std::pair<double, double> around(const SweepInfo& sweep, const std::vector<doubl
 
 }  // namespace
 
-MethodPlots::MethodPlots(MethodsViewModel* model, QWidget* parent)
-    : QWidget(parent), model_(model) {
+MethodPlots::MethodPlots(MethodsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(Theme::space);
@@ -103,12 +102,12 @@ MethodPlots::MethodPlots(MethodsViewModel* model, QWidget* parent)
             model_->setValue(roundedForHand(model_->sweep(), x));
         }
     });
-    connect(model, &SceneViewModel::changed, this, &MethodPlots::showMeasurement);
-    connect(model, &MethodsViewModel::sweepChanged, this, &MethodPlots::showValue);
-    connect(model, &MethodsViewModel::valueChanged, this, &MethodPlots::showValue);
-    connect(model, &MethodsViewModel::caseChanged, this, &MethodPlots::showValue);
-    connect(model, &MethodsViewModel::shownMethodChanged, this, &MethodPlots::showFailing);
-    connect(model, &MethodsViewModel::measurementChanged, this, &MethodPlots::showStale);
+    connect(model, &SceneModel::changed, this, &MethodPlots::showMeasurement);
+    connect(model, &MethodsModel::sweepChanged, this, &MethodPlots::showValue);
+    connect(model, &MethodsModel::valueChanged, this, &MethodPlots::showValue);
+    connect(model, &MethodsModel::caseChanged, this, &MethodPlots::showValue);
+    connect(model, &MethodsModel::shownMethodChanged, this, &MethodPlots::showFailing);
+    connect(model, &MethodsModel::measurementChanged, this, &MethodPlots::showStale);
     connect(&Theme::instance(), &Theme::changed, this, &MethodPlots::showFailing);
     showMeasurement();
 }

@@ -19,13 +19,13 @@
 #include "case-file/input_error.h"
 #include "case-file/text_file.h"
 #include "methods/method_plots.h"
-#include "methods/method_words.h"
+#include "methods/model/method_words.h"
 #include "methods/sweep_value_field.h"
 #include "methods/validation_view.h"
+#include "text/error_text.h"
+#include "text/file_path.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
-#include "widgets/error_text.h"
-#include "widgets/file_path.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
 #include "widgets/panel.h"
@@ -90,7 +90,7 @@ QString paragraph(const QString& heading, const QString& text) {
 
 }  // namespace
 
-MethodsPage::MethodsPage(QWidget* parent) : ScenePage(parent), model_(new MethodsViewModel(this)) {
+MethodsPage::MethodsPage(QWidget* parent) : ScenePage(parent), model_(new MethodsModel(this)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     row->setSpacing(Theme::space);
@@ -107,28 +107,28 @@ MethodsPage::MethodsPage(QWidget* parent) : ScenePage(parent), model_(new Method
     againAction_ = new QAction(themedIcon(QStringLiteral("play")), tr("&Measure again"), this);
     againAction_->setToolTip(tr("Measure this kernel again, with more repetitions (F5)"));
     againAction_->setShortcut(QKeySequence(Qt::Key_F5));
-    connect(againAction_, &QAction::triggered, model_, &MethodsViewModel::measureAgain);
+    connect(againAction_, &QAction::triggered, model_, &MethodsModel::measureAgain);
     exportAction_ = new QAction(themedIcon(QStringLiteral("export")), tr("&Export…"), this);
     exportAction_->setToolTip(tr("Export the table in front as CSV, or the charts as SVG or PNG"));
     connect(exportAction_, &QAction::triggered, this, &MethodsPage::exportWithDialog);
 
-    connect(model_, &MethodsViewModel::kernelChanged, this, &MethodsPage::showKernel);
-    connect(model_, &MethodsViewModel::sweepChanged, this, &MethodsPage::showSweep);
-    connect(model_, &MethodsViewModel::valueChanged, this, &MethodsPage::showValue);
-    connect(model_, &MethodsViewModel::caseChanged, this, &MethodsPage::showCase);
-    connect(model_, &SceneViewModel::changed, this, &MethodsPage::showTable);
-    connect(model_, &MethodsViewModel::measurementChanged, this, &MethodsPage::showRunning);
+    connect(model_, &MethodsModel::kernelChanged, this, &MethodsPage::showKernel);
+    connect(model_, &MethodsModel::sweepChanged, this, &MethodsPage::showSweep);
+    connect(model_, &MethodsModel::valueChanged, this, &MethodsPage::showValue);
+    connect(model_, &MethodsModel::caseChanged, this, &MethodsPage::showCase);
+    connect(model_, &SceneModel::changed, this, &MethodsPage::showTable);
+    connect(model_, &MethodsModel::measurementChanged, this, &MethodsPage::showRunning);
     connect(model_->measurements(), &MethodMeasurements::progressed, this, [this](double part) {
         progress_->setValue(static_cast<int>(std::lround(100 * part)));
     });
-    connect(model_, &MethodsViewModel::failed, this, &ScenePage::status);
+    connect(model_, &MethodsModel::failed, this, &ScenePage::status);
     connect(&Theme::instance(), &Theme::changed, this, &MethodsPage::showTable);
     showKernel();
     showTable();
     showRunning();
 }
 
-SceneViewModel* MethodsPage::model() {
+SceneModel* MethodsPage::model() {
     return model_;
 }
 
@@ -160,13 +160,13 @@ QWidget* MethodsPage::buildChoice() {
     connect(sweeps_, &QComboBox::activated, this,
             [this](int index) { model_->setSweep(static_cast<std::size_t>(index)); });
     value_ = new SweepValueField(panel);
-    connect(value_, &SweepValueField::valueEdited, model_, &MethodsViewModel::setValue);
+    connect(value_, &SweepValueField::valueEdited, model_, &MethodsModel::setValue);
     case_ = captionLabel({}, panel);
     case_->setObjectName(QStringLiteral("open_case"));
     takeCase_ = new QPushButton(tr("Take the &open case"), panel);
     takeCase_->setObjectName(QStringLiteral("take_case"));
     takeCase_->setToolTip(tr("Measure at the value of the case that is open in the scene"));
-    connect(takeCase_, &QPushButton::clicked, model_, &MethodsViewModel::followCase);
+    connect(takeCase_, &QPushButton::clicked, model_, &MethodsModel::followCase);
     column->addWidget(labelFor(tr("&Quantity"), kernels_, panel));
     column->addWidget(kernels_);
     column->addWidget(labelFor(tr("&Hard parameter"), sweeps_, panel));
@@ -190,7 +190,7 @@ QWidget* MethodsPage::buildMeasuring() {
     again_ = new QPushButton(tr("&Measure again"), holder);
     again_->setObjectName(QStringLiteral("measure_again"));
     again_->setToolTip(tr("Measure this kernel again, with more repetitions (F5)"));
-    connect(again_, &QPushButton::clicked, model_, &MethodsViewModel::measureAgain);
+    connect(again_, &QPushButton::clicked, model_, &MethodsModel::measureAgain);
     progress_ = new QProgressBar(holder);
     progress_->setRange(0, 100);
     progress_->setAccessibleName(tr("Progress of the measurement"));
@@ -199,7 +199,7 @@ QWidget* MethodsPage::buildMeasuring() {
     cancel_ = new QPushButton(tr("&Cancel"), holder);
     cancel_->setObjectName(QStringLiteral("cancel"));
     cancel_->setToolTip(tr("Stop measuring; what was measured before stays"));
-    connect(cancel_, &QPushButton::clicked, model_, &MethodsViewModel::cancel);
+    connect(cancel_, &QPushButton::clicked, model_, &MethodsModel::cancel);
     for (QWidget* widget : {static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_)}) {
         // Their places stay, so that nothing moves when a measurement begins.
         QSizePolicy policy = widget->sizePolicy();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "methods/methods_view_model.h"
+#include "methods/model/methods_model.h"
 #include "shell/scene_page.h"
 
 class QComboBox;
@@ -25,8 +25,8 @@ class MethodsPage : public ScenePage {
     explicit MethodsPage(QWidget* parent = nullptr);
     ~MethodsPage() override { putAway(); }
 
-    SceneViewModel* model() override;
-    MethodsViewModel* viewModel() { return model_; }
+    SceneModel* model() override;
+    MethodsModel* viewModel() { return model_; }
     QList<QAction*> sceneActions() override;
     QString resultsAsText() const override;
     QString resultsAsCsv() const override;
@@ -60,7 +60,7 @@ class MethodsPage : public ScenePage {
     void chooseRow();
     void exportWithDialog();
 
-    MethodsViewModel* model_;
+    MethodsModel* model_;
     bool active_ = false;  ///< the page is in front
     QComboBox* kernels_ = nullptr;
     QComboBox* sweeps_ = nullptr;

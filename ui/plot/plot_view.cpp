@@ -11,8 +11,8 @@
 #include "plot/plot_view_parts.h"
 #include "plot/thin_polyline.h"
 #include "plot/ticks.h"
+#include "text/csv_format.h"
 #include "theme/theme.h"
-#include "widgets/csv_format.h"
 
 namespace ravnoves {
 

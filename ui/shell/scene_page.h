@@ -5,18 +5,18 @@
 #include <QWidget>
 #include <optional>
 
-#include "shell/scene_view_model.h"
+#include "model/scene_model.h"
 
 namespace ravnoves {
 
-/// One page of the program: thin widgets over a view-model.
+/// One page of the program: thin widgets over a model.
 class ScenePage : public QWidget {
     Q_OBJECT
 
   public:
     using QWidget::QWidget;
 
-    virtual SceneViewModel* model() = 0;
+    virtual SceneModel* model() = 0;
     /// Actions for the toolbar and the Scene menu, in order; null entries are separators.
     virtual QList<QAction*> sceneActions() { return {}; }
     /// The results as tab-separated text and as CSV.

@@ -6,11 +6,11 @@
 
 #include "theme/theme.h"
 #include "v8-plugs/compensation_plot.h"
+#include "v8-plugs/model/v8_plugs_model.h"
+#include "v8-plugs/model/v8_text.h"
 #include "v8-plugs/plug_view.h"
 #include "v8-plugs/sheet_form.h"
 #include "v8-plugs/shift_plot.h"
-#include "v8-plugs/v8_plugs_view_model.h"
-#include "v8-plugs/v8_text.h"
 #include "widgets/form_section.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
@@ -33,7 +33,7 @@ void say(QLabel* label, const QString& text) {
 
 }  // namespace
 
-AnswerView::AnswerView(V8PlugsViewModel* model, QWidget* parent) : QWidget(parent), model_(model) {
+AnswerView::AnswerView(V8PlugsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(Theme::space);
@@ -49,7 +49,7 @@ AnswerView::AnswerView(V8PlugsViewModel* model, QWidget* parent) : QWidget(paren
     lower->addWidget(buildPlots(), 6);
     column->addLayout(lower, 1);
 
-    connect(model_, &SceneViewModel::changed, this, &AnswerView::showAnswer);
+    connect(model_, &SceneModel::changed, this, &AnswerView::showAnswer);
     connect(&Theme::instance(), &Theme::changed, this, &AnswerView::showAnswer);
     showAnswer();
 }

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "numerics/constants.h"
+#include "v8-plugs/model/v8_text.h"
 #include "v8-plugs/plug_drawing.h"
-#include "v8-plugs/v8_names.h"
-#include "v8-plugs/v8_text.h"
+#include "v8-plugs/model/v8_names.h"
 
 namespace ravnoves {
 

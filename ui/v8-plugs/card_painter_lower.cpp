@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "v8-plugs/card_painter.h"
-#include "v8-plugs/v8_names.h"
-#include "v8-plugs/v8_text.h"
+#include "v8-plugs/model/v8_text.h"
+#include "v8-plugs/model/v8_names.h"
 
 namespace ravnoves {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "v8-plugs/v8_names.h"
-#include "v8-plugs/v8_text.h"
+#include "v8-plugs/model/v8_text.h"
+#include "v8-plugs/model/v8_names.h"
 
 namespace ravnoves {
 

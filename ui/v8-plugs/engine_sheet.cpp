@@ -11,9 +11,10 @@
 #include <QVBoxLayout>
 
 #include "theme/theme.h"
-#include "v8-plugs/v8_names.h"
-#include "v8-plugs/v8_plugs_view_model.h"
+#include "v8-plugs/model/v8_plugs_model.h"
+#include "v8-plugs/model/v8_text.h"
 #include "widgets/form_section.h"
+#include "v8-plugs/model/v8_names.h"
 
 namespace ravnoves {
 
@@ -99,7 +100,7 @@ QString hintOf(std::string_view key) {
 
 }  // namespace
 
-EngineSheet::EngineSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm(model, parent) {
+EngineSheet::EngineSheet(V8PlugsModel* model, QWidget* parent) : SheetForm(model, parent) {
     QLabel* note = captionLabel({}, this);
     column_->addWidget(note);
     follow([this, note] {
@@ -210,7 +211,7 @@ void EngineSheet::addOwnEngineButtons() {
         remove_->setEnabled(own);
     };
     follow(show);
-    connect(model_, &V8PlugsViewModel::enginesChanged, this, show);
+    connect(model_, &V8PlugsModel::enginesChanged, this, show);
     row->addStretch();
     column_->addLayout(row);
 }

@@ -14,7 +14,7 @@ class EngineSheet : public SheetForm {
     Q_OBJECT
 
   public:
-    explicit EngineSheet(V8PlugsViewModel* model, QWidget* parent = nullptr);
+    explicit EngineSheet(V8PlugsModel* model, QWidget* parent = nullptr);
 
   Q_SIGNALS:
     /// A line for the status bar.

@@ -4,8 +4,8 @@
 #include <QString>
 
 #include "v8-plugs/input.h"
+#include "v8-plugs/model/words.h"
 #include "v8-plugs/solver.h"
-#include "v8-plugs/words.h"
 
 class QPagedPaintDevice;
 class QPainter;

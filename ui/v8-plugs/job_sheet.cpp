@@ -9,15 +9,16 @@
 #include "theme/theme.h"
 #include "v8-plugs/checked_field.h"
 #include "v8-plugs/journal_dialog.h"
-#include "v8-plugs/v8_names.h"
-#include "v8-plugs/v8_plugs_view_model.h"
+#include "v8-plugs/model/v8_plugs_model.h"
+#include "v8-plugs/model/v8_text.h"
 #include "widgets/form_section.h"
+#include "v8-plugs/model/v8_names.h"
 
 namespace ravnoves {
 
 using namespace v8_plugs;
 
-JobSheet::JobSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm(model, parent) {
+JobSheet::JobSheet(V8PlugsModel* model, QWidget* parent) : SheetForm(model, parent) {
     buildHead();
     buildWork();
     buildChanges();
@@ -53,7 +54,7 @@ void JobSheet::buildWork() {
                          showEngines();
                      });
     engine_->setPlaceholderText(tr("other"));
-    connect(model_, &V8PlugsViewModel::enginesChanged, this, &JobSheet::showEngines);
+    connect(model_, &V8PlugsModel::enginesChanged, this, &JobSheet::showEngines);
     QComboBox* process = choice(
         work, tr("&Work"), QStringLiteral("process"),
         {v8_text::processName(words, Process::repair),

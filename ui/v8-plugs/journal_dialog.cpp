@@ -13,8 +13,8 @@
 
 #include "theme/theme.h"
 #include "v8-plugs/checked_field.h"
-#include "v8-plugs/v8_names.h"
-#include "v8-plugs/v8_text.h"
+#include "v8-plugs/model/v8_text.h"
+#include "v8-plugs/model/v8_names.h"
 
 namespace ravnoves {
 

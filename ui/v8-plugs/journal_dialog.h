@@ -3,7 +3,7 @@
 #include <QDialog>
 #include <QList>
 
-#include "v8-plugs/journal.h"
+#include "v8-plugs/model/journal.h"
 
 class QLabel;
 class QLineEdit;

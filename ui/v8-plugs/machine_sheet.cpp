@@ -4,7 +4,7 @@
 #include <QVBoxLayout>
 
 #include "theme/theme.h"
-#include "v8-plugs/v8_plugs_view_model.h"
+#include "v8-plugs/model/v8_plugs_model.h"
 #include "widgets/form_section.h"
 #include "widgets/result_table.h"
 
@@ -24,7 +24,7 @@ BalancingSheet& machine(Input& input) {
 
 }  // namespace
 
-MachineSheet::MachineSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm(model, parent) {
+MachineSheet::MachineSheet(V8PlugsModel* model, QWidget* parent) : SheetForm(model, parent) {
     auto* limits = new FormSection(tr("Permissible residual unbalance, ISO 21940-11"), this);
     addValue(
         limits, tr("&Grade G"), grade_field, &BalancingSheet::grade,

@@ -11,7 +11,7 @@ class MachineSheet : public SheetForm {
     Q_OBJECT
 
   public:
-    explicit MachineSheet(V8PlugsViewModel* model, QWidget* parent = nullptr);
+    explicit MachineSheet(V8PlugsModel* model, QWidget* parent = nullptr);
 
     /// The verdict on both planes.
     const ResultTable* planes() const { return planes_; }

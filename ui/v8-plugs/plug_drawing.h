@@ -4,8 +4,8 @@
 #include <QFont>
 #include <QRectF>
 
+#include "v8-plugs/model/words.h"
 #include "v8-plugs/plug_geometry.h"
-#include "v8-plugs/words.h"
 
 class QPainter;
 

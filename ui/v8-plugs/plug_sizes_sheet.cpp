@@ -6,7 +6,7 @@
 #include "case-file/input_error.h"
 #include "theme/theme.h"
 #include "v8-plugs/checked_field.h"
-#include "v8-plugs/v8_plugs_view_model.h"
+#include "v8-plugs/model/v8_plugs_model.h"
 #include "widgets/form_section.h"
 
 namespace ravnoves {
@@ -32,8 +32,7 @@ v8_plugs::PlugSheet& sizes(v8_plugs::Input& input) {
 
 }  // namespace
 
-PlugSizesSheet::PlugSizesSheet(V8PlugsViewModel* model, QWidget* parent)
-    : SheetForm(model, parent) {
+PlugSizesSheet::PlugSizesSheet(V8PlugsModel* model, QWidget* parent) : SheetForm(model, parent) {
     using namespace v8_plugs;
     auto* plug = new FormSection(tr("Plug"), this);
     addThread(plug);

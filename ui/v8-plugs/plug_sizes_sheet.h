@@ -9,7 +9,7 @@ class PlugSizesSheet : public SheetForm {
     Q_OBJECT
 
   public:
-    explicit PlugSizesSheet(V8PlugsViewModel* model, QWidget* parent = nullptr);
+    explicit PlugSizesSheet(V8PlugsModel* model, QWidget* parent = nullptr);
 
   private:
     void addThread(FormSection* section);

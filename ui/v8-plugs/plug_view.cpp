@@ -3,18 +3,18 @@
 #include <QPainter>
 
 #include "theme/theme.h"
+#include "v8-plugs/model/v8_plugs_model.h"
+#include "v8-plugs/model/v8_text.h"
 #include "v8-plugs/plug_drawing.h"
-#include "v8-plugs/v8_plugs_view_model.h"
-#include "v8-plugs/v8_text.h"
 
 namespace ravnoves {
 
 using namespace v8_plugs;
 
-PlugView::PlugView(V8PlugsViewModel* model, QWidget* parent) : QWidget(parent), model_(model) {
+PlugView::PlugView(V8PlugsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     setAccessibleName(tr("Plug in section"));
     const auto repaint = [this] { update(); };
-    connect(model_, &SceneViewModel::changed, this, repaint);
+    connect(model_, &SceneModel::changed, this, repaint);
     connect(&Theme::instance(), &Theme::changed, this, repaint);
 }
 

@@ -7,10 +7,11 @@
 
 #include "theme/theme.h"
 #include "v8-plugs/checked_field.h"
-#include "v8-plugs/v8_names.h"
-#include "v8-plugs/v8_plugs_view_model.h"
+#include "v8-plugs/model/v8_plugs_model.h"
+#include "v8-plugs/model/v8_text.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
+#include "v8-plugs/model/v8_names.h"
 
 namespace ravnoves {
 
@@ -28,11 +29,11 @@ QString stepName(QString label) {
 
 }  // namespace
 
-SheetForm::SheetForm(V8PlugsViewModel* model, QWidget* parent)
+SheetForm::SheetForm(V8PlugsModel* model, QWidget* parent)
     : QWidget(parent), model_(model), column_(new QVBoxLayout(this)) {
     column_->setContentsMargins(Theme::margin, Theme::margin, Theme::margin, Theme::margin);
     column_->setSpacing(Theme::gap);
-    connect(model_, &SceneViewModel::changed, this, [this] {
+    connect(model_, &SceneModel::changed, this, [this] {
         for (const auto& show : followers_) {
             show();
         }
@@ -105,7 +106,8 @@ QLineEdit* SheetForm::text(FormSection* section, const QString& label, const QSt
     section->addWidget(label, field, {}, hint);
     connect(field, &QLineEdit::textEdited, this,
             [this, step = stepName(label), member](const QString& typed) {
-                model_->edit(step, [&](Input& input) { input.job.*member = typed.toStdString(); });
+                model_->edit(step,
+                             [&](Input& input) { input.job.*member = typed.toStdString(); });
             });
     follow([this, field, member] {
         const QString value = QString::fromStdString(model_->input().job.*member);
@@ -137,7 +139,8 @@ CheckedField* SheetForm::checked(FormSection* section, const QString& label, con
     });
     connect(field, &CheckedField::valueEdited, this,
             [this, step = stepName(label), text](const QString& typed) {
-                model_->edit(step, [&](Input& input) { text.write(input, text.normal(typed)); });
+                model_->edit(step,
+                             [&](Input& input) { text.write(input, text.normal(typed)); });
             });
     follow([field, text, last = QString()]() mutable {
         const QString value = text.read();

@@ -18,18 +18,18 @@ namespace ravnoves {
 class CheckedField;
 class FormSection;
 class NumberField;
-class V8PlugsViewModel;
+class V8PlugsModel;
 
 /// One sheet of the job's form: large fields bound to the input, in the order in which one fills
 /// them. A sheet builds its fields in its constructor and calls showInput() at its end; afterwards
-/// the fields follow the view-model by themselves.
+/// the fields follow the model by themselves.
 class SheetForm : public QWidget {
     Q_OBJECT
 
   public:
     static constexpr int fieldHeight = 34;  ///< pixels; a target that a thumb finds
 
-    explicit SheetForm(V8PlugsViewModel* model, QWidget* parent = nullptr);
+    explicit SheetForm(V8PlugsModel* model, QWidget* parent = nullptr);
 
     /// Every field in the order of Tab and Enter.
     const QList<QWidget*>& order() const { return order_; }
@@ -71,7 +71,7 @@ class SheetForm : public QWidget {
     /// Runs now and whenever the input has changed.
     void follow(std::function<void()> show);
 
-    V8PlugsViewModel* model_;
+    V8PlugsModel* model_;
     QVBoxLayout* column_;
     QList<QWidget*> order_;
 

@@ -5,7 +5,7 @@
 
 #include "theme/theme.h"
 #include "v8-plugs/compensation.h"
-#include "v8-plugs/v8_text.h"
+#include "v8-plugs/model/v8_text.h"
 
 namespace ravnoves {
 

@@ -17,7 +17,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "shell/language.h"
+#include "text/language.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "v8-plugs/answer_view.h"
@@ -29,9 +29,9 @@
 #include "v8-plugs/journal_banner.h"
 #include "v8-plugs/journal_dialog.h"
 #include "v8-plugs/machine_sheet.h"
+#include "v8-plugs/model/v8_plugs_model.h"
 #include "v8-plugs/plug_sizes_sheet.h"
 #include "v8-plugs/shift_plot.h"
-#include "v8-plugs/v8_plugs_view_model.h"
 #include "v8-plugs/weigh_in_sheet.h"
 #include "widgets/number_field.h"
 #include "widgets/result_table.h"
@@ -45,7 +45,7 @@ constexpr int sheetWidth = 470;
 V8PlugsPage::V8PlugsPage(QWidget* parent) : V8PlugsPage(Journal::defaultPath(), parent) {}
 
 V8PlugsPage::V8PlugsPage(const QString& journalPath, QWidget* parent)
-    : ScenePage(parent), model_(new V8PlugsViewModel(journalPath, this)) {
+    : ScenePage(parent), model_(new V8PlugsModel(journalPath, this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     column->setSpacing(Theme::space);
@@ -60,7 +60,7 @@ V8PlugsPage::V8PlugsPage(const QString& journalPath, QWidget* parent)
     buildActions();
 
     connect(banner_, &JournalBanner::continued, this, &V8PlugsPage::continueDraft);
-    connect(model_, &V8PlugsViewModel::sheetChosen, sheets_, &QTabWidget::setCurrentIndex);
+    connect(model_, &V8PlugsModel::sheetChosen, sheets_, &QTabWidget::setCurrentIndex);
     // What was typed is in the draft when the next field is entered.
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget* old, QWidget* /*now*/) {
         if (old != nullptr && isAncestorOf(old)) {
@@ -69,7 +69,7 @@ V8PlugsPage::V8PlugsPage(const QString& journalPath, QWidget* parent)
     });
 }
 
-SceneViewModel* V8PlugsPage::model() {
+SceneModel* V8PlugsPage::model() {
     return model_;
 }
 

@@ -8,12 +8,12 @@
 #include <QVBoxLayout>
 
 #include "theme/theme.h"
-#include "v8-plugs/v8_names.h"
-#include "v8-plugs/v8_plugs_view_model.h"
-#include "v8-plugs/v8_text.h"
+#include "v8-plugs/model/v8_plugs_model.h"
+#include "v8-plugs/model/v8_text.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
 #include "widgets/result_table.h"
+#include "v8-plugs/model/v8_names.h"
 
 namespace ravnoves {
 
@@ -30,7 +30,7 @@ QString keyOf(Part part) {
 
 }  // namespace
 
-WeighInSheet::WeighInSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm(model, parent) {
+WeighInSheet::WeighInSheet(V8PlugsModel* model, QWidget* parent) : SheetForm(model, parent) {
     column_->setSpacing(Theme::space);
 
     auto* head = new QGridLayout;
@@ -108,13 +108,14 @@ WeighInSheet::WeighInSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm
             grid->addWidget(field, firstCylinder + cylinder, place);
             connect(field, &NumberField::valueEdited, this,
                     [this, part, cylinder, name](std::optional<double> value) {
-                        model_->edit(tr("%1 %2").arg(name).arg(cylinder + 1), [&](Input& input) {
-                            if (!input.weigh_in) {
-                                input.weigh_in.emplace();
-                            }
-                            (*input.weigh_in)[part].mass[static_cast<std::size_t>(cylinder)] =
-                                value ? std::optional(*value * 1e-3) : std::nullopt;
-                        });
+                        model_->edit(
+                            tr("%1 %2").arg(name).arg(cylinder + 1), [&](Input& input) {
+                                if (!input.weigh_in) {
+                                    input.weigh_in.emplace();
+                                }
+                                (*input.weigh_in)[part].mass[static_cast<std::size_t>(cylinder)] =
+                                    value ? std::optional(*value * 1e-3) : std::nullopt;
+                            });
                     });
         }
         const auto bindColumn = [&](NumberField* field, std::optional<double> PartColumn::*member,

@@ -20,7 +20,7 @@ class WeighInSheet : public SheetForm {
     Q_OBJECT
 
   public:
-    explicit WeighInSheet(V8PlugsViewModel* model, QWidget* parent = nullptr);
+    explicit WeighInSheet(V8PlugsModel* model, QWidget* parent = nullptr);
 
   private:
     struct Column {

@@ -1,7 +1,7 @@
 #include "widgets/form_section.h"
 
+#include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/number_text.h"
 
 namespace ravnoves {
 

@@ -4,8 +4,8 @@
 #include <QPainter>
 #include <QWheelEvent>
 
+#include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/number_text.h"
 
 namespace ravnoves {
 

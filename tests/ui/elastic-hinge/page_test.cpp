@@ -92,7 +92,7 @@ class ElasticHingePageTest : public ::testing::Test {
     }
 
     ElasticHingePage page;
-    ElasticHingeViewModel* model = nullptr;
+    ElasticHingeModel* model = nullptr;
 };
 
 TEST_F(ElasticHingePageTest, SliderDragMovesEverythingLive) {

@@ -24,9 +24,9 @@
 #include "events.h"
 #include "inertia-moments/crank_views.h"
 #include "inertia-moments/cylinder_editor.h"
-#include "inertia-moments/cylinder_table_model.h"
 #include "inertia-moments/engine_view.h"
-#include "inertia-moments/inertia_moments_view_model.h"
+#include "inertia-moments/model/cylinder_table_model.h"
+#include "inertia-moments/model/inertia_moments_model.h"
 #include "inertia-moments/order_bars.h"
 #include "inertia-moments/shaft_view.h"
 #include "theme/theme.h"
@@ -38,7 +38,7 @@ namespace ravnoves {
 namespace {
 
 using inertia_moments::RotatingPair;
-using Tabs = InertiaMomentsViewModel::Tabs;
+using Tabs = InertiaMomentsModel::Tabs;
 
 class InertiaMomentsPageTest : public ::testing::Test {
   protected:
@@ -56,7 +56,7 @@ class InertiaMomentsPageTest : public ::testing::Test {
         QTest::keyClick(target, Qt::Key_Return);
     }
     void tab(Tabs group, const char* name) {
-        const QStringList names = InertiaMomentsViewModel::tabNames(group);
+        const QStringList names = InertiaMomentsModel::tabNames(group);
         model->setTab(group, static_cast<int>(names.indexOf(QString::fromLatin1(name))));
         QApplication::processEvents();
     }
@@ -77,7 +77,7 @@ class InertiaMomentsPageTest : public ::testing::Test {
     }
 
     InertiaMomentsPage page;
-    InertiaMomentsViewModel* model = nullptr;
+    InertiaMomentsModel* model = nullptr;
 };
 
 TEST_F(InertiaMomentsPageTest, DraggingTheBankAngleUpdatesEverythingLive) {
@@ -403,10 +403,10 @@ TEST_F(InertiaMomentsPageTest, HodographsHoldTheVectors) {
 TEST_F(InertiaMomentsPageTest, EveryTabOfEveryLayoutDrawsInBothThemes) {
     for (const auto mode : {Theme::Mode::Light, Theme::Mode::Dark}) {
         Theme::instance().setMode(mode);
-        for (const QString& name : InertiaMomentsViewModel::layoutNames()) {
+        for (const QString& name : InertiaMomentsModel::layoutNames()) {
             model->chooseLayout(name);
             for (const Tabs group : {Tabs::Inputs, Tabs::Charts, Tabs::Answer}) {
-                for (int i = 0; i < InertiaMomentsViewModel::tabNames(group).size(); ++i) {
+                for (int i = 0; i < InertiaMomentsModel::tabNames(group).size(); ++i) {
                     model->setTab(group, i);
                 }
             }

@@ -1,6 +1,6 @@
 // core's messages in Russian: every bad case that the examples can be turned into.
 
-#include "widgets/error_text.h"
+#include "text/error_text.h"
 
 #include <gtest/gtest.h>
 
@@ -9,12 +9,13 @@
 #include <filesystem>
 
 #include "balance-shaft/torque_table.h"
+#include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "text/language.h"
+#include "text/number_text.h"
 #include "scenes/scenes.h"
-#include "shell/language.h"
-#include "widgets/number_text.h"
 
 namespace ravnoves {
 namespace {

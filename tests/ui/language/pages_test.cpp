@@ -23,10 +23,10 @@
 #include "language/catalogue.h"
 #include "methods/methods_page.h"
 #include "shell/help_window.h"
-#include "shell/language.h"
 #include "shell/main_window.h"
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
+#include "text/language.h"
 #include "widgets/background_job.h"
 
 namespace ravnoves {

@@ -19,7 +19,7 @@
 
 #include "events.h"
 #include "methods/method_plots.h"
-#include "methods/method_words.h"
+#include "methods/model/method_words.h"
 #include "methods/validation_view.h"
 #include "methods_support.h"
 #include "shell/main_window.h"
@@ -71,7 +71,7 @@ class MethodsPageTest : public ::testing::Test {
     }
 
     MethodsPage page;
-    MethodsViewModel* model = nullptr;
+    MethodsModel* model = nullptr;
     QTemporaryDir folder;
 };
 

@@ -1,4 +1,4 @@
-#include "methods/method_words.h"
+#include "methods/model/method_words.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <QTranslator>
 
 #include "methods/kernel.h"
-#include "methods/validation_view_model.h"
+#include "methods/model/validation_model.h"
 
 namespace ravnoves {
 namespace {

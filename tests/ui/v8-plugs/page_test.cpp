@@ -34,11 +34,11 @@
 #include "v8-plugs/checked_field.h"
 #include "v8-plugs/job_card.h"
 #include "v8-plugs/journal_dialog.h"
-#include "v8-plugs/presets.h"
-#include "v8-plugs/scene.h"
-#include "v8-plugs/v8_plugs_view_model.h"
+#include "v8-plugs/model/v8_plugs_model.h"
 #include "widgets/number_field.h"
 #include "widgets/result_table.h"
+#include "v8-plugs/scene.h"
+#include "v8-plugs/presets.h"
 
 namespace ravnoves {
 namespace {
@@ -105,7 +105,7 @@ class V8PageTest : public ::testing::Test {
 
     QTemporaryDir folder;
     V8PlugsPage page;
-    V8PlugsViewModel* model = nullptr;
+    V8PlugsModel* model = nullptr;
 };
 
 TEST_F(V8PageTest, AnswerFollowsTyping) {

@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 
 #include "events.h"
+#include "text/number_text.h"
 #include "widgets/decimal_spin_box.h"
-#include "widgets/number_text.h"
 #include "widgets/value_slider.h"
 
 namespace ravnoves {

@@ -1,0 +1,237 @@
+#include "inertia-moments/model/cylinder_table_model.h"
+
+#include <QLocale>
+#include <algorithm>
+#include <array>
+
+#include "inertia-moments/model/inertia_moments_model.h"
+#include "text/number_text.h"
+
+namespace ravnoves {
+
+using inertia_moments::Cylinder;
+using inertia_moments::Input;
+namespace field = inertia_moments::field;
+
+namespace {
+
+struct ColumnInfo {
+    const FieldSpec* field;
+    double Cylinder::*member;
+};
+
+const std::array<ColumnInfo, CylinderTableModel::Columns>& columns() {
+    static const std::array<ColumnInfo, CylinderTableModel::Columns> list{
+        {{&field::axial_position, &Cylinder::axial_position},
+         {&field::bank_angle, &Cylinder::bank_angle},
+         {&field::offset, &Cylinder::offset},
+         {&field::crankpin_angle, &Cylinder::crankpin_angle}}};
+    return list;
+}
+
+const ColumnInfo& column(int index) {
+    return columns().at(static_cast<std::size_t>(index));
+}
+
+/// Makes the input's table the one that is edited.
+std::vector<Cylinder>& ownTable(Input& input, const std::vector<Cylinder>& shown) {
+    if (input.layout) {
+        input.cylinders = inertia_moments::rounded(shown);
+        input.firing_order = input.layout->firing_order;
+        input.layout.reset();
+    }
+    return input.cylinders;
+}
+
+}  // namespace
+
+CylinderTableModel::CylinderTableModel(InertiaMomentsModel* model, QObject* parent)
+    : QAbstractTableModel(parent), model_(model) {
+    rows_ = rowCount();
+    connect(model_, &SceneModel::changed, this, &CylinderTableModel::refresh);
+}
+
+void CylinderTableModel::refresh() {
+    const int now = static_cast<int>(model_->result().engine.cylinders.size());
+    if (now != rows_) {
+        beginResetModel();
+        rows_ = now;
+        endResetModel();
+        return;
+    }
+    Q_EMIT dataChanged(index(0, 0), index(rows_ - 1, Columns - 1));
+}
+
+int CylinderTableModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(model_->result().engine.cylinders.size());
+}
+
+int CylinderTableModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : Columns;
+}
+
+QVariant CylinderTableModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid() || index.row() >= rowCount()) {
+        return {};
+    }
+    const ColumnInfo& info = column(index.column());
+    const double value =
+        model_->result().engine.cylinders[static_cast<std::size_t>(index.row())].*info.member;
+    switch (role) {
+        case Qt::DisplayRole:
+            return formNumber(from_si(*info.field, value), QLocale(), 6);
+        case Qt::EditRole:
+            return formNumber(from_si(*info.field, value), QLocale(), 15);
+        case Qt::TextAlignmentRole:
+            return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+        default:
+            return {};
+    }
+}
+
+bool CylinderTableModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (role != Qt::EditRole || !index.isValid()) {
+        return false;
+    }
+    const ColumnInfo& info = column(index.column());
+    const auto number = readFormNumber(value.toString());
+    if (!number || !info.field->range.contains(*number)) {
+        Q_EMIT troubleChanged(
+            tr("Cylinder %1: %2")
+                .arg(QString::number(index.row() + 1),
+                     rangeText(info.field->range, unitText(info.field->unit), QLocale())));
+        return false;
+    }
+    const QString why = model_->edit(tr("Cylinder %1").arg(index.row() + 1), [&](Input& input) {
+        ownTable(input, model_->result().engine.cylinders)
+                .at(static_cast<std::size_t>(index.row())).*
+            info.member = *number * info.field->to_si;
+    });
+    model_->finishDrag();
+    Q_EMIT troubleChanged(why);
+    return why.isEmpty();
+}
+
+QVariant CylinderTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation == Qt::Vertical) {
+        return role == Qt::DisplayRole ? QVariant(section + 1) : QVariant();
+    }
+    if (role == Qt::DisplayRole) {
+        switch (section) {
+            case Position:
+                return tr("z, mm");
+            case BankAngle:
+                return tr("β, °");
+            case Offset:
+                return tr("e, mm");
+            case CrankpinAngle:
+                return tr("κ, °");
+            default:
+                return {};
+        }
+    }
+    if (role == Qt::ToolTipRole) {
+        switch (section) {
+            case Position:
+                return tr("Axial position, positive towards cylinder 1");
+            case BankAngle:
+                return tr("Direction of the cylinder's axis, counter-clockwise from up");
+            case Offset:
+                return tr(
+                    "Distance of the cylinder's axis from the crank axis, positive on the "
+                    "counter-clockwise side");
+            case CrankpinAngle:
+                return tr("Crankpin, counter-clockwise from crankpin 1");
+            default:
+                return {};
+        }
+    }
+    return {};
+}
+
+Qt::ItemFlags CylinderTableModel::flags(const QModelIndex& index) const {
+    if (!index.isValid()) {
+        return Qt::NoItemFlags;
+    }
+    return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable;
+}
+
+void CylinderTableModel::insertBelow(int row) {
+    const QString why = model_->edit(tr("Add cylinder"), [&](Input& input) {
+        auto& cylinders = ownTable(input, model_->result().engine.cylinders);
+        const int at = row < 0 ? static_cast<int>(cylinders.size()) - 1 : row;
+        Cylinder copy = cylinders.at(static_cast<std::size_t>(at));
+        copy.axial_position -= 2.0 * input.crank_radius;
+        cylinders.insert(cylinders.begin() + at + 1, copy);
+        input.firing_order.clear();  // it no longer names every cylinder
+    });
+    model_->finishDrag();
+    Q_EMIT troubleChanged(why);
+}
+
+void CylinderTableModel::removeRowRange(int first, int count) {
+    if (first < 0 || count <= 0) {
+        return;
+    }
+    if (count >= rowCount()) {
+        Q_EMIT troubleChanged(tr("An engine has at least one cylinder."));
+        return;
+    }
+    const QString why = model_->edit(tr("Remove cylinder"), [&](Input& input) {
+        auto& cylinders = ownTable(input, model_->result().engine.cylinders);
+        const auto from = cylinders.begin() + first;
+        cylinders.erase(from, from + std::min(count, static_cast<int>(cylinders.size()) - first));
+        input.firing_order.clear();
+    });
+    model_->finishDrag();
+    Q_EMIT troubleChanged(why);
+}
+
+QString CylinderTableModel::pasteBlock(int row, int column, const QString& text) {
+    const QStringList lines = QString(text)
+                                  .replace(QLatin1String("\r\n"), QLatin1String("\n"))
+                                  .split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    std::vector<Cylinder> cylinders = model_->result().engine.cylinders;
+    int line = 0;
+    for (const QString& words : lines) {
+        const QChar separator =
+            words.contains(QLatin1Char('\t')) ? QLatin1Char('\t') : QLatin1Char(';');
+        const QStringList cells = words.split(separator);
+        const auto target = static_cast<std::size_t>(row) + static_cast<std::size_t>(line);
+        if (target >= static_cast<std::size_t>(inertia_moments::most_cylinders)) {
+            return tr("At most %1 cylinders.").arg(inertia_moments::most_cylinders);
+        }
+        while (cylinders.size() <= target) {
+            cylinders.push_back(Cylinder{});
+        }
+        for (int cell = 0; cell < cells.size() && column + cell < Columns; ++cell) {
+            const ColumnInfo& info =
+                columns().at(static_cast<std::size_t>(column) + static_cast<std::size_t>(cell));
+            const auto number = readFormNumber(cells[cell]);
+            if (!number || !info.field->range.contains(*number)) {
+                return tr("Line %1, column %2: %3 is no number that fits here.")
+                    .arg(QString::number(line + 1), QString::number(cell + 1),
+                         cells[cell].left(20));
+            }
+            cylinders[target].*info.member = *number * info.field->to_si;
+        }
+        ++line;
+    }
+    if (line == 0) {
+        return tr("The clipboard holds no numbers.");
+    }
+    QString why = model_->edit(tr("Paste cylinders"), [&](Input& input) {
+        auto& own = ownTable(input, cylinders);
+        if (own.size() != cylinders.size()) {
+            input.firing_order.clear();
+        }
+        own = cylinders;
+        if (input.firing_order.size() != cylinders.size()) {
+            input.firing_order.clear();
+        }
+    });
+    model_->finishDrag();
+    return why;
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,68 @@
+#include "model/scene_model.h"
+
+#include "case-file/case_file.h"
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "text/number_text.h"
+
+namespace ravnoves {
+
+bool SceneModel::setViewOption(const QString& /*key*/, const QString& /*value*/) {
+    return false;
+}
+
+double SceneModel::readNumber(const QString& key, const QString& value) {
+    const auto number = readFormNumber(value);
+    if (!number) {
+        throw InputError(key.toStdString(), "must be a number", value.toStdString());
+    }
+    return *number;
+}
+
+int SceneModel::oneOf(const QString& key, const QString& value, const QStringList& words) {
+    const auto place = words.indexOf(value);
+    if (place < 0) {
+        const QString known = words.join(QStringLiteral("\", \""));
+        throw InputError(key.toStdString(), "must be one of \"" + known.toStdString() + "\"",
+                         value.toStdString());
+    }
+    return static_cast<int>(place);
+}
+
+int SceneModel::oneOf(const QString& key, const QString& value,
+                      std::initializer_list<const char*> words) {
+    QStringList list;
+    for (const char* word : words) {
+        list << QLatin1String(word);
+    }
+    return oneOf(key, value, list);
+}
+
+void SceneModel::setTitle(const QString& title) {
+    if (title_ != title) {
+        title_ = title;
+        Q_EMIT titleChanged(title);
+    }
+}
+
+void SceneModel::setByKey(const QString& key, const QString& value) {
+    if (setViewOption(key, value)) {
+        return;
+    }
+    const std::string path = (QLatin1Char('/') + key).toStdString();
+    Json input = inputJson();
+    Json parsed;
+    try {
+        parsed = parse_json(value.toStdString());
+    } catch (const InputError&) {
+        parsed = value.toStdString();  // a bare word
+    }
+    try {
+        input[Json::json_pointer(path)] = parsed;
+    } catch (const Json::exception&) {
+        throw InputError("/input" + path, "is not a known key");
+    }
+    loadInput(input, context_);
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QSqlError>
+#include <QSqlQuery>
+#include <QVariant>
+
+#include "v8-plugs/model/journal.h"
+
+namespace ravnoves::journal_rows {
+
+// How jobs stand in the rows of the database; shared by the parts of the journal.
+
+/// The columns that read() expects, in their order.
+extern const QString columns;
+
+/// The job in the query's present row.
+JournalJob read(const QSqlQuery& query);
+/// Binds all but id and revision to the placeholders named as the columns.
+void bind(QSqlQuery& query, const JournalJob& job);
+
+/// Lower case in every alphabet, so that a search finds "змз" in "ЗМЗ": SQLite folds ASCII only.
+QString folded(const QString& text);
+
+/// Milliseconds since 1970 sort as numbers and read the same in every locale.
+QVariant stamp(const QDateTime& time);
+QDateTime fromStamp(const QVariant& value);
+
+/// The empty text, not NULL, for a QString that was never set.
+QString bare(const QString& text);
+
+/// How long a write waits for that of another program, ms.
+inline constexpr int patience = 15'000;
+
+/// True where SQLite says that another program is writing.
+bool saysBusy(const QSqlError& error);
+/// True where SQLite says that the file is damaged or no database.
+bool saysDamaged(const QSqlError& error);
+
+}  // namespace ravnoves::journal_rows
