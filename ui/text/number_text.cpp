@@ -17,7 +17,7 @@ QLocale plain(QLocale locale) {
 }
 
 /// Units that a language may write with letters of its own; the rest ("°") stays.
-constexpr std::array units{
+constexpr std::array unitNames{
     QT_TRANSLATE_NOOP("ravnoves::Unit", "mm"),    QT_TRANSLATE_NOOP("ravnoves::Unit", "kg"),
     QT_TRANSLATE_NOOP("ravnoves::Unit", "g"),     QT_TRANSLATE_NOOP("ravnoves::Unit", "g·mm"),
     QT_TRANSLATE_NOOP("ravnoves::Unit", "N"),     QT_TRANSLATE_NOOP("ravnoves::Unit", "N/m"),
@@ -42,8 +42,8 @@ QString withUnit(const QString& number, const QString& unit) {
 }  // namespace
 
 QString unitText(std::string_view unit) {
-    const auto* const known = std::find(units.begin(), units.end(), unit);
-    if (known != units.end()) {
+    const auto* const known = std::find(unitNames.begin(), unitNames.end(), unit);
+    if (known != unitNames.end()) {
         return QCoreApplication::translate("ravnoves::Unit", *known);
     }
     return QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));

@@ -4,6 +4,7 @@
 #include <QVector>
 #include <optional>
 
+#include "balance-shaft/scene.h"
 #include "balance-shaft/solver.h"
 #include "case-file/json.h"
 #include "model/case_model.h"

@@ -7,7 +7,7 @@
 #include "v8-plugs/compensation.h"
 #include "v8-plugs/plug_geometry.h"
 #include "v8-plugs/weigh_in.h"
-#include "v8-plugs/words.h"
+#include "v8-plugs/model/words.h"
 
 namespace ravnoves::v8_text {
 
