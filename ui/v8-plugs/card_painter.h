@@ -3,7 +3,6 @@
 #include "v8-plugs/card_page.h"
 #include "v8-plugs/input.h"
 #include "v8-plugs/solver.h"
-#include "v8-plugs/v8_names.h"
 #include "v8-plugs/words.h"
 
 namespace ravnoves {
