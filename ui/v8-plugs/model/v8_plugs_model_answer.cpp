@@ -20,10 +20,6 @@ constexpr double gramMillimetre = 1e-6;
 
 const QString dash = QStringLiteral("–");
 
-std::size_t index(OptionId id) {
-    return static_cast<std::size_t>(id);
-}
-
 }  // namespace
 
 QString V8PlugsModel::adviceText() const {

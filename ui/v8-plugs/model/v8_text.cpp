@@ -17,10 +17,6 @@ constexpr double millimetre = 1e-3;
 constexpr double gramMillimetre = 1e-6;
 constexpr double worthSaying = 0.005 * gram;  // what two decimals show
 
-std::size_t index(OptionId id) {
-    return static_cast<std::size_t>(id);
-}
-
 QString withUnit(const QString& number, const QString& unit) {
     return number + QChar(0x00A0) + unit;
 }
