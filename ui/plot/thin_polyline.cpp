@@ -6,13 +6,9 @@
 
 namespace ravnoves {
 
-std::vector<std::size_t> thinPolylineIndices(const std::vector<QPointF>& points, double tolerance) {
-    std::vector<std::size_t> kept;
+QPolygonF thinPolyline(const std::vector<QPointF>& points, double tolerance) {
     if (points.size() <= 2) {
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            kept.push_back(i);
-        }
-        return kept;
+        return QPolygonF(QList<QPointF>(points.begin(), points.end()));
     }
     std::vector<char> keep(points.size(), 0);
     keep.front() = 1;
@@ -42,18 +38,11 @@ std::vector<std::size_t> thinPolylineIndices(const std::vector<QPointF>& points,
             spans.emplace_back(at, last);
         }
     }
+    QPolygonF thinned;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (keep[i] != 0) {
-            kept.push_back(i);
+            thinned.append(points[i]);
         }
-    }
-    return kept;
-}
-
-std::vector<QPointF> thinPolyline(const std::vector<QPointF>& points, double tolerance) {
-    std::vector<QPointF> thinned;
-    for (const std::size_t i : thinPolylineIndices(points, tolerance)) {
-        thinned.push_back(points[i]);
     }
     return thinned;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QPointF>
+#include <QPolygonF>
 #include <vector>
 
 namespace ravnoves {
@@ -9,9 +9,6 @@ namespace ravnoves {
 /// `tolerance` (pixels) of the line that remains (Ramer, Douglas and Peucker). A chart pays for
 /// points drawn, so a 721-point curve is drawn with 100 to 200.
 /// @param points  in pixels; may be empty
-std::vector<QPointF> thinPolyline(const std::vector<QPointF>& points, double tolerance = 0.25);
-
-/// As above, but returns the indices that remain, ascending.
-std::vector<std::size_t> thinPolylineIndices(const std::vector<QPointF>& points, double tolerance);
+QPolygonF thinPolyline(const std::vector<QPointF>& points, double tolerance = 0.25);
 
 }  // namespace ravnoves
