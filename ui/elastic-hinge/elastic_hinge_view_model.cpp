@@ -98,7 +98,7 @@ ElasticHingeViewModel::ElasticHingeViewModel(QObject* parent)
     : SceneViewModel(parent), input_(elastic_hinge::preset_zotov()) {
     options_.speeds = {100.0, 300.0, 500.0};
     options_.lambdas = {0.3, 0.4, 0.6, 0.8, 1.0};
-    connect(&runner_, &MotionRunner::finished, this,
+    connect(&runner_, &MotionRunner::computed, this,
             [this](std::shared_ptr<const HingeMotions> motions) {
                 motions_ = std::move(motions);
                 Q_EMIT motionsChanged();

@@ -126,7 +126,7 @@ class ElasticHingeViewModel : public SceneViewModel {
     std::shared_ptr<const elastic_hinge::Result> prepared_;
     elastic_hinge::Input preparedInput_;
     mutable std::optional<elastic_hinge::GuideProposal> proposal_;
-    MotionRunner runner_;
+    MotionRunner runner_{this};
     std::shared_ptr<const HingeMotions> motions_;
     double crankAngle_ = 60.0;
     std::optional<double> motionTime_;

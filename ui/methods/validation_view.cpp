@@ -72,6 +72,7 @@ ValidationView::ValidationView(QWidget* parent)
     column->addWidget(buildFilters());
     column->addWidget(buildTable(), 1);
     connect(model_, &ValidationViewModel::changed, this, &ValidationView::showReport);
+    connect(model_, &ValidationViewModel::failed, this, &ValidationView::status);
     showReport();
 }
 

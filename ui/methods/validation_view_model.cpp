@@ -45,7 +45,9 @@ QString verdictTitle(Verdict verdict) {
 }
 
 ValidationViewModel::ValidationViewModel(QObject* parent)
-    : QAbstractTableModel(parent), job_(new BackgroundJob(this)) {}
+    : QAbstractTableModel(parent), job_(new BackgroundJob(this)) {
+    connect(job_, &BackgroundJob::failed, this, &ValidationViewModel::failed);
+}
 
 void ValidationViewModel::load() {
     if (report_ || job_->isRunning()) {

@@ -49,6 +49,7 @@ class ValidationViewModel : public QAbstractTableModel {
 
   Q_SIGNALS:
     void changed();
+    void failed(const QString& why);
 
   private:
     void filter();
