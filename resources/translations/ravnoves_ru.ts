@@ -709,6 +709,17 @@
     </message>
 </context>
 <context>
+    <name>ravnoves::BackgroundJob</name>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Для этого не хватает памяти.</translation>
+    </message>
+    <message>
+        <source>The computation failed.</source>
+        <translation>Расчёт не удался.</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::BalanceShaftPage</name>
     <message>
         <source>&amp;Piston</source>
@@ -743,32 +754,12 @@
         <translation>Часть массы шатуна, отнесённая к оси поршневого пальца. ТМЗ-650Д: 0,33 кг из 0,950 кг. Источник: табл. 1.</translation>
     </message>
     <message>
-        <source>&amp;Play</source>
-        <translation>&amp;Пуск</translation>
-    </message>
-    <message>
-        <source>Turn the crank</source>
-        <translation>Вращать кривошип</translation>
-    </message>
-    <message>
         <source>Go to the α of the least &amp;range</source>
         <translation>К α наименьшего &amp;размаха</translation>
     </message>
     <message>
         <source>Go to the α of the least R&amp;MS</source>
         <translation>К α наименьшего &amp;СКЗ</translation>
-    </message>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>&amp;Пауза</translation>
-    </message>
-    <message>
-        <source>Pause (Space)</source>
-        <translation>Пауза (пробел)</translation>
-    </message>
-    <message>
-        <source>Play (Space)</source>
-        <translation>Пуск (пробел)</translation>
     </message>
     <message>
         <source>Engine</source>
@@ -1133,14 +1124,6 @@
     <message>
         <source>Node mean of Mᵤₚ plus that of Mₛ</source>
         <translation>Среднее Mᵤₚ по узлам плюс среднее Mₛ</translation>
-    </message>
-    <message>
-        <source>Play or pause the picture</source>
-        <translation>Пуск или пауза рисунка</translation>
-    </message>
-    <message>
-        <source>&amp;φ</source>
-        <translation>&amp;φ</translation>
     </message>
     <message>
         <source>Crank angle of the picture; 0 is top dead centre</source>
@@ -1548,10 +1531,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Удалить выбранные цилиндры</translation>
     </message>
     <message>
-        <source>Copy (Ctrl+C)</source>
-        <translation>Копировать (Ctrl+C)</translation>
-    </message>
-    <message>
         <source>E&amp;ven firing</source>
         <translation>Равном. &amp;чередование</translation>
     </message>
@@ -1635,10 +1614,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Строка %1, столбец %2: %3 — не число или сюда не подходит.</translation>
     </message>
     <message>
-        <source>The clipboard holds no numbers.</source>
-        <translation>В буфере обмена нет чисел.</translation>
-    </message>
-    <message>
         <source>Paste cylinders</source>
         <translation>Вставка цилиндров</translation>
     </message>
@@ -1646,24 +1621,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::ElasticHingePage</name>
     <message>
-        <source>&amp;Play</source>
-        <translation>&amp;Пуск</translation>
-    </message>
-    <message>
         <source>Play the computed motion in slow motion</source>
         <translation>Показать рассчитанное движение замедленно</translation>
-    </message>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>&amp;Пауза</translation>
-    </message>
-    <message>
-        <source>Pause (Space)</source>
-        <translation>Пауза (пробел)</translation>
-    </message>
-    <message>
-        <source>Play (Space)</source>
-        <translation>Пуск (пробел)</translation>
     </message>
     <message>
         <source>&amp;ω</source>
@@ -1766,10 +1725,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Чертёж</translation>
     </message>
     <message>
-        <source>Play or pause the motion</source>
-        <translation>Пуск или пауза движения</translation>
-    </message>
-    <message>
         <source>without hinge</source>
         <translation>без шарнира</translation>
     </message>
@@ -1792,10 +1747,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Which of the computed motions the picture plays</source>
         <translation>Какое из рассчитанных движений показывает рисунок</translation>
-    </message>
-    <message>
-        <source>&amp;φ</source>
-        <translation>&amp;φ</translation>
     </message>
     <message>
         <source>Crank angle of the picture, counter-clockwise from the slider line</source>
@@ -3397,14 +3348,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::InertiaMomentsPage</name>
     <message>
-        <source>&amp;Play</source>
-        <translation>&amp;Пуск</translation>
-    </message>
-    <message>
-        <source>Turn the crank</source>
-        <translation>Вращать вал</translation>
-    </message>
-    <message>
         <source>&amp;Shafts on or off</source>
         <translation>&amp;Валы вкл/выкл</translation>
     </message>
@@ -3419,18 +3362,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>All shafts on</source>
         <translation>Все валы включены</translation>
-    </message>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>&amp;Пауза</translation>
-    </message>
-    <message>
-        <source>Pause (Space)</source>
-        <translation>Пауза (пробел)</translation>
-    </message>
-    <message>
-        <source>Play (Space)</source>
-        <translation>Пуск (пробел)</translation>
     </message>
     <message>
         <source>Engine</source>
@@ -3911,14 +3842,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Firing</source>
         <translation>Вспышки</translation>
-    </message>
-    <message>
-        <source>Play or pause the picture</source>
-        <translation>Пуск или пауза рисунка</translation>
-    </message>
-    <message>
-        <source>&amp;φ</source>
-        <translation>&amp;φ</translation>
     </message>
     <message>
         <source>Crank angle of the picture, from cylinder 1&apos;s axis</source>
@@ -6581,6 +6504,37 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::PicturePanel</name>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Пуск</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Пауза</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>Пауза (пробел)</translation>
+    </message>
+    <message>
+        <source>Play (Space)</source>
+        <translation>Пуск (пробел)</translation>
+    </message>
+    <message>
+        <source>&amp;φ</source>
+        <translation>&amp;φ</translation>
+    </message>
+    <message>
+        <source>Turn the crank</source>
+        <translation>Вращать кривошип</translation>
+    </message>
+    <message>
+        <source>Play or pause the picture</source>
+        <translation>Пуск или пауза рисунка</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::PlotView</name>
     <message>
         <source>Show %1</source>
@@ -7413,6 +7367,17 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::TableEditor</name>
+    <message>
+        <source>Copy (Ctrl+C)</source>
+        <translation>Копировать (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no numbers.</source>
+        <translation>В буфере обмена нет чисел.</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::TorqueSourceEditor</name>
     <message>
         <source>table</source>
@@ -7646,10 +7611,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Таблицы CSV (*.csv)</translation>
     </message>
     <message>
-        <source>Copy (Ctrl+C)</source>
-        <translation>Копировать (Ctrl+C)</translation>
-    </message>
-    <message>
         <source>Insert a row below</source>
         <translation>Вставить строку ниже</translation>
     </message>
@@ -7672,10 +7633,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Read %1.</source>
         <translation>Прочитано: %1.</translation>
-    </message>
-    <message>
-        <source>The clipboard holds no table.</source>
-        <translation>В буфере обмена нет таблицы.</translation>
     </message>
     <message>
         <source>Not pasted: %1</source>

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "inertia-moments/drawing.h"
 #include "inertia-moments/inertia_moments_view_model.h"
 #include "theme/theme.h"
+#include "widgets/drawing.h"
 #include "widgets/number_text.h"
 
 namespace ravnoves {
@@ -18,7 +18,6 @@ using inertia_moments::Balances;
 using inertia_moments::Complex;
 using inertia_moments::Direction;
 using inertia_moments::ShaftDesign;
-namespace drawing = inertia_drawing;
 
 namespace {
 

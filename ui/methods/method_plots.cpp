@@ -429,11 +429,6 @@ void MethodPlots::showStale() {
     stability_->setFaded(other, other ? text : QString());
 }
 
-void MethodPlots::resetZoom() {
-    work_->resetZoom();
-    stability_->resetZoom();
-}
-
 QString MethodPlots::exportPicture(const QString& path) {
     return PlotView::writePicture(
         path, size(), work_->title(), [this](QPainter& painter, double scale) {
