@@ -11,7 +11,6 @@ class QComboBox;
 class QLabel;
 class QPushButton;
 class QTabWidget;
-class QToolButton;
 
 namespace ravnoves {
 
@@ -30,15 +29,12 @@ class BalanceShaftPage : public ScenePage {
 
   public:
     explicit BalanceShaftPage(QWidget* parent = nullptr);
-    ~BalanceShaftPage() override { putAway(); }
 
     SceneModel* model() override;
     BalanceShaftModel* viewModel() { return model_; }
     QList<QAction*> sceneActions() override;
     QString resultsAsText() const override;
     QString resultsAsCsv() const override;
-    void setActive(bool active) override;
-    void resetZoom() override;
 
     // For tests and for the frame benchmark.
     ValueSlider* angleSlider() const { return angle_; }
@@ -86,7 +82,6 @@ class BalanceShaftPage : public ScenePage {
     PlotView* means_ = nullptr;
     MechanismView* picture_ = nullptr;
     ValueSlider* crank_ = nullptr;
-    QToolButton* playButton_ = nullptr;
     ResultTable* criteria_ = nullptr;
     ResultTable* quantities_ = nullptr;
     QLabel* bestRange_ = nullptr;

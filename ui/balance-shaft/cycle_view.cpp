@@ -107,10 +107,4 @@ void CycleView::showResult() {
     table_->setRows(model_->cycleRows());
 }
 
-void CycleView::resetZoom() {
-    for (PlotView* plot : {torque_, pressure_, indicator_}) {
-        plot->resetZoom();
-    }
-}
-
 }  // namespace ravnoves

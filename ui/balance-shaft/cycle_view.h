@@ -22,7 +22,6 @@ class CycleView : public QWidget {
     PlotView* torquePlot() const { return torque_; }
     PlotView* pressurePlot() const { return pressure_; }
     PlotView* indicatorPlot() const { return indicator_; }
-    void resetZoom();
 
   private:
     void showResult();

@@ -11,13 +11,11 @@
 #include <cmath>
 
 #include "balance-shaft/model/balance_shaft_model.h"
-#include "case-file/input_error.h"
 #include "plot/plot_view.h"
-#include "text/error_text.h"
-#include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/background_job.h"
+#include "model/background_job.h"
 #include "widgets/form_section.h"
+#include "text/number_text.h"
 #include "widgets/panel.h"
 #include "widgets/value_slider.h"
 
@@ -182,8 +180,13 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
         job_->cancel();
         answer_->setText(tr("Cancelled. Any change of the input solves again."));
     });
-    connect(job_, &BackgroundJob::progressed, this,
+    connect(job_, &BackgroundJob::progress, this,
             [this](double part) { progress_->setValue(static_cast<int>(100.0 * part)); });
+    connect(job_, &BackgroundJob::failed, this, [this](const QString& why) {
+        study_ = {};
+        showStudy();
+        answer_->setText(why);
+    });
     connect(job_, &BackgroundJob::runningChanged, this, [this](bool running) {
         progress_->setVisible(running);
         cancel_->setVisible(running);
@@ -251,30 +254,22 @@ void SpeedView::solveAgain() {
     const SpeedBand range = band();
     job_->start([this, input, range](const BackgroundJob::Progress& progress) {
         auto result = std::make_shared<Study>();
-        QString trouble;
-        try {
-            auto study = std::make_shared<SpeedStudy>(
-                input, range, [&](double part) { return progress(0.3 * part); });
-            if (study->reason().empty() && study->is_complete()) {
-                result->map =
-                    study->map(mapAngles, [&](double part) { return progress(0.3 + 0.6 * part); });
-                result->range = study->least_bad_angle(SpeedStudy::Criterion::range,
-                                                       SpeedStudy::Measure::relative);
-                result->rms = study->least_bad_angle(SpeedStudy::Criterion::rms,
-                                                     SpeedStudy::Measure::relative);
-            }
-            result->study = std::move(study);
-        } catch (const InputError& error) {
-            trouble = errorText(error);
+        auto study = std::make_shared<SpeedStudy>(
+            input, range, [&](double part) { return progress(0.3 * part); });
+        if (study->reason().empty() && study->is_complete()) {
+            result->map =
+                study->map(mapAngles, [&](double part) { return progress(0.3 + 0.6 * part); });
+            result->range =
+                study->least_bad_angle(SpeedStudy::Criterion::range, SpeedStudy::Measure::relative);
+            result->rms =
+                study->least_bad_angle(SpeedStudy::Criterion::rms, SpeedStudy::Measure::relative);
         }
-        return std::function<void()>([this, result, trouble, input] {
+        result->study = std::move(study);
+        return [this, result, input] {
             study_ = *result;
             solvedInput_ = input;
             showStudy();
-            if (!trouble.isEmpty()) {
-                answer_->setText(trouble);
-            }
-        });
+        };
     });
 }
 
@@ -374,11 +369,6 @@ void SpeedView::showMap() {
 
 QString SpeedView::answer() const {
     return answer_->text();
-}
-
-void SpeedView::resetZoom() {
-    angles_->resetZoom();
-    map_->resetZoom();
 }
 
 }  // namespace ravnoves

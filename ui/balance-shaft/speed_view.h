@@ -32,7 +32,6 @@ class SpeedView : public QWidget {
     PlotView* anglePlot() const { return angles_; }
     PlotView* mapPlot() const { return map_; }
     QString answer() const;
-    void resetZoom();
 
   protected:
     void showEvent(QShowEvent* event) override;

@@ -6,7 +6,6 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <array>
@@ -45,15 +44,6 @@ int pageOf(TorqueSource::Kind kind) {
         default:
             return TablePage;
     }
-}
-
-QWidget* scrolled(QWidget* content, QWidget* parent) {
-    auto* scroll = new QScrollArea(parent);
-    scroll->setWidget(content);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    return scroll;
 }
 
 }  // namespace
@@ -196,10 +186,7 @@ void TorqueSourceEditor::showCheck() {
                "against %2 N·m entered.")
                 .arg(fixedNumber(*check.fitted, 0, locale), fixedNumber(check.entered, 0, locale));
     }
-    QPalette palette = checkText_->palette();
-    palette.setColor(QPalette::WindowText,
-                     wrong ? Theme::instance().warning() : Theme::instance().mutedText());
-    checkText_->setPalette(palette);
+    colourText(checkText_, wrong ? Theme::instance().warning() : Theme::instance().mutedText());
     checkText_->setText(text);
 }
 

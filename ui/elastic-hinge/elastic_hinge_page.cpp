@@ -6,10 +6,8 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSlider>
 #include <QTabWidget>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <cmath>
 
@@ -18,10 +16,9 @@
 #include "elastic-hinge/hinge_inputs.h"
 #include "elastic-hinge/hinge_mechanism_view.h"
 #include "elastic-hinge/hinge_plots.h"
-#include "elastic-hinge/presets.h"
-#include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
+#include "widgets/mechanism_picture.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 #include "widgets/value_slider.h"
@@ -67,18 +64,6 @@ ElasticHingePage::ElasticHingePage(QWidget* parent)
     plots_ = new HingePlots(model_, this);
     row->addWidget(plots_, 5);
     row->addWidget(buildAnswer(), 2);
-
-    playAction_ = new QAction(themedIcon(QStringLiteral("play")), tr("&Play"), this);
-    playAction_->setToolTip(tr("Play the computed motion in slow motion"));
-    connect(playAction_, &QAction::triggered, this,
-            [this] { picture_->setPlaying(!picture_->isPlaying()); });
-    connect(picture_, &HingeMechanismView::playingChanged, this, [this](bool playing) {
-        const QIcon icon = themedIcon(playing ? QStringLiteral("pause") : QStringLiteral("play"));
-        playAction_->setIcon(icon);
-        playAction_->setText(playing ? tr("&Pause") : tr("&Play"));
-        playButton_->setIcon(icon);
-        playButton_->setToolTip(playing ? tr("Pause (Space)") : tr("Play (Space)"));
-    });
 
     connect(model_, &SceneModel::changed, this, &ElasticHingePage::showInput);
     connect(model_, &SceneModel::changed, this, &ElasticHingePage::showAnswer);
@@ -186,12 +171,8 @@ QWidget* ElasticHingePage::buildInputs() {
     forms_ = new QTabWidget(holder);
     forms_->setDocumentMode(true);
     const auto addForm = [this](QWidget* form, const QString& name, const QString& title) {
-        auto* scroll = new QScrollArea(forms_);
+        auto* scroll = scrolled(form, forms_);
         scroll->setObjectName(name);
-        scroll->setWidget(form);
-        scroll->setWidgetResizable(true);
-        scroll->setFrameShape(QFrame::NoFrame);
-        scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         forms_->addTab(scroll, title);
     };
     addForm(new HingeInputs(model_), QStringLiteral("inputs"), tr("Inputs"));
@@ -211,23 +192,12 @@ QWidget* ElasticHingePage::buildAnswer() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(Theme::space);
 
-    auto* picturePanel = new Panel(holder);
-    auto* pictureColumn = new QVBoxLayout(picturePanel);
-    pictureColumn->setContentsMargins(1, 1, 1, Theme::gap);
-    pictureColumn->setSpacing(0);
-    picture_ = new HingeMechanismView(model_, picturePanel);
-    pictureColumn->addWidget(picture_, 1);
-    auto* controls = new QHBoxLayout;
-    controls->setContentsMargins(Theme::space, 0, Theme::space, 0);
-    controls->setSpacing(Theme::space);
-    playButton_ = new QToolButton(picturePanel);
-    playButton_->setIcon(themedIcon(QStringLiteral("play")));
-    playButton_->setAutoRaise(true);
-    playButton_->setToolTip(tr("Play (Space)"));
-    playButton_->setAccessibleName(tr("Play or pause the motion"));
-    connect(playButton_, &QToolButton::clicked, this,
-            [this] { picture_->setPlaying(!picture_->isPlaying()); });
-    controls->addWidget(playButton_);
+    picture_ = new HingeMechanismView(model_);
+    auto* picturePanel = new PicturePanel(
+        picture_, 360.0, tr("Crank angle of the picture, counter-clockwise from the slider line"),
+        holder);
+    playAction_ = picturePanel->action();
+    playAction_->setToolTip(tr("Play the computed motion in slow motion"));
     animated_ = new QComboBox(picturePanel);
     animated_->setObjectName(QStringLiteral("animate"));
     animated_->addItems(
@@ -237,16 +207,9 @@ QWidget* ElasticHingePage::buildAnswer() {
     connect(animated_, &QComboBox::activated, this, [this](int index) {
         model_->setAnimated(static_cast<ElasticHingeModel::Animated>(index));
     });
-    controls->addWidget(animated_);
-    crank_ = new ValueSlider(tr("&φ"), 0.0, 360.0, 1.0, 15.0, 0, QStringLiteral("°"), picturePanel);
-    crank_->setHint(tr("Crank angle of the picture, counter-clockwise from the slider line"));
-    connect(crank_, &ValueSlider::valueEdited, this, [this](double value) {
-        picture_->setPlaying(false);
-        model_->setMotionTime(std::nullopt);
-        model_->setCrankAngleDeg(value);
-    });
-    controls->addWidget(crank_, 1);
-    pictureColumn->addLayout(controls);
+    picturePanel->addControl(animated_);
+    crank_ = picturePanel->slider();
+    connect(crank_, &ValueSlider::valueEdited, picture_, &HingeMechanismView::turnTo);
     column->addWidget(picturePanel, 1);
 
     auto* answer = new Panel(holder);
@@ -263,7 +226,8 @@ QWidget* ElasticHingePage::buildAnswer() {
     takePreload_->setObjectName(QStringLiteral("take_preload"));
     takeStiffness_ = new QPushButton(tr("Take this sti&ffness"), answer);
     takeStiffness_->setObjectName(QStringLiteral("take_stiffness"));
-    connect(takePreload_, &QPushButton::clicked, model_, &ElasticHingeModel::takeMinimumPreload);
+    connect(takePreload_, &QPushButton::clicked, model_,
+            &ElasticHingeModel::takeMinimumPreload);
     connect(takeStiffness_, &QPushButton::clicked, model_,
             &ElasticHingeModel::takeMinimumStiffness);
     mend->addWidget(takePreload_);
@@ -302,11 +266,9 @@ void ElasticHingePage::showAnswer() {
     using Level = ElasticHingeModel::Verdict::Level;
     const auto verdict = model_->verdict();
     const Theme& theme = Theme::instance();
-    QPalette palette = verdict_->palette();
-    palette.setColor(QPalette::WindowText, verdict.level == Level::Good      ? theme.good()
-                                           : verdict.level == Level::Warning ? theme.warning()
-                                                                             : theme.error());
-    verdict_->setPalette(palette);
+    colourText(verdict_, verdict.level == Level::Good      ? theme.good()
+                         : verdict.level == Level::Warning ? theme.warning()
+                                                           : theme.error());
     verdict_->setText(verdict.text);
     const auto& guide = model_->result().crank_guide;
     const bool mendable = guide.problem == elastic_hinge::GuideProblem::preload_too_small;
@@ -330,20 +292,6 @@ QString ElasticHingePage::resultsAsText() const {
 
 QString ElasticHingePage::resultsAsCsv() const {
     return quantities_->asCsv();
-}
-
-void ElasticHingePage::setActive(bool active) {
-    if (!active) {
-        picture_->setPlaying(false);
-    }
-}
-
-void ElasticHingePage::resetZoom() {
-    plots_->resetZoom();
-}
-
-bool ElasticHingePage::isBusy() const {
-    return ScenePage::isBusy() || model_->runner()->isRunning();
 }
 
 }  // namespace ravnoves

@@ -7,7 +7,6 @@ class QComboBox;
 class QLabel;
 class QPushButton;
 class QTabWidget;
-class QToolButton;
 
 namespace ravnoves {
 
@@ -23,16 +22,12 @@ class ElasticHingePage : public ScenePage {
 
   public:
     explicit ElasticHingePage(QWidget* parent = nullptr);
-    ~ElasticHingePage() override { putAway(); }
 
     SceneModel* model() override;
     ElasticHingeModel* viewModel() { return model_; }
     QList<QAction*> sceneActions() override;
     QString resultsAsText() const override;
     QString resultsAsCsv() const override;
-    void setActive(bool active) override;
-    void resetZoom() override;
-    bool isBusy() const override;
 
     // For tests and for the frame benchmark.
     HingePlots* plots() const { return plots_; }
@@ -63,7 +58,6 @@ class ElasticHingePage : public ScenePage {
     GuideExportForm* export_ = nullptr;
     HingePlots* plots_ = nullptr;
     HingeMechanismView* picture_ = nullptr;
-    QToolButton* playButton_ = nullptr;
     ValueSlider* crank_ = nullptr;
     QComboBox* animated_ = nullptr;
     QLabel* verdict_ = nullptr;

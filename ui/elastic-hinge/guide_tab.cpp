@@ -6,7 +6,7 @@
 
 #include "elastic-hinge/hinge_plots.h"
 #include "theme/theme.h"
-#include "widgets/number_text.h"
+#include "text/number_text.h"
 #include "widgets/value_slider.h"
 
 namespace ravnoves {
@@ -33,7 +33,7 @@ const std::vector<double>& radii(const Guide& guide, std::size_t branch) {
 
 class GuideTab : public HingePlotTab {
   public:
-    GuideTab(ElasticHingeViewModel* model, QWidget* parent);
+    GuideTab(ElasticHingeModel* model, QWidget* parent);
 
   private:
     void showGuides();
@@ -52,7 +52,7 @@ class GuideTab : public HingePlotTab {
     void showReach();
     void showRelief();
 
-    ElasticHingeViewModel* model_;
+    ElasticHingeModel* model_;
     PlotView* guide_ = nullptr;
     PlotView* relief_ = nullptr;
     QComboBox* hingeChoice_ = nullptr;
@@ -63,7 +63,7 @@ class GuideTab : public HingePlotTab {
     bool narrow_ = false;  ///< the relief plot counts in µm
 };
 
-GuideTab::GuideTab(ElasticHingeViewModel* model, QWidget* parent)
+GuideTab::GuideTab(ElasticHingeModel* model, QWidget* parent)
     : HingePlotTab(model, parent), model_(model) {
     refresh = [this] { showGuides(); };
     showPresent = [this] { showMarks(); };
@@ -271,7 +271,7 @@ void GuideTab::showMarks() {
 
 }  // namespace
 
-HingePlotTab* makeGuideTab(ElasticHingeViewModel* model, QWidget* parent) {
+HingePlotTab* makeGuideTab(ElasticHingeModel* model, QWidget* parent) {
     return new GuideTab(model, parent);
 }
 

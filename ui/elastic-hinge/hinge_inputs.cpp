@@ -444,8 +444,8 @@ void HingeInputs::show() {
         }
     }
     withError_->setChecked(input.motion && input.motion->with_profile_error);
-    speeds_->setValues(model_->compareSpeeds());
-    lambdas_->setValues(model_->compareLambdas());
+    speeds_->setValue(model_->compareSpeeds());
+    lambdas_->setValue(model_->compareLambdas());
 }
 
 }  // namespace ravnoves

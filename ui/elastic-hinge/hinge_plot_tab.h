@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "elastic-hinge/elastic_hinge_view_model.h"
+#include "elastic-hinge/model/elastic_hinge_model.h"
 #include "plot/plot_view.h"
 
 class QHBoxLayout;
@@ -13,7 +13,7 @@ namespace ravnoves {
 /// One tab of HingePlots: plots over one another, below a bar where there is one.
 class HingePlotTab : public QWidget {
   public:
-    HingePlotTab(ElasticHingeViewModel* model, QWidget* parent);
+    HingePlotTab(ElasticHingeModel* model, QWidget* parent);
 
     /// Shows what the model has computed.
     std::function<void()> refresh;
@@ -30,16 +30,16 @@ class HingePlotTab : public QWidget {
     PlotView* addAnglePlot(const QString& title, const QString& y, int share = 1);
 
   private:
-    ElasticHingeViewModel* model_;
+    ElasticHingeModel* model_;
     QVBoxLayout* column_;
     QList<PlotView*> plots_;
     QList<PlotView*> anglePlots_;
 };
 
-HingePlotTab* makeGuideTab(ElasticHingeViewModel* model, QWidget* parent);
-HingePlotTab* makeRodHingeTab(ElasticHingeViewModel* model, QWidget* parent);
-HingePlotTab* makeSideForceTab(ElasticHingeViewModel* model, QWidget* parent);
-HingePlotTab* makeCrankMomentTab(ElasticHingeViewModel* model, QWidget* parent);
-HingePlotTab* makeMotionTab(ElasticHingeViewModel* model, QWidget* parent);
+HingePlotTab* makeGuideTab(ElasticHingeModel* model, QWidget* parent);
+HingePlotTab* makeRodHingeTab(ElasticHingeModel* model, QWidget* parent);
+HingePlotTab* makeSideForceTab(ElasticHingeModel* model, QWidget* parent);
+HingePlotTab* makeCrankMomentTab(ElasticHingeModel* model, QWidget* parent);
+HingePlotTab* makeMotionTab(ElasticHingeModel* model, QWidget* parent);
 
 }  // namespace ravnoves

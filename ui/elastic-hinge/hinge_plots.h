@@ -2,12 +2,7 @@
 
 #include <QTabWidget>
 
-<<<<<<< HEAD
-#include "elastic-hinge/model/elastic_hinge_model.h"
-#include "plot/plot_view.h"
-=======
 #include "elastic-hinge/hinge_plot_tab.h"
->>>>>>> 0cb8d862814a6ac41f3e36148e35d17870491622
 
 class QPushButton;
 
@@ -39,38 +34,7 @@ class HingePlots : public QTabWidget {
     void append(HingePlotTab* tab, const QString& name, const QString& title);
     void refresh();
 
-<<<<<<< HEAD
-    ElasticHingeModel* model_;
-    PlotView* guide_ = nullptr;
-    PlotView* relief_ = nullptr;
-    PlotView* rodMoment_ = nullptr;
-    PlotView* rodSpeeds_ = nullptr;
-    PlotView* sideLambdas_ = nullptr;
-    PlotView* sideSpeeds_ = nullptr;
-    PlotView* crankMoment_ = nullptr;
-    PlotView* crankSpeeds_ = nullptr;
-    PlotView* speed_ = nullptr;
-    QComboBox* hingeChoice_ = nullptr;
-    QCheckBox* automatic_ = nullptr;
-    ValueSlider* exaggeration_ = nullptr;
-    QLabel* motionText_ = nullptr;
-    QProgressBar* progress_ = nullptr;
-    QPushButton* cancel_ = nullptr;
-
-    Pieces guideCompressed_, guideStretched_, profile_;
-    int circleCompressed_ = 0, circleStretched_ = 0;
-    Pieces reliefCompressed_, reliefStretched_;
-    int m12_ = 0, m12Potential_ = 0, m12Other_ = 0;
-    Family m12Speeds_, withLambdas_, withoutSpeeds_, m1Speeds_;
-    int tenfold_ = 0;
-    int m_ = 0, m1_ = 0;
-    int without_ = 0, crank_ = 0, both_ = 0, off_ = 0;
-    double guideReach_ = 0.0;
-    double shownTurns_ = 0.0;
-    bool narrow_ = false;  ///< the relief plot counts in µm
-=======
     QList<HingePlotTab*> tabs_;
->>>>>>> 0cb8d862814a6ac41f3e36148e35d17870491622
 };
 
 }  // namespace ravnoves

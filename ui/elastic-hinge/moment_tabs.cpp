@@ -2,7 +2,7 @@
 
 #include "elastic-hinge/hinge_plots.h"
 #include "elastic-hinge/rod_hinge_moment.h"
-#include "widgets/number_text.h"
+#include "text/number_text.h"
 
 namespace ravnoves {
 
@@ -64,7 +64,7 @@ std::vector<double> otherRodMoment(const Result& result, const elastic_hinge::In
 
 }  // namespace
 
-HingePlotTab* makeRodHingeTab(ElasticHingeViewModel* model, QWidget* parent) {
+HingePlotTab* makeRodHingeTab(ElasticHingeModel* model, QWidget* parent) {
     auto* tab = new HingePlotTab(model, parent);
     PlotView* moment =
         tab->addAnglePlot(HingePlots::tr("M₁₂ and its potential part"), HingePlots::tr("N·m"));
@@ -99,7 +99,7 @@ HingePlotTab* makeRodHingeTab(ElasticHingeViewModel* model, QWidget* parent) {
     return tab;
 }
 
-HingePlotTab* makeSideForceTab(ElasticHingeViewModel* model, QWidget* parent) {
+HingePlotTab* makeSideForceTab(ElasticHingeModel* model, QWidget* parent) {
     auto* tab = new HingePlotTab(model, parent);
     PlotView* with = tab->addAnglePlot(HingePlots::tr("Side force with rod hinge, several λ"),
                                        HingePlots::tr("N"));
@@ -130,7 +130,7 @@ HingePlotTab* makeSideForceTab(ElasticHingeViewModel* model, QWidget* parent) {
     return tab;
 }
 
-HingePlotTab* makeCrankMomentTab(ElasticHingeViewModel* model, QWidget* parent) {
+HingePlotTab* makeCrankMomentTab(ElasticHingeModel* model, QWidget* parent) {
     auto* tab = new HingePlotTab(model, parent);
     PlotView* moment = tab->addAnglePlot(HingePlots::tr("Moment that keeps the crank's speed"),
                                          HingePlots::tr("N·m"));

@@ -70,7 +70,7 @@ PlotView* addSpeedPlot(HingePlotTab* tab) {
 
 }  // namespace
 
-HingePlotTab* makeMotionTab(ElasticHingeViewModel* model, QWidget* parent) {
+HingePlotTab* makeMotionTab(ElasticHingeModel* model, QWidget* parent) {
     auto* tab = new HingePlotTab(model, parent);
     QHBoxLayout* bar = tab->addBar();
     QLabel* text = captionLabel({}, tab);

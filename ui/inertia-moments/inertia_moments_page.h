@@ -15,7 +15,6 @@ class QLabel;
 class QLineEdit;
 class QPushButton;
 class QTabWidget;
-class QToolButton;
 class QVBoxLayout;
 
 namespace ravnoves {
@@ -40,15 +39,12 @@ class InertiaMomentsPage : public ScenePage {
 
   public:
     explicit InertiaMomentsPage(QWidget* parent = nullptr);
-    ~InertiaMomentsPage() override { putAway(); }
 
     SceneModel* model() override;
     InertiaMomentsModel* viewModel() { return model_; }
     QList<QAction*> sceneActions() override;
     QString resultsAsText() const override;
     QString resultsAsCsv() const override;
-    void setActive(bool active) override;
-    void resetZoom() override;
 
     // For tests and for the frame benchmark.
     ValueSlider* bankSlider() const { return bank_; }
@@ -135,7 +131,6 @@ class InertiaMomentsPage : public ScenePage {
 
     EngineView* picture_ = nullptr;
     ValueSlider* crank_ = nullptr;
-    QToolButton* playButton_ = nullptr;
     QTabWidget* answer_ = nullptr;
     std::vector<ResultTable*> tables_;
     QLabel* warning_ = nullptr;

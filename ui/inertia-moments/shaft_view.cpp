@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "inertia-moments/drawing.h"
 #include "inertia-moments/model/inertia_moments_model.h"
-#include "text/number_text.h"
 #include "theme/theme.h"
+#include "widgets/drawing.h"
+#include "text/number_text.h"
 
 namespace ravnoves {
 
@@ -18,7 +18,6 @@ using inertia_moments::Balances;
 using inertia_moments::Complex;
 using inertia_moments::Direction;
 using inertia_moments::ShaftDesign;
-namespace drawing = inertia_drawing;
 
 namespace {
 
@@ -28,7 +27,8 @@ QString short4(double value) {
 
 }  // namespace
 
-ShaftView::ShaftView(InertiaMomentsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
+ShaftView::ShaftView(InertiaMomentsModel* model, QWidget* parent)
+    : QWidget(parent), model_(model) {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Balance shafts: arrangement and phases"));
     setToolTip(
@@ -37,7 +37,8 @@ ShaftView::ShaftView(InertiaMomentsModel* model, QWidget* parent) : QWidget(pare
            "switch it; arrow keys and Space do the same."));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
-    connect(model_, &InertiaMomentsModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
+    connect(model_, &InertiaMomentsModel::crankAngleChanged, this,
+            qOverload<>(&QWidget::update));
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 

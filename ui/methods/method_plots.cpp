@@ -10,7 +10,7 @@
 
 #include "methods/model/method_words.h"
 #include "methods/sweep_value_field.h"
-#include "plot/ticks.h"
+#include "plot/model/ticks.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
 
@@ -426,11 +426,6 @@ void MethodPlots::showStale() {
     // Errors along the parameter do not depend on its value, so a drag leaves them as they are.
     const bool other = shown == nullptr || &shown->sweep() != &model_->sweep();
     stability_->setFaded(other, other ? text : QString());
-}
-
-void MethodPlots::resetZoom() {
-    work_->resetZoom();
-    stability_->resetZoom();
 }
 
 QString MethodPlots::exportPicture(const QString& path) {

@@ -22,7 +22,6 @@ class MethodPlots : public QWidget {
 
     PlotView* workPlot() const { return work_; }
     PlotView* stabilityPlot() const { return stability_; }
-    void resetZoom();
     /// Both charts side by side, as SVG or PNG by the file's ending.
     /// @return an empty string, or what went wrong
     QString exportPicture(const QString& path);

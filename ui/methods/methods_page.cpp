@@ -9,7 +9,6 @@
 #include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -217,19 +216,14 @@ QWidget* MethodsPage::buildWords() {
     auto* panel = new Panel(this);
     auto* column = new QVBoxLayout(panel);
     column->setContentsMargins(1, 1, 1, 1);
-    auto* scroll = new QScrollArea(panel);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    words_ = new QLabel(scroll);
+    words_ = new QLabel;
     words_->setObjectName(QStringLiteral("words"));
     words_->setWordWrap(true);
     words_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     words_->setTextFormat(Qt::RichText);
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     words_->setMargin(Theme::margin);
-    scroll->setWidget(words_);
-    column->addWidget(scroll);
+    column->addWidget(scrolled(words_, panel));
     return panel;
 }
 
@@ -441,10 +435,6 @@ void MethodsPage::setActive(bool active) {
 void MethodsPage::updateActive() {
     // Nothing is measured behind the report: it would only disturb.
     model_->setActive(active_ && tabs_->currentWidget() != validation_);
-}
-
-void MethodsPage::resetZoom() {
-    plots_->resetZoom();
 }
 
 void MethodsPage::setOpenCases(const OpenCases& cases) {

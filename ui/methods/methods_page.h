@@ -23,7 +23,6 @@ class MethodsPage : public ScenePage {
 
   public:
     explicit MethodsPage(QWidget* parent = nullptr);
-    ~MethodsPage() override { putAway(); }
 
     SceneModel* model() override;
     MethodsModel* viewModel() { return model_; }
@@ -31,7 +30,6 @@ class MethodsPage : public ScenePage {
     QString resultsAsText() const override;
     QString resultsAsCsv() const override;
     void setActive(bool active) override;
-    void resetZoom() override;
     void setOpenCases(const OpenCases& cases) override;
 
     /// Writes the tab in front by the file's ending: the table as CSV, the charts as SVG or PNG.

@@ -72,6 +72,7 @@ ValidationView::ValidationView(QWidget* parent)
     column->addWidget(buildFilters());
     column->addWidget(buildTable(), 1);
     connect(model_, &ValidationModel::changed, this, &ValidationView::showReport);
+    connect(model_, &ValidationModel::failed, this, &ValidationView::status);
     showReport();
 }
 

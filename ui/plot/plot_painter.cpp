@@ -6,7 +6,7 @@
 #include <QPainter>
 #include <QValueAxis>
 
-#include "plot/ticks.h"
+#include "plot/model/ticks.h"
 #include "theme/theme.h"
 
 namespace ravnoves {

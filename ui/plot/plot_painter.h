@@ -4,7 +4,7 @@
 #include <memory>
 #include <span>
 
-#include "plot/plot_data.h"
+#include "plot/model/plot_data.h"
 
 class QChart;
 class QGraphicsScene;

@@ -6,15 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-<<<<<<< HEAD
-#include "plot/plot_view_parts.h"
-#include "plot/thin_polyline.h"
-#include "plot/ticks.h"
-#include "text/csv_format.h"
-=======
 #include "plot/legend_item.h"
 #include "plot/plot_painter.h"
->>>>>>> 0cb8d862814a6ac41f3e36148e35d17870491622
 #include "theme/theme.h"
 
 namespace ravnoves {

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <functional>
 
-#include "plot/plot_data.h"
+#include "plot/model/plot_data.h"
 
 namespace ravnoves {
 

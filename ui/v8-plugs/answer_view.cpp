@@ -124,15 +124,13 @@ void AnswerView::showAdvice() {
     const bool works = v8_text::works(model_->solution());
     // What is still missing is no sentence for the display size.
     advice_->setFont(Theme::font(works ? Theme::displaySize : Theme::titleSize, true));
-    SheetForm::colourText(advice_, !advice ? theme.mutedText()
-                                   : works ? theme.text()
-                                           : theme.error());
+    colourText(advice_, !advice ? theme.mutedText() : works ? theme.text() : theme.error());
     say(boring_, model_->boringText());
     say(hang_, model_->hangText());
     const bool known = model_->solution().before.has_value();
     hang_->setFont(Theme::font(known ? Theme::titleSize : Theme::baseSize, known));
     say(troubles_, model_->troubles().join(QLatin1Char('\n')));
-    SheetForm::colourText(troubles_, theme.warning());
+    colourText(troubles_, theme.warning());
     options_->setRows(model_->optionRows());
     for (int row = 0; row < options_->rowCount(); ++row) {
         for (int column = 0; column < options_->columnCount(); ++column) {
@@ -155,11 +153,6 @@ QString AnswerView::asText() const {
 
 QString AnswerView::asCsv() const {
     return options_->asCsv() + QLatin1Char('\n') + bobWeights_->asCsv();
-}
-
-void AnswerView::resetZoom() {
-    compensation_->resetZoom();
-    shift_->resetZoom();
 }
 
 }  // namespace ravnoves

@@ -23,7 +23,6 @@ class AnswerView : public QWidget {
 
     QString asText() const;
     QString asCsv() const;
-    void resetZoom();
 
     CompensationPlot* compensationPlot() const { return compensation_; }
     ShiftPlot* shiftPlot() const { return shift_; }

@@ -166,8 +166,8 @@ JournalDialog::JournalDialog(Journal* journal, QWidget* parent)
 JournalQuery JournalDialog::query() const {
     JournalQuery wanted;
     wanted.text = text_->text();
-    wanted.from = readDay(from_->text());
-    wanted.to = readDay(to_->text());
+    wanted.from = readDay(from_->value());
+    wanted.to = readDay(to_->value());
     return wanted;
 }
 

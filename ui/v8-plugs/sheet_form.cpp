@@ -53,12 +53,6 @@ QLabel* SheetForm::wrapped(QWidget* parent, int pixelSize, bool bold) {
     return label;
 }
 
-void SheetForm::colourText(QLabel* label, const QColor& colour) {
-    QPalette palette = label->palette();
-    palette.setColor(QPalette::WindowText, colour);
-    label->setPalette(palette);
-}
-
 void SheetForm::follow(std::function<void()> show) {
     show();
     followers_.push_back(std::move(show));
@@ -76,22 +70,7 @@ NumberField* SheetForm::number(FormSection* section, const QString& label, const
             [this, step = stepName(label), write = std::move(write)](std::optional<double> value) {
                 model_->edit(step, [&](Input& input) { write(input, value); });
             });
-    const auto show = [field, read = std::move(read)] {
-        const std::optional<double> value = read();
-        const bool emptied = field->hasFocus() && field->isModified() && field->text().isEmpty();
-        // A field just emptied stays empty until it is left, or the next digit would join a
-        // default. A refused entry stays until it is mended, or the value below it changes.
-        if (!emptied && (field->trouble().isEmpty() || field->value() != value)) {
-            field->setValue(value);
-        }
-    };
-    follow(show);
-    connect(field, &QLineEdit::editingFinished, this, [field, show] {
-        if (field->text().isEmpty()) {
-            field->setModified(false);
-            show();
-        }
-    });
+    follow([field, read = std::move(read)] { field->setValue(read()); });
     order_ << field;
     return field;
 }
@@ -142,12 +121,10 @@ CheckedField* SheetForm::checked(FormSection* section, const QString& label, con
                 model_->edit(step,
                              [&](Input& input) { text.write(input, text.normal(typed)); });
             });
-    follow([field, text, last = QString()]() mutable {
+    follow([field, text] {
+        // What was typed in another form stays as it was typed.
         const QString value = text.read();
-        const bool changed = value != last;
-        last = value;
-        // What was typed in another form, or refused, stays as it was typed.
-        if (text.normal(field->text()) != value && (field->trouble().isEmpty() || changed)) {
+        if (text.normal(field->value()) != value) {
             field->setValue(value);
         }
     });
@@ -171,14 +148,9 @@ QComboBox* SheetForm::choice(FormSection* section, const QString& label, const Q
 QStringList SheetForm::refused() const {
     QStringList list;
     for (const QWidget* each : order_) {
-        QString trouble;
-        if (const auto* number = qobject_cast<const NumberField*>(each)) {
-            trouble = number->trouble();
-        } else if (const auto* text = qobject_cast<const CheckedField*>(each)) {
-            trouble = text->trouble();
-        }
-        if (!trouble.isEmpty()) {
-            list << each->accessibleName() + QStringLiteral(": ") + trouble;
+        const auto* field = qobject_cast<const EntryField*>(each);
+        if (field != nullptr && !field->trouble().isEmpty()) {
+            list << field->accessibleName() + QStringLiteral(": ") + field->trouble();
         }
     }
     return list;

@@ -41,7 +41,6 @@ class SheetForm : public QWidget {
     static void enlarge(QWidget* field);
     /// A wrapping label whose text can be copied.
     static QLabel* wrapped(QWidget* parent, int pixelSize, bool bold = false);
-    static void colourText(QLabel* label, const QColor& colour);
 
   protected:
     /// A number of the input: its field, where it is read, how it is changed.

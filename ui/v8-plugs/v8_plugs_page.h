@@ -25,7 +25,6 @@ class V8PlugsPage : public ScenePage {
 
   public:
     explicit V8PlugsPage(QWidget* parent = nullptr);
-    ~V8PlugsPage() override { putAway(); }
     V8PlugsPage(const QString& journalPath, QWidget* parent);
 
     SceneModel* model() override;
@@ -34,7 +33,6 @@ class V8PlugsPage : public ScenePage {
     QString resultsAsText() const override;
     QString resultsAsCsv() const override;
     void setActive(bool active) override;
-    void resetZoom() override;
     std::optional<bool> askToSave() override;
 
     /// Opens the journal and offers drafts that a crash left; happens by itself once shown.

@@ -5,14 +5,25 @@
 
 namespace ravnoves {
 
+QScrollArea* scrolled(QWidget* form, QWidget* parent) {
+    auto* scroll = new QScrollArea(parent);
+    scroll->setWidget(form);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    return scroll;
+}
+
+void colourText(QLabel* label, const QColor& colour) {
+    QPalette palette = label->palette();
+    palette.setColor(QPalette::WindowText, colour);
+    label->setPalette(palette);
+}
+
 namespace {
 
 void paintMuted(QLabel* label) {
-    const auto apply = [label] {
-        QPalette palette = label->palette();
-        palette.setColor(QPalette::WindowText, Theme::instance().mutedText());
-        label->setPalette(palette);
-    };
+    const auto apply = [label] { colourText(label, Theme::instance().mutedText()); };
     apply();
     QObject::connect(&Theme::instance(), &Theme::changed, label, apply);
 }
@@ -70,9 +81,7 @@ NumberField* FormSection::addNumber(const QString& label, const FieldSpec& spec,
     trouble->hide();
     grid_->addWidget(trouble, row_++, 0, 1, 3);
     connect(field, &NumberField::troubleChanged, trouble, [trouble](const QString& text) {
-        QPalette palette = trouble->palette();
-        palette.setColor(QPalette::WindowText, Theme::instance().error());
-        trouble->setPalette(palette);
+        colourText(trouble, Theme::instance().error());
         trouble->setText(text);
         trouble->setVisible(!text.isEmpty());
     });

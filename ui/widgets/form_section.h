@@ -2,6 +2,7 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QWidget>
 
 #include "widgets/number_field.h"
@@ -33,6 +34,10 @@ class FormSection : public QWidget {
     int row_ = 0;
 };
 
+/// A form that scrolls up and down where it is higher than its place.
+QScrollArea* scrolled(QWidget* form, QWidget* parent = nullptr);
+/// Gives a label's text a colour of its own.
+void colourText(QLabel* label, const QColor& colour);
 /// A muted, wrapping caption.
 QLabel* captionLabel(const QString& text, QWidget* parent = nullptr);
 /// A section heading in the type scale.

@@ -14,7 +14,7 @@
 #include "balance-shaft/speed_view.h"
 #include "balance-shaft/torque_source_editor.h"
 #include "events.h"
-#include "widgets/background_job.h"
+#include "model/background_job.h"
 #include "widgets/value_slider.h"
 
 namespace ravnoves {

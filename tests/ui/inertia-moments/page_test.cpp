@@ -104,6 +104,7 @@ TEST_F(InertiaMomentsPageTest, EverySliderMovesItsValue) {
     drag(page.referenceSlider()->slider(), 20);
     EXPECT_GT(model->referenceMm(), 2.0);
     QTest::keyClick(page.speedSlider()->slider(), Qt::Key_Right);
+    page.speedSlider()->slider()->setFocus();
     test::turnWheel(page.speedSlider()->slider(), QPoint(20, 8), 1);
     auto* box = page.offsetSlider()->box();
     box->setFocus();
@@ -258,7 +259,7 @@ TEST_F(InertiaMomentsPageTest, CylindersAreEditedAsATable) {
     tab(Tabs::Inputs, "cylinders");
     CylinderTableModel* table = page.cylinderEditor()->tableModel();
     ASSERT_EQ(table->rowCount(), 5);
-    QSignalSpy trouble(table, &CylinderTableModel::troubleChanged);
+    QSignalSpy trouble(table, &EditableTable::troubleChanged);
     EXPECT_TRUE(table->setData(table->index(1, CylinderTableModel::CrankpinAngle),
                                QStringLiteral("200,5"), Qt::EditRole));
     EXPECT_EQ(model->layoutName(), QStringLiteral("table"));
@@ -266,11 +267,17 @@ TEST_F(InertiaMomentsPageTest, CylindersAreEditedAsATable) {
     EXPECT_FALSE(table->setData(table->index(1, CylinderTableModel::Offset), QStringLiteral("x"),
                                 Qt::EditRole));
     EXPECT_FALSE(trouble.last().at(0).toString().isEmpty());
+    // What was refused stays where it was typed.
+    const auto refused = table->index(1, CylinderTableModel::Offset);
+    EXPECT_TRUE(table->setData(table->index(2, CylinderTableModel::CrankpinAngle),
+                               QStringLiteral("100"), Qt::EditRole));
+    EXPECT_EQ(refused.data().toString(), QStringLiteral("x"));
+    EXPECT_TRUE(refused.data(EditableTable::TroubleRole).toBool());
     // An offset at which cylinder 1 locks.
     EXPECT_FALSE(table->setData(table->index(0, CylinderTableModel::Offset), QStringLiteral("150"),
                                 Qt::EditRole));
     EXPECT_TRUE(trouble.last().at(0).toString().contains(QStringLiteral("locks")));
-    QTest::mouseClick(page.findChild<QToolButton*>(QStringLiteral("add_cylinder")), Qt::LeftButton);
+    QTest::mouseClick(page.findChild<QToolButton*>(QStringLiteral("add_row")), Qt::LeftButton);
     EXPECT_EQ(table->rowCount(), 6);
     table->removeRowRange(0, 6);
     EXPECT_EQ(table->rowCount(), 6);  // one at least
@@ -289,7 +296,8 @@ TEST_F(InertiaMomentsPageTest, CylindersAreTypedPastedAndCopied) {
     view->setFocus();
     // A V-twin from a spreadsheet over the first rows.
     view->setCurrentIndex(view->model()->index(0, 0));
-    QApplication::clipboard()->setText(QStringLiteral("0\t22,5\t0\t0\r\n0\t-22,5\t0\t0\r\n"));
+    QApplication::clipboard()->setText(
+        QStringLiteral("z\tβ\te\tκ\r\n0\t22,5\t0\t0\r\n0\t-22,5\t0\t0\r\n"));
     QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
     EXPECT_NEAR(model->input().cylinders.at(1).bank_angle / degree, -22.5, 1e-9);
     EXPECT_EQ(model->input().cylinders.size(), 5U);

@@ -27,7 +27,7 @@
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
 #include "text/language.h"
-#include "widgets/background_job.h"
+#include "model/background_job.h"
 
 namespace ravnoves {
 namespace {

@@ -1,12 +1,12 @@
 // The part of the plots that knows no window.
 
-#include "plot/plot_data.h"
+#include "plot/model/plot_data.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "plot/thin_polyline.h"
+#include "plot/model/thin_polyline.h"
 
 namespace ravnoves {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "events.h"
 #include "plot/plot_view.h"
-#include "plot/ticks.h"
+#include "plot/model/ticks.h"
 
 namespace ravnoves {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "events.h"
 #include "plot/legend_item.h"
-#include "plot/ticks.h"
+#include "plot/model/ticks.h"
 
 namespace ravnoves {
 namespace {

@@ -314,6 +314,27 @@ TEST_F(V8PageTest, RefusedEntryStaysUntilItIsMended) {
     EXPECT_NEAR(*model->input().engine.steel_plug_mass, 25 * gram, 1e-12);
 }
 
+TEST_F(V8PageTest, RefusedWeightNeverBecomesAnother) {
+    page.sheets()->setCurrentIndex(2);
+    NumberField* mass = field("mass_piston_1");
+    QTest::mouseClick(mass, Qt::LeftButton);
+    QTest::keyClicks(mass, u"5672.5.1"_s);
+    const auto weight = [&] {
+        return model->input().weigh_in ? (*model->input().weigh_in)[Part::piston].mass[0]
+                                       : std::nullopt;
+    };
+    EXPECT_EQ(weight(), std::nullopt);
+    QTest::mouseClick(field("mass_piston_2"), Qt::LeftButton);
+    QTest::keyClicks(field("mass_piston_2"), u"830"_s);
+    EXPECT_EQ(mass->text(), u"5672.5.1"_s);
+    EXPECT_FALSE(mass->trouble().isEmpty());
+    EXPECT_EQ(weight(), std::nullopt);
+    QTest::mouseClick(mass, Qt::LeftButton);
+    QTest::keyClick(mass, Qt::Key_Escape);
+    EXPECT_EQ(mass->text(), QString());
+    EXPECT_EQ(weight(), std::nullopt);
+}
+
 TEST_F(V8PageTest, SheetsNeedNoScrollingSideways) {
     for (int sheet = 0; sheet < page.sheets()->count(); ++sheet) {
         page.sheets()->setCurrentIndex(sheet);

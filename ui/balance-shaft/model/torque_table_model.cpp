@@ -109,24 +109,19 @@ QString TorqueTableModel::replaceByText(const QString& text) {
     return tableFormatText(read);
 }
 
-void TorqueTableModel::pasteBlock(int row, int column, const QString& text) {
-    QStringList lines = text.split(QLatin1Char('\n'));
-    while (!lines.isEmpty() && lines.last().trimmed().isEmpty()) {
-        lines.removeLast();
-    }
-    for (int i = 0; i < lines.size(); ++i) {
-        const auto at = static_cast<std::size_t>(row) + static_cast<std::size_t>(i);
+QString TorqueTableModel::pasteBlock(int row, int column, const std::vector<QStringList>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const std::size_t at = static_cast<std::size_t>(row) + i;
         if (at >= rows_.size()) {
             break;
         }
-        const QStringList cells = lines[i].split(QLatin1Char('\t'));
-        for (int j = 0; j < cells.size() && column + j < 2; ++j) {
-            QString& target = column + j == CrankAngle ? rows_[at].angle : rows_[at].torque;
-            target = cells[j].trimmed();
+        for (int j = 0; j < cells[i].size() && column + j < 2; ++j) {
+            (column + j == CrankAngle ? rows_[at].angle : rows_[at].torque) = cells[i][j];
         }
     }
     Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, 1));
-    check();
+    check();  // says itself what is wrong
+    return {};
 }
 
 int TorqueTableModel::rowCount(const QModelIndex& parent) const {
@@ -148,8 +143,8 @@ QVariant TorqueTableModel::data(const QModelIndex& index, int role) const {
             return index.column() == CrankAngle ? row.angle : row.torque;
         case Qt::TextAlignmentRole:
             return int(Qt::AlignRight | Qt::AlignVCenter);
-        case Qt::ForegroundRole:
-            return index.row() == badRow_ ? QVariant(badColour_()) : QVariant();
+        case TroubleRole:
+            return index.row() == badRow_;
         default:
             return {};
     }
@@ -186,10 +181,6 @@ QVariant TorqueTableModel::headerData(int section, Qt::Orientation orientation, 
         return section + 1;
     }
     return section == CrankAngle ? tr("φ, °") : tr("M_id, N·m");
-}
-
-Qt::ItemFlags TorqueTableModel::flags(const QModelIndex& index) const {
-    return QAbstractTableModel::flags(index) | Qt::ItemIsEditable;
 }
 
 }  // namespace ravnoves

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <QAbstractTableModel>
-#include <QColor>
 #include <QString>
-#include <functional>
 #include <set>
 
 #include "balance-shaft/torque_table.h"
+#include "model/editable_table.h"
 
 namespace ravnoves {
 
@@ -15,15 +13,13 @@ namespace ravnoves {
 /// Cells hold what was typed, valid or not, so nothing is lost; checkedTable() is the table where
 /// it is a cycle, trouble() says why where it is not. The first and the last row are one instant of
 /// the cycle: a torque typed in one goes to the other.
-class TorqueTableModel : public QAbstractTableModel {
+class TorqueTableModel : public EditableTable {
     Q_OBJECT
 
   public:
     enum Column { CrankAngle = 0, Torque = 1 };
 
-    /// @param badColour  text colour of the row at fault, in the theme of the moment
-    explicit TorqueTableModel(std::function<QColor()> badColour, QObject* parent = nullptr)
-        : QAbstractTableModel(parent), badColour_(std::move(badColour)) {}
+    using EditableTable::EditableTable;
 
     /// Takes over a valid table; nothing is emitted but the reset.
     void setTable(const balance_shaft::TorqueTable& table);
@@ -31,25 +27,22 @@ class TorqueTableModel : public QAbstractTableModel {
     /// Why the cells are not a cycle; empty where they are.
     QString trouble() const { return trouble_; }
 
-    void insertRowBelow(int row);
-    void removeRowRange(int first, int count);
+    void insertRowBelow(int row) override;
+    void removeRowRange(int first, int count) override;
     /// Replaces the whole table by text from a spreadsheet or a CSV file.
     /// @return what was read, as a sentence; throws InputError and changes nothing
     QString replaceByText(const QString& text);
-    /// Writes a block of cells (tab-separated) at a cell, as a spreadsheet does.
-    void pasteBlock(int row, int column, const QString& text);
+    QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-    Qt::ItemFlags flags(const QModelIndex& index) const override;
 
   Q_SIGNALS:
     /// The cells are a cycle that differs from the one before.
     void tableEdited();
-    void troubleChanged(const QString& trouble);
 
   private:
     struct Row {
@@ -59,7 +52,6 @@ class TorqueTableModel : public QAbstractTableModel {
 
     void check();
 
-    std::function<QColor()> badColour_;
     std::vector<Row> rows_;
     balance_shaft::TorqueTable valid_;
     QString trouble_;

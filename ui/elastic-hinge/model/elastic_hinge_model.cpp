@@ -7,7 +7,7 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
-#include "plot/ticks.h"
+#include "plot/model/ticks.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
 #include "text/number_text.h"
@@ -105,7 +105,7 @@ ElasticHingeModel::ElasticHingeModel(QObject* parent)
     : CaseModel(
           {.options = {.speeds = {100.0, 300.0, 500.0}, .lambdas = {0.3, 0.4, 0.6, 0.8, 1.0}}},
           parent) {
-    connect(&runner_, &MotionRunner::finished, this,
+    connect(&runner_, &MotionRunner::computed, this,
             [this](std::shared_ptr<const HingeMotions> motions) {
                 motions_ = std::move(motions);
                 Q_EMIT motionsChanged();

@@ -123,7 +123,7 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
   private:
     void taken() override { runner_.start(input(), solved().result); }
 
-    MotionRunner runner_;
+    MotionRunner runner_{this};
     std::shared_ptr<const HingeMotions> motions_;
     double crankAngle_ = 60.0;
     std::optional<double> motionTime_;

@@ -29,7 +29,7 @@ const std::array<ColumnInfo, CylinderTableModel::Columns>& columns() {
     return list;
 }
 
-const ColumnInfo& column(int index) {
+const ColumnInfo& infoOf(int index) {
     return columns().at(static_cast<std::size_t>(index));
 }
 
@@ -46,13 +46,21 @@ std::vector<Cylinder>& ownTable(Input& input, const std::vector<Cylinder>& shown
 }  // namespace
 
 CylinderTableModel::CylinderTableModel(InertiaMomentsModel* model, QObject* parent)
-    : QAbstractTableModel(parent), model_(model) {
+    : EditableTable(parent), model_(model) {
     rows_ = rowCount();
     connect(model_, &SceneModel::changed, this, &CylinderTableModel::refresh);
 }
 
+double CylinderTableModel::valueAt(int row, int column) const {
+    return model_->result().engine.cylinders[static_cast<std::size_t>(row)].*infoOf(column).member;
+}
+
 void CylinderTableModel::refresh() {
     const int now = static_cast<int>(model_->result().engine.cylinders.size());
+    std::erase_if(refused_, [&](const auto& cell) {
+        const auto [row, column] = cell.first;
+        return row >= now || valueAt(row, column) != cell.second.below;
+    });
     if (now != rows_) {
         beginResetModel();
         rows_ = now;
@@ -74,9 +82,17 @@ QVariant CylinderTableModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= rowCount()) {
         return {};
     }
-    const ColumnInfo& info = column(index.column());
-    const double value =
-        model_->result().engine.cylinders[static_cast<std::size_t>(index.row())].*info.member;
+    const ColumnInfo& info = infoOf(index.column());
+    const double value = valueAt(index.row(), index.column());
+    const auto refused = refused_.find({index.row(), index.column()});
+    if (refused != refused_.end()) {
+        if (role == Qt::DisplayRole || role == Qt::EditRole) {
+            return refused->second.text;
+        }
+        if (role == TroubleRole) {
+            return true;
+        }
+    }
     switch (role) {
         case Qt::DisplayRole:
             return formNumber(from_si(*info.field, value), QLocale(), 6);
@@ -93,21 +109,30 @@ bool CylinderTableModel::setData(const QModelIndex& index, const QVariant& value
     if (role != Qt::EditRole || !index.isValid()) {
         return false;
     }
-    const ColumnInfo& info = column(index.column());
-    const auto number = readFormNumber(value.toString());
+    const ColumnInfo& info = infoOf(index.column());
+    const QString text = value.toString().trimmed();
+    const auto number = readFormNumber(text);
+    const std::pair cell(index.row(), index.column());
+    const bool wasRefused = refused_.erase(cell) > 0;
+    QString why;
     if (!number || !info.field->range.contains(*number)) {
-        Q_EMIT troubleChanged(
-            tr("Cylinder %1: %2")
-                .arg(QString::number(index.row() + 1),
-                     rangeText(info.field->range, unitText(info.field->unit), QLocale())));
-        return false;
+        why = tr("Cylinder %1: %2")
+                  .arg(QString::number(index.row() + 1),
+                       rangeText(info.field->range, unitText(info.field->unit), QLocale()));
+    } else {
+        why = model_->edit(tr("Cylinder %1").arg(index.row() + 1), [&](Input& input) {
+            ownTable(input, model_->result().engine.cylinders)
+                    .at(static_cast<std::size_t>(index.row())).*
+                info.member = *number * info.field->to_si;
+        });
+        model_->finishDrag();
     }
-    const QString why = model_->edit(tr("Cylinder %1").arg(index.row() + 1), [&](Input& input) {
-        ownTable(input, model_->result().engine.cylinders)
-                .at(static_cast<std::size_t>(index.row())).*
-            info.member = *number * info.field->to_si;
-    });
-    model_->finishDrag();
+    if (!why.isEmpty()) {
+        refused_[cell] = {text, valueAt(index.row(), index.column())};
+    }
+    if (wasRefused || !why.isEmpty()) {
+        Q_EMIT dataChanged(index, index);
+    }
     Q_EMIT troubleChanged(why);
     return why.isEmpty();
 }
@@ -149,14 +174,7 @@ QVariant CylinderTableModel::headerData(int section, Qt::Orientation orientation
     return {};
 }
 
-Qt::ItemFlags CylinderTableModel::flags(const QModelIndex& index) const {
-    if (!index.isValid()) {
-        return Qt::NoItemFlags;
-    }
-    return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable;
-}
-
-void CylinderTableModel::insertBelow(int row) {
+void CylinderTableModel::insertRowBelow(int row) {
     const QString why = model_->edit(tr("Add cylinder"), [&](Input& input) {
         auto& cylinders = ownTable(input, model_->result().engine.cylinders);
         const int at = row < 0 ? static_cast<int>(cylinders.size()) - 1 : row;
@@ -187,38 +205,24 @@ void CylinderTableModel::removeRowRange(int first, int count) {
     Q_EMIT troubleChanged(why);
 }
 
-QString CylinderTableModel::pasteBlock(int row, int column, const QString& text) {
-    const QStringList lines = QString(text)
-                                  .replace(QLatin1String("\r\n"), QLatin1String("\n"))
-                                  .split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+QString CylinderTableModel::pasteBlock(int row, int column, const std::vector<QStringList>& cells) {
+    const std::size_t first = static_cast<std::size_t>(row);
+    if (first + cells.size() > static_cast<std::size_t>(inertia_moments::most_cylinders)) {
+        return tr("At most %1 cylinders.").arg(inertia_moments::most_cylinders);
+    }
     std::vector<Cylinder> cylinders = model_->result().engine.cylinders;
-    int line = 0;
-    for (const QString& words : lines) {
-        const QChar separator =
-            words.contains(QLatin1Char('\t')) ? QLatin1Char('\t') : QLatin1Char(';');
-        const QStringList cells = words.split(separator);
-        const auto target = static_cast<std::size_t>(row) + static_cast<std::size_t>(line);
-        if (target >= static_cast<std::size_t>(inertia_moments::most_cylinders)) {
-            return tr("At most %1 cylinders.").arg(inertia_moments::most_cylinders);
-        }
-        while (cylinders.size() <= target) {
-            cylinders.push_back(Cylinder{});
-        }
-        for (int cell = 0; cell < cells.size() && column + cell < Columns; ++cell) {
-            const ColumnInfo& info =
-                columns().at(static_cast<std::size_t>(column) + static_cast<std::size_t>(cell));
-            const auto number = readFormNumber(cells[cell]);
+    cylinders.resize(std::max(cylinders.size(), first + cells.size()));
+    for (std::size_t line = 0; line < cells.size(); ++line) {
+        for (int cell = 0; cell < cells[line].size() && column + cell < Columns; ++cell) {
+            const ColumnInfo& info = infoOf(column + cell);
+            const auto number = readFormNumber(cells[line][cell]);
             if (!number || !info.field->range.contains(*number)) {
                 return tr("Line %1, column %2: %3 is no number that fits here.")
                     .arg(QString::number(line + 1), QString::number(cell + 1),
-                         cells[cell].left(20));
+                         cells[line][cell].left(20));
             }
-            cylinders[target].*info.member = *number * info.field->to_si;
+            cylinders[first + line].*info.member = *number * info.field->to_si;
         }
-        ++line;
-    }
-    if (line == 0) {
-        return tr("The clipboard holds no numbers.");
     }
     QString why = model_->edit(tr("Paste cylinders"), [&](Input& input) {
         auto& own = ownTable(input, cylinders);
@@ -231,6 +235,7 @@ QString CylinderTableModel::pasteBlock(int row, int column, const QString& text)
         }
     });
     model_->finishDrag();
+    Q_EMIT troubleChanged(why);
     return why;
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
-#include <QAbstractTableModel>
+#include <map>
+#include <utility>
+
+#include "model/editable_table.h"
 
 namespace ravnoves {
 
@@ -8,7 +11,7 @@ class InertiaMomentsModel;
 
 /// The cylinders as a table to edit: axial position, bank angle, offset, crankpin angle. Editing a
 /// cell of a layout turns it into a table of its own.
-class CylinderTableModel final : public QAbstractTableModel {
+class CylinderTableModel final : public EditableTable {
     Q_OBJECT
 
   public:
@@ -16,30 +19,31 @@ class CylinderTableModel final : public QAbstractTableModel {
 
     explicit CylinderTableModel(InertiaMomentsModel* model, QObject* parent = nullptr);
 
-    /// A copy of a row below it (a new last cylinder for an empty selection).
-    void insertBelow(int row);
-    void removeRowRange(int first, int count);
-    /// Writes a block of cells (tabs or semicolons between columns, one line a row) at a cell, as a
-    /// spreadsheet does; rows that are missing are added.
-    /// @return an empty string, or what is wrong
-    QString pasteBlock(int row, int column, const QString& text);
+    /// A copy of the row below it.
+    void insertRowBelow(int row) override;
+    void removeRowRange(int first, int count) override;
+    /// Rows that are missing are added.
+    QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-    Qt::ItemFlags flags(const QModelIndex& index) const override;
-
-  Q_SIGNALS:
-    /// Why a cell was refused; empty after one was taken.
-    void troubleChanged(const QString& trouble);
 
   private:
+    /// A text that is no value for its cell: it stays, in red, while the value below it holds.
+    struct Refused {
+        QString text;
+        double below;
+    };
+
     void refresh();
+    double valueAt(int row, int column) const;
 
     InertiaMomentsModel* model_;
     int rows_ = 0;
+    std::map<std::pair<int, int>, Refused> refused_;  ///< by row and column
 };
 
 }  // namespace ravnoves

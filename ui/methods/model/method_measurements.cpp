@@ -48,7 +48,8 @@ std::shared_ptr<const MethodMeasurement> measure(const Kernel& kernel, std::size
 MethodMeasurements::MethodMeasurements(QObject* parent)
     : QObject(parent), job_(new BackgroundJob(this)) {
     connect(job_, &BackgroundJob::runningChanged, this, &MethodMeasurements::runningChanged);
-    connect(job_, &BackgroundJob::progressed, this, [this](double part) {
+    connect(job_, &BackgroundJob::failed, this, &MethodMeasurements::failed);
+    connect(job_, &BackgroundJob::progress, this, [this](double part) {
         part_ = part;
         Q_EMIT progressed(part);
     });
@@ -60,15 +61,9 @@ void MethodMeasurements::start(const Kernel& kernel, std::size_t sweep, double v
     const auto known = maps_.find({&kernel, sweep});
     job_->start([this, &kernel, sweep, value, options = optionsOf(effort),
                  map = known == maps_.end() ? nullptr : known->second](
-                    const BackgroundJob::Progress& progress) -> std::function<void()> {
-        try {
-            auto measurement = measure(kernel, sweep, value, options, map, progress);
-            return [this, measurement] { keep(measurement); };
-        } catch (const methods::Cancelled&) {
-            return {};
-        } catch (const std::exception& error) {
-            return [this, why = QString::fromUtf8(error.what())] { Q_EMIT failed(why); };
-        }
+                    const BackgroundJob::Progress& progress) {
+        auto measurement = measure(kernel, sweep, value, options, map, progress);
+        return [this, measurement] { keep(measurement); };
     });
 }
 

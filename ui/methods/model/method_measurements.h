@@ -9,7 +9,7 @@
 #include "methods/measure.h"
 #include "methods/report.h"
 #include "model/scene_model.h"
-#include "widgets/background_job.h"
+#include "model/background_job.h"
 
 namespace ravnoves {
 

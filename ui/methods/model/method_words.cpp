@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "methods/model/method_texts.h"
-#include "plot/ticks.h"
+#include "plot/model/ticks.h"
 #include "text/number_text.h"
 
 namespace ravnoves {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "methods/model/method_words.h"
-#include "plot/ticks.h"
+#include "plot/model/ticks.h"
 
 namespace ravnoves {
 
@@ -45,7 +45,9 @@ QString verdictTitle(Verdict verdict) {
 }
 
 ValidationModel::ValidationModel(QObject* parent)
-    : QAbstractTableModel(parent), job_(new BackgroundJob(this)) {}
+    : QAbstractTableModel(parent), job_(new BackgroundJob(this)) {
+    connect(job_, &BackgroundJob::failed, this, &ValidationModel::failed);
+}
 
 void ValidationModel::load() {
     if (report_ || job_->isRunning()) {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "methods/validation.h"
-#include "widgets/background_job.h"
+#include "model/background_job.h"
 
 namespace ravnoves {
 
@@ -49,6 +49,7 @@ class ValidationModel : public QAbstractTableModel {
 
   Q_SIGNALS:
     void changed();
+    void failed(const QString& why);
 
   private:
     void filter();

@@ -7,7 +7,7 @@
 #include <QRectF>
 #include <QStringList>
 
-#include "plot/plot_scale.h"
+#include "plot/model/plot_scale.h"
 
 namespace ravnoves {
 

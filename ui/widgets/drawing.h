@@ -2,10 +2,11 @@
 
 #include <QColor>
 #include <QPainter>
+#include <QPainterPath>
 #include <QPointF>
 #include <complex>
 
-namespace ravnoves::inertia_drawing {
+namespace ravnoves::drawing {
 
 /// A point of the front view (x right, y up) in a widget's pixels.
 struct Frame {
@@ -27,8 +28,11 @@ void drawArrow(QPainter& painter, const QPointF& from, const QPointF& to, const 
 void drawBar(QPainter& painter, const QPointF& from, const QPointF& to, double width,
              const QColor& fill, const QColor& line);
 
-/// A counterweight seen along its shaft: the sector of a disc towards an angle (rad, counter-
-/// clockwise from x).
+/// A counterweight seen along its shaft: the sector of a disc with a hub towards an angle (rad,
+/// counter-clockwise from x), `half` degrees to both sides.
+QPainterPath weightPath(const QPointF& axis, double angle, double radius, double hubRadius,
+                        double half);
+/// The usual counterweight, 48° to both sides.
 void drawWeight(QPainter& painter, const QPointF& axis, double angle, double radius,
                 const QColor& fill, const QColor& line);
 
@@ -36,10 +40,14 @@ void drawWeight(QPainter& painter, const QPointF& axis, double angle, double rad
 void drawTurning(QPainter& painter, const QPointF& centre, double radius, double start,
                  double sweep, const QColor& colour);
 
+/// A text with its middle at a point.
+void drawCentred(QPainter& painter, const QPointF& middle, const QString& text);
+
 /// Colours of bank 1, bank 2, … and of metal parts in the present theme.
 QColor bankColour(int bank);
 QColor metal();
+QColor brightMetal();
 QColor frontWeight();
 QColor rearWeight();
 
-}  // namespace ravnoves::inertia_drawing
+}  // namespace ravnoves::drawing

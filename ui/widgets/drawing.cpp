@@ -1,6 +1,5 @@
-#include "inertia-moments/drawing.h"
+#include "widgets/drawing.h"
 
-#include <QPainterPath>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,7 +7,7 @@
 #include "numerics/constants.h"
 #include "theme/theme.h"
 
-namespace ravnoves::inertia_drawing {
+namespace ravnoves::drawing {
 
 void drawArrow(QPainter& painter, const QPointF& from, const QPointF& to, const QColor& colour,
                double width) {
@@ -42,21 +41,24 @@ void drawBar(QPainter& painter, const QPointF& from, const QPointF& to, double w
     painter.drawConvexPolygon(corners.data(), static_cast<int>(corners.size()));
 }
 
-void drawWeight(QPainter& painter, const QPointF& axis, double angle, double radius,
-                const QColor& fill, const QColor& line) {
-    constexpr double half = 48.0;
-    const double inner = 0.3 * radius;
+QPainterPath weightPath(const QPointF& axis, double angle, double radius, double hubRadius,
+                        double half) {
     const double middle = angle / degree;
     const QRectF outer(axis - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius));
-    const QRectF hub(axis - QPointF(inner, inner), QSizeF(2 * inner, 2 * inner));
+    const QRectF hub(axis - QPointF(hubRadius, hubRadius), QSizeF(2 * hubRadius, 2 * hubRadius));
     QPainterPath path;
     path.arcMoveTo(outer, middle - half);
     path.arcTo(outer, middle - half, 2 * half);
     path.arcTo(hub, middle + half, -2 * half);
     path.closeSubpath();
+    return path;
+}
+
+void drawWeight(QPainter& painter, const QPointF& axis, double angle, double radius,
+                const QColor& fill, const QColor& line) {
     painter.setPen(QPen(line, 1.1));
     painter.setBrush(fill);
-    painter.drawPath(path);
+    painter.drawPath(weightPath(axis, angle, radius, 0.3 * radius, 48.0));
 }
 
 void drawTurning(QPainter& painter, const QPointF& centre, double radius, double start,
@@ -78,6 +80,11 @@ void drawTurning(QPainter& painter, const QPointF& centre, double radius, double
                                   tip - along * head * 0.4 - across * 3.0});
 }
 
+void drawCentred(QPainter& painter, const QPointF& middle, const QString& text) {
+    constexpr QPointF reach(200.0, 50.0);
+    painter.drawText(QRectF(middle - reach, middle + reach), Qt::AlignCenter, text);
+}
+
 QColor bankColour(int bank) {
     constexpr int colours[] = {2, 1, 3, 4};
     return Theme::instance().curve(colours[bank % 4]);
@@ -85,6 +92,10 @@ QColor bankColour(int bank) {
 
 QColor metal() {
     return Theme::instance().isDark() ? QColor(0x4a525c) : QColor(0xd9dee4);
+}
+
+QColor brightMetal() {
+    return Theme::instance().isDark() ? QColor(0x5a636e) : QColor(0xeef1f4);
 }
 
 QColor frontWeight() {
@@ -95,4 +106,4 @@ QColor rearWeight() {
     return Theme::instance().isDark() ? QColor(0x2f4d66) : QColor(0xbfdcf3);
 }
 
-}  // namespace ravnoves::inertia_drawing
+}  // namespace ravnoves::drawing

@@ -1,4 +1,4 @@
-#include "plot/thin_polyline.h"
+#include "plot/model/thin_polyline.h"
 
 #include <algorithm>
 #include <cmath>

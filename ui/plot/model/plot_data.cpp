@@ -1,9 +1,9 @@
-#include "plot/plot_data.h"
+#include "plot/model/plot_data.h"
 
 #include <limits>
 
-#include "plot/thin_polyline.h"
-#include "widgets/csv_format.h"
+#include "plot/model/thin_polyline.h"
+#include "text/csv_format.h"
 
 namespace ravnoves {
 

@@ -1,8 +1,8 @@
-#include "plot/plot_scale.h"
+#include "plot/model/plot_scale.h"
 
 #include <tuple>
 
-#include "plot/ticks.h"
+#include "plot/model/ticks.h"
 
 namespace ravnoves {
 

@@ -1,4 +1,4 @@
-#include "plot/ticks.h"
+#include "plot/model/ticks.h"
 
 #include <algorithm>
 #include <array>
