@@ -11,7 +11,7 @@ namespace ravnoves {
 
 namespace {
 
-constexpr qint64 reportMs = 40;  ///< between two reports of progress
+constexpr qint64 reportMs = 5;  ///< between two reports of progress
 
 }  // namespace
 
@@ -58,7 +58,7 @@ void BackgroundJob::launch() {
         QElapsedTimer sinceReport;
         sinceReport.start();
         const auto report = [&](double part) {
-            if (sinceReport.elapsed() > reportMs) {
+            if (sinceReport.elapsed() >= reportMs) {
                 sinceReport.restart();
                 QMetaObject::invokeMethod(
                     this,

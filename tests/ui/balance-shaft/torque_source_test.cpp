@@ -71,6 +71,7 @@ TEST_F(TorqueSourceTest, FieldsOfTheCycleEditTheCase) {
     ratio->selectAll();
     QTest::keyClicks(ratio, QStringLiteral("16,5"));
     EXPECT_DOUBLE_EQ(model->input().torque.cycle.compression_ratio, 16.5);
+    QTest::keyClick(ratio, Qt::Key_Return);
     QTest::keyClicks(ratio, QStringLiteral("x"));
     EXPECT_FALSE(ratio->trouble().isEmpty());
     EXPECT_DOUBLE_EQ(model->input().torque.cycle.compression_ratio, 16.5);
