@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "balance-shaft/mechanism.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "numerics/constants.h"
 #include "theme/theme.h"

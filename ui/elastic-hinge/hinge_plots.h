@@ -16,7 +16,6 @@ class HingePlots : public QTabWidget {
   public:
     explicit HingePlots(ElasticHingeModel* model, QWidget* parent = nullptr);
 
-    void resetZoom() { resetAllZoom(this); }
 
     // For tests.
     PlotView* guidePlot() const { return tabs_[0]->plots()[0]; }

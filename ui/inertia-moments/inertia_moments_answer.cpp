@@ -5,7 +5,7 @@
 
 #include "inertia-moments/engine_view.h"
 #include "inertia-moments/model/inertia_moments_model.h"
-#include "inertia-moments/preset.h"
+#include "inertia-moments/presets.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/mechanism_picture.h"

@@ -11,7 +11,7 @@
 #include "inertia-moments/crank_views.h"
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "inertia-moments/order_bars.h"
-#include "inertia-moments/preset.h"
+#include "inertia-moments/presets.h"
 #include "inertia-moments/shaft_view.h"
 #include "theme/theme.h"
 #include "widgets/value_slider.h"

@@ -11,7 +11,7 @@
 
 #include "inertia-moments/cylinder_editor.h"
 #include "inertia-moments/model/inertia_moments_model.h"
-#include "inertia-moments/preset.h"
+#include "inertia-moments/presets.h"
 #include "inertia-moments/shaft_editor.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"

@@ -2,19 +2,12 @@
 
 #include <algorithm>
 
-#include "plot/plot_view.h"
 #include "model/background_job.h"
+#include "plot/plot_view.h"
 #include "widgets/mechanism_picture.h"
 #include "widgets/wheel_guard.h"
 
 namespace ravnoves {
-
-/// Every plot below a page shows all it has.
-void resetAllZoom(QWidget* page) {
-    for (PlotView* plot : page->findChildren<PlotView*>()) {
-        plot->resetZoom();
-    }
-}
 
 ScenePage::ScenePage(QWidget* parent) : QWidget(parent) {
     guardWheel();
