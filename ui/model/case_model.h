@@ -4,9 +4,11 @@
 #include <optional>
 #include <utility>
 
+#include "case-file/field_visitor.h"
 #include "case-file/input_error.h"
 #include "model/input_command.h"
 #include "model/scene_model.h"
+#include "numerics/demand.h"
 #include "text/error_text.h"
 
 namespace ravnoves {
@@ -49,6 +51,32 @@ class CaseModel : public SceneModel {
         }
         push(name, std::move(next), stepOf(name));
         return {};
+    }
+
+    static constexpr bool hasFields = requires(FieldVisitor & visitor, Input& input) {
+        visit_fields(visitor, input);
+    };
+    std::vector<FieldEntry> describedFields() const override {
+        if constexpr (hasFields) {
+            return describe_fields<Input>();
+        } else {
+            return {};
+        }
+    }
+    std::vector<FieldEntry> fields() const override {
+        if constexpr (hasFields) {
+            return list_fields(input_);
+        } else {
+            return {};
+        }
+    }
+    QString editField(const std::string& pointer, const FieldValue& value,
+                      const QString& name) override {
+        return edit(name, [&](Input& input) {
+            if constexpr (hasFields) {
+                RAVNOVES_DEMAND(set_field(input, pointer, value), "a form's field is in the input");
+            }
+        });
     }
 
     Json inputJson() const override { return scene_.write(input_); }

@@ -32,6 +32,7 @@ class InputCommand : public QUndoCommand {
             return false;
         }
         after_ = next->after_;
+        setObsolete(after_ == before_);  // Escape brought the old value back
         return true;
     }
 

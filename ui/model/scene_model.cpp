@@ -38,6 +38,11 @@ int SceneModel::oneOf(const QString& key, const QString& value,
     return oneOf(key, value, list);
 }
 
+QString SceneModel::editField(const std::string& /*pointer*/, const FieldValue& /*value*/,
+                              const QString& /*name*/) {
+    return {};
+}
+
 void SceneModel::setTitle(const QString& title) {
     if (title_ != title) {
         title_ = title;

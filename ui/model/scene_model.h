@@ -7,8 +7,11 @@
 #include <functional>
 #include <initializer_list>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "case-file/case_context.h"
+#include "case-file/field_index.h"
 #include "case-file/json.h"
 
 namespace ravnoves {
@@ -49,6 +52,15 @@ class SceneModel : public QObject {
     virtual Json resultJson() const = 0;
     /// The input that a new document starts with.
     virtual void loadDefault() = 0;
+    /// The fields of the input with their present values, for forms; all that a case may have, or
+    /// what this one has.
+    virtual std::vector<FieldEntry> describedFields() const { return {}; }
+    virtual std::vector<FieldEntry> fields() const { return {}; }
+    /// Sets one field by its pointer below "input", as one step of the history that is named after
+    /// it. Returns as CaseModel::edit().
+    virtual QString editField(const std::string& pointer, const FieldValue& value,
+                              const QString& name);
+
     /// A setting of the page that is not in the case file (crank angle of the picture and so on).
     /// @return false where the page has no such setting
     virtual bool setViewOption(const QString& key, const QString& value);

@@ -8,6 +8,7 @@
 
 #include "case-file/input_error.h"
 #include "text/error_phrases.h"
+#include "text/message_text.h"
 #include "text/number_text.h"
 
 namespace ravnoves {
@@ -91,13 +92,13 @@ QString errorText(const std::exception& error) {
     if (input == nullptr) {
         return QString::fromUtf8(error.what());
     }
-    QString text = coreText(input->allowed());
-    if (!input->where().empty()) {
-        text = coreText(input->where()) + QLatin1String(": ") + text;
+    QString text = messageText(input->allowed_message());
+    if (!input->where_message().empty()) {
+        text = messageText(input->where_message()) + QLatin1String(": ") + text;
     }
-    if (!input->found().empty()) {
+    if (!input->found_message().empty()) {
         text += QCoreApplication::translate("ravnoves::InputError", ", got %1")
-                    .arg(coreText(input->found()));
+                    .arg(messageText(input->found_message()));
     }
     return text;
 }

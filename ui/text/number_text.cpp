@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "case-file/decimal.h"
+#include "text/message_text.h"
 
 namespace ravnoves {
 
@@ -32,13 +33,6 @@ constexpr std::array unitNames{
     QT_TRANSLATE_NOOP("ravnoves::Unit", "s"),     QT_TRANSLATE_NOOP("ravnoves::Unit", "cm³"),
 };
 
-QString withUnit(const QString& number, const QString& unit) {
-    if (unit.isEmpty()) {
-        return number;
-    }
-    return unit == QStringLiteral("°") ? number + unit : number + QChar(0x00A0) + unit;
-}
-
 }  // namespace
 
 QString unitText(std::string_view unit) {
@@ -47,6 +41,13 @@ QString unitText(std::string_view unit) {
         return QCoreApplication::translate("ravnoves::Unit", *known);
     }
     return QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
+}
+
+QString withUnit(const QString& number, const QString& unit) {
+    if (unit.isEmpty()) {
+        return number;
+    }
+    return unit == QStringLiteral("°") ? number + unit : number + QChar(0x00A0) + unit;
 }
 
 QString formNumber(double value, const QLocale& locale, int significant) {
@@ -74,40 +75,9 @@ QString fixedNumber(double value, int decimals, const QLocale& locale) {
     return plain(locale).toString(shown, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
 }
 
-QString rangeText(const Range& range, const QString& unit, const QLocale& locale) {
-    // Not "tr": lupdate passes over the texts inside a call of that name.
-    const auto inWords = [](const char* text) {
-        return QCoreApplication::translate("ravnoves::Range", text);
-    };
-    const auto number = [&](double value) { return withUnit(formNumber(value, locale), unit); };
-    const bool hasMin = std::isfinite(range.min);
-    const bool hasMax = std::isfinite(range.max);
-    if (hasMin && hasMax) {
-        if (!range.min_open && !range.max_open) {
-            return inWords(QT_TRANSLATE_NOOP("ravnoves::Range", "must be from %1 to %2"))
-                .arg(formNumber(range.min, locale), number(range.max));
-        }
-        const char* text =
-            range.min_open
-                ? (range.max_open ? QT_TRANSLATE_NOOP("ravnoves::Range",
-                                                      "must be greater than %1 and less than %2")
-                                  : QT_TRANSLATE_NOOP("ravnoves::Range",
-                                                      "must be greater than %1 and at most %2"))
-                : QT_TRANSLATE_NOOP("ravnoves::Range", "must be at least %1 and less than %2");
-        return inWords(text).arg(formNumber(range.min, locale), number(range.max));
-    }
-    if (hasMin) {
-        return inWords(range.min_open
-                           ? QT_TRANSLATE_NOOP("ravnoves::Range", "must be greater than %1")
-                           : QT_TRANSLATE_NOOP("ravnoves::Range", "must be at least %1"))
-            .arg(number(range.min));
-    }
-    if (hasMax) {
-        return inWords(range.max_open ? QT_TRANSLATE_NOOP("ravnoves::Range", "must be less than %1")
-                                      : QT_TRANSLATE_NOOP("ravnoves::Range", "must be at most %1"))
-            .arg(number(range.max));
-    }
-    return inWords(QT_TRANSLATE_NOOP("ravnoves::Range", "must be a number"));
+QString rangeText(const Range& range, const QString& unit, const QLocale& /*locale*/) {
+    const std::string name = unit.toStdString();
+    return messageText(range.message({name, 1.0}));
 }
 
 }  // namespace ravnoves

@@ -22,6 +22,8 @@ QString rangeText(const Range& range, const QString& unit, const QLocale& locale
 
 /// A unit of core ("mm", "min⁻¹") as the language writes it.
 QString unitText(std::string_view unit);
+/// "46 mm", "50.65°": a number and its unit, which may be empty.
+QString withUnit(const QString& number, const QString& unit);
 
 /// Fixed decimals with the locale's decimal sign and a true minus.
 QString fixedNumber(double value, int decimals, const QLocale& locale);

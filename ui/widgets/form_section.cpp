@@ -1,5 +1,6 @@
 #include "widgets/form_section.h"
 
+#include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
 
@@ -86,6 +87,12 @@ NumberField* FormSection::addNumber(const QString& label, const FieldSpec& spec,
         trouble->setVisible(!text.isEmpty());
     });
     return field;
+}
+
+NumberField* FormSection::addNumber(const Field& field) {
+    NumberField* number = addNumber(shownText(field.label), field, shownText(field.hint));
+    number->setPlaceholderText(shownText(field.placeholder));
+    return number;
 }
 
 void FormSection::addWidget(const QString& label, QWidget* field, const QString& unit,

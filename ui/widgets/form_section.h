@@ -5,6 +5,7 @@
 #include <QScrollArea>
 #include <QWidget>
 
+#include "case-file/field.h"
 #include "widgets/number_field.h"
 
 namespace ravnoves {
@@ -21,6 +22,8 @@ class FormSection : public QWidget {
     /// @param hint  what the value means and its source, for the tooltip
     NumberField* addNumber(const QString& label, const FieldSpec& spec, const QString& hint,
                            const QString& unit = {});
+    /// A row for a field as core describes it.
+    NumberField* addNumber(const Field& field);
     /// A row with any widget; unit and hint may be empty.
     void addWidget(const QString& label, QWidget* field, const QString& unit = {},
                    const QString& hint = {});

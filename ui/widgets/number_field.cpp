@@ -31,6 +31,9 @@ NumberField::Reading NumberField::read(const QString& typed) const {
     if (!number) {
         return {{}, tr("“%1” is not a number.").arg(typed)};
     }
+    if (whole_ && std::floor(*number) != *number) {
+        return {{}, tr("The value must be a whole number.")};
+    }
     if (!range_.contains(*number)) {
         return {{}, tr("The value %1.").arg(rangeText(range_, unit_, locale()))};
     }

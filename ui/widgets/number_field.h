@@ -19,6 +19,8 @@ class NumberField : public ValueEntry<std::optional<double>> {
     void setRange(const Range& range, const QString& unit);
     /// An empty field is allowed and means "by formula"; its value is then empty.
     void setOptional(bool optional) { optional_ = optional; }
+    /// Only whole numbers are allowed.
+    void setWhole(bool whole) { whole_ = whole; }
     /// Significant digits shown; all that is typed is kept.
     void setDigits(int digits) { digits_ = digits; }
 
@@ -39,6 +41,7 @@ class NumberField : public ValueEntry<std::optional<double>> {
     QString unit_;
     int digits_ = 10;
     bool optional_ = false;
+    bool whole_ = false;
 };
 
 }  // namespace ravnoves

@@ -1,0 +1,44 @@
+#include "text/message_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include "text/error_text.h"
+#include "text/number_text.h"
+
+namespace ravnoves {
+
+namespace {
+
+struct Shown {
+    QString operator()(const std::string& word) const { return coreText(word); }
+    QString operator()(const Message& message) const { return messageText(message); }
+    QString operator()(const Number& number) const {
+        const int digits = number.digits > 0 ? number.digits : QLocale::FloatingPointShortest;
+        return withUnit(formNumber(number.value, QLocale(), digits), unitText(number.unit.name));
+    }
+};
+
+}  // namespace
+
+QString shownText(const Text& text) {
+    return text.empty() ? QString() : QCoreApplication::translate(text.context, text.english);
+}
+
+QString messageText(const Message& message) {
+    const Text& pattern = message.pattern();
+    if (pattern.empty()) {
+        return coreText(message.verbatim());
+    }
+    std::vector<std::string> values;
+    for (const Argument& argument : message.arguments()) {
+        values.push_back(std::visit(Shown{}, argument).toStdString());
+    }
+    return QString::fromStdString(fill_pattern(shownText(pattern).toStdString(), values));
+}
+
+QString fieldName(const Field& field) {
+    return shownText(field.label).remove(QLatin1Char('&'));
+}
+
+}  // namespace ravnoves
