@@ -93,7 +93,7 @@ void check_ascending(const std::vector<double>& angles, const auto& place) {
 }
 
 void check_end(const std::vector<double>& values, const Column& column, double tolerance,
-               const std::string& place) {
+               const Message& place) {
     double largest = 0.0;
     for (const double value : values) {
         largest = std::max(largest, std::abs(value));

@@ -1,21 +1,22 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <string_view>
+
+#include "case-file/message.h"
 
 namespace ravnoves {
 
 /// A source that the program rests on. Comments cite it by its key in brackets: [nazarov]. What its
 /// copy does not say (journal, year) stays empty.
 struct Source {
-    std::string_view key;       ///< "gots-klevtsov"
-    std::string_view cited_as;  ///< "Gots, Klevtsov"
-    std::string_view authors;   ///< "A. N. Gots, V. S. Klevtsov"; of a standard who issues it
-    std::string_view title;     ///< in English
-    std::string_view journal;   ///< with its number, or the standard's number
-    int year = 0;               ///< 0: not known
-    std::string_view pages;     ///< "14–22"
+    std::string_view key;      ///< "gots-klevtsov"
+    Text cited_as;             ///< "Gots, Klevtsov"
+    Text authors;              ///< "A. N. Gots, V. S. Klevtsov"; of a standard who issues it
+    Text title;                ///< in English
+    std::string_view journal;  ///< with its number, or the standard's number
+    int year = 0;              ///< 0: not known
+    std::string_view pages;    ///< "14–22"
     std::string_view doi;
 };
 
@@ -26,6 +27,6 @@ std::span<const Source> bibliography();
 const Source& source(std::string_view key);
 
 /// Authors, title and year in one line: `A. Author, "Title", 2021`.
-std::string citation(const Source& source);
+Message citation(const Source& source);
 
 }  // namespace ravnoves

@@ -18,11 +18,13 @@ class InputError : public std::runtime_error {
     /// @param allowed  what is allowed there, as a phrase ("must be greater than 0")
     /// @param found    what stood there instead; empty where there is nothing to show
     InputError(Message where, Message allowed, Message found = {})
-        : std::runtime_error(join(where.english(), allowed.english(), found.english())),
+        : std::runtime_error(join(where, allowed, found).english()),
           where_(std::move(where)),
           allowed_(std::move(allowed)),
           found_(std::move(found)) {}
 
+    /// The three joined.
+    Message message() const { return join(where_, allowed_, found_); }
     /// The same in English.
     std::string where() const { return where_.english(); }
     std::string allowed() const { return allowed_.english(); }
@@ -33,13 +35,9 @@ class InputError : public std::runtime_error {
     const Message& found_message() const noexcept { return found_; }
 
   private:
-    static std::string join(const std::string& where, const std::string& allowed,
-                            const std::string& found) {
-        std::string text = where.empty() ? allowed : where + ": " + allowed;
-        if (!found.empty()) {
-            text += ", got " + found;
-        }
-        return text;
+    static Message join(const Message& where, const Message& allowed, const Message& found) {
+        Message text = where.empty() ? allowed : Message(Text{"", "%1: %2"}, where, allowed);
+        return found.empty() ? text : Message(CORE_TEXT("core", "%1, got %2"), text, found);
     }
 
     Message where_;

@@ -39,6 +39,18 @@ std::string fill_pattern(std::string_view pattern, const std::vector<std::string
 
 Message::Message(Number number) : pattern_{"", "%1"}, arguments_{number} {}
 
+Message joined(Message a, Message b) {
+    return {Text{"", "%1, %2"}, std::move(a), std::move(b)};
+}
+
+Message line_place(std::size_t line) {
+    return {CORE_TEXT("core", "line %1"), line};
+}
+
+Message table_place(std::size_t line, int column) {
+    return {CORE_TEXT("core", "line %1, column %2"), line, column};
+}
+
 Message quoted_list(const std::vector<std::string>& words) {
     std::string text;
     for (const std::string& word : words) {

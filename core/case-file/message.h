@@ -6,25 +6,10 @@
 #include <variant>
 #include <vector>
 
+#include "numerics/text.h"
 #include "numerics/units.h"
 
 namespace ravnoves {
-
-/// A text for the user, written once: in English, with the context in which translators see it.
-/// `%1`, `%2` … are places of values.
-struct Text {
-    const char* context = "";
-    const char* english = "";
-
-    constexpr bool empty() const { return *english == '\0'; }
-};
-
-/// Marks a text for translation; lupdate extracts it (as it does QT_TRANSLATE_NOOP). The context is
-/// the scene's word, or "core" for what scenes share.
-#define CORE_TEXT(context, english) \
-    ::ravnoves::Text {              \
-        context, english            \
-    }
 
 /// A number in a message.
 struct Number {
@@ -46,6 +31,7 @@ class Message {
     Message() = default;
     /// Words that no language changes.
     Message(std::string verbatim) : verbatim_(std::move(verbatim)) {}
+    Message(std::string_view verbatim) : verbatim_(verbatim) {}
     Message(const char* verbatim) : verbatim_(verbatim) {}
     Message(Text pattern) : pattern_(pattern) {}
     /// The number alone.
@@ -71,6 +57,11 @@ class Message {
     std::vector<Argument> arguments_;
 };
 
+/// "a, b"
+Message joined(Message a, Message b);
+/// A place in a table or in the text of a file.
+Message line_place(std::size_t line);               ///< "line 4"
+Message table_place(std::size_t line, int column);  ///< "line 4, column 2"
 /// Words in a row: "a", "b", "c".
 Message quoted_list(const std::vector<std::string>& words);
 

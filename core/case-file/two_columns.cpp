@@ -104,18 +104,15 @@ char find_separator(std::string_view line, std::size_t number) {
     split(line, ',', fields);
     if (fields.size() == 4 && line.find('"') == std::string_view::npos) {
         throw InputError(table_place(number, 1),
-                         "must not separate columns by commas and use decimal commas at once; "
-                         "separate the columns by semicolons",
+                         CORE_TEXT("core",
+                                   "must not separate columns by commas and use decimal commas at "
+                                   "once; separate the columns by semicolons"),
                          quote(line));
     }
     return ',';
 }
 
 }  // namespace
-
-std::string table_place(std::size_t line, int column) {
-    return "line " + std::to_string(line) + ", column " + std::to_string(column);
-}
 
 TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
@@ -141,8 +138,8 @@ TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule) {
             return (byte < 0x20 && c != '\t' && c != '\v' && c != '\f') || byte == 0x7F;
         });
         if (bad != line.end()) {
-            throw InputError("line " + std::to_string(number),
-                             "must be text; this looks like a binary file");
+            throw InputError(line_place(number),
+                             CORE_TEXT("core", "must be text; this looks like a binary file"));
         }
         if (trim(line).empty() || trim(line).front() == '#') {
             continue;
@@ -161,30 +158,30 @@ TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule) {
         split(line, rows.separator, fields);
         if (fields.size() != 2) {
             throw InputError(
-                "line " + std::to_string(number),
-                "must hold two columns, " + std::string(rule.first) + " and " +
-                    std::string(rule.second),
-                fields.size() == 1 ? quote(fields[0]) : std::to_string(fields.size()) + " columns");
+                line_place(number),
+                {CORE_TEXT("core", "must hold two columns, %1 and %2"), rule.first, rule.second},
+                fields.size() == 1 ? Message(quote(fields[0]))
+                                   : Message(CORE_TEXT("core", "%1 columns"), fields.size()));
         }
         std::array<double, 2> values{};
         for (std::size_t column = 0; column < 2; ++column) {
             const auto value = parse_decimal(fields[column]);
             if (!value) {
                 throw InputError(table_place(number, static_cast<int>(column) + 1),
-                                 "must be a finite number", quote(fields[column]));
+                                 CORE_TEXT("core", "must be a finite number"),
+                                 quote(fields[column]));
             }
             values[column] = *value;
             rows.decimal_comma =
                 rows.decimal_comma || fields[column].find(',') != std::string_view::npos;
         }
         if (!rule.first_range.contains(values[0])) {
-            throw InputError(table_place(number, 1), rule.first_range.describe(),
-                             format_number(values[0]));
+            throw InputError(table_place(number, 1), rule.first_range.message(), Number{values[0]});
         }
         if (rows.first.size() >= rule.most_rows) {
             throw InputError(
-                "line " + std::to_string(number),
-                "the table must have at most " + std::to_string(rule.most_rows) + " rows");
+                line_place(number),
+                {CORE_TEXT("core", "the table must have at most %1 rows"), rule.most_rows});
         }
         rows.first.push_back(values[0]);
         rows.second.push_back(values[1]);

@@ -22,8 +22,8 @@ struct TwoColumns {
 
 /// What a table of two columns must be.
 struct TwoColumnsRule {
-    std::string_view first;   ///< what the column holds, for messages: "crank angle"
-    std::string_view second;  ///< "torque"
+    Message first;   ///< what the column holds, for messages: "crank angle"
+    Message second;  ///< "torque"
     Range first_range;
     std::size_t most_rows;
 };
@@ -35,8 +35,5 @@ struct TwoColumnsRule {
 /// Further columns are refused.
 /// @throws InputError that names line and column ("line 4, column 2")
 TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule);
-
-/// "line 4, column 2", as errors in a table name a place.
-std::string table_place(std::size_t line, int column);
 
 }  // namespace ravnoves

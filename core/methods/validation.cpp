@@ -19,6 +19,23 @@ Paper paper(std::string_view scene, std::string_view key) {
     return {scene, entry.cited_as, citation(entry)};
 }
 
+struct VerdictWords {
+    std::string_view id;
+    Text title;
+};
+
+const VerdictWords& words_of(Verdict verdict) {
+    // In the order of the enumeration.
+    static constexpr VerdictWords words[] = {
+        {"reproduced", CORE_TEXT("methods", "reproduced")},
+        {"artefact", CORE_TEXT("methods", "artefact")},
+        {"slip", CORE_TEXT("methods", "slip")},
+        {"not-derivable", CORE_TEXT("methods", "not derivable")},
+        {"differs", CORE_TEXT("methods", "differs")},
+    };
+    return words[static_cast<std::size_t>(verdict)];
+}
+
 /// With a fixed number of decimals; what rounds to nothing has no sign.
 std::string fixed(double value, int decimals) {
     std::array<char, 64> text{};
@@ -60,23 +77,11 @@ std::size_t number_of(const std::string& reason, std::vector<std::string>& reaso
 }  // namespace
 
 std::string_view verdict_id(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::reproduced:
-            return "reproduced";
-        case Verdict::artefact:
-            return "artefact";
-        case Verdict::slip:
-            return "slip";
-        case Verdict::not_derivable:
-            return "not-derivable";
-        case Verdict::differs:
-            break;
-    }
-    return "differs";
+    return words_of(verdict).id;
 }
 
-std::string_view verdict_title(Verdict verdict) {
-    return verdict == Verdict::not_derivable ? "not derivable" : verdict_id(verdict);
+Text verdict_title(Verdict verdict) {
+    return words_of(verdict).title;
 }
 
 std::span<const Paper> papers() {
@@ -135,7 +140,7 @@ std::string ValidationReport::summary() const {
             continue;
         }
         text += (first ? "" : ", ") + std::to_string(number) + " ";
-        text += verdict_title(verdict);
+        text += verdict_title(verdict).english;
         first = false;
     }
     return text;
@@ -168,16 +173,16 @@ std::string write_text(const ValidationReport& report, std::size_t width) {
             if (row.scene != paper.scene) {
                 continue;
             }
-            if (row.place != place) {
-                place = row.place;
+            if (row.place.english() != place) {
+                place = row.place.english();
                 table.heading(place);
             }
-            const std::size_t note = number_of(row.reason, reasons);
-            table.add({"  " + row.quantity, row.unit, row.printed_text, row.ours_text(),
-                       row.difference_text(), std::string(verdict_title(row.verdict)),
+            const std::size_t note = number_of(row.reason.english(), reasons);
+            table.add({"  " + row.quantity.english(), row.unit, row.printed_text, row.ours_text(),
+                       row.difference_text(), verdict_title(row.verdict).english,
                        "[" + std::to_string(note) + "]"});
         }
-        text += "\n" + paper.citation + "\n\n" + table.text(width) + "\n";
+        text += "\n" + paper.citation.english() + "\n\n" + table.text(width) + "\n";
         for (std::size_t i = 0; i < reasons.size(); ++i) {
             text += hanging("[" + std::to_string(i + 1) + "] ", reasons[i], width);
         }
@@ -190,10 +195,10 @@ std::string write_csv(const ValidationReport& report) {
                                  "relative_difference", "verdict", "reason"});
     for (const ValidationRow& row : report.rows) {
         const auto difference = row.relative_difference();
-        text += csv_line({row.scene, row.place, row.quantity, row.unit, format_number(row.printed),
-                          row.ours ? format_number(*row.ours) : "",
+        text += csv_line({row.scene, row.place.english(), row.quantity.english(), row.unit,
+                          format_number(row.printed), row.ours ? format_number(*row.ours) : "",
                           difference ? format_number(*difference) : "",
-                          std::string(verdict_id(row.verdict)), row.reason});
+                          std::string(verdict_id(row.verdict)), row.reason.english()});
     }
     return text;
 }

@@ -58,7 +58,7 @@ Json solve_case(const CaseFile& file, const CaseContext& context) {
     const auto scene = std::find_if(scenes.begin(), scenes.end(),
                                     [&](const SceneSolver& s) { return s.name == file.scene; });
     if (scene == scenes.end()) {
-        throw InputError("/scene", "must be a known scene", file.scene);
+        throw InputError("/scene", CORE_TEXT("core", "must be a known scene"), file.scene);
     }
     Json result = scene->solve(file.input, context);
     check_finite(result, "/result");

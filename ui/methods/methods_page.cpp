@@ -23,6 +23,8 @@
 #include "methods/validation_view.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
@@ -59,9 +61,9 @@ QString nanoseconds(double value) {
     return QLocale().toString(rounded, 'f', decimals);
 }
 
-QStringList cells(const Kernel& kernel, const methods::SweepInfo& sweep, const MethodRow& row) {
+QStringList cells(const Kernel& kernel, const MethodRow& row) {
     const methods::MethodInfo& method = kernel.methods[row.method];
-    QString title = methodText(method.title);
+    QString title = shownText(method.title);
     if (row.in_use) {
         title = MethodsPage::tr("%1 (in use)").arg(title);
     }
@@ -72,7 +74,7 @@ QStringList cells(const Kernel& kernel, const methods::SweepInfo& sweep, const M
             resultText(row.result),
             QLocale().toString(std::round(row.operations), 'f', 0),
             first && row.order ? QLocale().toString(*row.order, 'f', 1) : QString(),
-            row.fails ? failingText(sweep, *row.fails) : QString()};
+            row.fails ? methodText(*row.fails) : QString()};
 }
 
 /// As a sentence begins; a symbol (s′, ρ) stays as it is.
@@ -145,7 +147,7 @@ QWidget* MethodsPage::buildChoice() {
     kernels_->setAccessibleName(tr("Quantity"));
     kernels_->setToolTip(tr("What is computed: the numerical kernels of the scenes"));
     for (const Kernel& kernel : model_->kernels()) {
-        kernels_->addItem(methodText(kernel.title));
+        kernels_->addItem(shownText(kernel.title));
     }
     connect(kernels_, &QComboBox::activated, this,
             [this](int index) { model_->setKernel(static_cast<std::size_t>(index)); });
@@ -285,8 +287,8 @@ void MethodsPage::showKernel() {
     const QSignalBlocker quiet(sweeps_);
     sweeps_->clear();
     for (const methods::SweepInfo& sweep : model_->kernel().sweeps) {
-        sweeps_->addItem(methodText(sweep.title));
-        sweeps_->setItemData(sweeps_->count() - 1, methodText(sweep.title), Qt::ToolTipRole);
+        sweeps_->addItem(shownText(sweep.title));
+        sweeps_->setItemData(sweeps_->count() - 1, shownText(sweep.title), Qt::ToolTipRole);
     }
     showSweep();
     showWords();
@@ -295,7 +297,7 @@ void MethodsPage::showKernel() {
 void MethodsPage::showSweep() {
     const methods::SweepInfo& sweep = model_->sweep();
     sweeps_->setCurrentIndex(static_cast<int>(model_->sweepIndex()));
-    value_->setSweep(sweep, methodText(sweep.title), methodText(sweep.unit));
+    value_->setSweep(sweep, shownText(sweep.title), unitText(sweep.unit.name));
     showCase();
 }
 
@@ -328,18 +330,18 @@ void MethodsPage::showWords() {
     const methods::MethodInfo& method = kernel.methods[kernel.chosen_method()];
     const methods::Setting& setting = method.settings[kernel.chosen_setting()];
     QString html;
-    html += paragraph(tr("What is computed"), methodText(kernel.quantity));
+    html += paragraph(tr("What is computed"), shownText(kernel.quantity));
     html += paragraph(
         tr("What the scene uses, and why"),
         tr("%1, %2. Tolerance: %3, %4.")
-                .arg(methodText(method.title), methodText(setting.label),
-                     errorNumber(kernel.choice.tolerance), methodText(kernel.error_measure)) +
-            QLatin1Char(' ') + methodText(kernel.choice.reason));
+                .arg(shownText(method.title), methodText(setting.label),
+                     errorNumber(kernel.choice.tolerance), shownText(kernel.error_measure)) +
+            QLatin1Char(' ') + shownText(kernel.choice.reason));
     html += paragraph(tr("What it is measured against"),
                       tr("The same quantity in 50 digits, and that by a way that shares no code: "
                          "%1.")
-                          .arg(methodText(kernel.check_text)));
-    html += paragraph(tr("One evaluation"), methodText(kernel.evaluation));
+                          .arg(shownText(kernel.check_text)));
+    html += paragraph(tr("One evaluation"), shownText(kernel.evaluation));
     words_->setText(html);
 }
 
@@ -351,7 +353,7 @@ void MethodsPage::showTable() {
     const Kernel& kernel = shown->kernel();
     QVector<QStringList> rows;
     for (const MethodRow& row : shown->report.rows) {
-        rows << cells(kernel, shown->sweep(), row);
+        rows << cells(kernel, row);
     }
     const QSignalBlocker quiet(table_);
     table_->setRows(rows);
@@ -364,13 +366,13 @@ void MethodsPage::showTable() {
             font.setBold(row.in_use && column == Method);
             cell->setFont(font);
             cell->setForeground(theme.text());
-            cell->setToolTip(methodText(row.limits));
+            cell->setToolTip(shownText(row.limits));
         }
         table_->item(i, Time)->setToolTip(
             tr("Half of the runs from %1 to %2")
                 .arg(timeText(row.timing.low), timeText(row.timing.high)));
         table_->item(i, Fails)->setToolTip(table_->item(i, Fails)->text() + QLatin1Char('\n') +
-                                           methodText(row.limits));
+                                           shownText(row.limits));
         table_->item(i, Error)->setForeground(row.holds ? theme.good() : theme.error());
         table_->item(i, Error)->setToolTip(
             row.result.refused() ? tr("refused: %1").arg(methodText(row.result.refusal))
@@ -399,7 +401,7 @@ void MethodsPage::chooseRow() {
     model_->setShownMethod(chosen.method);
     const methods::MethodInfo& method = shown->kernel().methods[chosen.method];
     limits_->setText(
-        tr("%1: %2.").arg(capitalised(methodText(method.title)), methodText(method.limits)));
+        tr("%1: %2.").arg(capitalised(shownText(method.title)), shownText(method.limits)));
 }
 
 void MethodsPage::showRunning() {

@@ -14,7 +14,8 @@ bool SceneModel::setViewOption(const QString& /*key*/, const QString& /*value*/)
 double SceneModel::readNumber(const QString& key, const QString& value) {
     const auto number = readFormNumber(value);
     if (!number) {
-        throw InputError(key.toStdString(), "must be a number", value.toStdString());
+        throw InputError(key.toStdString(), CORE_TEXT("core", "must be a number"),
+                         value.toStdString());
     }
     return *number;
 }
@@ -22,8 +23,12 @@ double SceneModel::readNumber(const QString& key, const QString& value) {
 int SceneModel::oneOf(const QString& key, const QString& value, const QStringList& words) {
     const auto place = words.indexOf(value);
     if (place < 0) {
-        const QString known = words.join(QStringLiteral("\", \""));
-        throw InputError(key.toStdString(), "must be one of \"" + known.toStdString() + "\"",
+        std::vector<std::string> known;
+        for (const QString& word : words) {
+            known.push_back(word.toStdString());
+        }
+        throw InputError(key.toStdString(),
+                         {CORE_TEXT("core", "must be one of %1"), quoted_list(known)},
                          value.toStdString());
     }
     return static_cast<int>(place);
@@ -65,7 +70,7 @@ void SceneModel::setByKey(const QString& key, const QString& value) {
     try {
         input[Json::json_pointer(path)] = parsed;
     } catch (const Json::exception&) {
-        throw InputError("/input" + path, "is not a known key");
+        throw InputError("/input" + path, CORE_TEXT("core", "is not a known key"));
     }
     loadInput(input, context_);
 }

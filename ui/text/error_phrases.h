@@ -105,6 +105,7 @@ inline constexpr std::array errorPhrases{
     QT_TRANSLATE_NOOP("ravnoves::InputError",
                       "must equal the first %1, %2, since the cycle repeats"),
     QT_TRANSLATE_NOOP("ravnoves::InputError", "torque"),
+    QT_TRANSLATE_NOOP("ravnoves::InputError", "crank angle"),
     QT_TRANSLATE_NOOP("ravnoves::InputError", "pressure"),
     QT_TRANSLATE_NOOP("ravnoves::InputError", "must be text; this looks like a binary file"),
     QT_TRANSLATE_NOOP("ravnoves::InputError", "must hold two columns, crank angle and %1"),

@@ -1,8 +1,5 @@
 #include "text/number_text.h"
 
-#include <QCoreApplication>
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "case-file/decimal.h"
@@ -17,30 +14,10 @@ QLocale plain(QLocale locale) {
     return locale;
 }
 
-/// Units that a language may write with letters of its own; the rest ("°") stays.
-constexpr std::array unitNames{
-    QT_TRANSLATE_NOOP("ravnoves::Unit", "mm"),    QT_TRANSLATE_NOOP("ravnoves::Unit", "kg"),
-    QT_TRANSLATE_NOOP("ravnoves::Unit", "g"),     QT_TRANSLATE_NOOP("ravnoves::Unit", "g·mm"),
-    QT_TRANSLATE_NOOP("ravnoves::Unit", "N"),     QT_TRANSLATE_NOOP("ravnoves::Unit", "N/m"),
-    QT_TRANSLATE_NOOP("ravnoves::Unit", "N·m"),   QT_TRANSLATE_NOOP("ravnoves::Unit", "kN/m"),
-    QT_TRANSLATE_NOOP("ravnoves::Unit", "J"),     QT_TRANSLATE_NOOP("ravnoves::Unit", "bar"),
-    QT_TRANSLATE_NOOP("ravnoves::Unit", "kPa"),   QT_TRANSLATE_NOOP("ravnoves::Unit", "MPa"),
-    QT_TRANSLATE_NOOP("ravnoves::Unit", "GPa"),   QT_TRANSLATE_NOOP("ravnoves::Unit", "Pa"),
-    QT_TRANSLATE_NOOP("ravnoves::Unit", "kg/m³"), QT_TRANSLATE_NOOP("ravnoves::Unit", "kg·m²"),
-    QT_TRANSLATE_NOOP("ravnoves::Unit", "m/s²"),  QT_TRANSLATE_NOOP("ravnoves::Unit", "mm/s"),
-    QT_TRANSLATE_NOOP("ravnoves::Unit", "min⁻¹"), QT_TRANSLATE_NOOP("ravnoves::Unit", "rad/s"),
-    QT_TRANSLATE_NOOP("ravnoves::Unit", "rad"),   QT_TRANSLATE_NOOP("ravnoves::Unit", "µm"),
-    QT_TRANSLATE_NOOP("ravnoves::Unit", "s"),     QT_TRANSLATE_NOOP("ravnoves::Unit", "cm³"),
-};
-
 }  // namespace
 
 QString unitText(std::string_view unit) {
-    const auto* const known = std::find(unitNames.begin(), unitNames.end(), unit);
-    if (known != unitNames.end()) {
-        return QCoreApplication::translate("ravnoves::Unit", *known);
-    }
-    return QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
+    return shownText({"core", std::string(unit).c_str()});
 }
 
 QString withUnit(const QString& number, const QString& unit) {

@@ -8,6 +8,7 @@
 #include "inertia-moments/presets.h"
 #include "inertia-moments/solver.h"
 #include "methods/validation/rows.h"
+#include "numerics/units.h"
 
 namespace ravnoves::methods {
 
@@ -34,26 +35,28 @@ Input paper_input() {
 
 void sizes(const Result& result, const Input& input, PaperRows& rows) {
     const double shift = input.layout->bank_angle + 2.0 * *result.tdc_angle;
-    rows.at("text, introduction");
-    const auto quoted = [&](const char* quantity, const char* unit, const char* printed) {
-        rows.not_derivable(quantity, unit, printed, "Quoted from other papers.");
+    rows.at(in_text(CORE_TEXT("methods", "introduction")));
+    const auto quoted = [&](Message quantity, const char* unit, const char* printed) {
+        rows.not_derivable(std::move(quantity), unit, printed,
+                           CORE_TEXT("methods", "Quoted from other papers."));
     };
-    quoted("displacement of five-cylinder engines, from", "l", "2.3");
-    quoted("displacement of five-cylinder engines, to", "l", "3.0");
-    quoted("angle between the banks of VR engines, from", "°", "8");
-    quoted("angle between the banks of VR engines, to", "°", "20");
-    rows.at("text, parameters of the engine");
-    rows.reproduced(
-        "offset e", "mm", "12.5",
-        read_printed("0.278").value * input.crank_radius / inertia_moments::field::millimetre,
-        "K R.");
-    rows.reproduced("relative offset K", "", "0.278", input.layout->offset / input.crank_radius,
-                    "e / R.");
-    rows.reproduced("crank angle at top dead centre", "°", "3°20′", *result.tdc_angle / degree,
-                    "arcsin(λK / (1 + λ)).");
-    rows.reproduced("shift of the crankpins of bank 2", "°", "21°40′", shift / degree,
-                    "To 1′, from the exact top dead centre. It is γ + 2 φ: the formula beside it, "
-                    "γ + φ, has lost the 2 and would give 18°20′.",
+    quoted(lower_end(CORE_TEXT("methods", "displacement of five-cylinder engines")), "l", "2.3");
+    quoted(upper_end(CORE_TEXT("methods", "displacement of five-cylinder engines")), "l", "3.0");
+    quoted(lower_end(CORE_TEXT("methods", "angle between the banks of VR engines")), "°", "8");
+    quoted(upper_end(CORE_TEXT("methods", "angle between the banks of VR engines")), "°", "20");
+    rows.at(in_text(CORE_TEXT("methods", "parameters of the engine")));
+    rows.reproduced(CORE_TEXT("methods", "offset e"), "mm", "12.5",
+                    read_printed("0.278").value * input.crank_radius / units::mm,
+                    CORE_TEXT("methods", "K R."));
+    rows.reproduced(CORE_TEXT("methods", "relative offset K"), "", "0.278",
+                    input.layout->offset / input.crank_radius, CORE_TEXT("methods", "e / R."));
+    rows.reproduced(CORE_TEXT("methods", "crank angle at top dead centre"), "°", "3°20′",
+                    *result.tdc_angle / degree, CORE_TEXT("methods", "arcsin(λK / (1 + λ))."));
+    rows.reproduced(CORE_TEXT("methods", "shift of the crankpins of bank 2"), "°", "21°40′",
+                    shift / degree,
+                    CORE_TEXT("methods",
+                              "To 1′, from the exact top dead centre. It is γ + 2 φ: the formula "
+                              "beside it, γ + φ, has lost the 2 and would give 18°20′."),
                     minute);
 }
 
@@ -61,15 +64,19 @@ void crankpins(const Result& result, PaperRows& rows) {
     const auto pin = [&](std::size_t cylinder) {
         return result.engine.cylinders[cylinder - 1].crankpin_angle / degree;
     };
-    const char* const reason = "To 1′: the paper adds up angles rounded to minutes.";
-    rows.at("Fig. 2a");
-    rows.reproduced("angle from crankpin 1 to 4", "°", "50°20′", pin(4) - pin(1), reason, minute);
-    rows.reproduced("angle from crankpin 2 to 1", "°", "165°40′", 360.0 - pin(2), reason, minute);
-    rows.reproduced("angle from crankpin 5 to 2", "°", "93°40′", pin(5) - pin(2), reason, minute);
-    rows.at("Fig. 2b");
-    rows.reproduced("angle from crankpin 4 to 3", "°", "93°40′", pin(3) - pin(4), reason, minute);
-    rows.reproduced("angle from crankpin 5 to 4", "°", "122°20′", 360.0 - pin(5) + pin(4), reason,
-                    minute);
+    const Text reason = CORE_TEXT("methods", "To 1′: the paper adds up angles rounded to minutes.");
+    rows.at(CORE_TEXT("methods", "Fig. 2a"));
+    rows.reproduced({CORE_TEXT("methods", "angle from crankpin %1 to %2"), 1, 4}, "°", "50°20′",
+                    pin(4) - pin(1), reason, minute);
+    rows.reproduced({CORE_TEXT("methods", "angle from crankpin %1 to %2"), 2, 1}, "°", "165°40′",
+                    360.0 - pin(2), reason, minute);
+    rows.reproduced({CORE_TEXT("methods", "angle from crankpin %1 to %2"), 5, 2}, "°", "93°40′",
+                    pin(5) - pin(2), reason, minute);
+    rows.at(CORE_TEXT("methods", "Fig. 2b"));
+    rows.reproduced({CORE_TEXT("methods", "angle from crankpin %1 to %2"), 4, 3}, "°", "93°40′",
+                    pin(3) - pin(4), reason, minute);
+    rows.reproduced({CORE_TEXT("methods", "angle from crankpin %1 to %2"), 5, 4}, "°", "122°20′",
+                    360.0 - pin(5) + pin(4), reason, minute);
 }
 
 /// The moment of one order as the paper writes it: what a unit of a (with l = 0) and of l (with
@@ -102,18 +109,25 @@ Coefficients coefficients(int order, double a, double l) {
 }
 
 /// The four printed numbers of one moment: (a, l) of the cosine, (a, l) of the sine.
-void printed_moment(PaperRows& rows, const char* place, const char* name, int order,
+void printed_moment(PaperRows& rows, Message place, const char* name, int order,
                     const Harmonic<double>& of_a, const Harmonic<double>& of_l,
                     const std::array<const char*, 4>& printed) {
-    const std::string k = order == 1 ? "φ" : "2φ";
     const double values[] = {of_a.cos, of_l.cos, of_a.sin, of_l.sin};
-    const std::string terms[] = {"a cos " + k, "l cos " + k, "a sin " + k, "l sin " + k};
-    rows.at(place);
+    const Text coefficients[2][4] = {{CORE_TEXT("methods", "coefficient of a cos φ"),
+                                      CORE_TEXT("methods", "coefficient of l cos φ"),
+                                      CORE_TEXT("methods", "coefficient of a sin φ"),
+                                      CORE_TEXT("methods", "coefficient of l sin φ")},
+                                     {CORE_TEXT("methods", "coefficient of a cos 2φ"),
+                                      CORE_TEXT("methods", "coefficient of l cos 2φ"),
+                                      CORE_TEXT("methods", "coefficient of a sin 2φ"),
+                                      CORE_TEXT("methods", "coefficient of l sin 2φ")}};
+    rows.at(std::move(place));
     for (std::size_t i = 0; i < printed.size(); ++i) {
-        rows.reproduced(std::string(name) + ": coefficient of " + terms[i], "", printed[i],
+        rows.reproduced({Text{"", "%1: %2"}, name, coefficients[order - 1][i]}, "", printed[i],
                         values[i],
-                        "To one unit of the last digit: the paper adds up sines of angles rounded "
-                        "to minutes. l counts from crankpin 4.",
+                        CORE_TEXT("methods",
+                                  "To one unit of the last digit: the paper adds up sines of "
+                                  "angles rounded to minutes. l counts from crankpin 4."),
                         read_printed(printed[i]).last_digit);
     }
 }
@@ -123,33 +137,38 @@ void moments(PaperRows& rows) {
     const Coefficients l1 = coefficients(1, 0.0, 1.0);
     const Coefficients a2 = coefficients(2, 1.0, 0.0);
     const Coefficients l2 = coefficients(2, 0.0, 1.0);
-    printed_moment(rows, "eq. (1)", "ΣM₁y", 1, a1.vertical, l1.vertical,
+    printed_moment(rows, equation(1), "ΣM₁y", 1, a1.vertical, l1.vertical,
                    {"0.324", "-0.012", "-0.293", "0.0146"});
-    printed_moment(rows, "eq. (2)", "ΣM₂y", 2, a2.vertical, l2.vertical,
+    printed_moment(rows, equation(2), "ΣM₂y", 2, a2.vertical, l2.vertical,
                    {"5.158", "0.368", "-1.345", "-0.0738"});
-    printed_moment(rows, "eq. (3)", "ΣM₁x", 1, a1.horizontal, l1.horizontal,
+    printed_moment(rows, equation(3), "ΣM₁x", 1, a1.horizontal, l1.horizontal,
                    {"3.667", "0.959", "-2.509", "0.786"});
-    printed_moment(rows, "eq. (4)", "ΣM₂x", 2, a2.horizontal, l2.horizontal,
+    printed_moment(rows, equation(4), "ΣM₂x", 2, a2.horizontal, l2.horizontal,
                    {"3.078", "0.632", "2.072", "3.151"});
 }
 
 void shafts(const Result& result, PaperRows& rows) {
     // Direction of what each shaft cancels, at φ = 0; the preset has them at +ω, −ω, +2ω, −2ω.
     const auto plane = [&](std::size_t i) { return deg(std::arg(result.shafts[i].target)); };
-    const char* const reason =
-        "To 1′, from the two-term orders: the paper computes on with rounded coefficients.";
-    rows.at("text, Fig. 7a");
-    rows.reproduced("plane of the moment of the shaft at +ω, from the x axis", "°", "1°10′",
-                    180.0 - plane(0), reason, minute);
-    rows.at("text, Fig. 7b");
-    rows.reproduced("plane of the moment of the shaft at −ω, from the y axis", "°", "19°51′",
-                    plane(1) - 90.0, reason, minute);
-    rows.at("text, Fig. 8a");
-    rows.reproduced("plane of the moment of the shaft at +2ω, from the y axis", "°", "17°39′",
-                    plane(2) - 90.0, reason, minute);
-    rows.at("text, Fig. 8b");
-    rows.reproduced("plane of the moment of the shaft at −2ω, from the y axis", "°", "10°53′",
-                    90.0 - plane(3), reason, minute);
+    const Text reason = CORE_TEXT(
+        "methods",
+        "To 1′, from the two-term orders: the paper computes on with rounded coefficients.");
+    rows.at(in_text(CORE_TEXT("methods", "Fig. 7a")));
+    rows.reproduced(joined(CORE_TEXT("methods", "plane of the moment of the shaft at +ω"),
+                           CORE_TEXT("methods", "from the x axis")),
+                    "°", "1°10′", 180.0 - plane(0), reason, minute);
+    rows.at(in_text(CORE_TEXT("methods", "Fig. 7b")));
+    rows.reproduced(joined(CORE_TEXT("methods", "plane of the moment of the shaft at −ω"),
+                           CORE_TEXT("methods", "from the y axis")),
+                    "°", "19°51′", plane(1) - 90.0, reason, minute);
+    rows.at(in_text(CORE_TEXT("methods", "Fig. 8a")));
+    rows.reproduced(joined(CORE_TEXT("methods", "plane of the moment of the shaft at +2ω"),
+                           CORE_TEXT("methods", "from the y axis")),
+                    "°", "17°39′", plane(2) - 90.0, reason, minute);
+    rows.at(in_text(CORE_TEXT("methods", "Fig. 8b")));
+    rows.reproduced(joined(CORE_TEXT("methods", "plane of the moment of the shaft at −2ω"),
+                           CORE_TEXT("methods", "from the y axis")),
+                    "°", "10°53′", 90.0 - plane(3), reason, minute);
 }
 
 /// The rotating masses of the paper's crank with bank 2's crankpins shifted by any angle.
@@ -203,35 +222,46 @@ double constant_part(OfShift f) {
 }
 
 void rotating_masses(const Result& result, PaperRows& rows) {
-    const char* const reason = "Found from the crank with its shift γ_ш varied.";
-    rows.at("text, ΣP_cy");
-    rows.reproduced("coefficient of sin γ_ш", "", "0.36327", sine_coefficient(force_y), reason);
-    rows.at("text, ΣP_cx");
-    rows.reproduced("coefficient of sin²(γ_ш/2)", "", "-0.72654", half_square_coefficient(force_x),
+    const Text reason = CORE_TEXT("methods", "Found from the crank with its shift γ_ш varied.");
+    rows.at(in_text("ΣP_cy"));
+    rows.reproduced(CORE_TEXT("methods", "coefficient of sin γ_ш"), "", "0.36327",
+                    sine_coefficient(force_y), reason);
+    rows.at(in_text("ΣP_cx"));
+    rows.reproduced(CORE_TEXT("methods", "coefficient of sin²(γ_ш/2)"), "", "-0.72654",
+                    half_square_coefficient(force_x), reason);
+    rows.at(in_text("ΣM_cy"));
+    rows.reproduced(CORE_TEXT("methods", "constant part"), "", "1.382", constant_part(moment_y),
                     reason);
-    rows.at("text, ΣM_cy");
-    rows.reproduced("constant part", "", "1.382", constant_part(moment_y), reason);
-    rows.reproduced("coefficient of sin γ_ш", "", "-1.5388", sine_coefficient(moment_y), reason);
-    rows.reproduced("coefficient of cos γ_ш", "", "-1.118", cosine_coefficient(moment_y), reason);
-    rows.at("text, ΣM_cx");
-    rows.reproduced("constant part", "", "1.9021", constant_part(moment_x), reason);
-    rows.slip("coefficient of sin γ_ш", "", "-1.118", sine_coefficient(moment_x),
-              -sine_coefficient(moment_x),
-              "The sign is lost: only a plus gives the angle 75°43′ that the paper prints below.");
-    rows.reproduced("coefficient of cos γ_ш", "", "-1.5388", cosine_coefficient(moment_x), reason);
+    rows.reproduced(CORE_TEXT("methods", "coefficient of sin γ_ш"), "", "-1.5388",
+                    sine_coefficient(moment_y), reason);
+    rows.reproduced(CORE_TEXT("methods", "coefficient of cos γ_ш"), "", "-1.118",
+                    cosine_coefficient(moment_y), reason);
+    rows.at(in_text("ΣM_cx"));
+    rows.reproduced(CORE_TEXT("methods", "constant part"), "", "1.9021", constant_part(moment_x),
+                    reason);
+    rows.slip(
+        CORE_TEXT("methods", "coefficient of sin γ_ш"), "", "-1.118", sine_coefficient(moment_x),
+        -sine_coefficient(moment_x),
+        CORE_TEXT(
+            "methods",
+            "The sign is lost: only a plus gives the angle 75°43′ that the paper prints below."));
+    rows.reproduced(CORE_TEXT("methods", "coefficient of cos γ_ш"), "", "-1.5388",
+                    cosine_coefficient(moment_x), reason);
 
     const double force_lag = deg(-std::arg(-result.rotating.force_factor));
     const double moment_lag = deg(-std::arg(-result.rotating.moment_factor));
-    const char* const angle = "To 1′: the paper computes with 21°40′.";
-    for (const char* place : {"Fig. 9", "text, after ΣM_c"}) {
+    const Text angle = CORE_TEXT("methods", "To 1′: the paper computes with 21°40′.");
+    for (const Message& place : {figure(9), in_text(CORE_TEXT("methods", "after ΣM_c"))}) {
         rows.at(place);
-        rows.reproduced("counterweight against the force, lag behind crankpin 1", "°", "136°50′",
-                        force_lag, angle, minute);
-        rows.reproduced("counterweight against the moment, lag behind crankpin 1", "°", "75°43′",
-                        moment_lag, angle, minute);
+        rows.reproduced(joined(CORE_TEXT("methods", "counterweight against the force"),
+                               CORE_TEXT("methods", "lag behind crankpin 1")),
+                        "°", "136°50′", force_lag, angle, minute);
+        rows.reproduced(joined(CORE_TEXT("methods", "counterweight against the moment"),
+                               CORE_TEXT("methods", "lag behind crankpin 1")),
+                        "°", "75°43′", moment_lag, angle, minute);
     }
-    rows.at("text, after ΣM_c");
-    rows.reproduced("plane of ΣM_c against crankpin 1", "°", "-75°43′",
+    rows.at(in_text(CORE_TEXT("methods", "after ΣM_c")));
+    rows.reproduced(CORE_TEXT("methods", "plane of ΣM_c against crankpin 1"), "°", "-75°43′",
                     deg(std::arg(result.rotating.moment_factor)) - 180.0, angle, minute);
 }
 

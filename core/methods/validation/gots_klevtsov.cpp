@@ -6,7 +6,6 @@
 
 #include "balance-shaft/presets.h"
 #include "balance-shaft/solver.h"
-#include "case-file/range.h"
 #include "methods/validation/gots_klevtsov_tables.h"
 #include "methods/validation/rows.h"
 #include "numerics/constants.h"
@@ -19,10 +18,6 @@ using balance_shaft::Result;
 using balance_shaft::Solver;
 
 constexpr double cycle_deg = 720.0;
-
-std::string degrees(double value) {
-    return format_number(value) + "°";
-}
 
 /// The mean of a moment over nodes of the cycle with both ends, as the paper averages.
 template <typename Moment>
@@ -69,82 +64,96 @@ void first_order_forces(const Engine& engine, PaperRows& rows) {
     constexpr double rounded_pi = 3.14;
     const Printed speed = read_printed("3600");  // min⁻¹
     const Printed stroke = read_printed("9.2");  // cm, of the type 1Ch9.55/9.2
-    rows.at("text, dynamic calculation");
-    rows.slip("angular speed ω at 3600 min⁻¹", "rad/s", "376.8", speed.value * rpm,
-              speed.value * rounded_pi / 30.0, "π is rounded to 3.14.");
-    rows.reproduced("crank radius r", "m", "0.046", stroke.value / 200.0,
-                    "Half the stroke of 9.2 cm in the engine's type.");
-    rows.reproduced("reciprocating mass m_j", "kg", "1.316", r.reciprocating_mass,
-                    "The sum of Table 1 with the heavier piston.");
-    rows.reproduced("first-order inertia force P_j1 max", "N", "8594.8", r.inertia_force_1_max,
-                    "m_j r ω² at the printed 376.8 rad/s.");
+    rows.at(in_text(CORE_TEXT("methods", "dynamic calculation")));
+    rows.slip({CORE_TEXT("methods", "angular speed ω at %1 min⁻¹"), 3600}, "rad/s", "376.8",
+              speed.value * rpm, speed.value * rounded_pi / 30.0,
+              CORE_TEXT("methods", "π is rounded to 3.14."));
+    rows.reproduced(CORE_TEXT("methods", "crank radius r"), "m", "0.046", stroke.value / 200.0,
+                    CORE_TEXT("methods", "Half the stroke of 9.2 cm in the engine's type."));
+    rows.reproduced(CORE_TEXT("methods", "reciprocating mass m_j"), "kg", "1.316",
+                    r.reciprocating_mass,
+                    CORE_TEXT("methods", "The sum of Table 1 with the heavier piston."));
+    rows.reproduced(CORE_TEXT("methods", "first-order inertia force P_j1 max"), "N", "8594.8",
+                    r.inertia_force_1_max,
+                    CORE_TEXT("methods", "m_j r ω² at the printed 376.8 rad/s."));
     rows.reproduced(
-        "counterweight m₁", "kg", "0.658",
+        CORE_TEXT("methods", "counterweight m₁"), "kg", "0.658",
         input.reciprocating_mass() * input.crank_radius / (2.0 * input.counterweight_radius),
-        "Equation (1).");
-    rows.reproduced("counterweight's force P₁", "N", "4297.4", r.counterweight_force, "m₁ ρ₁ ω².");
-    rows.not_derivable("rated power", "kW", "12",
-                       "The friction losses are not printed; ours is the indicated power of "
-                       "Table 2 at the printed speed.",
+        CORE_TEXT("methods", "Equation (1)."));
+    rows.reproduced(CORE_TEXT("methods", "counterweight's force P₁"), "N", "4297.4",
+                    r.counterweight_force, CORE_TEXT("methods", "m₁ ρ₁ ω²."));
+    rows.not_derivable(CORE_TEXT("methods", "rated power"), "kW", "12",
+                       CORE_TEXT("methods",
+                                 "The friction losses are not printed; ours is the indicated power "
+                                 "of Table 2 at the printed speed."),
                        r.M_up.mean * -r.angular_speed / 1000.0);
-    rows.not_derivable("speed of Table 2", "min⁻¹", "3600",
-                       "The program that made Table 2 is not published; ours is the speed at which "
-                       "the inertia torque within it belongs to the masses of Table 1.",
-                       r.inertia_check.matching_speed / rpm);
+    rows.not_derivable(
+        CORE_TEXT("methods", "speed of Table 2"), "min⁻¹", "3600",
+        CORE_TEXT("methods",
+                  "The program that made Table 2 is not published; ours is the speed at which the "
+                  "inertia torque within it belongs to the masses of Table 1."),
+        r.inertia_check.matching_speed / rpm);
 }
 
 void table_2(const Engine& engine, PaperRows& rows) {
-    rows.at("Table 2");
+    rows.at(table(2));
     double phi = 0.0;
     for (const std::string_view printed : gots_klevtsov::table_2) {
-        rows.reproduced("M_up(φ = " + degrees(phi) + ")", "N·m", printed, engine.M_up(phi),
-                        "M_up = −M_id.", 1e-9);
+        rows.reproduced({Text{"", "M_up(φ = %1°)"}, phi}, "N·m", printed, engine.M_up(phi),
+                        CORE_TEXT("methods", "M_up = −M_id."), 1e-9);
         phi += gots_klevtsov::table_2_step;
     }
-    const char* const reason =
-        "The mean of the 49 rows counts the end of the cycle, 720° = 0°, twice; ours is the cycle "
-        "integral.";
+    const Text reason = CORE_TEXT("methods",
+                                  "The mean of the 49 rows counts the end of the cycle, 720° = 0°, "
+                                  "twice; ours is the cycle integral.");
     const double mean = engine.result.M_up.mean;
     const double of_rows = engine.result.printed_mean_M_up;
-    rows.artefact("mean of M_id", "N·m", "37.9", -mean, -of_rows, reason);
-    rows.artefact("mean of M_up", "N·m", "-37.9", mean, of_rows, reason);
+    rows.artefact(CORE_TEXT("methods", "mean of M_id"), "N·m", "37.9", -mean, -of_rows, reason);
+    rows.artefact(CORE_TEXT("methods", "mean of M_up"), "N·m", "-37.9", mean, of_rows, reason);
 }
 
 void table_3(const Engine& engine, PaperRows& rows) {
     using gots_klevtsov::table_3_columns;
     using gots_klevtsov::table_3_step;
     constexpr double scatter = 0.01;
-    const std::string reason =
-        "To 0.01 N·m: l is not printed, ours follows from the largest entry and is rounded to "
-        "0.01 mm, and equal entries scatter by 0.01 in print.";
+    const Text reason =
+        CORE_TEXT("methods",
+                  "To 0.01 N·m: l is not printed, ours follows from the largest entry and is "
+                  "rounded to 0.01 mm, and equal entries scatter by 0.01 in print.");
     for (std::size_t i = 0; i < gots_klevtsov::table_3.size(); ++i) {
         const double phi = table_3_step * static_cast<double>(i);
-        rows.at("Table 3");
+        rows.at(table(3));
         for (std::size_t k = 0; k < table_3_columns; ++k) {
             const double alpha = table_3_step * static_cast<double>(k);
             const std::string_view printed = gots_klevtsov::table_3[i][k];
             if (k + 1 < table_3_columns) {
-                rows.reproduced("M_s(φ = " + degrees(phi) + ", α = " + degrees(alpha) + ")", "N·m",
-                                printed, engine.M_s(phi, alpha), reason, scatter);
+                rows.reproduced({Text{"", "M_s(φ = %1°, α = %2°)"}, phi, alpha}, "N·m", printed,
+                                engine.M_s(phi, alpha), reason, scatter);
             } else {
-                rows.slip("last column, M_up(φ = " + degrees(phi) + ")", "N·m", printed,
-                          engine.M_up(phi), engine.M_s(phi, alpha),
-                          "The column is headed M_up but holds M_s of α = 330°.", scatter);
+                rows.slip(
+                    joined(CORE_TEXT("methods", "last column"),
+                           Message{Text{"", "M_up(φ = %1°)"}, phi}),
+                    "N·m", printed, engine.M_up(phi), engine.M_s(phi, alpha),
+                    CORE_TEXT("methods", "The column is headed M_up but holds M_s of α = 330°."),
+                    scatter);
             }
         }
     }
     for (std::size_t k = 0; k + 1 < table_3_columns; ++k) {
         const double alpha = table_3_step * static_cast<double>(k);
-        rows.artefact("mean M_sm(α = " + degrees(alpha) + ")", "N·m",
+        rows.artefact({CORE_TEXT("methods", "mean M_sm(α = %1°)"), alpha}, "N·m",
                       gots_klevtsov::table_3_means[k], 0.0,
                       engine.mean_of_nodes(alpha, table_3_step),
-                      "The mean of the 25 rows counts the end of the cycle twice; the cycle mean "
-                      "of a sine is 0 for every α.");
+                      CORE_TEXT("methods",
+                                "The mean of the 25 rows counts the end of the cycle twice; the "
+                                "cycle mean of a sine is 0 for every α."));
     }
-    rows.artefact("mean under the last column", "N·m", gots_klevtsov::table_3_means.back(),
-                  engine.result.M_up.mean, engine.result.printed_mean_M_up,
-                  "The mean of the 49 rows of Table 2, not of the 25 values above it; the end of "
-                  "the cycle is counted twice.");
+    rows.artefact(CORE_TEXT("methods", "mean under the last column"), "N·m",
+                  gots_klevtsov::table_3_means.back(), engine.result.M_up.mean,
+                  engine.result.printed_mean_M_up,
+                  CORE_TEXT("methods",
+                            "The mean of the 49 rows of Table 2, not of the 25 values above it; "
+                            "the end of the cycle is counted twice."));
 }
 
 /// The coarsest step whose node mean of M_s is the printed one; 0 where none is.
@@ -178,33 +187,44 @@ double angle_of_cosine(const Engine& engine) {
 void means_over_the_angle(const Engine& engine, PaperRows& rows) {
     const double negative_from = begin_of_negative_means(engine);
     const double turn = engine.result.sweep.shaft_angle_deg.back();
-    rows.at("text, before Table 3");
+    rows.at(in_text(Message{CORE_TEXT("methods", "before Table %1"), 3}));
     const double step = step_of_printed_means(engine);
-    rows.slip_shown("step of the means M_sm in Table 3", "°", "5", step,
+    rows.slip_shown(CORE_TEXT("methods", "step of the means M_sm in Table 3"), "°", "5", step,
                     engine.has_printed_mean(step) && !engine.has_printed_mean(5.0),
-                    "Only the 25 printed rows give the printed means; rows every 5° would give "
-                    "a sixth of them.");
-    rows.at("text, results");
-    rows.slip("α at which M_s is a cosine", "°", "180", angle_of_cosine(engine), negative_from,
-              "At 180° the mean of the nodes is 0 as well, but there M_s is a sine; it is a cosine "
-              "at 90°.");
-    rows.artefact("upper end of the α that lower the mean", "°", "180", std::nullopt, negative_from,
-                  "The mean of the nodes is positive up to there; the cycle mean of M_s is 0 for "
-                  "every α.");
-    rows.slip("upper end of the α with M_sm < 0", "°", "60", turn, std::fmod(turn, 100.0),
-              "360 without its first digit: M_sm of the nodes is negative from 180° to 360°.");
-    rows.artefact("α from which M_sm changes its sign", "°", "180", std::nullopt, negative_from,
-                  "So do the nodes; the cycle mean of M_s is 0 for every α.");
-    rows.artefact("α from which M_sm is negative", "°", "180", std::nullopt, negative_from,
-                  "So do the nodes; the cycle mean of M_s is 0 for every α.");
-    rows.at("abstract");
-    const char* const reason =
+                    CORE_TEXT("methods",
+                              "Only the 25 printed rows give the printed means; rows every 5° "
+                              "would give a sixth of them."));
+    rows.at(in_text(CORE_TEXT("methods", "results")));
+    rows.slip(CORE_TEXT("methods", "α at which M_s is a cosine"), "°", "180",
+              angle_of_cosine(engine), negative_from,
+              CORE_TEXT("methods",
+                        "At 180° the mean of the nodes is 0 as well, but there M_s is a sine; it "
+                        "is a cosine at 90°."));
+    rows.artefact(CORE_TEXT("methods", "upper end of the α that lower the mean"), "°", "180",
+                  std::nullopt, negative_from,
+                  CORE_TEXT("methods",
+                            "The mean of the nodes is positive up to there; the cycle mean of M_s "
+                            "is 0 for every α."));
+    rows.slip(
+        CORE_TEXT("methods", "upper end of the α with M_sm < 0"), "°", "60", turn,
+        std::fmod(turn, 100.0),
+        CORE_TEXT("methods",
+                  "360 without its first digit: M_sm of the nodes is negative from 180° to 360°."));
+    rows.artefact(CORE_TEXT("methods", "α from which M_sm changes its sign"), "°", "180",
+                  std::nullopt, negative_from,
+                  CORE_TEXT("methods", "So do the nodes; the cycle mean of M_s is 0 for every α."));
+    rows.artefact(CORE_TEXT("methods", "α from which M_sm is negative"), "°", "180", std::nullopt,
+                  negative_from,
+                  CORE_TEXT("methods", "So do the nodes; the cycle mean of M_s is 0 for every α."));
+    rows.at(CORE_TEXT("methods", "abstract"));
+    const Text reason = CORE_TEXT(
+        "methods",
         "The mean of the 49 rows falls by that at α = 30° and at the 45° of Fig. 2, because the "
-        "end of the cycle is counted twice; no shaft changes the cycle mean.";
-    rows.artefact("cut of the mean moment, from", "%", "12", engine.cut_of_mean(),
-                  engine.cut_of_node_mean(30.0), reason);
-    rows.artefact("cut of the mean moment, to", "%", "16", engine.cut_of_mean(),
-                  engine.cut_of_node_mean(45.0), reason);
+        "end of the cycle is counted twice; no shaft changes the cycle mean.");
+    rows.artefact(lower_end(CORE_TEXT("methods", "cut of the mean moment")), "%", "12",
+                  engine.cut_of_mean(), engine.cut_of_node_mean(30.0), reason);
+    rows.artefact(upper_end(CORE_TEXT("methods", "cut of the mean moment")), "%", "16",
+                  engine.cut_of_mean(), engine.cut_of_node_mean(45.0), reason);
 }
 
 /// Where the range equals that of the engine without a shaft, going from the best α outwards.
@@ -225,29 +245,36 @@ void ranges(const Engine& engine, PaperRows& rows) {
     const auto worst = std::max_element(sweep.range.begin(), sweep.range.end());
     const double worst_angle =
         sweep.shaft_angle_deg[static_cast<std::size_t>(worst - sweep.range.begin())];
-    rows.at("text, results");
-    rows.reproduced("α of the largest ΔM_ups", "°", "240", worst_angle,
-                    "The largest of the sweep over α.");
-    rows.not_derivable("largest ΔM_ups", "N·m", "1802",
-                       "It was read from a torque table of 5° that is not printed; ours is of the "
-                       "15° table.",
-                       engine.range(240.0));
-    rows.not_derivable("rational α, from", "°", "30",
-                       "No criterion is printed from which it follows; ours is where the range "
-                       "begins to be smaller than without a shaft.",
+    rows.at(in_text(CORE_TEXT("methods", "results")));
+    rows.reproduced(CORE_TEXT("methods", "α of the largest ΔM_ups"), "°", "240", worst_angle,
+                    CORE_TEXT("methods", "The largest of the sweep over α."));
+    rows.not_derivable(
+        CORE_TEXT("methods", "largest ΔM_ups"), "N·m", "1802",
+        CORE_TEXT(
+            "methods",
+            "It was read from a torque table of 5° that is not printed; ours is of the 15° table."),
+        engine.range(240.0));
+    rows.not_derivable(lower_end(CORE_TEXT("methods", "rational α")), "°", "30",
+                       CORE_TEXT("methods",
+                                 "No criterion is printed from which it follows; ours is where the "
+                                 "range begins to be smaller than without a shaft."),
                        end_of_gain(engine, -1.0));
-    const char* const upper = "Beyond it the range is larger than without a shaft.";
-    rows.reproduced("rational α, to", "°", "90", end_of_gain(engine, 1.0), upper);
-    rows.not_derivable("α below which the overall size shrinks", "°", "180",
-                       "No sizes of the engine are printed.");
-    rows.at("abstract");
-    rows.reproduced("largest α advised", "°", "90", end_of_gain(engine, 1.0), upper);
-    rows.at("conclusions");
-    rows.not_derivable("advised α, from", "°", "30",
-                       "No criterion is printed from which it follows; ours is where the range "
-                       "begins to be smaller than without a shaft.",
+    const Text upper = CORE_TEXT("methods", "Beyond it the range is larger than without a shaft.");
+    rows.reproduced(upper_end(CORE_TEXT("methods", "rational α")), "°", "90",
+                    end_of_gain(engine, 1.0), upper);
+    rows.not_derivable(CORE_TEXT("methods", "α below which the overall size shrinks"), "°", "180",
+                       CORE_TEXT("methods", "No sizes of the engine are printed."));
+    rows.at(CORE_TEXT("methods", "abstract"));
+    rows.reproduced(CORE_TEXT("methods", "largest α advised"), "°", "90", end_of_gain(engine, 1.0),
+                    upper);
+    rows.at(CORE_TEXT("methods", "conclusions"));
+    rows.not_derivable(lower_end(CORE_TEXT("methods", "advised α")), "°", "30",
+                       CORE_TEXT("methods",
+                                 "No criterion is printed from which it follows; ours is where the "
+                                 "range begins to be smaller than without a shaft."),
                        end_of_gain(engine, -1.0));
-    rows.reproduced("advised α, to", "°", "90", end_of_gain(engine, 1.0), upper);
+    rows.reproduced(upper_end(CORE_TEXT("methods", "advised α")), "°", "90",
+                    end_of_gain(engine, 1.0), upper);
 }
 
 }  // namespace

@@ -50,40 +50,46 @@ struct TurnIntegral {
     }
 };
 
-void zero_integral(PaperRows& rows, const char* place, const char* quantity,
-                   const std::vector<double>& samples, const char* reason) {
+void zero_integral(PaperRows& rows, Message place, Message quantity,
+                   const std::vector<double>& samples, Text reason) {
     constexpr double rounding = 1e-9;
     const TurnIntegral integral(samples);
-    rows.at(place);
-    rows.reproduced(quantity, "J", "0", integral.value, reason, rounding * integral.size);
+    rows.at(std::move(place));
+    rows.reproduced(std::move(quantity), "J", "0", integral.value, reason,
+                    rounding * integral.size);
 }
 
 void rod_hinge_integral(PaperRows& rows) {
-    rows.at("text, after eq. (4)");
+    rows.at(in_text(after_equation(4)));
     for (const double speed : {100.0, 300.0, 500.0}) {
         const Result result = elastic_hinge::solve(paper_input(speed));
         const TurnIntegral integral(result.curves.rod_hinge_moment);
-        rows.reproduced("∮ M₁₂ dφ at ω = " + format_number(speed) + " s⁻¹", "J", "9.469",
+        rows.reproduced({CORE_TEXT("methods", "∮ M₁₂ dφ at ω = %1 s⁻¹"), speed}, "J", "9.469",
                         integral.value,
-                        "With the paper's series for cos ψ; the inertia part is odd in φ and drops "
-                        "out at every speed.");
+                        CORE_TEXT("methods",
+                                  "With the paper's series for cos ψ; the inertia part is odd in φ "
+                                  "and drops out at every speed."));
     }
 }
 
 void vanishing_integrals(PaperRows& rows) {
     const Result plain = elastic_hinge::solve(paper_input(100.0));
     const Result weighted = elastic_hinge::solve(with_counterweight(100.0, 0.1));
-    const char* const rounding = "To rounding, 1e-9 of the integral of its size.";
-    zero_integral(rows, "text, introduction", "∮ M dφ", plain.curves.crank_moment, rounding);
-    zero_integral(rows, "eq. (5)", "∮ M₁₂ dφ, potential part",
+    const Text rounding = CORE_TEXT("methods", "To rounding, 1e-9 of the integral of its size.");
+    zero_integral(rows, in_text(CORE_TEXT("methods", "introduction")), "∮ M dφ",
+                  plain.curves.crank_moment, rounding);
+    zero_integral(rows, equation(5), joined("∮ M₁₂ dφ", CORE_TEXT("methods", "potential part")),
                   plain.curves.rod_hinge_moment_potential, rounding);
-    zero_integral(rows, "text, after eq. (8)", "∮ M₁ dφ", plain.curves.crank_moment_with_rod_hinge,
-                  "To rounding, with M₁₂ outside the factor 0.5 of (8), where it belongs.");
-    zero_integral(rows, "eq. (10)", "∮ M₁₂* dφ", weighted.curves.rod_hinge_moment,
-                  "To rounding, with the counterweight that (10) asks for.");
-    zero_integral(rows, "text, after eq. (11)", "∮ M₁* dφ",
-                  weighted.curves.crank_moment_with_rod_hinge,
-                  "To rounding, with M₁₂* outside the factor 0.5 of (11), where it belongs.");
+    zero_integral(
+        rows, in_text(after_equation(8)), "∮ M₁ dφ", plain.curves.crank_moment_with_rod_hinge,
+        CORE_TEXT("methods",
+                  "To rounding, with M₁₂ outside the factor 0.5 of (8), where it belongs."));
+    zero_integral(rows, equation(10), "∮ M₁₂* dφ", weighted.curves.rod_hinge_moment,
+                  CORE_TEXT("methods", "To rounding, with the counterweight that (10) asks for."));
+    zero_integral(
+        rows, in_text(after_equation(11)), "∮ M₁* dφ", weighted.curves.crank_moment_with_rod_hinge,
+        CORE_TEXT("methods",
+                  "To rounding, with M₁₂* outside the factor 0.5 of (11), where it belongs."));
 }
 
 /// The factor of M₁₂ (1 + λ cos φ / cos ψ) in the crank's moment.
@@ -118,16 +124,18 @@ double factor_of_rod_hinge(const Input& input) {
 }
 
 void factor_in_crank_moment(PaperRows& rows) {
-    const auto add = [&](const char* place, const Input& input) {
+    const auto add = [&](Message place, const Input& input) {
         const double factor = factor_of_rod_hinge(input);
-        rows.at(place);
+        rows.at(std::move(place));
         // The sum M + M₁₂ (…) has M = 0.5 (…): the bracket closes one term too late.
-        rows.slip("factor of M₁₂ (1 + λ cos φ / cos ψ)", "", "0.5", factor, 0.5 * factor,
-                  "The bracket of 0.5 closes after M₁₂ in the place of before it; the moment "
-                  "balance about the crank axis gives ours.");
+        rows.slip(CORE_TEXT("methods", "factor of M₁₂ (1 + λ cos φ / cos ψ)"), "", "0.5", factor,
+                  0.5 * factor,
+                  CORE_TEXT("methods",
+                            "The bracket of 0.5 closes after M₁₂ in the place of before it; the "
+                            "moment balance about the crank axis gives ours."));
     };
-    add("eq. (8)", paper_input(300.0));
-    add("eq. (11)", with_counterweight(300.0, 0.1));
+    add(equation(8), paper_input(300.0));
+    add(equation(11), with_counterweight(300.0, 0.1));
 }
 
 void guide(PaperRows& rows) {
@@ -140,16 +148,18 @@ void guide(PaperRows& rows) {
     const double energy = largest_radius(GuideSign::energy);
     const double as_printed = largest_radius(GuideSign::as_printed);
     const Mechanism<double> m = elastic_hinge::mechanism_of(input);
-    rows.at("eq. (3)");
-    rows.reproduced("divisor of r² (P₁ + P₂) / g in I_pr(0)", "", "3",
+    rows.at(equation(3));
+    rows.reproduced(CORE_TEXT("methods", "divisor of r² (P₁ + P₂) / g in I_pr(0)"), "", "3",
                     m.crank_radius * m.crank_radius * (m.crank_mass + m.rod_mass) /
                         elastic_hinge::reduced_inertia_at_zero(m),
-                    "From the mechanism's reduced inertia.", 1e-9);
-    rows.at("text, after eq. (3)");
+                    CORE_TEXT("methods", "From the mechanism's reduced inertia."), 1e-9);
+    rows.at(in_text(after_equation(3)));
     constexpr double tolerance = 1e-5;  // m
-    rows.slip("ρ₀ of guides 1, ℓ₀/2: largest that has a guide", "m", "0.1", energy, as_printed,
-              "To 0.01 mm, and only with the sign of (1), by which the spring takes up energy when "
-              "the mechanism does; to keep ω constant it must give it out.",
+    rows.slip(CORE_TEXT("methods", "ρ₀ of guides 1, ℓ₀/2: largest that has a guide"), "m", "0.1",
+              energy, as_printed,
+              CORE_TEXT("methods",
+                        "To 0.01 mm, and only with the sign of (1), by which the spring takes up "
+                        "energy when the mechanism does; to keep ω constant it must give it out."),
               tolerance);
 }
 
@@ -158,26 +168,34 @@ void counterweight(PaperRows& rows) {
         const Result result = elastic_hinge::solve(with_counterweight(100.0, distance));
         return result.balancing_mass * elastic_hinge::preset_zotov().gravity;
     };
-    const char* const reason = "P₄ ℓ₂ = (P₃ + P₂/2) ℓ, at any speed.";
-    rows.at("text, after eq. (10)");
-    rows.reproduced("P₄ at ℓ₂ = 0.05 m", "N", "30.833", weight(0.05), reason);
-    rows.reproduced("P₄ at ℓ₂ = 0.1 m", "N", "15.4167", weight(0.1), reason);
-    rows.reproduced("P₄ at ℓ₂ = 0.15 m", "N", "10.278", weight(0.15), reason);
-    rows.at("text, Fig. 6");
-    rows.reproduced("P₄ at ℓ₂ = 0.1 m, Fig. 6a", "N", "15.4167", weight(0.1), reason);
-    rows.slip("P₄ at ℓ₂ = 0.05 m, Fig. 6b", "N", "30.8330", weight(0.05),
-              rounded_to(weight(0.05), 3),
-              "The value rounded to three decimals, with a zero added.");
-    rows.reproduced("P₄ at ℓ₂ = 0.1 m, Fig. 6c", "N", "15.4167", weight(0.1), reason);
+    const Text reason = CORE_TEXT("methods", "P₄ ℓ₂ = (P₃ + P₂/2) ℓ, at any speed.");
+    rows.at(in_text(after_equation(10)));
+    rows.reproduced({CORE_TEXT("methods", "P₄ at ℓ₂ = %1 m"), 0.05}, "N", "30.833", weight(0.05),
+                    reason);
+    rows.reproduced({CORE_TEXT("methods", "P₄ at ℓ₂ = %1 m"), 0.1}, "N", "15.4167", weight(0.1),
+                    reason);
+    rows.reproduced({CORE_TEXT("methods", "P₄ at ℓ₂ = %1 m"), 0.15}, "N", "10.278", weight(0.15),
+                    reason);
+    rows.at(in_text(figure(6)));
+    rows.reproduced(joined(Message{CORE_TEXT("methods", "P₄ at ℓ₂ = %1 m"), 0.1},
+                           CORE_TEXT("methods", "Fig. 6a")),
+                    "N", "15.4167", weight(0.1), reason);
+    rows.slip(joined(Message{CORE_TEXT("methods", "P₄ at ℓ₂ = %1 m"), 0.05},
+                     CORE_TEXT("methods", "Fig. 6b")),
+              "N", "30.8330", weight(0.05), rounded_to(weight(0.05), 3),
+              CORE_TEXT("methods", "The value rounded to three decimals, with a zero added."));
+    rows.reproduced(joined(Message{CORE_TEXT("methods", "P₄ at ℓ₂ = %1 m"), 0.1},
+                           CORE_TEXT("methods", "Fig. 6c")),
+                    "N", "15.4167", weight(0.1), reason);
 }
 
 }  // namespace
 
 std::vector<ValidationRow> validate_zotov_sviridov() {
     PaperRows rows("elastic-hinge");
-    rows.at("text, introduction");
-    rows.not_derivable("flywheel's part of an engine's inertia", "%", "80",
-                       "Quoted from another paper.");
+    rows.at(in_text(CORE_TEXT("methods", "introduction")));
+    rows.not_derivable(CORE_TEXT("methods", "flywheel's part of an engine's inertia"), "%", "80",
+                       CORE_TEXT("methods", "Quoted from another paper."));
     guide(rows);
     rod_hinge_integral(rows);
     vanishing_integrals(rows);

@@ -44,12 +44,12 @@ std::string refusal_of(const char* kernel_id, const char* sweep, double value, c
     const std::size_t m = kernel.find_method(method);
     return evaluate(*kernel.problem(kernel.find_sweep(sweep), value), m,
                     kernel.find_setting(m, setting))
-        .refusal;
+        .refusal.english();
 }
 
 std::string scene_refusal(const char* kernel_id, const char* sweep, double value) {
     const Kernel& kernel = *find_kernel(kernel_id);
-    return kernel.problem(kernel.find_sweep(sweep), value)->scene_refusal();
+    return kernel.problem(kernel.find_sweep(sweep), value)->scene_refusal().english();
 }
 
 bool says(const std::string& text, const char* part) {

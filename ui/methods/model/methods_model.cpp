@@ -19,14 +19,15 @@ constexpr int settleMs = 350;
 
 template <typename List>
 std::size_t indexOf(const List& list, const QString& word, const char* place) {
-    std::string known;
+    std::vector<std::string> known;
     for (std::size_t i = 0; i < list.size(); ++i) {
         if (word == QString::fromStdString(list[i].id)) {
             return i;
         }
-        known += (i == 0 ? "" : ", ") + list[i].id;
+        known.push_back(list[i].id);
     }
-    throw InputError(place, "must be one of " + known, word.toStdString());
+    throw InputError(place, {CORE_TEXT("core", "must be one of %1"), quoted_list(known)},
+                     word.toStdString());
 }
 
 }  // namespace
@@ -55,7 +56,9 @@ MethodsModel::MethodsModel(QObject* parent)
 
 void MethodsModel::loadInput(const Json& input, const CaseContext& /*context*/) {
     const std::string place = input.empty() ? "/input" : "/input/" + input.begin().key();
-    throw InputError(place, "is nothing that this page can be told; it knows kernel, sweep, value");
+    throw InputError(place, CORE_TEXT("core",
+                                      "is nothing that this page can be told; it knows kernel, "
+                                      "sweep, value"));
 }
 
 Json MethodsModel::resultJson() const {
@@ -64,12 +67,12 @@ Json MethodsModel::resultJson() const {
         for (const methods::MethodRow& row : shown_->report.rows) {
             const auto& method = shown_->kernel().methods[row.method];
             Json entry{{"method", method.id},
-                       {"setting", method.settings[row.setting].label},
+                       {"setting", method.settings[row.setting].label.english()},
                        {"in_use", row.in_use},
                        {"median_ns", row.timing.median},
                        {"operations", row.operations}};
             if (row.result.refused()) {
-                entry["refusal"] = row.result.refusal;
+                entry["refusal"] = row.result.refusal.english();
             } else {
                 entry["error"] = row.result.error;
             }
@@ -92,7 +95,7 @@ bool MethodsModel::setViewOption(const QString& key, const QString& value) {
         const Range allowed = Range::between(sweep().from, sweep().to);
         const auto number = parse_decimal(value.toStdString());
         if (!number || !allowed.contains(*number)) {
-            throw InputError("value", allowed.describe(), value.toStdString());
+            throw InputError("value", allowed.message(), value.toStdString());
         }
         setValue(*number);
         choiceMoved(0);  // no hand is moving it

@@ -1,11 +1,12 @@
 #include "methods/model/validation_model.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
 
 #include "methods/model/method_words.h"
 #include "plot/model/ticks.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
 
 namespace ravnoves {
 
@@ -29,19 +30,7 @@ QString shownNumber(const std::string& text) {
 }  // namespace
 
 QString verdictTitle(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::reproduced:
-            return QCoreApplication::translate("ravnoves::ValidationModel", "reproduced");
-        case Verdict::artefact:
-            return QCoreApplication::translate("ravnoves::ValidationModel", "artefact");
-        case Verdict::slip:
-            return QCoreApplication::translate("ravnoves::ValidationModel", "slip");
-        case Verdict::not_derivable:
-            return QCoreApplication::translate("ravnoves::ValidationModel", "not derivable");
-        case Verdict::differs:
-            break;
-    }
-    return QCoreApplication::translate("ravnoves::ValidationModel", "differs");
+    return shownText(methods::verdict_title(verdict));
 }
 
 ValidationModel::ValidationModel(QObject* parent)
@@ -146,14 +135,14 @@ QString ValidationModel::cell(const ValidationRow& row, int column) const {
         case Paper: {
             const auto paper = std::find_if(papers.begin(), papers.end(),
                                             [&](const auto& p) { return p.scene == row.scene; });
-            return paper == papers.end() ? QString() : methodText(paper->authors);
+            return paper == papers.end() ? QString() : shownText(paper->authors);
         }
         case Place:
             return methodText(row.place);
         case Quantity:
             return methodText(row.quantity);
         case Unit:
-            return methodText(row.unit);
+            return unitText(row.unit);
         case Printed:
             return shownNumber(row.printed_text);
         case Ours:
@@ -200,7 +189,7 @@ QString ValidationModel::countsText() const {
 QStringList ValidationModel::paperTitles() const {
     QStringList titles;
     for (const methods::Paper& paper : methods::papers()) {
-        titles << methodText(paper.authors);
+        titles << shownText(paper.authors);
     }
     return titles;
 }
