@@ -10,28 +10,25 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-std::string number(double value) {
-    return format_number(value, 6);
+Number number(double si, Unit unit) {
+    return {si / unit, unit, 6};
 }
 
-std::string number_up(double value) {
-    return number(value * (1.0 + 5e-6));  // six digits that still suffice
+/// Six digits that still suffice.
+Number number_up(double si, Unit unit) {
+    return number(si * (1.0 + 5e-6), unit);
 }
 
-std::string degrees(double angle) {
-    return number(angle / degree) + "°";
-}
-
-const char* name_of(Hinge hinge) {
+Text name_of(Hinge hinge) {
     switch (hinge) {
         case Hinge::crank:
-            return "the crank's hinge";
+            return CORE_TEXT("elastic-hinge", "the crank's hinge");
         case Hinge::crank_with_rod:
-            return "the crank's hinge beside the rod's";
+            return CORE_TEXT("elastic-hinge", "the crank's hinge beside the rod's");
         case Hinge::rod:
             break;
     }
-    return "the rod's hinge";
+    return CORE_TEXT("elastic-hinge", "the rod's hinge");
 }
 
 struct BranchScan {
@@ -184,13 +181,15 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     guide.hinge = hinge;
     if (!design->has_exact_kinematics()) {
         guide.problem = GuideProblem::mechanism_locks;
-        guide.reason =
-            "at lambda = 1 the mechanism locks at a crank angle of 90°: there is no guide";
+        guide.reason = CORE_TEXT("elastic-hinge",
+                                 "at λ = 1 the mechanism locks at a crank angle of 90°: there is "
+                                 "no guide and no motion; "
+                                 "the series still draws M₁₂ and the side force");
         return guide;
     }
     if (!spring) {
         guide.problem = GuideProblem::no_spring;
-        guide.reason = "no spring is given for " + std::string(name_of(hinge));
+        guide.reason = {CORE_TEXT("elastic-hinge", "no spring is given for %1"), name_of(hinge)};
         return guide;
     }
     const auto shape =
@@ -262,14 +261,18 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
         if (!missing) {
             guide.first_missing_angle = guide.worst_angle;
         }
-        guide.reason = "from a crank angle of " + degrees(guide.first_missing_angle) +
-                       " the spring would have to give out more energy than it stores (most at " +
-                       degrees(guide.worst_angle) + "): the preload |l0/2 - rho0| is " +
-                       number(guide.preload / field::millimetre) + " mm and must be at least " +
-                       number_up(guide.minimum_preload / field::millimetre) + " mm";
+        guide.reason = {
+            CORE_TEXT("elastic-hinge",
+                      "from a crank angle of %1 the spring would have to give out more energy than "
+                      "it stores (most at %2): the preload |ℓ₀/2 − ρ₀| is %3 and must be at least "
+                      "%4"),
+            number(guide.first_missing_angle, units::degree),
+            number(guide.worst_angle, units::degree), number(guide.preload, units::mm),
+            number_up(guide.minimum_preload, units::mm)};
         if (guide.minimum_stiffness && std::isfinite(*guide.minimum_stiffness)) {
-            guide.reason += ", or the stiffness at least " + number_up(*guide.minimum_stiffness) +
-                            " N/m with this preload";
+            guide.reason = {
+                CORE_TEXT("elastic-hinge", "%1, or the stiffness at least %2 with this preload"),
+                guide.reason, number_up(*guide.minimum_stiffness, units::kN_per_m)};
         }
         return guide;
     }
@@ -297,10 +300,10 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
 
     if (guide.branch == Branch::compressed && !fits) {
         guide.problem = GuideProblem::radius_not_positive;
-        guide.reason = "the spring would have to be compressed by " +
-                       number(2.0 * highest / field::millimetre) +
-                       " mm, its whole free length of " +
-                       number(spring->free_length / field::millimetre) + " mm or more";
+        guide.reason = {CORE_TEXT("elastic-hinge",
+                                  "the spring would have to be compressed by %1, its whole free "
+                                  "length of %2 or more"),
+                        number(2.0 * highest, units::mm), number(spring->free_length, units::mm)};
         return guide;
     }
     guide.feasible = true;

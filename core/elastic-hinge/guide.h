@@ -2,10 +2,10 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
+#include "case-file/message.h"
 #include "elastic-hinge/design.h"
 #include "elastic-hinge/guide_formula.h"
 #include "elastic-hinge/input.h"
@@ -119,7 +119,7 @@ struct Guide {
     Hinge hinge = Hinge::crank;
     bool feasible = false;
     GuideProblem problem = GuideProblem::no_spring;
-    std::string reason;  ///< why not, as a sentence; empty where feasible
+    Message reason;  ///< why not, as a sentence; empty where feasible
 
     double preload = 0.0;                     ///< |ℓ₀/2 − ρ₀|, m
     double minimum_preload = 0.0;             ///< that the guide needs, m

@@ -99,21 +99,28 @@ class System {
     double mean_;
 };
 
-std::string turns_text(double angle) {
-    return format_number(std::round(std::abs(angle) / two_pi * 1e4) / 1e4);
+Number turns_of(double angle) {
+    return {std::round(std::abs(angle) / two_pi * 1e4) / 1e4};
 }
 
 void check_setup(const Design& design, const Guide& guide, const MotionSetup& setup) {
     if (!design.has_exact_kinematics()) {
-        throw InputError("/input/lambda", "must be less than 1 for a motion: the mechanism locks",
-                         format_number(design.mechanism().lambda));
+        throw InputError(
+            "/input/lambda",
+            CORE_TEXT("elastic-hinge", "must be less than 1 for a motion: the mechanism locks"),
+            Number{design.mechanism().lambda});
     }
     if (setup.hinges != HingeSet::none) {
         const Hinge wanted = setup.hinges == HingeSet::crank ? Hinge::crank : Hinge::crank_with_rod;
         if (!guide.feasible || !guide.shape || guide.hinge != wanted) {
-            throw InputError("/input/spring",
-                             "must make a guide that exists for this motion" +
-                                 (guide.reason.empty() ? std::string() : ": " + guide.reason));
+            throw InputError(
+                "/input/spring",
+                guide.reason.empty()
+                    ? Message(CORE_TEXT("elastic-hinge",
+                                        "must make a guide that exists for this motion"))
+                    : Message(CORE_TEXT("elastic-hinge",
+                                        "must make a guide that exists for this motion: %1"),
+                              guide.reason));
         }
     }
 }
@@ -168,8 +175,9 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
     system(start, slope, 0.0);
     const double inertia = reduced_inertia_at_zero(design->mechanism());
     if (!std::isfinite(slope[1]) || !(inertia > 0.0)) {
-        throw InputError("/input",
-                         "must give the crank and the rod together some mass for a motion");
+        throw InputError(
+            "/input", CORE_TEXT("elastic-hinge",
+                                "must give the crank and the rod together some mass for a motion"));
     }
     const double wanted = setup.turns * two_pi;
 
@@ -298,15 +306,17 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
         case MotionEnd::completed:
             break;
         case MotionEnd::reversed:
-            motion.reason =
-                "the crank stops after " + turns_text(turned) + " turns and would turn back";
+            motion.reason = {
+                CORE_TEXT("elastic-hinge", "the crank stops after %1 turns and would turn back"),
+                turns_of(turned)};
             break;
         case MotionEnd::too_slow:
-            motion.reason = "the crank made only " + turns_text(turned) + " turns in " +
-                            format_number(motion.time.back()) + " s";
+            motion.reason = {CORE_TEXT("elastic-hinge", "the crank made only %1 turns in %2"),
+                             turns_of(turned), Number{motion.time.back(), units::second, 6}};
             break;
         case MotionEnd::cancelled:
-            motion.reason = "cancelled after " + turns_text(turned) + " turns";
+            motion.reason = {CORE_TEXT("elastic-hinge", "cancelled after %1 turns"),
+                             turns_of(turned)};
             break;
     }
     return motion;

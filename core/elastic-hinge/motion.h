@@ -2,9 +2,9 @@
 
 #include <functional>
 #include <memory>
-#include <string>
 #include <vector>
 
+#include "case-file/message.h"
 #include "elastic-hinge/design.h"
 #include "elastic-hinge/guide.h"
 #include "elastic-hinge/input.h"
@@ -38,7 +38,7 @@ struct MotionSetup {
 /// The motion at growing times.
 struct Motion {
     MotionEnd end = MotionEnd::completed;
-    std::string reason;               ///< how it ended, as a sentence; empty where completed
+    Message reason;                   ///< how it ended, as a sentence; empty where completed
     std::vector<double> time;         ///< s
     std::vector<double> crank_angle;  ///< rad
     std::vector<double> speed;        ///< rad/s

@@ -396,7 +396,7 @@ Kernel guide_kernel() {
     definition.reference = reference;
     definition.refusal = [](const GuideCase& guide) {
         try {
-            return scene_guide(guide.input).reason;
+            return scene_guide(guide.input).reason.english();
         } catch (const InputError& error) {
             return std::string(error.what());
         }

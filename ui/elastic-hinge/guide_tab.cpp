@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "elastic-hinge/hinge_plots.h"
-#include "theme/theme.h"
 #include "text/number_text.h"
+#include "theme/theme.h"
 #include "widgets/value_slider.h"
 
 namespace ravnoves {

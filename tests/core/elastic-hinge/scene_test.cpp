@@ -1,6 +1,7 @@
 #include "elastic-hinge/scene.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "elastic-hinge/fields.h"
 #include "elastic-hinge/presets.h"
 #include "scenes/scenes.h"
 
@@ -152,10 +153,10 @@ TEST(ElasticHingeCase, AnyInputInRangeHasAFiniteAnswerOrAWordedRefusal) {
     int solved = 0;
     for (int i = 0; i < 400; ++i) {
         Json json;
-        json["weights_N"] = {{"crank", anywhere(random, field::weight.range)},
-                             {"rod", anywhere(random, field::weight.range)},
-                             {"slider", anywhere(random, field::weight.range)}};
-        for (const FieldSpec* spec :
+        json["weights_N"] = {{"crank", anywhere(random, field::weight_range)},
+                             {"rod", anywhere(random, field::weight_range)},
+                             {"slider", anywhere(random, field::weight_range)}};
+        for (const Field* spec :
              {&field::gravity, &field::crank_radius, &field::lambda, &field::angular_speed,
               &field::roller_radius, &field::profile_error}) {
             json[std::string(spec->key)] = anywhere(random, spec->range);
@@ -163,8 +164,7 @@ TEST(ElasticHingeCase, AnyInputInRangeHasAFiniteAnswerOrAWordedRefusal) {
         json["kinematics"] = i % 2 == 0 ? "exact" : "series";
         json["guide_sign"] = i % 3 == 0 ? "as-printed" : "energy";
         Json spring;
-        for (const FieldSpec* spec :
-             {&field::stiffness, &field::free_length, &field::guide_radius}) {
+        for (const Field* spec : {&field::stiffness, &field::free_length, &field::guide_radius}) {
             spring[std::string(spec->key)] = anywhere(random, spec->range);
         }
         json["spring"] = spring;
