@@ -117,6 +117,9 @@ GuideShape::GuideShape(std::shared_ptr<const Design> design, Hinge hinge, const 
       spring_{spring.stiffness, spring.free_length, spring.guide_radius_at_zero} {
     const bool reversed = sign == GuideSign::as_printed && hinge != Hinge::rod;
     scale_ = (reversed ? -0.5 : 0.5) / spring.stiffness;
+    const double preload = spring.preload();
+    rounding_ = 8.0 * std::numeric_limits<double>::epsilon() * preload *
+                (preload + 0.5 * spring.free_length);
 }
 
 Branch GuideShape::branch() const {
@@ -128,11 +131,11 @@ std::pair<GuidePoint, GuidePoint> GuideShape::both(const Demand& demand) const {
     const double q = given_out(demand);
     const double d0 = spring_.preload();
     const double square = d0 * d0 - q;
-    if (!(square >= 0.0)) {
+    if (!(square >= -rounding_)) {
         const GuidePoint none{demand.polar_angle, nothing, nothing, nothing};
         return {none, none};
     }
-    const double d = std::sqrt(square);
+    const double d = std::sqrt(std::max(square, 0.0));
     // guide_radius() for both branches: ρ = ρ₀ ± q / (d₀ + d).
     const double change = q == 0.0 ? 0.0 : q / (d0 + d);
     double slope = 0.0;
@@ -211,9 +214,7 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
             std::max(guide.largest_moment, std::abs(demand.moment * demand.dpolar));
     }
 
-    // Where rounding alone leaves the last place of the square below zero, the guide exists.
-    const double slack = 8.0 * std::numeric_limits<double>::epsilon() * square;
-    const bool exists = greatest <= square + slack;
+    const bool exists = greatest <= square + shape->rounding();
     const double lowest = std::sqrt(std::max(square - greatest, 0.0));
     const double highest = std::sqrt(square - least);
     guide.smallest_deflection = lowest;

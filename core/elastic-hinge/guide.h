@@ -68,6 +68,9 @@ class GuideShape {
     /// Energy in the spring at a radius, ½ c (ℓ₀ − 2ρ)², J.
     double energy(double radius) const;
 
+    /// What rounding may leave below zero of preload² − given_out(), m²: a preload of exactly the
+    /// least one makes a guide.
+    double rounding() const { return rounding_; }
     /// Least and greatest of given_out() over the turn, m².
     double least_given_out() const;
     double greatest_given_out() const;
@@ -78,7 +81,8 @@ class GuideShape {
     std::shared_ptr<const Design> design_;
     Hinge hinge_;
     GuideSpring<double> spring_;
-    double scale_;  ///< ± 1 / (2c), m²/J
+    double scale_;     ///< ± 1 / (2c), m²/J
+    double rounding_;  ///< of preload² − what was given out, m²
 };
 
 /// Why there is no guide.

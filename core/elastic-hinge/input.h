@@ -39,7 +39,7 @@ struct Spring {
 struct RodCounterweight {
     double distance = 0.1;       ///< ℓ₂ from A, m
     std::optional<double> mass;  ///< kg; empty: solved from (10)
-    CounterweightInertia inertia = CounterweightInertia::as_printed;
+    CounterweightInertia inertia = CounterweightInertia::newton_euler;
     bool operator==(const RodCounterweight&) const = default;
 };
 

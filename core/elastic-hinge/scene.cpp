@@ -52,45 +52,6 @@ Json write_branch(const BranchSummary& branch) {
             {"max_pressure_angle_deg", branch.max_pressure_angle / degree}};
 }
 
-// The contract's examples were computed on a grid of crank angles 0.05° apart. Two of its numbers
-// show that, and are written as the contract has them, with the continuous ones beside them.
-
-constexpr double contract_step = 0.05 * degree;
-
-/// The preload that the guide needs at the grid's angles, m. Guide::minimum_preload is that of the
-/// continuous turn, and decides.
-double contract_minimum_preload(const Guide& guide) {
-    constexpr int samples = 7201;
-    const auto grid = angle_grid(samples);
-    double most = 0.0;
-    for (const double phi : grid->angle) {
-        most =
-            std::max(most, guide.shape->given_out(guide.shape->design().demand(guide.hinge, phi)));
-    }
-    return std::sqrt(most);
-}
-
-/// The crank's moment as the work done between the grid's angles on either side, divided by the
-/// angle between them, less the moment at the angle itself; N·m at every angle of the result.
-std::vector<double> contract_moment_difference(const Result& result) {
-    const Design& design = *result.design;
-    std::vector<double> difference(result.curves.crank_moment.size());
-    for (std::size_t i = 0; i < difference.size(); ++i) {
-        const double phi = result.crank_angle_deg[i] * degree;
-        const double work = design.demand(Hinge::crank, phi + contract_step).energy -
-                            design.demand(Hinge::crank, phi - contract_step).energy;
-        difference[i] = work / (2.0 * contract_step) - result.curves.crank_moment[i];
-    }
-    return difference;
-}
-
-std::vector<double> sum_of(std::vector<double> a, const std::vector<double>& b) {
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        a[i] += b[i];
-    }
-    return a;
-}
-
 Json write_guide(const Guide& guide) {
     constexpr double mm = 1e3;
     const bool known = guide.shape != nullptr;
@@ -100,8 +61,7 @@ Json write_guide(const Guide& guide) {
         {"feasible", guide.feasible},
         {"reason", guide.reason.english()},
         {"preload_mm", when(known, guide.preload * mm)},
-        {"minimum_preload_mm", known ? Json(contract_minimum_preload(guide) * mm) : Json(nullptr)},
-        {"minimum_preload_continuous_mm", when(known, guide.minimum_preload * mm)},
+        {"minimum_preload_mm", when(known, guide.minimum_preload * mm)},
         {"minimum_stiffness_N_m", known ? optional(guide.minimum_stiffness, 1.0) : Json(nullptr)}};
     const bool missing = guide.problem == GuideProblem::preload_too_small;
     object["first_missing_crank_angle_deg"] = when(missing, guide.first_missing_angle / degree);
@@ -248,20 +208,15 @@ Json write_result(const Input& input, const Result& result) {
     }
     json["notes"] = notes;
     const MechanismCurves& curves = result.curves;
-    const std::vector<double> difference = contract_moment_difference(result);
     json["curves"] = {
         {"crank_angle_deg", result.crank_angle_deg},
         {"reduced_inertia_kg_m2", scaled(curves.reduced_inertia, 1.0)},
-        {"crank_moment_Nm", scaled(sum_of(curves.crank_moment, difference), 1.0)},
+        {"crank_moment_Nm", scaled(curves.crank_moment, 1.0)},
         {"rod_hinge_moment_Nm", scaled(curves.rod_hinge_moment, 1.0)},
         {"rod_hinge_moment_potential_Nm", scaled(curves.rod_hinge_moment_potential, 1.0)},
         {"side_force_without_hinge_N", scaled(curves.side_force_without_hinge, 1.0)},
         {"side_force_with_hinge_N", scaled(curves.side_force_with_hinge, 1.0)},
-        {"crank_moment_with_rod_hinge_Nm",
-         scaled(sum_of(curves.crank_moment_with_rod_hinge, difference), 1.0)},
-        {"crank_moment_continuous_Nm", scaled(curves.crank_moment, 1.0)},
-        {"crank_moment_with_rod_hinge_continuous_Nm",
-         scaled(curves.crank_moment_with_rod_hinge, 1.0)},
+        {"crank_moment_with_rod_hinge_Nm", scaled(curves.crank_moment_with_rod_hinge, 1.0)},
         {"guide_radius_compressed_mm", scaled(result.crank_guide.radius_compressed, 1e3)},
         {"guide_radius_stretched_mm", scaled(result.crank_guide.radius_stretched, 1e3)}};
     return json;

@@ -71,7 +71,8 @@ void fill(MechanismCurves& curves, const Mechanism<double>& mechanism,
         const double arm = lever / state.cos_psi;
         curves.rod_hinge_moment[i] = moment;
         curves.rod_hinge_moment_potential[i] = moment - mean;
-        curves.side_force_without_hinge[i] = -moment * arm;
+        curves.side_force_without_hinge[i] =
+            -(state.moment.weight + square * state.moment.true_inertia) * arm;
         curves.side_force_with_hinge[i] = -mean * arm;
     }
     if (!exact) {
@@ -111,7 +112,8 @@ MechanismCurves curves_at_lambda(Input input, double lambda, const AngleGrid& gr
             const double value = moment.weight + side * square * moment.inertia;
             curves.rod_hinge_moment[at] = value;
             curves.rod_hinge_moment_potential[at] = value - mean;
-            curves.side_force_without_hinge[at] = -value * arm;
+            curves.side_force_without_hinge[at] =
+                -(moment.weight + side * square * moment.true_inertia) * arm;
             curves.side_force_with_hinge[at] = -mean * arm;
         }
     }
@@ -267,15 +269,15 @@ Result solve(const Input& input, const SolveOptions& options) {
     if (exact && hinge_is_true) {
         result.side_force_true = result.curves.side_force_with_hinge;
     } else if (exact) {
-        Mechanism<double> true_mechanism = mechanism;
-        true_mechanism.counterweight_inertia = CounterweightInertia::newton_euler;
+        const double square = omega * omega;
         result.side_force_true.resize(n);
         for (std::size_t i = 0; i < n; ++i) {
-            const auto moment = rod_hinge_moment(true_mechanism, design.static_moment(),
-                                                 grid.sin_phi[i], grid.cos_phi[i], states[i].exact);
-            result.side_force_true[i] =
-                (result.curves.rod_hinge_moment_potential[i] - moment.value(omega)) *
-                mechanism.lambda / (mechanism.crank_radius * states[i].exact.cos_psi);
+            const auto moment = rod_hinge_moment(mechanism, design.static_moment(), grid.sin_phi[i],
+                                                 grid.cos_phi[i], states[i].exact);
+            result.side_force_true[i] = (result.curves.rod_hinge_moment_potential[i] -
+                                         (moment.weight + square * moment.true_inertia)) *
+                                        mechanism.lambda /
+                                        (mechanism.crank_radius * states[i].exact.cos_psi);
         }
     }
     for (const double lambda : options.lambdas) {

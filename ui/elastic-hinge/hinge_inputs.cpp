@@ -10,7 +10,6 @@
 
 namespace ravnoves {
 
-using elastic_hinge::CounterweightInertia;
 using elastic_hinge::RodCounterweight;
 using elastic_hinge::Spring;
 namespace field = elastic_hinge::field;
@@ -134,10 +133,7 @@ void HingeInputs::addCounterweight() {
         field::rod_counterweight, QStringLiteral("rod_counterweight"),
         [](const Input& input) { return input.rod_counterweight.has_value(); },
         [](Input& input, bool on) {
-            input.rod_counterweight =
-                on ? std::optional(
-                         RodCounterweight{0.1, std::nullopt, CounterweightInertia::newton_euler})
-                   : std::nullopt;
+            input.rod_counterweight = on ? std::optional(RodCounterweight{}) : std::nullopt;
         });
     for (const bool weights : {true, false}) {
         section({});
