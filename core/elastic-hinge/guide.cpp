@@ -1,6 +1,7 @@
 #include "elastic-hinge/guide.h"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
 
@@ -31,11 +32,25 @@ Text name_of(Hinge hinge) {
     return CORE_TEXT("elastic-hinge", "the rod's hinge");
 }
 
+/// The greatest value of f near the sample of a grid where it is greatest.
+template <typename Function>
+std::pair<double, double> greatest_near(const Function& f, double sample, double step) {
+    const auto [place, value] = boost::math::tools::brent_find_minima(
+        [&](double x) {
+            const double y = -f(x);
+            return std::isfinite(y) ? y : std::numeric_limits<double>::max();
+        },
+        sample - step, sample + step, 26);
+    return {place, -value};
+}
+
 struct BranchScan {
     BranchSummary summary;
-    double sharpest = 0.0;  ///< greatest curvature against the roller, 1/m
+    double sharpest = 0.0;     ///< greatest curvature against the roller, 1/m
+    double sharpest_at = 0.0;  ///< crank angle, rad
+    double most_bent_at = 0.0;
 
-    void take(const GuidePoint& point, Branch branch, double roller) {
+    void take(const GuidePoint& point, double phi, Branch branch, double roller) {
         summary.min_radius = std::min(summary.min_radius, point.radius);
         summary.max_radius = std::max(summary.max_radius, point.radius);
         const double side = branch == Branch::compressed ? 1.0 : -1.0;
@@ -48,11 +63,15 @@ struct BranchScan {
         least_cosine = std::min(least_cosine, cosine);
         const double bend = point.curvature();
         if (std::isfinite(bend)) {
-            most_bent = std::max(most_bent, std::abs(bend));
+            if (std::abs(bend) > most_bent) {
+                most_bent = std::abs(bend);
+                most_bent_at = phi;
+            }
             // The profile lies outside a compressed spring's rollers and inside a stretched one's.
             const double against = -side * bend;
             if (against > sharpest) {
                 sharpest = against;
+                sharpest_at = phi;
                 summary.undercut_angle = point.angle;
             }
         }
@@ -64,7 +83,17 @@ struct BranchScan {
         summary.profile_max_radius = std::max(summary.profile_max_radius, profile);
     }
 
-    BranchSummary finish(double roller) {
+    /// @param step  of the grid, rad
+    BranchSummary finish(const GuideShape& shape, Branch branch, double step, double roller) {
+        if (most_bent > 0.0) {
+            const auto bend = [&](double phi) {
+                return std::abs(shape.at(branch, phi).curvature());
+            };
+            most_bent = std::max(most_bent, greatest_near(bend, most_bent_at, step).second);
+        }
+        if (sharpest > 0.0) {
+            sharpest = std::max(sharpest, sharpest_bend(shape, branch, sharpest_at, step));
+        }
         summary.smallest_curvature_radius = most_bent > 0.0 ? 1.0 / most_bent : summary.max_radius;
         if (sharpest > 0.0 && std::isfinite(1.0 / sharpest)) {
             summary.largest_roller_radius = 1.0 / sharpest;
@@ -98,6 +127,13 @@ double GuidePoint::curvature() const {
 
 double GuidePoint::pressure_angle() const {
     return std::atan2(std::abs(slope), radius);
+}
+
+double sharpest_bend(const GuideShape& shape, Branch branch, double near, double step) {
+    const double side = branch == Branch::compressed ? -1.0 : 1.0;
+    return greatest_near([&](double phi) { return side * shape.at(branch, phi).curvature(); }, near,
+                         step)
+        .second;
 }
 
 PlanePoint offset_point(const GuidePoint& point, double distance) {
@@ -231,25 +267,26 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     double steepest_error = 0.0;
     const double waves = input.profile_error_waves;
     bool missing = false;
+    const double step = two_pi / static_cast<double>(std::max<std::size_t>(n, 2) - 1);
     for (std::size_t i = 0; i < n; ++i) {
         const Demand& demand = demands[i];
+        const double phi = step * static_cast<double>(i);
         const auto [inner, outer] = shape->both(demand);
         guide.polar_angle[i] = demand.polar_angle;
         guide.radius_stretched[i] = outer.radius;
         guide.radius_compressed[i] = inner.radius > 0.0 ? inner.radius : nothing;
         if (std::isnan(outer.radius)) {
             if (!missing) {
-                guide.first_missing_angle =
-                    two_pi * static_cast<double>(i) / static_cast<double>(n - 1);
+                guide.first_missing_angle = phi;
             }
             missing = true;
             continue;
         }
         if (exists) {
             if (fits) {
-                compressed.take(inner, Branch::compressed, input.roller_radius);
+                compressed.take(inner, phi, Branch::compressed, input.roller_radius);
             }
-            stretched.take(outer, Branch::stretched, input.roller_radius);
+            stretched.take(outer, phi, Branch::stretched, input.roller_radius);
             const double d = std::abs(outer.radius - half_length);
             const double slope = std::isfinite(outer.slope) ? outer.slope : 0.0;
             const double wave = waves * d;
@@ -282,10 +319,10 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     guide.spring_travel = 2.0 * guide.relief;
     guide.largest_spring_force = 2.0 * spring->stiffness * highest;
     guide.smallest_spring_force = 2.0 * spring->stiffness * lowest;
-    guide.stretched = stretched.finish(input.roller_radius);
+    guide.stretched = stretched.finish(*shape, Branch::stretched, step, input.roller_radius);
     guide.stretched.exists = true;
     if (fits) {
-        guide.compressed = compressed.finish(input.roller_radius);
+        guide.compressed = compressed.finish(*shape, Branch::compressed, step, input.roller_radius);
         guide.compressed.exists = true;
     }
 

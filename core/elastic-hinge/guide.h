@@ -85,6 +85,10 @@ class GuideShape {
     double rounding_;  ///< of preload² − what was given out, m²
 };
 
+/// The path's greatest curvature against a roller on the profile's side, 1/m, near the crank angle
+/// where a grid of that step (rad) has found it: a roller of more than the inverse of it undercuts.
+double sharpest_bend(const GuideShape& shape, Branch branch, double near, double step);
+
 /// Why there is no guide.
 enum class GuideProblem {
     none,
@@ -99,7 +103,7 @@ struct BranchSummary {
     bool exists = false;
     double min_radius = 0.0;  ///< of the roller centre's path, m
     double max_radius = 0.0;
-    double smallest_curvature_radius = 0.0;  ///< of the path, m; over the sampled angles
+    double smallest_curvature_radius = 0.0;  ///< of the path, m
     /// The largest roller that follows the path without undercutting its profile, m. Empty: any.
     std::optional<double> largest_roller_radius;
     bool undercut = false;            ///< the input's roller is larger than that

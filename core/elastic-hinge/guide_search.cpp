@@ -18,11 +18,17 @@ Number millimetres(double length) {
 std::optional<double> largest_roller(const GuideShape& shape, Branch branch) {
     const auto grid = angle_grid(721);
     double sharpest = 0.0;
+    double place = 0.0;
     for (const double phi : grid->angle) {
         const double bend = shape.at(branch, phi).curvature();
-        if (std::isfinite(bend)) {
-            sharpest = std::max(sharpest, branch == Branch::compressed ? -bend : bend);
+        const double against = branch == Branch::compressed ? -bend : bend;
+        if (against > sharpest && std::isfinite(against)) {
+            sharpest = against;
+            place = phi;
         }
+    }
+    if (sharpest > 0.0) {
+        sharpest = std::max(sharpest, sharpest_bend(shape, branch, place, grid->angle[1]));
     }
     return sharpest > 0.0 ? std::optional(1.0 / sharpest) : std::nullopt;
 }

@@ -42,7 +42,7 @@ struct Motion {
     std::vector<double> time;         ///< s
     std::vector<double> crank_angle;  ///< rad
     std::vector<double> speed;        ///< rad/s
-    double min_speed = 0.0;           ///< rad/s, over the samples
+    double min_speed = 0.0;           ///< rad/s, of the continuous motion
     double max_speed = 0.0;
     double mean_speed = 0.0;  ///< angle turned / time, rad/s
     /// (max − min) / mean, the coefficient of speed fluctuation; 0 where the mean is 0.

@@ -257,6 +257,19 @@ TEST(ElasticHingeGuide, LargestRollerIsTheOneAtWhichTheProfileStartsToRunBackwar
     EXPECT_FALSE(solve(input).crank_guide.compressed.undercut);
 }
 
+TEST(ElasticHingeGuide, LargestRollerDoesNotDependOnTheSamples) {
+    Input input = preset_zotov();
+    input.spring = Spring{23e3, 0.06, 0.012};
+    SolveOptions coarse;
+    coarse.samples = 97;
+    const Guide rough = solve(input, coarse).crank_guide;
+    const Guide fine = solve(input).crank_guide;
+    for (const auto branch : {&Guide::compressed, &Guide::stretched}) {
+        const double limit = (fine.*branch).largest_roller_radius.value();
+        EXPECT_NEAR((rough.*branch).largest_roller_radius.value(), limit, 1e-9 * limit);
+    }
+}
+
 TEST(ElasticHingeGuide, ProfileErrorIsTheWorstOverAngleAndPhase) {
     for (const int waves : {1, 2, 7}) {
         Input input = soft_zotov();
