@@ -161,6 +161,36 @@ TEST(Fields, EveryScalarIsReadAndSetByItsPointer) {
     EXPECT_EQ(s.part->mass, 7 * units::gram);
 }
 
+struct Weight {
+    std::optional<double> mass;  // kg; empty: by formula
+    std::optional<Part> other;
+    bool operator==(const Weight&) const = default;
+};
+
+void visit_fields(FieldVisitor& visitor, Weight& weight) {
+    visitor.number_or_word(field::mass, weight.mass, "solve");
+    visitor.object(field::part, weight.other,
+                   [&](Part& part) { visitor.number(field::mass, part.mass); });
+}
+
+TEST(Fields, ANumberMayBeAWord) {
+    const Json given = parse_json(R"({"mass_g": 46, "part": {"mass_g": 3}})");
+    const Weight weight = read_fields<Weight>(given);
+    EXPECT_EQ(weight.mass, 46 * units::gram);
+    EXPECT_EQ(weight.other->mass, 3 * units::gram);
+    EXPECT_EQ(write_fields(weight), given);
+    const Json solved = parse_json(R"({"mass_g": "solve"})");
+    EXPECT_EQ(read_fields<Weight>(solved), Weight());
+    EXPECT_EQ(write_fields(Weight()), solved);
+    try {
+        read_fields<Weight>(parse_json(R"({"mass_g": "auto"})"));
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(), "/input/mass_g: must be a number or \"solve\", got \"auto\"");
+    }
+    EXPECT_THROW(read_fields<Weight>(parse_json("{}")), InputError);
+}
+
 TEST(Fields, TheTableOfTheHelpListsEveryKey) {
     std::string keys;
     for (const FieldEntry& entry : describe_fields<Sample>()) {
