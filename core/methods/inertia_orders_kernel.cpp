@@ -245,7 +245,7 @@ Kernel inertia_orders_kernel() {
         const auto locking =
             inertia_moments::find_locking(problem.crank.crank_radius, problem.crank.lambda(),
                                           {{0.0, 0.0, problem.crank.offset, 0.0}});
-        return locking ? inertia_moments::describe(*locking) : std::string();
+        return locking ? inertia_moments::describe(*locking).english() : std::string();
     };
     definition.check = check;
     return make_kernel(std::move(definition));

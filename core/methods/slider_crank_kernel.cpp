@@ -298,7 +298,7 @@ Kernel slider_crank_kernel() {
     definition.refusal = [](const Turn& turn) {
         const auto locking = inertia_moments::find_locking(
             turn.crank.crank_radius, turn.crank.lambda(), {{0.0, 0.0, turn.crank.offset, 0.0}});
-        return locking ? inertia_moments::describe(*locking) : std::string();
+        return locking ? inertia_moments::describe(*locking).english() : std::string();
     };
     definition.check = check;
     return make_kernel(std::move(definition));

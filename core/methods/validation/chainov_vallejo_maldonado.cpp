@@ -43,10 +43,8 @@ void sizes(const Result& result, const Input& input, PaperRows& rows) {
     quoted("angle between the banks of VR engines, from", "°", "8");
     quoted("angle between the banks of VR engines, to", "°", "20");
     rows.at("text, parameters of the engine");
-    rows.reproduced(
-        "offset e", "mm", "12.5",
-        read_printed("0.278").value * input.crank_radius / inertia_moments::field::millimetre,
-        "K R.");
+    rows.reproduced("offset e", "mm", "12.5",
+                    read_printed("0.278").value * input.crank_radius / units::mm, "K R.");
     rows.reproduced("relative offset K", "", "0.278", input.layout->offset / input.crank_radius,
                     "e / R.");
     rows.reproduced("crank angle at top dead centre", "°", "3°20′", *result.tdc_angle / degree,
