@@ -155,6 +155,8 @@ TEST(Fields, EveryScalarIsReadAndSetByItsPointer) {
     EXPECT_FALSE(s.depth.has_value());
     EXPECT_FALSE(set_field(s, "/length_mm", FieldValue())) << "a length cannot be empty";
     EXPECT_FALSE(set_field(s, "/nothing", FieldValue(1.0)));
+    EXPECT_TRUE(set_field(s, "/share", FieldValue()));
+    EXPECT_EQ(s.share, 0.5) << "what may be left out has its default when empty";
     s.part.reset();
     EXPECT_TRUE(set_field(s, "/part/mass_g", FieldValue(7.0)));
     ASSERT_TRUE(s.part.has_value());
