@@ -7,8 +7,11 @@
 #include "balance-shaft/cylinder_gas.h"
 #include "balance-shaft/relieved_shaft.h"
 #include "balance-shaft/torque_table.h"
-#include "case-file/range.h"
 #include "numerics/constants.h"
+
+namespace ravnoves {
+class FieldVisitor;
+}
 
 /// The balance shaft of a single-cylinder engine.
 ///
@@ -22,75 +25,6 @@
 /// one on the shaft, both point down at top dead centre. Moments are positive in the direction of
 /// rotation.
 namespace ravnoves::balance_shaft {
-
-/// The inputs that are one number, with the ranges that case file and form share.
-namespace field {
-inline constexpr double millimetre = 1e-3;  ///< m per mm
-inline constexpr FieldSpec speed{"speed_rpm", "min⁻¹", Range::greater_than(0), rpm};
-inline constexpr FieldSpec angular_speed{"angular_speed_rad_s", "rad/s", Range::greater_than(0)};
-inline constexpr FieldSpec crank_radius{"crank_radius_mm", "mm", Range::greater_than(0),
-                                        millimetre};
-/// The sum, where the parts are not given one by one.
-inline constexpr FieldSpec reciprocating_mass{"reciprocating_mass_kg", "kg",
-                                              Range::greater_than(0)};
-/// Each entry of reciprocating_masses_kg; together they must be more than 0.
-inline constexpr FieldSpec reciprocating_mass_part{"", "kg", Range::at_least(0)};
-/// Of the whole rod with its shells: bounds its small-end share.
-inline constexpr FieldSpec rod_mass{"rod_mass_kg", "kg", Range::greater_than(0)};
-inline constexpr FieldSpec counterweight_radius{"counterweight_radius_mm", "mm",
-                                                Range::greater_than(0), millimetre};
-inline constexpr FieldSpec counterweight_mass{"counterweight_mass_kg", "kg", Range::at_least(0)};
-inline constexpr FieldSpec centre_distance{"centre_distance_mm", "mm", Range::at_least(0),
-                                           millimetre};
-inline constexpr FieldSpec shaft_angle{"shaft_angle_deg", "°", Range::between(-3600, 3600), degree};
-inline constexpr FieldSpec step{"step_deg", "°", Range::between(0.01, 90), degree};
-inline constexpr FieldSpec rod_length{"rod_length_mm", "mm", Range::greater_than(0), millimetre};
-// Of the object "envelope".
-inline constexpr FieldSpec cylinder_bore{"cylinder_bore_mm", "mm", Range::greater_than(0),
-                                         millimetre};
-inline constexpr FieldSpec cylinder_top{"cylinder_top_mm", "mm", Range::greater_than(0),
-                                        millimetre};
-inline constexpr FieldSpec crank_swing_radius{"crank_swing_radius_mm", "mm", Range::greater_than(0),
-                                              millimetre};
-inline constexpr FieldSpec shaft_swing_radius{"shaft_swing_radius_mm", "mm", Range::greater_than(0),
-                                              millimetre};
-inline constexpr FieldSpec gear_tip_radius{"gear_tip_radius_mm", "mm", Range::greater_than(0),
-                                           millimetre};
-inline constexpr FieldSpec wall{"wall_mm", "mm", Range::at_least(0), millimetre};
-/// Part of m_j r that an engine without a shaft balances on the crank.
-inline constexpr FieldSpec crank_share{"crank_share", "", Range::between(0, 1)};
-// Of the object "gears".
-inline constexpr FieldSpec backlash{"backlash_mm", "mm", Range::between(0, 10), millimetre};
-inline constexpr int most_teeth = 1000;
-// Of the objects "torque/pressure" and "torque/cycle".
-inline constexpr double bar = 1e5;  ///< Pa per bar
-inline constexpr FieldSpec bore{"bore_mm", "mm", Range::greater_than(0, 10000), millimetre};
-inline constexpr FieldSpec offset{"offset_mm", "mm", Range{}, millimetre};
-inline constexpr FieldSpec crankcase_pressure{"crankcase_pressure_bar", "bar",
-                                              Range::between(0, 1e3), bar};
-inline constexpr FieldSpec compression_ratio{"compression_ratio", "", Range::greater_than(1, 100)};
-inline constexpr FieldSpec intake_pressure{"intake_pressure_bar", "bar",
-                                           Range::greater_than(0, 1e3), bar};
-inline constexpr FieldSpec exhaust_pressure{"exhaust_pressure_bar", "bar",
-                                            Range::greater_than(0, 1e3), bar};
-inline constexpr FieldSpec polytropic_compression{"polytropic_compression", "",
-                                                  Range::between(1, 2)};
-inline constexpr FieldSpec polytropic_expansion{"polytropic_expansion", "",
-                                                Range::greater_than(1, 2)};
-inline constexpr FieldSpec heat{"heat_J", "J", Range::between(0, 1e12)};
-inline constexpr FieldSpec imep{"indicated_mean_effective_pressure_bar", "bar",
-                                Range::between(-1e3, 1e3), bar};
-/// 360° is the firing top dead centre.
-inline constexpr FieldSpec combustion_start{"combustion_start_deg", "°", Range::between(270, 450),
-                                            degree};
-inline constexpr FieldSpec combustion_duration{"combustion_duration_deg", "°",
-                                               Range::between(1, 180), degree};
-// Of the object "speed_band".
-inline constexpr FieldSpec band_from{"from_rpm", "min⁻¹", Range::greater_than(0), rpm};
-inline constexpr FieldSpec band_to{"to_rpm", "min⁻¹", Range::greater_than(0), rpm};
-inline constexpr int most_speeds = 1000;
-inline constexpr FieldSpec wiebe_m{"wiebe_m", "", Range::between(0, 10)};
-}  // namespace field
 
 /// One of the masses that move with the piston (the paper's Table 1).
 struct NamedMass {
@@ -139,7 +73,7 @@ struct EnvelopeSizes {
 
 /// The gears between crank and shaft, 1:1.
 struct GearPair {
-    int teeth = 40;         ///< z of each gear, 6 to field::most_teeth
+    int teeth = 40;         ///< z of each gear, 6 to 1000
     int shifted_teeth = 0;  ///< k: the shaft is assembled k teeth ahead of its right place, |k| < z
     double backlash = 0.0;  ///< circumferential play at the pitch circle l/2, m
     bool operator==(const GearPair&) const = default;
@@ -183,6 +117,13 @@ struct Input {
     double effective_rod_length() const;  ///< L, m, given or by default
     bool operator==(const Input&) const = default;
 };
+
+/// The input's fields as fields.h describes them, for read_fields() and its like.
+void visit_fields(FieldVisitor& visitor, Input& input);
+void visit_fields(FieldVisitor& visitor, EnvelopeSizes& sizes);
+void visit_fields(FieldVisitor& visitor, GearPair& gears);
+void visit_fields(FieldVisitor& visitor, SpeedBand& band);
+void visit_fields(FieldVisitor& visitor, RelievedShaftSizes& sizes);
 
 /// Checks the ranges and that the sizes taken together stay in the range of numbers.
 /// @throws InputError that names the JSON pointer, as read_input() would

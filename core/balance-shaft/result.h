@@ -2,12 +2,12 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "balance-shaft/cylinder_gas.h"
 #include "balance-shaft/envelope.h"
 #include "balance-shaft/inertia_check.h"
+#include "case-file/message.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -51,21 +51,7 @@ struct AngleSweep {
 struct Optimum {
     std::optional<double> shaft_angle;  ///< rad, 0…2π; empty: no α is better than another
     double value = 0.0;                 ///< N·m, the criterion there
-    std::string note;                   ///< why there is no angle, as a sentence; else empty
-};
-
-/// What the user should know about a result beyond its numbers. The kind is for translators, the
-/// text is the English sentence that the command line prints.
-struct Note {
-    enum class Kind {
-        no_shaft_moment,         ///< P₁ l = 0: the angle changes nothing
-        range_without_gain,      ///< no α has a smaller range than the engine without a shaft
-        rms_without_gain,        ///< no α has a smaller RMS than the engine without a shaft
-        counterweight_mismatch,  ///< the given m₁ is not that of equation (1)
-        inertia_mismatch,        ///< the torque does not belong to the masses and speed entered
-    };
-    Kind kind;
-    std::string text;
+    Message note;                       ///< why there is no angle, as a sentence; else empty
 };
 
 /// One line of an order spectrum: amplitude × sin(order × φ + phase).
@@ -99,7 +85,7 @@ struct Result {
     Optimum best_range;
     Optimum best_rms;
     AngleSweep sweep;
-    std::vector<Note> notes;
+    std::vector<Message> notes;  ///< what the user should know beyond the numbers
 
     // What follows the shaft's angle: updated by Solver::move_shaft().
     double shaft_angle = 0.0;  ///< α, rad, 0…2π

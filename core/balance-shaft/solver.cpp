@@ -217,7 +217,8 @@ void Solver::Prepared::prepare_curves() {
 
 void Solver::Prepared::prepare_optima() {
     if (forces.moment_amplitude == 0.0) {
-        const std::string note = "The shaft makes no moment, so its angle changes nothing.";
+        const Message note =
+            CORE_TEXT("balance-shaft", "The shaft makes no moment, so its angle changes nothing.");
         base.best_range = {std::nullopt, base.M_up.range, note};
         base.best_rms = {std::nullopt, base.M_up.rms, note};
         return;
@@ -227,7 +228,8 @@ void Solver::Prepared::prepare_optima() {
     if (best.worst - best.range > rounding * best.worst) {
         base.best_range.shaft_angle = best.shaft_angle;
     } else {
-        base.best_range.note = "The range is the same at every angle of the shaft.";
+        base.best_range.note =
+            CORE_TEXT("balance-shaft", "The range is the same at every angle of the shaft.");
     }
     // The variance is least where the shaft's moment opposes M_up's first order.
     const double size = std::max(std::abs(base.M_up.max), std::abs(base.M_up.min));
@@ -236,8 +238,9 @@ void Solver::Prepared::prepare_optima() {
         base.best_rms = {angle, rms_at(angle), {}};
     } else {
         base.best_rms = {std::nullopt, rms_at(0.0),
-                         "The tipping moment has no first order, so the RMS is the same at every "
-                         "angle of the shaft."};
+                         CORE_TEXT("balance-shaft",
+                                   "The tipping moment has no first order, so the RMS is the same "
+                                   "at every angle of the shaft.")};
     }
 }
 
@@ -260,39 +263,38 @@ void Solver::Prepared::prepare_sweep() {
 }
 
 void Solver::Prepared::prepare_notes() {
-    constexpr int digits = 4;
-    const auto note = [&](Note::Kind kind, const std::string& text) {
-        base.notes.push_back({kind, text});
-    };
+    const auto number = [](double value) { return Number{value, {}, 4}; };
     if (base.inertia_check.consistent && !*base.inertia_check.consistent) {
-        note(Note::Kind::inertia_mismatch, base.inertia_check.text);
+        base.notes.push_back(base.inertia_check.text);
     }
     if (forces.moment_amplitude == 0.0) {
-        note(Note::Kind::no_shaft_moment, base.best_range.note);
+        base.notes.push_back(base.best_range.note);
     } else {
         if (base.best_range.value >= base.M_up.range) {
-            note(Note::Kind::range_without_gain,
-                 "No angle of the shaft makes the range smaller than without a shaft: at best " +
-                     format_number(base.best_range.value, digits) + " N·m against " +
-                     format_number(base.M_up.range, digits) + " N·m.");
+            base.notes.emplace_back(
+                CORE_TEXT("balance-shaft",
+                          "No angle of the shaft makes the range smaller than without a shaft: at "
+                          "best %1 N·m against %2 N·m."),
+                number(base.best_range.value), number(base.M_up.range));
         }
         if (base.best_rms.value >= base.M_up.rms) {
-            note(Note::Kind::rms_without_gain,
-                 "No angle of the shaft makes the RMS smaller than without a shaft: at best " +
-                     format_number(base.best_rms.value, digits) + " N·m against " +
-                     format_number(base.M_up.rms, digits) + " N·m.");
+            base.notes.emplace_back(
+                CORE_TEXT("balance-shaft",
+                          "No angle of the shaft makes the RMS smaller than without a shaft: at "
+                          "best %1 N·m against %2 N·m."),
+                number(base.best_rms.value), number(base.M_up.rms));
         }
     }
     const double balanced = 2.0 * forces.counterweight_force / forces.inertia_force_1_max;
     constexpr double noticeable = 1e-3;
     if (input.counterweight_mass && std::abs(balanced - 1.0) > noticeable) {
-        note(Note::Kind::counterweight_mismatch,
-             "The counterweight given balances " + format_number(100.0 * balanced, digits) +
-                 " % of the first-order inertia force; equation (1) asks for " +
-                 format_number(input.reciprocating_mass() * input.crank_radius /
-                                   (2.0 * input.counterweight_radius),
-                               digits) +
-                 " kg.");
+        base.notes.emplace_back(
+            CORE_TEXT("balance-shaft",
+                      "The counterweight given balances %1 % of the first-order inertia force; "
+                      "equation (1) asks for %2 kg."),
+            number(100.0 * balanced),
+            number(input.reciprocating_mass() * input.crank_radius /
+                   (2.0 * input.counterweight_radius)));
     }
 }
 
@@ -383,7 +385,7 @@ Result solve(const Input& input) {
 RelievedShaft relieved_shaft(const Solver& solver) {
     const Input& input = solver.input();
     const double speed2 = input.angular_speed * input.angular_speed;
-    return design_relieved_shaft(input.relieved_shaft.value_or(default_relieved_shaft),
+    return design_relieved_shaft(input.relieved_shaft.value_or(RelievedShaftSizes{}),
                                  solver.counterweight_force() / speed2, input.angular_speed);
 }
 

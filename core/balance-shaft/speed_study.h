@@ -63,7 +63,7 @@ class SpeedStudy {
     SpeedStudy(const Input& input, const SpeedBand& band, const Progress& progress = {});
 
     /// Empty where the study could be made; else a sentence that says why not.
-    const std::string& reason() const { return reason_; }
+    const Message& reason() const { return reason_; }
     bool is_complete() const { return complete_; }
     const std::vector<Point>& points() const { return points_; }
 
@@ -81,7 +81,7 @@ class SpeedStudy {
         FourierPair order_1;
     };
 
-    std::string reason_;
+    Message reason_;
     bool complete_ = false;
     std::vector<Point> points_;
     std::vector<Speed> speeds_;

@@ -21,23 +21,21 @@ constexpr double end_pressure_tolerance = 0.02;  ///< of the largest pressure
 
 /// What the second column holds.
 struct Column {
-    const char* name;
-    std::string unit;
-    double to_si;
+    Text name;
+    Unit unit;
     Range range;  ///< in SI
     double end_tolerance;
     bool may_be_open;  ///< the closing row may be missing
 };
 
 Column torque_column() {
-    return {
-        "torque", "N·m", 1.0, Range::between(-largest_torque, largest_torque), end_torque_tolerance,
-        false};
+    return {CORE_TEXT("balance-shaft", "torque"), units::N_m,
+            Range::between(-largest_torque, largest_torque), end_torque_tolerance, false};
 }
 
-Column pressure_column(const std::string& unit, double to_si) {
-    return {"pressure", unit, to_si, Range::between(0.0, largest_pressure), end_pressure_tolerance,
-            true};
+Column pressure_column(Unit unit) {
+    return {CORE_TEXT("balance-shaft", "pressure"), unit, Range::between(0.0, largest_pressure),
+            end_pressure_tolerance, true};
 }
 
 TwoColumnsRule rule_for(std::string_view value) {
@@ -80,14 +78,17 @@ void check_ascending(const std::vector<double>& angles, const auto& place) {
         const double previous = angles[i - 1];
         if (angles[i] == previous) {
             throw InputError(
-                place(i), "must not repeat the angle of the row before, " + format_number(previous),
-                format_number(angles[i]));
+                place(i),
+                {CORE_TEXT("balance-shaft", "must not repeat the angle of the row before, %1"),
+                 previous},
+                Number{angles[i]});
         }
         if (!(angles[i] > previous)) {
             throw InputError(
                 place(i),
-                "must be greater than the angle of the row before, " + format_number(previous),
-                format_number(angles[i]));
+                {CORE_TEXT("balance-shaft", "must be greater than the angle of the row before, %1"),
+                 previous},
+                Number{angles[i]});
         }
     }
 }
@@ -99,14 +100,17 @@ void check_end(const std::vector<double>& values, const Column& column, double t
         largest = std::max(largest, std::abs(value));
     }
     if (!(std::abs(values.back() - values.front()) <= tolerance * largest)) {
-        const auto show_value = [&](double value) {
-            return format_number(value / column.to_si) + " " + column.unit;
-        };
-        throw InputError(place,
-                         "must equal the first " + std::string(column.name) + ", " +
-                             show_value(values.front()) + ", since the cycle repeats",
-                         show_value(values.back()));
+        const auto shown = [&](double value) { return Number{value / column.unit, column.unit}; };
+        throw InputError(
+            place,
+            {CORE_TEXT("balance-shaft", "must equal the first %1, %2, since the cycle repeats"),
+             column.name, shown(values.front())},
+            shown(values.back()));
     }
+}
+
+Number count(const std::vector<double>& values) {
+    return {static_cast<double>(values.size())};
 }
 
 /// A table of two columns, of one cycle of 720°.
@@ -118,18 +122,25 @@ struct Cycle {
 
 }  // namespace
 
-std::string TableFormat::describe() const {
-    std::string text = std::to_string(rows) + " rows, separated by ";
-    text += separator == ';'    ? "semicolons"
-            : separator == ','  ? "commas"
-            : separator == '\t' ? "tabs"
-                                : "blanks";
-    text += decimal_comma ? ", decimal comma" : "";
-    text += in_radians ? ", angles in radians" : ", angles in degrees";
-    text += has_header ? ", with a header" : "";
-    text += pressure_unit.empty() ? "" : ", pressure in " + pressure_unit;
-    text += repeated ? ", 360° repeated to 720°" : "";
-    text += closed ? ", end joined to the start" : "";
+Message TableFormat::describe() const {
+    Message text(CORE_TEXT("balance-shaft", "%1 rows"), rows);
+    const auto add = [&](bool holds, const Message& part) {
+        if (holds) {
+            text = Message(Text{"", "%1, %2"}, text, part);
+        }
+    };
+    add(true, separator == ';'    ? CORE_TEXT("balance-shaft", "separated by semicolons")
+              : separator == ','  ? CORE_TEXT("balance-shaft", "separated by commas")
+              : separator == '\t' ? CORE_TEXT("balance-shaft", "separated by tabs")
+                                  : CORE_TEXT("balance-shaft", "separated by blanks"));
+    add(decimal_comma, CORE_TEXT("balance-shaft", "decimal comma"));
+    add(true, in_radians ? CORE_TEXT("balance-shaft", "angles in radians")
+                         : CORE_TEXT("balance-shaft", "angles in degrees"));
+    add(has_header, CORE_TEXT("balance-shaft", "with a header"));
+    add(!pressure_unit.empty(), {CORE_TEXT("balance-shaft", "pressure in %1"),
+                                 Text{"ravnoves::Unit", pressure_unit.data()}});
+    add(repeated, CORE_TEXT("balance-shaft", "360° repeated to 720°"));
+    add(closed, CORE_TEXT("balance-shaft", "end joined to the start"));
     return text;
 }
 
@@ -145,17 +156,18 @@ Cycle to_cycle(TwoColumns&& rows, const Column& column) {
     std::vector<double>& value = cycle.value;
     const auto place_of_angle = [&](std::size_t i) { return table_place(rows.line[i], 1); };
     if (angle.size() < 3) {
-        throw InputError("", std::string("the ") + column.name + " table must have at least 3 rows",
-                         std::to_string(angle.size()));
+        throw InputError(
+            "", {CORE_TEXT("balance-shaft", "the %1 table must have at least 3 rows"), column.name},
+            count(angle));
     }
     for (std::size_t i = 0; i < value.size(); ++i) {
-        value[i] *= column.to_si;
+        value[i] *= column.unit.to_si;
         if (!column.range.contains(value[i])) {
             Range shown = column.range;
-            shown.min /= column.to_si;
-            shown.max /= column.to_si;
-            throw InputError(table_place(rows.line[i], 2), shown.describe(),
-                             format_number(value[i] / column.to_si));
+            shown.min /= column.unit.to_si;
+            shown.max /= column.unit.to_si;
+            throw InputError(table_place(rows.line[i], 2), shown.message(),
+                             Number{value[i] / column.unit});
         }
     }
     check_ascending(angle, place_of_angle);
@@ -179,11 +191,12 @@ Cycle to_cycle(TwoColumns&& rows, const Column& column) {
     check_end(value, column, column.end_tolerance, table_place(rows.line.back(), 2));
     cycle.format.in_radians = from_header.value_or(is_cycle(span, true));
     if (!is_cycle(span, cycle.format.in_radians)) {
-        const std::string unit = cycle.format.in_radians ? " rad" : "°";
-        throw InputError(table_place(rows.line.back(), 1),
-                         "the angles must span 720° (or 360°, or 4π or 2π in radians), the last "
-                         "row repeating the first",
-                         format_number(span) + unit);
+        throw InputError(
+            table_place(rows.line.back(), 1),
+            CORE_TEXT("balance-shaft",
+                      "the angles must span 720° (or 360°, or 4π or 2π in radians), the last row "
+                      "repeating the first"),
+            Number{span, cycle.format.in_radians ? units::radian : units::degree});
     }
     if (column.may_be_open && value.back() != value.front()) {
         value.front() = (value.front() + value.back()) / 2.0;
@@ -198,15 +211,16 @@ Cycle to_cycle(TwoColumns&& rows, const Column& column) {
     cycle.format.repeated = near(angle.back() - angle.front(), cycle_deg / 2.0);
     const double first_deg = angle.front();
     if (cycle.format.repeated) {
-        const std::size_t count = angle.size();
-        if (2 * count - 1 > largest_torque_table) {
-            throw InputError("",
-                             "the table of 720° must have at most " +
-                                 std::to_string(largest_torque_table) + " rows",
-                             std::to_string(2 * count - 1));
+        const std::size_t half = angle.size();
+        if (2 * half - 1 > largest_torque_table) {
+            throw InputError(
+                "",
+                {CORE_TEXT("balance-shaft", "the table of 720° must have at most %1 rows"),
+                 largest_torque_table},
+                Number{static_cast<double>(2 * half - 1)});
         }
         angle.back() = first_deg + cycle_deg / 2.0;
-        for (std::size_t i = 1; i < count; ++i) {
+        for (std::size_t i = 1; i < half; ++i) {
             angle.push_back(angle[i] + cycle_deg / 2.0);
             value.push_back(value[i]);
         }
@@ -216,15 +230,17 @@ Cycle to_cycle(TwoColumns&& rows, const Column& column) {
     // Rounding of the units must not have undone the order.
     for (std::size_t i = 1; i < angle.size(); ++i) {
         if (!(angle[i] > angle[i - 1])) {
-            throw InputError("", "the angles of neighbouring rows are too close together",
-                             format_number(angle[i]) + "°");
+            throw InputError("",
+                             CORE_TEXT("balance-shaft",
+                                       "the angles of neighbouring rows are too close together"),
+                             Number{angle[i], units::degree});
         }
     }
     return cycle;
 }
 
-/// The unit that the header names for a pressure, with its size in Pa.
-std::pair<std::string, double> pressure_unit(std::string_view header) {
+/// The unit that the header names for a pressure.
+Unit pressure_unit(std::string_view header) {
     const auto has_word = [&](std::string_view word) {
         const auto is_letter = [](char c) {
             return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -240,44 +256,48 @@ std::pair<std::string, double> pressure_unit(std::string_view header) {
         return false;
     };
     if (has_word("MPa") || header.find("МПа") != std::string_view::npos) {
-        return {"MPa", 1e6};
+        return units::MPa;
     }
     if (has_word("kPa") || header.find("кПа") != std::string_view::npos) {
-        return {"kPa", 1e3};
+        return units::kPa;
     }
     if (has_word("Pa") || header.find("Па") != std::string_view::npos) {
-        return {"Pa", 1.0};
+        return units::pascal;
     }
     if (has_word("psi")) {
         return {"psi", 6894.757293168361};
     }
-    return {"bar", 1e5};
+    return units::bar;
 }
 
 void check_table(const std::vector<double>& angle, const std::vector<double>& value,
                  const Column& column, const std::string& angles, const std::string& values) {
     if (angle.size() != value.size()) {
         throw InputError(
-            values, "must hold as many numbers as crank_angle_deg, " + std::to_string(angle.size()),
-            std::to_string(value.size()));
+            values,
+            {CORE_TEXT("balance-shaft", "must hold as many numbers as crank_angle_deg, %1"),
+             angle.size()},
+            count(value));
     }
     if (angle.size() < 3) {
-        throw InputError(angles, "must hold at least 3 numbers", std::to_string(angle.size()));
+        throw InputError(angles, CORE_TEXT("balance-shaft", "must hold at least 3 numbers"),
+                         count(angle));
     }
     if (angle.size() > largest_torque_table) {
-        throw InputError(angles,
-                         "must hold at most " + std::to_string(largest_torque_table) + " numbers",
-                         std::to_string(angle.size()));
+        throw InputError(
+            angles,
+            {CORE_TEXT("balance-shaft", "must hold at most %1 numbers"), largest_torque_table},
+            count(angle));
     }
     constexpr Range angle_range = Range::between(-largest_angle_deg, largest_angle_deg);
     for (std::size_t i = 0; i < angle.size(); ++i) {
         if (!angle_range.contains(angle[i])) {
-            throw InputError(angles + "/" + std::to_string(i), angle_range.describe(),
-                             format_number(angle[i]));
+            throw InputError(angles + "/" + std::to_string(i), angle_range.message(),
+                             Number{angle[i]});
         }
         if (!column.range.contains(value[i])) {
-            throw InputError(values + "/" + std::to_string(i), column.range.describe(),
-                             format_number(value[i]));
+            throw InputError(values + "/" + std::to_string(i), column.range.message(),
+                             Number{value[i]});
         }
     }
     check_ascending(angle, [&](std::size_t i) { return angles + "/" + std::to_string(i); });
@@ -285,18 +305,20 @@ void check_table(const std::vector<double>& angle, const std::vector<double>& va
     constexpr double least_gap_deg = 1e-9;
     for (std::size_t i = 1; i < angle.size(); ++i) {
         if (!(angle[i] - angle[i - 1] >= least_gap_deg)) {
-            throw InputError(angles + "/" + std::to_string(i),
-                             "must be at least " + format_number(least_gap_deg) +
-                                 "° more than the angle of the row before, " +
-                                 format_number(angle[i - 1]),
-                             format_number(angle[i]));
+            throw InputError(
+                angles + "/" + std::to_string(i),
+                {CORE_TEXT("balance-shaft",
+                           "must be at least %1 more than the angle of the row before, %2"),
+                 Number{least_gap_deg, units::degree}, angle[i - 1]},
+                Number{angle[i]});
         }
     }
     check_end(value, column, end_torque_tolerance, values + "/" + std::to_string(value.size() - 1));
     const double span = angle.back() - angle.front();
     if (std::abs(span - cycle_deg) > 1e-9 * cycle_deg) {
-        throw InputError(angles, "must span 720°, the last row repeating the first",
-                         format_number(span) + "°");
+        throw InputError(
+            angles, CORE_TEXT("balance-shaft", "must span 720°, the last row repeating the first"),
+            Number{span, units::degree});
     }
 }
 
@@ -312,11 +334,11 @@ ParsedTorqueTable parse_torque_table(std::string_view text) {
 
 ParsedPressureTrace parse_pressure_trace(std::string_view text) {
     TwoColumns rows = read_two_columns(text, rule_for("pressure"));
-    const auto [unit, to_si] = pressure_unit(rows.header);
-    Cycle cycle = to_cycle(std::move(rows), pressure_column(unit, to_si));
+    const Unit unit = pressure_unit(rows.header);
+    Cycle cycle = to_cycle(std::move(rows), pressure_column(unit));
     ParsedPressureTrace result;
     static_cast<TableFormat&>(result) = cycle.format;
-    result.pressure_unit = unit;
+    result.pressure_unit = unit.name;
     result.trace = {std::move(cycle.angle_deg), std::move(cycle.value)};
     return result;
 }
@@ -327,7 +349,8 @@ void check_torque_table(const TorqueTable& table, const std::string& where) {
 }
 
 void check_pressure_trace(const PressureTrace& trace, const std::string& where) {
-    check_table(trace.crank_angle_deg, trace.pressure, pressure_column("Pa", 1.0), where, where);
+    check_table(trace.crank_angle_deg, trace.pressure, pressure_column(units::pascal), where,
+                where);
 }
 
 std::string write_torque_table(const TorqueTable& table) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "balance-shaft/cylinder_gas.h"
+#include "case-file/message.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -34,13 +35,13 @@ struct TableFormat {
     bool in_radians = false;  ///< angles were in radians (by the header or by the span)
     bool repeated = false;    ///< the text spanned 360° and stands here twice
     bool decimal_comma = false;
-    std::size_t rows = 0;       ///< of the table, after repeating
-    std::string pressure_unit;  ///< "bar", "kPa" and so on, of a pressure trace
-    bool closed = false;        ///< a pressure trace's end was made to meet its start
+    std::size_t rows = 0;            ///< of the table, after repeating
+    std::string_view pressure_unit;  ///< "bar", "kPa" and so on, of a pressure trace
+    bool closed = false;             ///< a pressure trace's end was made to meet its start
 
     /// "49 rows, separated by semicolons, decimal comma, angles in degrees": one sentence without
     /// the full stop.
-    std::string describe() const;
+    Message describe() const;
 };
 
 struct ParsedTorqueTable : TableFormat {

@@ -1,5 +1,7 @@
 #include "case-file/field_index.h"
 
+#include <algorithm>
+
 #include "case-file/field_walker.h"
 
 namespace ravnoves {
@@ -79,6 +81,16 @@ class Setter final : public FieldWalker {
 
     bool done() const { return done_; }
     bool creates_objects() const override { return true; }
+    std::vector<std::string> names(std::vector<std::string> present) override {
+        const std::string here = pointer() + "/";
+        if (target_.starts_with(here)) {
+            std::string name(target_.substr(here.size()));
+            if (std::find(present.begin(), present.end(), name) == present.end()) {
+                present.push_back(std::move(name));
+            }
+        }
+        return present;
+    }
 
   protected:
     void visit_number(const Field& field, double& si, const double* fallback,

@@ -51,7 +51,8 @@ std::vector<FieldEntry> describe_fields() {
     return detail::index_with(detail::visit_input<Input>, &input, true);
 }
 
-/// Sets one scalar by its pointer below "input"; an object that was absent comes into being.
+/// Sets one scalar by its pointer below "input"; an object that was absent comes into being, and so
+/// does a name in an object of free names. Nothing sets what has a default back to it.
 /// Nothing is checked. @return false where there is no such field or the kind of value is wrong
 template <typename Input>
 bool set_field(Input& input, std::string_view pointer, const FieldValue& value) {

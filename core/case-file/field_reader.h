@@ -33,6 +33,9 @@ class FieldReader final : public FieldVisitor {
     void integers(const Field& field, std::vector<int>& values) override;
     int one_of(std::initializer_list<std::string_view> keys, int present) override;
     bool has(std::string_view key, bool present) override;
+    std::vector<std::string> names(std::vector<std::string> /*present*/) override {
+        return reader().keys();
+    }
     void custom(const Field& field, bool required, Custom& value) override;
     std::string pointer() const override { return readers_.back().pointer(); }
     /// The object that is read now, for what fields cannot say.

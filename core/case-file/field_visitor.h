@@ -152,6 +152,9 @@ class FieldVisitor {
     virtual int one_of(std::initializer_list<std::string_view> keys, int present) = 0;
     /// True where the case has the key, or for other visitors than the reader `present`.
     virtual bool has(std::string_view key, bool present) = 0;
+    /// Names in the object that is visited now, where they are free ({name: kg}): those of the
+    /// file, for other visitors than the reader `present`; one that is to be set is among them.
+    virtual std::vector<std::string> names(std::vector<std::string> present) { return present; }
 
     /// A value that no other call describes. `read` fills the input from the value in the file,
     /// `write` gives the value for the file; null is not written.

@@ -5,8 +5,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/mechanism_view.h"
+#include "balance-shaft/model/balance_shaft_model.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/mechanism_picture.h"

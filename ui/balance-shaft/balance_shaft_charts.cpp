@@ -10,15 +10,15 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/cycle_view.h"
 #include "balance-shaft/envelope_view.h"
 #include "balance-shaft/forces_view.h"
+#include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/orders_view.h"
 #include "balance-shaft/relieved_shaft_view.h"
 #include "balance-shaft/speed_view.h"
-#include "theme/theme.h"
 #include "text/number_text.h"
+#include "theme/theme.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 #include "widgets/value_slider.h"
@@ -58,9 +58,8 @@ QWidget* BalanceShaftPage::buildPlots() {
     meansLabel->setBuddy(meansChoice_);
     barRow->addWidget(meansLabel);
     barRow->addWidget(meansChoice_);
-    connect(meansChoice_, &QComboBox::activated, this, [this](int index) {
-        model_->setMeans(static_cast<BalanceShaftModel::Means>(index));
-    });
+    connect(meansChoice_, &QComboBox::activated, this,
+            [this](int index) { model_->setMeans(static_cast<BalanceShaftModel::Means>(index)); });
     column->addWidget(bar);
 
     views_ = new QTabWidget(holder);

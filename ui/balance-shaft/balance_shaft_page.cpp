@@ -23,14 +23,12 @@ BalanceShaftPage::BalanceShaftPage(QWidget* parent)
     connect(bestRangeAction_, &QAction::triggered, model_, &BalanceShaftModel::goToBestRange);
     bestRmsAction_ = new QAction(tr("Go to the α of the least R&MS"), this);
     connect(bestRmsAction_, &QAction::triggered, model_, &BalanceShaftModel::goToBestRms);
-    connect(model_, &SceneModel::changed, this, &BalanceShaftPage::showInput);
     connect(model_, &SceneModel::changed, this, &BalanceShaftPage::showSweep);
     connect(model_, &BalanceShaftModel::shaftMoved, this, &BalanceShaftPage::showShaft);
     connect(model_, &BalanceShaftModel::meansChanged, this, &BalanceShaftPage::showMeans);
     connect(model_, &BalanceShaftModel::crankAngleChanged, this, &BalanceShaftPage::showCursor);
     connect(model_, &BalanceShaftModel::refused, this, &ScenePage::status);
 
-    showInput();
     showSweep();
     showShaft();
     showMeans();

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <vector>
-
 #include "plot/plot_view.h"
 #include "shell/scene_page.h"
 
@@ -16,7 +12,7 @@ namespace ravnoves {
 
 class BalanceShaftModel;
 class MechanismView;
-class NumberField;
+class Form;
 class ResultTable;
 class CycleView;
 class TorqueSourceEditor;
@@ -47,31 +43,18 @@ class BalanceShaftPage : public ScenePage {
     QTabWidget* views() const { return views_; }
 
   private:
-    /// A field bound to one number of the input.
-    struct Binding {
-        NumberField* field;
-        std::function<std::optional<double>()> read;
-    };
-
     QWidget* buildInputs();
     QWidget* buildPlots();
     QWidget* buildMoments();
     QWidget* buildAnswer();
-    void bind(NumberField* field, const QString& name, std::function<std::optional<double>()> read,
-              std::function<void(std::optional<double>)> write);
-    void showInput();
+    void addEngine(Form* form);
+    void addMasses(Form* form);
     void showSweep();
     void showShaft();
     void showMeans();
     void showCursor(double crankAngle);
 
     BalanceShaftModel* model_;
-    std::vector<Binding> bindings_;
-    QComboBox* preset_ = nullptr;
-    QComboBox* interpolation_ = nullptr;
-    QLabel* massSum_ = nullptr;
-    QLabel* massNote_ = nullptr;
-    QLabel* angularSpeed_ = nullptr;
     TorqueSourceEditor* source_ = nullptr;
     QTabWidget* views_ = nullptr;
     CycleView* cycle_ = nullptr;

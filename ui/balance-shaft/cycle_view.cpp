@@ -97,13 +97,13 @@ void CycleView::showResult() {
     torque_->setCurve(inertia_, curves.crank_angle_deg, curves.M_inertia);
     torque_->setCurve(total_, curves.crank_angle_deg, scaled(curves.M_up, -1.0));
     pressure_->setCurve(pressureCurve_, curves.crank_angle_deg,
-                        scaled(curves.pressure, 1.0 / balance_shaft::field::bar));
+                        scaled(curves.pressure, 1.0 / units::bar.to_si));
     const std::vector<double> volume = scaled(curves.volume, 1e6);
     const double largest = *std::max_element(volume.begin(), volume.end());
     indicator_->setXAxis(
         {result.indicated->clearance ? tr("V, cm³") : tr("V without clearance, cm³"), 0.0,
          1.03 * largest});
-    indicator_->setCurve(loop_, volume, scaled(curves.pressure, 1.0 / balance_shaft::field::bar));
+    indicator_->setCurve(loop_, volume, scaled(curves.pressure, 1.0 / units::bar.to_si));
     table_->setRows(model_->cycleRows());
 }
 

@@ -2,9 +2,6 @@
 
 #include <QWidget>
 
-#include "balance-shaft/envelope_study.h"
-#include "balance-shaft/solver.h"
-
 namespace ravnoves {
 
 class BalanceShaftModel;
@@ -36,7 +33,6 @@ class EnvelopeView : public QWidget {
     int efficient_ = 0;
     int present_ = 0;
     bool stale_ = true;
-    balance_shaft::EnvelopeStudy study_;
 };
 
 }  // namespace ravnoves

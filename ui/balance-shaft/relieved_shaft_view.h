@@ -3,6 +3,7 @@
 #include <QWidget>
 
 #include "balance-shaft/relieved_shaft.h"
+#include "case-file/field.h"
 
 class QComboBox;
 class QLabel;
@@ -62,9 +63,7 @@ class RelievedShaftView : public QWidget {
     void showAll();
     void chooseSized(Sized sized);
     void chooseFile();
-    NumberField* addSize(class FormSection* form, const QString& label, const FieldSpec& spec,
-                         const QString& hint,
-                         std::optional<double> balance_shaft::RelievedShaftSizes::*member);
+    NumberField* addSize(class FormSection* form, const Field& field);
 
     BalanceShaftModel* model_;
     balance_shaft::RelievedShaft shaft_;

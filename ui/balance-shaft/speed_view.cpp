@@ -10,12 +10,14 @@
 #include <array>
 #include <cmath>
 
+#include "balance-shaft/fields.h"
 #include "balance-shaft/model/balance_shaft_model.h"
-#include "plot/plot_view.h"
-#include "theme/theme.h"
 #include "model/background_job.h"
-#include "widgets/form_section.h"
+#include "plot/plot_view.h"
+#include "text/message_text.h"
 #include "text/number_text.h"
+#include "theme/theme.h"
+#include "widgets/form_section.h"
 #include "widgets/panel.h"
 #include "widgets/value_slider.h"
 
@@ -61,18 +63,14 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
     sliders->setSpacing(Theme::margin);
     speed_ = new ValueSlider(tr("Speed &n"), 300.0, 9000.0, 10.0, 100.0, 0, tr("min⁻¹"), bar);
     speed_->setHint(tr("Speed of the engine; the inertia torque of a computed torque follows it."));
-    connect(speed_, &ValueSlider::valueEdited, this, [this](double value) {
-        model_->edit(tr("Speed"), [&](Input& input) {
-            input.angular_speed = value * rpm;
-            input.speed_in_rpm = true;
-        });
-    });
+    connect(speed_, &ValueSlider::valueEdited, this,
+            [this](double value) { model_->setSpeed(value * rpm); });
     sliders->addWidget(speed_, 1);
     load_ = new ValueSlider(tr("&Load, IMEP"), 0.0, 25.0, 0.05, 1.0, 2, tr("bar"), bar);
     load_->setHint(tr("Indicated mean effective pressure of the computed cycle."));
     connect(load_, &ValueSlider::valueEdited, this, [this](double value) {
         model_->edit(tr("Load"), [&](Input& input) {
-            input.torque.cycle.imep = value * field::bar;
+            input.torque.cycle.imep = value * units::bar;
             input.torque.cycle.heat.reset();
         });
     });
@@ -144,10 +142,7 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
     connect(map_, &PlotView::pickedAt, this, [this](double angle, double speed) {
         model_->setShaftAngleDeg(std::round(angle * 10.0) / 10.0);
         if (model_->input().torque.is_computed()) {
-            model_->edit(tr("Speed"), [&](Input& input) {
-                input.angular_speed = std::round(speed / 10.0) * 10.0 * rpm;
-                input.speed_in_rpm = true;
-            });
+            model_->setSpeed(std::round(speed / 10.0) * 10.0 * rpm);
         }
     });
     grid->addWidget(angles_, 1, 0);
@@ -239,7 +234,7 @@ void SpeedView::showInput() {
                             : tr("The load can be moved when the torque is a computed "
                                  "cycle (Torque tab)."));
     if (cycle && model_->result().indicated) {
-        load_->setValue(std::clamp(model_->result().indicated->imep / field::bar, 0.0, 25.0));
+        load_->setValue(std::clamp(model_->result().indicated->imep / units::bar, 0.0, 25.0));
     }
     map_->setPresentX(model_->shaftAngleDeg());
 }
@@ -286,11 +281,9 @@ void SpeedView::showStudy() {
         angles_->setXAxis({tr("n, min⁻¹"), asked.from / rpm, asked.to / rpm});
         map_->setYRange(PlotView::Side::Left, asked.from / rpm, asked.to / rpm);
         if (study_.study != nullptr && !study_.study->reason().empty()) {
-            answer_->setText(
-                tr("The shaft cannot be studied over speed with this torque: it is a table that "
-                   "does not belong to the masses and speed entered, so the part that follows "
-                   "the speed is not known. Rebuild it (Torque tab) or choose a pressure trace or "
-                   "a computed cycle."));
+            answer_->setText(messageText(study_.study->reason()) + QLatin1Char(' ') +
+                             tr("Rebuild the torque (Torque tab) or choose a pressure trace or a "
+                                "computed cycle."));
         }
         return;
     }

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <QWidget>
-#include <functional>
-#include <optional>
-#include <vector>
+#include <initializer_list>
+#include <string>
+
+#include "case-file/field.h"
 
 class QComboBox;
 class QLabel;
@@ -12,8 +13,7 @@ class QStackedWidget;
 namespace ravnoves {
 
 class BalanceShaftModel;
-class FormSection;
-class NumberField;
+class Form;
 class TorqueTableEditor;
 
 /// Where the engine torque comes from: a table, a measured pressure trace, or a computed cycle,
@@ -31,14 +31,10 @@ class TorqueSourceEditor : public QWidget {
     QString importTrace(const QString& path);
 
   private:
-    struct Binding {
-        NumberField* field;
-        std::function<std::optional<double>()> read;
-    };
-
     QWidget* buildPressure();
     QWidget* buildCycle();
-    void addCylinder(FormSection* form);
+    static void addNumbers(Form* form, const std::string& parent,
+                           std::initializer_list<Field> fields);
     void showInput();
     void showCheck();
     QWidget* buildCheck();
@@ -52,7 +48,6 @@ class TorqueSourceEditor : public QWidget {
     QWidget* check_ = nullptr;
     QLabel* checkText_ = nullptr;
     QWidget* remedies_ = nullptr;
-    std::vector<Binding> bindings_;
 };
 
 }  // namespace ravnoves

@@ -389,7 +389,7 @@ TEST(ParsedPressureTrace, KnowsUnitsAndClosesTheCycle) {
     EXPECT_NEAR(read.trace.pressure[2], 6e6, 1e-6);
     EXPECT_NEAR(read.trace.pressure.front(), 0.101e6, 1e-6);
     EXPECT_EQ(read.trace.pressure.front(), read.trace.pressure.back());
-    EXPECT_EQ(read.describe(),
+    EXPECT_EQ(read.describe().english(),
               "5 rows, separated by semicolons, decimal comma, angles in degrees, with a header, "
               "pressure in MPa, end joined to the start");
     const auto open = parse_pressure_trace("0 1\n180 1\n360 60\n540 3\n");

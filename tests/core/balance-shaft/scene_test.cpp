@@ -1,11 +1,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "balance-shaft/presets.h"
 #include "balance-shaft/scene.h"
 #include "balance-shaft/solver.h"
+#include "case-file/field_index.h"
+#include "case-file/field_visitor.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "scenes/scenes.h"
@@ -73,7 +76,7 @@ TEST(BalanceShaftInput, EveryFieldRefusesWhatItCannotBe) {
               "/input/reciprocating_masses_kg: must add up to more than 0 and to a finite mass, "
               "got 0");
     EXPECT_EQ(refusal(R"({"reciprocating_masses_kg": null})"),
-              "/input/reciprocating_mass_kg: is required and missing");
+              "/input/reciprocating_masses_kg: is required and missing (or reciprocating_mass_kg)");
     EXPECT_EQ(refusal(R"({"reciprocating_mass_kg": 1})"),
               "/input/reciprocating_mass_kg: must be left out where reciprocating_masses_kg is "
               "given");
@@ -96,6 +99,25 @@ TEST(BalanceShaftInput, EveryFieldRefusesWhatItCannotBe) {
               "/input/interpolation: must be one of \"linear\", \"periodic-cubic\", got \"cubic\"");
     EXPECT_EQ(refusal(R"({"crank_radius_mm": "46"})"),
               "/input/crank_radius_mm: must be a number, got \"46\"");
+}
+
+TEST(BalanceShaftInput, AMassIsAFieldByItsName) {
+    Input input = preset_tmz_650d();
+    EXPECT_TRUE(set_field(input, "/reciprocating_masses_kg/pin", FieldValue(0.3)));
+    EXPECT_EQ(input.reciprocating_masses[1], (NamedMass{"pin", 0.3}));
+    EXPECT_TRUE(set_field(input, "/reciprocating_masses_kg/coating", FieldValue(0.01)));
+    EXPECT_EQ(input.reciprocating_masses.back(), (NamedMass{"coating", 0.01}));
+    const auto entries = list_fields(input);
+    EXPECT_TRUE(std::any_of(entries.begin(), entries.end(), [](const FieldEntry& entry) {
+        return entry.pointer == "/reciprocating_masses_kg/coating" &&
+               entry.value == FieldValue(0.01);
+    }));
+    // A sum stays as one part beside what is named.
+    input.reciprocating_masses = {{"", 1.3}};
+    EXPECT_TRUE(set_field(input, "/reciprocating_mass_kg", FieldValue(1.2)));
+    EXPECT_TRUE(set_field(input, "/reciprocating_masses_kg/piston", FieldValue(0.6)));
+    EXPECT_EQ(input.reciprocating_masses,
+              (std::vector<NamedMass>{{"other", 1.2}, {"piston", 0.6}}));
 }
 
 TEST(BalanceShaftInput, UnknownKeysNameTheNearest) {

@@ -34,9 +34,9 @@ TEST(ParsedTorqueTable, ReadsEverySeparatorAndDecimalSign) {
                   "no error")
             << text;
     }
-    EXPECT_EQ(parse_torque_table(texts[6]).describe(),
+    EXPECT_EQ(parse_torque_table(texts[6]).describe().english(),
               "5 rows, separated by semicolons, angles in degrees, with a header");
-    EXPECT_EQ(parse_torque_table(texts[3]).describe(),
+    EXPECT_EQ(parse_torque_table(texts[3]).describe().english(),
               "5 rows, separated by tabs, decimal comma, angles in degrees");
 }
 

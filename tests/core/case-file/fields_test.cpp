@@ -154,6 +154,8 @@ TEST(Fields, EveryScalarIsReadAndSetByItsPointer) {
     EXPECT_TRUE(set_field(s, "/depth_mm", FieldValue()));
     EXPECT_FALSE(s.depth.has_value());
     EXPECT_FALSE(set_field(s, "/length_mm", FieldValue())) << "a length cannot be empty";
+    EXPECT_TRUE(set_field(s, "/share", FieldValue()));
+    EXPECT_EQ(s.share, 0.5) << "the default";
     EXPECT_FALSE(set_field(s, "/nothing", FieldValue(1.0)));
     EXPECT_TRUE(set_field(s, "/share", FieldValue()));
     EXPECT_EQ(s.share, 0.5) << "what may be left out has its default when empty";

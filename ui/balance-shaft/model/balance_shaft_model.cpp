@@ -8,6 +8,7 @@
 #include "balance-shaft/scene.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "text/message_text.h"
 #include "text/number_text.h"
 
 namespace ravnoves {
@@ -159,6 +160,23 @@ void BalanceShaftModel::goToBestRms() {
     }
 }
 
+void BalanceShaftModel::setSpeed(double angularSpeed) {
+    edit(tr("Speed"), [&](Input& input) {
+        input.angular_speed = angularSpeed;
+        input.speed_in_rpm = true;
+    });
+}
+
+const balance_shaft::EnvelopeStudy& BalanceShaftModel::envelopeStudy() const {
+    auto& study = solved().envelopes;
+    return study ? *study : study.emplace(balance_shaft::envelope_study(solver()));
+}
+
+const balance_shaft::RelievedShaft& BalanceShaftModel::relievedShaft() const {
+    auto& shaft = solved().relievedShaft;
+    return shaft ? *shaft : shaft.emplace(balance_shaft::relieved_shaft(solver()));
+}
+
 double BalanceShaftModel::mass(const std::string& name) const {
     for (const balance_shaft::NamedMass& part : input().reciprocating_masses) {
         if (part.name == name) {
@@ -213,8 +231,8 @@ QVector<QStringList> BalanceShaftModel::quantityRows() const {
         {tr("Amplitude of Mₛ, P₁ l"), number(result().moment_amplitude, 2), newtonMetre},
         {tr("First order's share of Mᵤₚ"), share, QStringLiteral("%")},
         {tr("Envelope, width × height"),
-         number(1e3 * result().envelope.width(), 0) + QStringLiteral(" × ") +
-             number(1e3 * result().envelope.height(), 0),
+         number(result().envelope.width() / units::mm, 0) + QStringLiteral(" × ") +
+             number(result().envelope.height() / units::mm, 0),
          millimetre},
     };
 }
@@ -224,18 +242,18 @@ QVector<QStringList> BalanceShaftModel::cycleRows() const {
         return {};
     }
     const balance_shaft::IndicatedCycle& cycle = *result().indicated;
-    constexpr double bar = balance_shaft::field::bar;
     QVector<QStringList> rows{
-        {tr("Indicated mean effective pressure"), number(cycle.imep / bar, 3), tr("bar")},
+        {tr("Indicated mean effective pressure"), number(cycle.imep / units::bar, 3), tr("bar")},
         {tr("Indicated work per cycle"), number(cycle.work, 1), tr("J")},
-        {tr("Indicated power"), number(result().indicated_power * 1e-3, 2), tr("kW")},
+        {tr("Indicated power"), number(result().indicated_power / units::kW, 2), tr("kW")},
         {tr("Mean torque"), number(-result().M_up.mean, 2), tr("N·m")},
-        {tr("Peak pressure"), number(cycle.peak_pressure / bar, 1), tr("bar")},
+        {tr("Peak pressure"), number(cycle.peak_pressure / units::bar, 1), tr("bar")},
         {tr("at crank angle"), number(cycle.peak_pressure_angle / degree, 1), QStringLiteral("°")},
-        {tr("Displacement"), number(cycle.displacement * 1e6, 1), tr("cm³")},
+        {tr("Displacement"), number(cycle.displacement / units::cm3, 1), tr("cm³")},
     };
     if (cycle.clearance) {
-        rows.push_back({tr("Clearance volume"), number(*cycle.clearance * 1e6, 2), tr("cm³")});
+        rows.push_back(
+            {tr("Clearance volume"), number(*cycle.clearance / units::cm3, 2), tr("cm³")});
     }
     if (cycle.heat) {
         rows.push_back({tr("Heat per cycle"), number(*cycle.heat, 1), tr("J")});
@@ -264,44 +282,9 @@ QString BalanceShaftModel::bestRmsText() const {
 }
 
 QString BalanceShaftModel::notesText() const {
-    using balance_shaft::Note;
     QStringList lines;
-    for (const Note& note : result().notes) {
-        switch (note.kind) {
-            case Note::Kind::no_shaft_moment:
-                lines << tr("The shaft makes no moment, so its angle changes nothing.");
-                break;
-            case Note::Kind::range_without_gain:
-                lines << tr("No α makes the range smaller than without a shaft: at best %1 N·m "
-                            "against %2 N·m.")
-                             .arg(number(result().best_range.value, 1),
-                                  number(result().M_up.range, 1));
-                break;
-            case Note::Kind::rms_without_gain:
-                lines << tr("No α makes the RMS smaller than without a shaft: at best %1 N·m "
-                            "against %2 N·m.")
-                             .arg(number(result().best_rms.value, 1), number(result().M_up.rms, 1));
-                break;
-            case Note::Kind::counterweight_mismatch:
-                lines << tr("The counterweight given balances %1 % of the first-order inertia "
-                            "force; equation (1) asks for %2 kg.")
-                             .arg(number(200.0 * result().counterweight_force /
-                                             result().inertia_force_1_max,
-                                         1),
-                                  number(result().reciprocating_mass * input().crank_radius /
-                                             (2.0 * input().counterweight_radius),
-                                         4));
-                break;
-            case Note::Kind::inertia_mismatch:
-                lines << tr("The torque holds an inertia torque of mⱼ r² ω² = %1 N·m; the masses "
-                            "and the speed entered give %2 N·m. It fits these masses at %3 min⁻¹, "
-                            "or %4 kg at this speed.")
-                             .arg(number(result().inertia_check.fitted.value_or(0.0), 0),
-                                  number(result().inertia_check.entered, 0),
-                                  number(result().inertia_check.matching_speed / rpm, 0),
-                                  number(result().inertia_check.matching_mass, 3));
-                break;
-        }
+    for (const Message& note : result().notes) {
+        lines << messageText(note);
     }
     return lines.join(QLatin1Char('\n'));
 }

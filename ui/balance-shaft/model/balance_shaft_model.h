@@ -4,11 +4,12 @@
 #include <QVector>
 #include <optional>
 
+#include "balance-shaft/envelope_study.h"
+#include "balance-shaft/presets.h"
 #include "balance-shaft/scene.h"
 #include "balance-shaft/solver.h"
 #include "case-file/json.h"
 #include "model/case_model.h"
-#include "balance-shaft/presets.h"
 
 namespace ravnoves {
 
@@ -18,6 +19,8 @@ struct BalanceShaftScene {
     struct Solved {
         balance_shaft::Solver solver;
         balance_shaft::Result result;
+        mutable std::optional<balance_shaft::EnvelopeStudy> envelopes;
+        mutable std::optional<balance_shaft::RelievedShaft> relievedShaft;
     };
     static Input defaultInput() { return balance_shaft::preset_tmz_650d(); }
     static QString defaultTitle() { return QStringLiteral("TMZ-650D"); }
@@ -27,7 +30,7 @@ struct BalanceShaftScene {
     static Json write(const Input& input) { return balance_shaft::write_input(input); }
     static Solved solve(const Input& input) {
         const balance_shaft::Solver solver(input);
-        return {solver, solver.result()};
+        return {solver, solver.result(), {}, {}};
     }
 };
 
@@ -68,6 +71,13 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
 
     void goToBestRange();
     void goToBestRms();
+
+    /// Sets ω, rad/s; the case file then gives it in min⁻¹.
+    void setSpeed(double angularSpeed);
+
+    // What views show beside the result; found when first asked for.
+    const balance_shaft::EnvelopeStudy& envelopeStudy() const;
+    const balance_shaft::RelievedShaft& relievedShaft() const;
 
     /// The mass of a named part, kg; 0 where there is none.
     double mass(const std::string& name) const;

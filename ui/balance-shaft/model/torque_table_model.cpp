@@ -2,9 +2,9 @@
 
 #include <QLocale>
 
-#include "balance-shaft/model/table_format_text.h"
 #include "case-file/input_error.h"
 #include "text/error_text.h"
+#include "text/message_text.h"
 #include "text/number_text.h"
 
 namespace ravnoves {
@@ -106,7 +106,7 @@ QString TorqueTableModel::replaceByText(const QString& text) {
     if (differs) {
         Q_EMIT tableEdited();
     }
-    return tableFormatText(read);
+    return messageText(read.describe());
 }
 
 QString TorqueTableModel::pasteBlock(int row, int column, const std::vector<QStringList>& cells) {
