@@ -25,6 +25,24 @@ void FieldReader::visit_optional(const Field& field, std::optional<double>& si, 
     }
 }
 
+void FieldReader::number_or_word(const Field& field, std::optional<double>& si,
+                                 std::string_view word) {
+    if (is_lenient() && !reader().has(field.key)) {
+        return;
+    }
+    const Json& value = reader().raw(field.key);
+    if (!value.is_string()) {
+        si = reader().si(field);
+        return;
+    }
+    const std::string quoted = '"' + std::string(word) + '"';
+    if (show(value) != quoted) {
+        throw InputError(reader().pointer_to(field.key),
+                         {CORE_TEXT("core", "must be a number or %1"), quoted}, show(value));
+    }
+    si.reset();
+}
+
 void FieldReader::visit_integer(const Field& field, int& value, const int* fallback,
                                 bool /*always*/) {
     if (reader().has(field.key) || (fallback == nullptr && !is_lenient())) {

@@ -27,6 +27,8 @@ class FieldReader final : public FieldVisitor {
     /// Refuses what no field has asked for.
     void finish() const { readers_.back().finish(); }
 
+    void number_or_word(const Field& field, std::optional<double>& si,
+                        std::string_view word) override;
     void numbers(const Field& field, std::vector<double>& values) override;
     void integers(const Field& field, std::vector<int>& values) override;
     int one_of(std::initializer_list<std::string_view> keys, int present) override;

@@ -51,6 +51,9 @@ class FieldVisitor {
     void required(const Field& field, std::optional<double>& si) {
         visit_optional(field, si, true);
     }
+    /// A number that the case must give, or a word that stands for "by formula": then it is empty.
+    virtual void number_or_word(const Field& field, std::optional<double>& si,
+                                std::string_view word) = 0;
 
     void integer(const Field& field, int& value) { visit_integer(field, value, nullptr, true); }
     void integer(const Field& field, int& value, int fallback,
@@ -102,12 +105,17 @@ class FieldVisitor {
     /// An object that may be left out.
     template <typename Struct>
     void object(const Field& field, std::optional<Struct>& value) {
+        object(field, value, [this](Struct& it) { visit_fields(*this, it); });
+    }
+    /// The same where the function visits its fields.
+    template <typename Struct, typename Visit>
+    void object(const Field& field, std::optional<Struct>& value, Visit&& visit) {
         if (begin_object(field, false, value.has_value())) {
             if (!value && (is_reading() || creates_objects())) {
                 value.emplace();
             }
             Struct absent;
-            visit_fields(*this, value ? *value : absent);
+            std::forward<Visit>(visit)(value ? *value : absent);
             end_object();
         }
     }

@@ -10,6 +10,10 @@ class FieldWalker : public FieldVisitor {
   public:
     explicit FieldWalker(std::string root = "/input") : pointer_(std::move(root)) {}
 
+    void number_or_word(const Field& field, std::optional<double>& si,
+                        std::string_view /*word*/) override {
+        visit_optional(field, si, true);
+    }
     void numbers(const Field& /*field*/, std::vector<double>& /*values*/) override {}
     void integers(const Field& /*field*/, std::vector<int>& /*values*/) override {}
     int one_of(std::initializer_list<std::string_view> /*keys*/, int present) override {

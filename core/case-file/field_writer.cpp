@@ -15,6 +15,10 @@ class Writer final : public FieldWalker {
   public:
     Json take() { return std::move(stack_.front()); }
 
+    void number_or_word(const Field& field, std::optional<double>& si,
+                        std::string_view word) override {
+        put(field, si ? Json(from_si(field, *si)) : Json(std::string(word)));
+    }
     void numbers(const Field& field, std::vector<double>& values) override { put(field, values); }
     void integers(const Field& field, std::vector<int>& values) override { put(field, values); }
     void custom(const Field& field, bool /*required*/, Custom& value) override {

@@ -1,10 +1,9 @@
 #pragma once
 
+#include "case-file/field_visitor.h"
 #include "case-file/json.h"
 
 namespace ravnoves {
-
-class FieldVisitor;
 
 namespace detail {
 /// Runs `visit` with a visitor that writes.

@@ -1,17 +1,20 @@
 #include "elastic-hinge/presets.h"
 
+#include "elastic-hinge/fields.h"
+
 namespace ravnoves::elastic_hinge {
 
 Input preset_zotov() {
     Input input;
     input.gravity = 9.82;
-    input.crank_mass = 5.0 / 9.82;
-    input.rod_mass = 6.5 / 9.82;
-    input.slider_mass = 6.0 / 9.82;
+    const Unit newton = field::as_weight({}, input.gravity).unit;
+    input.crank_mass = 5.0 * newton;
+    input.rod_mass = 6.5 * newton;
+    input.slider_mass = 6.0 * newton;
     input.crank_radius = 0.05;
     input.lambda = 0.3;
     input.angular_speed = 100.0;
-    input.spring = Spring{2e7, 0.2, 0.09};
+    input.spring = Spring{};
     return input;
 }
 

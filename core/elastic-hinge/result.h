@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "elastic-hinge/design.h"
@@ -53,6 +52,8 @@ struct Result {
     /// Largest |cos ψ of the series − exact cos ψ| over the turn, and where it stands.
     double series_error = 0.0;
     double series_error_angle = 0.0;  ///< rad
+    /// M₁₂ by the kinematics that the input does not choose, N·m; empty where λ = 1.
+    std::vector<double> other_rod_hinge_moment;
     /// Largest |M₁₂ of the series − exact|, N·m; empty where λ = 1.
     std::optional<double> series_moment_error;
 
@@ -61,7 +62,8 @@ struct Result {
     Guide rod_guide;                        ///< for M₁₂'s potential part, over θ
     std::optional<GuideProposal> proposal;  ///< for the crank's guide, where the input asks
 
-    std::vector<std::string> notes;  ///< sentences the user should read
+    std::vector<Message> notes;        ///< sentences the user should read
+    std::vector<Message> guide_notes;  ///< of the crank's guide
 
     std::shared_ptr<const Design> design;
 };

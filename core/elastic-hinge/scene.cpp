@@ -1,96 +1,17 @@
 #include "elastic-hinge/scene.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string>
 
-#include "case-file/input_error.h"
+#include "case-file/field_reader.h"
+#include "case-file/field_writer.h"
 #include "case-file/json.h"
-#include "case-file/object_reader.h"
 #include "elastic-hinge/solver.h"
 
 namespace ravnoves::elastic_hinge {
 
 namespace {
-
-/// A mass as the weight that reads back to it: the shortest decimal text of those that do.
-double as_weight(double mass, double gravity) {
-    const double value = mass * gravity;
-    for (const int digits : {12, 15, 16}) {
-        const std::string text = format_number(value, digits);
-        double rounded = 0.0;
-        std::from_chars(text.data(), text.data() + text.size(), rounded);
-        if (rounded / gravity == mass) {
-            return rounded;
-        }
-    }
-    return value;
-}
-
-void put(Json& object, const FieldSpec& field, double si) {
-    object[std::string(field.key)] = from_si(field, si);
-}
-
-Spring read_spring(ObjectReader reader) {
-    Spring spring;
-    spring.stiffness = reader.si(field::stiffness);
-    spring.free_length = reader.si(field::free_length);
-    spring.guide_radius_at_zero = reader.si(field::guide_radius);
-    reader.finish();
-    return spring;
-}
-
-Json write_spring(const Spring& spring) {
-    Json object;
-    put(object, field::stiffness, spring.stiffness);
-    put(object, field::free_length, spring.free_length);
-    put(object, field::guide_radius, spring.guide_radius_at_zero);
-    return object;
-}
-
-void read_masses(ObjectReader& reader, Input& input) {
-    const bool masses = reader.has("masses_kg");
-    if (masses && reader.has("weights_N")) {
-        throw InputError(reader.pointer_to("masses_kg"),
-                         "must not stand beside weights_N: give the one or the other");
-    }
-    input.masses_as_weights = !masses;
-    const FieldSpec& gravity = masses ? field::gravity_with_masses : field::gravity;
-    input.gravity = reader.si(gravity, standard_gravity);
-    ObjectReader parts = reader.object(masses ? "masses_kg" : "weights_N");
-    const Range& range = masses ? field::mass.range : field::weight.range;
-    const double divisor = masses ? 1.0 : input.gravity;
-    input.crank_mass = parts.number("crank", range) / divisor;
-    input.rod_mass = parts.number("rod", range) / divisor;
-    input.slider_mass = parts.number("slider", range) / divisor;
-    parts.finish();
-}
-
-RodCounterweight read_counterweight(ObjectReader reader, const Input& input) {
-    RodCounterweight counterweight;
-    counterweight.distance = reader.si(field::counterweight_distance);
-    const FieldSpec& field =
-        input.masses_as_weights ? field::counterweight_weight : field::counterweight_mass;
-    const Json& mass = reader.raw(field.key);
-    if (mass.is_string()) {
-        if (mass.get_ref<const std::string&>() != "solve") {
-            throw InputError(reader.pointer_to(field.key), "must be a number or \"solve\"",
-                             show(mass));
-        }
-    } else {
-        counterweight.mass =
-            reader.number(field.key, field.range) / (input.masses_as_weights ? input.gravity : 1.0);
-    }
-    counterweight.inertia =
-        reader.choice("inertia", {"as-printed", "newton-euler"}, "as-printed") == "as-printed"
-            ? CounterweightInertia::as_printed
-            : CounterweightInertia::newton_euler;
-    reader.finish();
-    return counterweight;
-}
-
-// ------------------------------------------------------------------------------------- result
 
 Json scaled(const std::vector<double>& values, double to_unit) {
     if (values.empty()) {
@@ -131,45 +52,6 @@ Json write_branch(const BranchSummary& branch) {
             {"max_pressure_angle_deg", branch.max_pressure_angle / degree}};
 }
 
-// The contract's examples were computed on a grid of crank angles 0.05° apart. Two of its numbers
-// show that, and are written as the contract has them, with the continuous ones beside them.
-
-constexpr double contract_step = 0.05 * degree;
-
-/// The preload that the guide needs at the grid's angles, m. Guide::minimum_preload is that of the
-/// continuous turn, and decides.
-double contract_minimum_preload(const Guide& guide) {
-    constexpr int samples = 7201;
-    const auto grid = angle_grid(samples);
-    double most = 0.0;
-    for (const double phi : grid->angle) {
-        most =
-            std::max(most, guide.shape->given_out(guide.shape->design().demand(guide.hinge, phi)));
-    }
-    return std::sqrt(most);
-}
-
-/// The crank's moment as the work done between the grid's angles on either side, divided by the
-/// angle between them, less the moment at the angle itself; N·m at every angle of the result.
-std::vector<double> contract_moment_difference(const Result& result) {
-    const Design& design = *result.design;
-    std::vector<double> difference(result.curves.crank_moment.size());
-    for (std::size_t i = 0; i < difference.size(); ++i) {
-        const double phi = result.crank_angle_deg[i] * degree;
-        const double work = design.demand(Hinge::crank, phi + contract_step).energy -
-                            design.demand(Hinge::crank, phi - contract_step).energy;
-        difference[i] = work / (2.0 * contract_step) - result.curves.crank_moment[i];
-    }
-    return difference;
-}
-
-std::vector<double> sum_of(std::vector<double> a, const std::vector<double>& b) {
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        a[i] += b[i];
-    }
-    return a;
-}
-
 Json write_guide(const Guide& guide) {
     constexpr double mm = 1e3;
     const bool known = guide.shape != nullptr;
@@ -177,10 +59,9 @@ Json write_guide(const Guide& guide) {
     const bool made = guide.feasible;
     Json object{
         {"feasible", guide.feasible},
-        {"reason", guide.reason},
+        {"reason", guide.reason.english()},
         {"preload_mm", when(known, guide.preload * mm)},
-        {"minimum_preload_mm", known ? Json(contract_minimum_preload(guide) * mm) : Json(nullptr)},
-        {"minimum_preload_continuous_mm", when(known, guide.minimum_preload * mm)},
+        {"minimum_preload_mm", when(known, guide.minimum_preload * mm)},
         {"minimum_stiffness_N_m", known ? optional(guide.minimum_stiffness, 1.0) : Json(nullptr)}};
     const bool missing = guide.problem == GuideProblem::preload_too_small;
     object["first_missing_crank_angle_deg"] = when(missing, guide.first_missing_angle / degree);
@@ -212,12 +93,12 @@ Json write_rod_guide(const Guide& guide) {
 
 Json write_proposal(const GuideProposal& proposal) {
     if (!proposal.found) {
-        return {{"feasible", false}, {"reason", proposal.reason}};
+        return {{"feasible", false}, {"reason", proposal.reason.english()}};
     }
     return {{"feasible", true},
             {"reason", ""},
             {"branch", name_of(proposal.branch)},
-            {"spring", write_spring(proposal.spring)},
+            {"spring", write_fields(proposal.spring)},
             {"relief_mm", proposal.relief * 1e3},
             {"outer_diameter_mm", proposal.outer_diameter * 1e3},
             {"smallest_spring_length_mm", proposal.smallest_spring_length * 1e3},
@@ -242,7 +123,7 @@ const char* name_of(MotionEnd end) {
 Json write_motion(const Motion& motion) {
     return {{"feasible", true},
             {"end", name_of(motion.end)},
-            {"reason", motion.reason},
+            {"reason", motion.reason.english()},
             {"time_s", motion.time.back()},
             {"crank_angle_deg", motion.crank_angle.back() / degree},
             {"speed_rad_s", motion.speed.back()},
@@ -257,121 +138,13 @@ Json write_motion(const Motion& motion) {
 }  // namespace
 
 Input read_input(const Json& json) {
-    ObjectReader reader(json, "/input");
-    Input input;
-    read_masses(reader, input);
-    input.crank_radius = reader.si(field::crank_radius);
-    input.lambda = reader.si(field::lambda);
-    input.angular_speed = reader.si(field::angular_speed);
-    input.kinematics = reader.choice("kinematics", {"exact", "series"}, "exact") == "exact"
-                           ? Kinematics::exact
-                           : Kinematics::series;
-    input.guide_sign = reader.choice("guide_sign", {"energy", "as-printed"}, "energy") == "energy"
-                           ? GuideSign::energy
-                           : GuideSign::as_printed;
-    if (reader.has("spring")) {
-        input.spring = read_spring(reader.object("spring"));
-    }
-    if (reader.has("rod_hinge_spring")) {
-        input.rod_hinge_spring = read_spring(reader.object("rod_hinge_spring"));
-    }
-    if (reader.has("rod_counterweight")) {
-        input.rod_counterweight = read_counterweight(reader.object("rod_counterweight"), input);
-    }
-    input.roller_radius = reader.si(field::roller_radius, input.roller_radius);
-    input.profile_error = reader.si(field::profile_error, input.profile_error);
-    input.profile_error_waves = reader.integer("profile_error_waves", field::smallest_waves,
-                                               field::largest_waves, input.profile_error_waves);
-    if (reader.has("guide_search")) {
-        ObjectReader search = reader.object("guide_search");
-        GuideWish wish;
-        wish.relief = search.si(field::wanted_relief);
-        wish.outer_diameter = search.si(field::outer_diameter);
-        wish.smallest_spring_length = search.optional_si(field::smallest_spring_length);
-        search.finish();
-        input.guide_search = wish;
-    }
-    if (reader.has("motion")) {
-        ObjectReader motion = reader.object("motion");
-        MotionWish wish;
-        wish.turns = motion.si(field::turns, wish.turns);
-        wish.start_speed = motion.optional_si(field::start_speed);
-        wish.start_angle = motion.si(field::start_angle, wish.start_angle);
-        wish.crank_torque = motion.si(field::crank_torque, wish.crank_torque);
-        wish.with_profile_error = motion.boolean("with_profile_error", wish.with_profile_error);
-        motion.finish();
-        input.motion = wish;
-    }
-    reader.finish();
+    const Input input = read_fields<Input>(json);
     check_input(input);
     return input;
 }
 
 Json write_input(const Input& input) {
-    const double g = input.gravity;
-    const auto mass = [&](double value) {
-        return input.masses_as_weights ? as_weight(value, g) : value;
-    };
-    const Input defaults;
-    Json json;
-    json[input.masses_as_weights ? "weights_N" : "masses_kg"] = {
-        {"crank", mass(input.crank_mass)},
-        {"rod", mass(input.rod_mass)},
-        {"slider", mass(input.slider_mass)}};
-    put(json, field::gravity, g);
-    put(json, field::crank_radius, input.crank_radius);
-    put(json, field::lambda, input.lambda);
-    put(json, field::angular_speed, input.angular_speed);
-    json["kinematics"] = input.kinematics == Kinematics::exact ? "exact" : "series";
-    json["guide_sign"] = input.guide_sign == GuideSign::energy ? "energy" : "as-printed";
-    if (input.spring) {
-        json["spring"] = write_spring(*input.spring);
-    }
-    if (input.rod_hinge_spring) {
-        json["rod_hinge_spring"] = write_spring(*input.rod_hinge_spring);
-    }
-    if (const auto& counterweight = input.rod_counterweight) {
-        Json object;
-        put(object, field::counterweight_distance, counterweight->distance);
-        const FieldSpec& field =
-            input.masses_as_weights ? field::counterweight_weight : field::counterweight_mass;
-        object[std::string(field.key)] =
-            counterweight->mass ? Json(mass(*counterweight->mass)) : Json("solve");
-        object["inertia"] = counterweight->inertia == CounterweightInertia::as_printed
-                                ? "as-printed"
-                                : "newton-euler";
-        json["rod_counterweight"] = object;
-    }
-    if (input.roller_radius != defaults.roller_radius) {
-        put(json, field::roller_radius, input.roller_radius);
-    }
-    if (input.profile_error != defaults.profile_error) {
-        put(json, field::profile_error, input.profile_error);
-    }
-    if (input.profile_error_waves != defaults.profile_error_waves) {
-        json["profile_error_waves"] = input.profile_error_waves;
-    }
-    if (const auto& wish = input.guide_search) {
-        Json object;
-        put(object, field::wanted_relief, wish->relief);
-        put(object, field::outer_diameter, wish->outer_diameter);
-        if (wish->smallest_spring_length) {
-            put(object, field::smallest_spring_length, *wish->smallest_spring_length);
-        }
-        json["guide_search"] = object;
-    }
-    if (const auto& wish = input.motion) {
-        Json object;
-        put(object, field::turns, wish->turns);
-        if (wish->start_speed) {
-            put(object, field::start_speed, *wish->start_speed);
-        }
-        put(object, field::start_angle, wish->start_angle);
-        put(object, field::crank_torque, wish->crank_torque);
-        object["with_profile_error"] = wish->with_profile_error;
-        json["motion"] = object;
-    }
-    return json;
+    return write_fields(input);
 }
 
 Json write_motions(const Input& input, const Result& result) {
@@ -385,7 +158,7 @@ Json write_motions(const Input& input, const Result& result) {
         if (!result.design->has_exact_kinematics()) {
             object[name] = {{"feasible", false}, {"reason", "at lambda = 1 the mechanism locks"}};
         } else if (hinges != HingeSet::none && !guide.feasible) {
-            object[name] = {{"feasible", false}, {"reason", guide.reason}};
+            object[name] = {{"feasible", false}, {"reason", guide.reason.english()}};
         } else {
             object[name] = write_motion(simulate(input, result, hinges));
         }
@@ -427,22 +200,23 @@ Json write_result(const Input& input, const Result& result) {
     if (input.motion) {
         json["motion"] = write_motions(input, result);
     }
-    json["notes"] = result.notes;
+    Json notes = Json::array();
+    for (const auto* list : {&result.notes, &result.guide_notes}) {
+        for (const Message& note : *list) {
+            notes.push_back(note.english());
+        }
+    }
+    json["notes"] = notes;
     const MechanismCurves& curves = result.curves;
-    const std::vector<double> difference = contract_moment_difference(result);
     json["curves"] = {
         {"crank_angle_deg", result.crank_angle_deg},
         {"reduced_inertia_kg_m2", scaled(curves.reduced_inertia, 1.0)},
-        {"crank_moment_Nm", scaled(sum_of(curves.crank_moment, difference), 1.0)},
+        {"crank_moment_Nm", scaled(curves.crank_moment, 1.0)},
         {"rod_hinge_moment_Nm", scaled(curves.rod_hinge_moment, 1.0)},
         {"rod_hinge_moment_potential_Nm", scaled(curves.rod_hinge_moment_potential, 1.0)},
         {"side_force_without_hinge_N", scaled(curves.side_force_without_hinge, 1.0)},
         {"side_force_with_hinge_N", scaled(curves.side_force_with_hinge, 1.0)},
-        {"crank_moment_with_rod_hinge_Nm",
-         scaled(sum_of(curves.crank_moment_with_rod_hinge, difference), 1.0)},
-        {"crank_moment_continuous_Nm", scaled(curves.crank_moment, 1.0)},
-        {"crank_moment_with_rod_hinge_continuous_Nm",
-         scaled(curves.crank_moment_with_rod_hinge, 1.0)},
+        {"crank_moment_with_rod_hinge_Nm", scaled(curves.crank_moment_with_rod_hinge, 1.0)},
         {"guide_radius_compressed_mm", scaled(result.crank_guide.radius_compressed, 1e3)},
         {"guide_radius_stretched_mm", scaled(result.crank_guide.radius_stretched, 1e3)}};
     return json;

@@ -9,7 +9,7 @@ namespace ravnoves::elastic_hinge {
 
 /// Reads the "input" object of a case. Beside the contract's keys: masses_kg in the place of
 /// weights_N (then the counterweight has mass_kg, and gravity may be 0), rod_hinge_spring,
-/// rod_counterweight/inertia "as-printed" (default) or "newton-euler", roller_radius_mm,
+/// rod_counterweight/inertia "newton-euler" (default) or "as-printed", roller_radius_mm,
 /// profile_error_um, profile_error_waves, guide_search {relief_mm, outer_diameter_mm,
 /// smallest_spring_length_mm} and motion {turns, start_speed_rad_s, start_angle_deg,
 /// crank_torque_Nm, with_profile_error}.
@@ -20,8 +20,7 @@ Input read_input(const Json& input);
 Json write_input(const Input& input);
 
 /// The "result" object of the contract, with what this program adds. Angles and lengths that do not
-/// exist are null. The crank's moments and minimum_preload_mm are those of the 0.05° grid on which
-/// the contract's examples were computed; the keys with "continuous" hold the exact ones.
+/// exist are null.
 Json write_result(const Input& input, const Result& result);
 
 /// Motion without and, where their guides exist, with hinges: ends, speeds, ripple, drift.

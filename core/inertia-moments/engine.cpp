@@ -1,10 +1,8 @@
 #include "inertia-moments/engine.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <cstdio>
 
+#include "inertia-moments/fields.h"
 #include "inertia-moments/layouts.h"
 
 namespace ravnoves::inertia_moments {
@@ -13,32 +11,18 @@ namespace {
 
 /// Nearer to locking than this share of the rod, rounding decides whether the crank passes.
 constexpr double locking_margin = 1e-12;
-std::string degrees_text(double angle) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.4g°", angle / degree);
-    return text.data();
-}
 
 }  // namespace
 
-double rounded(double si, const FieldSpec& field, int digits) {
-    const double value = si / field.to_si;
-    if (!std::isfinite(value)) {
-        return si;
-    }
-    const std::string text = format_number(value, digits);
-    double shorter = value;
-    std::from_chars(text.data(), text.data() + text.size(), shorter);
-    return shorter * field.to_si;
-}
-
 std::vector<Cylinder> rounded(std::vector<Cylinder> cylinders) {
-    constexpr int digits = 12;
+    const auto round = [](double& si, const Field& field) {
+        si = ravnoves::rounded(si, field, 12);
+    };
     for (Cylinder& cylinder : cylinders) {
-        cylinder.axial_position = rounded(cylinder.axial_position, field::axial_position, digits);
-        cylinder.bank_angle = rounded(cylinder.bank_angle, field::bank_angle, digits);
-        cylinder.offset = rounded(cylinder.offset, field::offset, digits);
-        cylinder.crankpin_angle = rounded(cylinder.crankpin_angle, field::crankpin_angle, digits);
+        round(cylinder.axial_position, field::axial_position);
+        round(cylinder.bank_angle, field::bank_angle);
+        round(cylinder.offset, field::offset);
+        round(cylinder.crankpin_angle, field::crankpin_angle);
     }
     return cylinders;
 }
@@ -60,15 +44,19 @@ std::optional<Locking> find_locking(double crank_radius, double lambda,
     return std::nullopt;
 }
 
-std::string describe(const Locking& locking) {
-    const std::string mechanism =
-        "the mechanism of cylinder " + std::to_string(locking.cylinder + 1);
+Message describe(const Locking& locking) {
+    const auto number = static_cast<double>(locking.cylinder + 1);
     if (!locking.angles) {
-        return mechanism + " cannot be joined: the rod reaches the piston at no crank angle";
+        return {CORE_TEXT("inertia-moments",
+                          "the mechanism of cylinder %1 cannot be joined: the rod reaches the "
+                          "piston at no crank angle"),
+                number};
     }
-    return mechanism + " locks with the crank at " + degrees_text(locking.angles->forward) +
-           " turning forward and at " + degrees_text(locking.angles->backward) +
-           " turning back, measured from the cylinder's axis";
+    return {CORE_TEXT("inertia-moments",
+                      "the mechanism of cylinder %1 locks with the crank at %2 turning forward and "
+                      "at %3 turning back, measured from the cylinder's axis"),
+            number, Number{locking.angles->forward / degree, units::degree, 4},
+            Number{locking.angles->backward / degree, units::degree, 4}};
 }
 
 Engine reduce(const Input& input) {

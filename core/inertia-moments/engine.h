@@ -2,9 +2,9 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "case-file/message.h"
 #include "inertia-moments/input.h"
 #include "numerics/slider_crank.h"
 
@@ -38,10 +38,6 @@ struct Engine {
     }
 };
 
-/// An SI value rounded to so many significant digits in the field's unit: what a person would write
-/// into a case file.
-double rounded(double si, const FieldSpec& field, int digits);
-
 /// Every value of the table rounded to 12 digits in its unit, so that a case file keeps it exactly.
 std::vector<Cylinder> rounded(std::vector<Cylinder> cylinders);
 
@@ -59,7 +55,7 @@ std::optional<Locking> find_locking(double crank_radius, double lambda,
 
 /// Why the crank cannot turn, as a phrase: "the mechanism of cylinder 1 locks with the crank at
 /// 203.5° turning forward and at -23.5° turning back, measured from the cylinder's axis".
-std::string describe(const Locking& locking);
+Message describe(const Locking& locking);
 
 /// Reduces the input to the engine without any check.
 Engine reduce(const Input& input);

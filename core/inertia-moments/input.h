@@ -4,8 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "case-file/range.h"
 #include "numerics/constants.h"
+
+namespace ravnoves {
+class FieldVisitor;
+}
 
 /// Inertia forces and moments of a piston engine of any layout.
 ///
@@ -18,49 +21,6 @@
 /// (M_x, M_y) = Σ F_i u_i (z_i − z_ref), "in the horizontal and in the vertical plane"; the vector
 /// moment about the axes is (−M_y, M_x). The roll moment M_z is counter-clockwise.
 namespace ravnoves::inertia_moments {
-
-namespace field {
-inline constexpr double millimetre = 1e-3;  ///< m per mm
-inline constexpr FieldSpec crank_radius{"crank_radius_mm", "mm", Range::greater_than(0),
-                                        millimetre};
-inline constexpr FieldSpec lambda{"lambda", "", Range::greater_than(0)};
-inline constexpr FieldSpec speed{"speed_rpm", "min⁻¹", Range::greater_than(0), rpm};
-inline constexpr FieldSpec reciprocating_mass{"reciprocating_mass_kg", "kg",
-                                              Range::greater_than(0)};
-inline constexpr FieldSpec rotating_mass{"rotating_mass_kg", "kg", Range::at_least(0)};
-inline constexpr FieldSpec reference_position{"reference_position_mm", "mm", Range{}, millimetre};
-inline constexpr FieldSpec step{"step_deg", "°", Range::between(0.01, 90), degree};
-// Of each entry of "cylinders".
-inline constexpr FieldSpec axial_position{"axial_position_mm", "mm", Range{}, millimetre};
-inline constexpr FieldSpec bank_angle{"bank_angle_deg", "°", Range::between(-3600, 3600), degree};
-inline constexpr FieldSpec offset{"offset_mm", "mm", Range{}, millimetre};
-inline constexpr FieldSpec crankpin_angle{"crankpin_angle_deg", "°", Range::between(-3600, 3600),
-                                          degree};
-// Of the object "layout"; its offset is `offset`.
-inline constexpr FieldSpec included_angle{"bank_angle_deg", "°", Range::between(0, 180), degree};
-inline constexpr FieldSpec spacing{"spacing_mm", "mm", Range::greater_than(0), millimetre};
-inline constexpr FieldSpec stagger{"stagger_mm", "mm", Range{}, millimetre};
-inline constexpr FieldSpec first_position{"first_position_mm", "mm", Range{}, millimetre};
-// Of the object "rod".
-inline constexpr FieldSpec rod_mass{"mass_kg", "kg", Range::at_least(0)};
-inline constexpr FieldSpec rod_centre{"centre_from_big_end_mm", "mm", Range{}, millimetre};
-inline constexpr FieldSpec rod_inertia{"inertia_kg_m2", "kg·m²", Range::at_least(0)};
-// Of each entry of "balance_shafts".
-inline constexpr FieldSpec weight_distance{"weight_distance_mm", "mm", Range::between(1e-3, 1e9),
-                                           millimetre};
-inline constexpr FieldSpec shaft_position{"axial_position_mm", "mm", Range{}, millimetre};
-inline constexpr FieldSpec weight_radius{"weight_radius_mm", "mm", Range::between(1e-3, 1e9),
-                                         millimetre};
-inline constexpr FieldSpec phase_error{"phase_error_deg", "°", Range::between(-360, 360), degree};
-// Of the object "counterweights".
-inline constexpr FieldSpec front_position{"front_position_mm", "mm", Range{}, millimetre};
-inline constexpr FieldSpec rear_position{"rear_position_mm", "mm", Range{}, millimetre};
-inline constexpr FieldSpec front_radius{"front_radius_mm", "mm", Range::between(1e-3, 1e9),
-                                        millimetre};
-inline constexpr FieldSpec rear_radius{"rear_radius_mm", "mm", Range::between(1e-3, 1e9),
-                                       millimetre};
-inline constexpr FieldSpec first_order_share{"first_order_share", "", Range::between(0, 1)};
-}  // namespace field
 
 inline constexpr int most_cylinders = 64;
 inline constexpr int most_shafts = 32;
@@ -101,7 +61,7 @@ struct RigidRod {
 /// Which way a part turns: with the crank or against it.
 enum class Direction { forward, backward };
 /// What a balance shaft acts on: one weight against a force, two opposite ones against a moment.
-enum class Balances { force, moment };
+enum class Balances { moment, force };
 /// Which orders the balance shafts are designed for.
 enum class DesignBasis { exact, two_term };
 
@@ -152,6 +112,13 @@ struct Input {
     double rod_length() const { return crank_radius / lambda; }  ///< L, m
     bool operator==(const Input&) const = default;
 };
+
+// The fields in the order of the case file; fields.h describes them.
+void visit_fields(FieldVisitor& visitor, Cylinder& cylinder);
+void visit_fields(FieldVisitor& visitor, RigidRod& rod);
+void visit_fields(FieldVisitor& visitor, Shaft& shaft);
+void visit_fields(FieldVisitor& visitor, EndWebs& webs);
+void visit_fields(FieldVisitor& visitor, Input& input);
 
 /// Checks ranges, the layout, locking, and that forces and moments stay in the range of numbers.
 /// @throws InputError that names the JSON pointer, as read_input() would

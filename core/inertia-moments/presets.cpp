@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "inertia-moments/engine.h"
+#include "inertia-moments/fields.h"
 #include "inertia-moments/layouts.h"
 
 namespace ravnoves::inertia_moments {
@@ -54,18 +54,18 @@ std::vector<Shaft> usual_shafts(const std::vector<Cylinder>& cylinders, double c
 
 Input preset_vw_vr5() {
     Input input;
-    input.crank_radius = 45.0 * field::millimetre;
+    input.crank_radius = 45.0 * units::mm;
     input.lambda = 0.265;
-    input.angular_speed = 6200.0 * rpm;
+    input.angular_speed = 6200.0 * units::rpm;
     input.reciprocating_mass = 0.622;
     input.rotating_mass = 0.8;
     Layout layout;
     layout.name = "vr";
     layout.cylinders = 5;
-    layout.bank_angle = 15.0 * degree;
-    layout.offset = 12.51 * field::millimetre;
-    layout.spacing = 63.0 * field::millimetre;
-    layout.first_position = 204.8 * field::millimetre;
+    layout.bank_angle = 15.0 * units::degree;
+    layout.offset = 12.51 * units::mm;
+    layout.spacing = 63.0 * units::mm;
+    layout.first_position = 204.8 * units::mm;
     layout.firing_order = {1, 2, 4, 5, 3};
     const std::vector<Cylinder> cylinders =
         make_cylinders(layout, input.crank_radius, input.lambda);

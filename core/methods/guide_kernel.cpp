@@ -397,7 +397,7 @@ Kernel guide_kernel() {
     definition.reference = reference;
     definition.refusal = [](const GuideCase& guide) -> Message {
         try {
-            return scene_guide(guide.input).reason;
+            return scene_guide(guide.input).reason.english();
         } catch (const InputError& error) {
             return error.message();
         }

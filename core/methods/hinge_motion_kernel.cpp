@@ -248,7 +248,7 @@ Method<MotionCase> dormand_prince() {
             if (refusal.empty()) {
                 try {
                     const Motion result = simulate(motion, tolerance);
-                    refusal = result.reason;
+                    refusal = result.reason.english();
                     out[0] = result.crank_angle.back();
                     out[1] = result.speed.back();
                 } catch (const std::runtime_error& error) {
@@ -392,7 +392,7 @@ Kernel hinge_motion_kernel() {
             input.motion = elastic_hinge::MotionWish{};
             input.motion->turns = motion.turns;
             input.motion->start_speed = motion.start_speed;
-            return elastic_hinge::solve(input).crank_guide.reason;
+            return elastic_hinge::solve(input).crank_guide.reason.english();
         } catch (const InputError& error) {
             return error.message();
         }

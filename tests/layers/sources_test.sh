@@ -3,8 +3,9 @@
 # The arrows app -> ui -> core as the includes draw them:
 #   core and the command line include no Qt, and nothing from the layers above them;
 #   ui includes nothing from app;
-#   a scene includes no other scene; core's ground (case files, numerics, drawing, bibliography)
-#   includes nothing that stands on it, nor does a scene include the methods or the registry.
+#   a scene includes no other scene, in core, in ui and in the tests of both; core's ground (case
+#   files, numerics, drawing, bibliography) includes nothing that stands on it, nor does a scene
+#   include the methods or the registry.
 # That a model includes no widget, the compiler sees: their library has no QtWidgets to include.
 set -euo pipefail
 cd "$1"
@@ -25,7 +26,7 @@ while IFS=$'\t' read -r file kind name; do
     else
         angled[$file]+="$name "
     fi
-done < <(find core app ui -type f \( -name '*.cpp' -o -name '*.h' \) -exec sed -n -E \
+done < <(find core app ui tests -type f \( -name '*.cpp' -o -name '*.h' \) -exec sed -n -E \
     '/^[[:space:]]*#[[:space:]]*include/ { F; s/^[[:space:]]*#[[:space:]]*include[[:space:]]*(["<])([^">]*)[">].*/\t\1\t\2/p }' \
     {} + | paste -d '' - -)
 
@@ -93,7 +94,13 @@ check_folders_apart() {
         done
     done
 }
-scenes=(balance-shaft elastic-hinge v8-plugs inertia-moments)
+# A folder of core with a scene.h is a scene.
+scenes=()
+for file in core/*/scene.h; do
+    file=${file%/scene.h}
+    scenes+=("${file#core/}")
+done
+[ ${#scenes[@]} -gt 2 ] || fault "the scenes could not be found: ${scenes[*]}"
 for ground in case-file numerics drawing bibliography; do
     check_folders_apart "core/$ground" "${scenes[@]}" methods scenes
 done
@@ -105,6 +112,9 @@ for scene in "${scenes[@]}"; do
     done
     check_folders_apart "core/$scene" "${others[@]}" methods scenes
     check_folders_apart "ui/$scene" "${others[@]}" methods
+    for tests in "tests/core/$scene" "tests/ui/$scene"; do
+        check_folders_apart "$tests" "${others[@]}" methods
+    done
 done
 
 if grep -nE 'Qt[0-9]*(::|[[:space:]]+REQUIRED|[[:space:]]+COMPONENTS)' core/CMakeLists.txt; then

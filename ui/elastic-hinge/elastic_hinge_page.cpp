@@ -11,11 +11,14 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "elastic-hinge/fields.h"
 #include "elastic-hinge/guide_export_form.h"
 #include "elastic-hinge/guide_search_form.h"
 #include "elastic-hinge/hinge_inputs.h"
 #include "elastic-hinge/hinge_mechanism_view.h"
 #include "elastic-hinge/hinge_plots.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/mechanism_picture.h"
@@ -32,25 +35,10 @@ namespace field = elastic_hinge::field;
 
 namespace {
 
-constexpr double kilonewtonPerMetre = 1e3;
-constexpr int boxWidth = 118;          ///< pixels, for "20000.0 kN/m"
-constexpr double usualDistance = 0.1;  ///< ℓ₂ that a new counterweight gets, m
+constexpr int boxWidth = 118;  ///< pixels, for "20000.0 kN/m"
 
 Spring& springOf(Input& input) {
-    if (!input.spring) {
-        input.spring = elastic_hinge::preset_zotov().spring;
-    }
-    return *input.spring;
-}
-
-/// Shows a value, and widens the slider where the case lies beyond it.
-void showValue(ValueSlider* slider, double value, double min, double max) {
-    const double low = std::min(min, value);
-    const double high = std::max(max, value);
-    if (low != slider->box()->minimum() || high != slider->box()->maximum()) {
-        slider->setRange(low, high);
-    }
-    slider->setValue(value);
+    return input.spring ? *input.spring : input.spring.emplace();
 }
 
 }  // namespace
@@ -84,22 +72,28 @@ QList<QAction*> ElasticHingePage::sceneActions() {
     return {playAction_};
 }
 
-ValueSlider* ElasticHingePage::addSlider(QWidget* parent, const QString& name, const QString& label,
-                                         double min, double max, double step, double page,
-                                         int decimals, const QString& unit, const QString& stepName,
-                                         const QString& hint,
-                                         std::function<void(Input&, double)> write) {
-    auto* slider = new ValueSlider(label, min, max, step, page, decimals, unit, parent);
-    slider->slider()->setObjectName(name + QStringLiteral("_slider"));
-    slider->box()->setObjectName(name);
-    slider->setHint(hint);
-    connect(slider, &ValueSlider::valueEdited, this, [this, stepName, write](double value) {
-        if (!model_->edit(stepName, [&](Input& input) { write(input, value); }).isEmpty()) {
+ValueSlider* ElasticHingePage::addSlider(QWidget* parent, const char* name, const QString& label,
+                                         const Field& field, const Unit& unit, const Scale& scale,
+                                         std::function<double*(Input&)> value) {
+    auto* slider = new ValueSlider(label, scale.min, scale.max, scale.step, scale.page,
+                                   scale.decimals, unitText(unit.name), parent);
+    slider->slider()->setObjectName(QString::fromLatin1(name) + QLatin1String("_slider"));
+    slider->box()->setObjectName(QLatin1String(name));
+    slider->setHint(shownText(field.hint));
+    const auto write = [this, value, unit, step = fieldName(field)](double shown) {
+        const QString trouble = model_->edit(step, [&](Input& input) {
+            if (double* si = value(input)) {
+                *si = shown * unit;
+            }
+        });
+        if (!trouble.isEmpty()) {
             showInput();  // refused: the slider goes back
         }
-    });
+    };
+    connect(slider, &ValueSlider::valueEdited, this, write);
     connect(slider, &ValueSlider::released, model_, &ElasticHingeModel::finishDrag);
     parent->layout()->addWidget(slider);
+    sliders_.push_back({slider, unit, scale.min, scale.max, value});
     return slider;
 }
 
@@ -108,54 +102,31 @@ QWidget* ElasticHingePage::buildSliders() {
     auto* column = new QVBoxLayout(panel);
     column->setContentsMargins(Theme::margin, Theme::space, Theme::margin, Theme::space);
     column->setSpacing(Theme::gap);
-    omega_ = addSlider(panel, QStringLiteral("angular_speed_rad_s"), tr("&ω"), 0.0, 600.0, 1.0,
-                       20.0, 1, tr("rad/s"), tr("Crank speed"),
-                       tr("Crank speed that the hinges are designed for. Paper: 100, 300 and "
-                          "500 rad/s."),
-                       [](Input& input, double value) { input.angular_speed = value; });
-    lambda_ = addSlider(panel, QStringLiteral("lambda"), tr("&λ"), 0.05, 0.99, 0.01, 0.1, 3, {},
-                        tr("Ratio λ"),
-                        tr("Crank radius to rod length. Paper: 0.3. Below 1; λ = 1 can be drawn "
-                           "with the series only."),
-                        [](Input& input, double value) { input.lambda = value; });
-    stiffness_ = addSlider(
-        panel, QStringLiteral("stiffness_kN_m"), tr("&c"), 1.0, 1e6, 0.1, 1.0, 1, tr("kN/m"),
-        tr("Stiffness"),
-        tr("Stiffness of the spring of the crank's hinge. Paper: 20 000 kN/m. "
-           "A softer spring gives more relief."),
-        [](Input& input, double value) { springOf(input).stiffness = value * kilonewtonPerMetre; });
-    stiffness_->setLogarithmic(50, 3);
-    radius_ = addSlider(panel, QStringLiteral("guide_radius_at_zero_mm"), tr("&ρ₀"), 1.0, 199.0,
-                        0.01, 1.0, 3, tr("mm"), tr("Guide radius ρ₀"),
-                        tr("Radius of the guide at φ = 0. Below ℓ₀/2 the spring is compressed, "
-                           "above it is stretched. Paper: 90 mm."),
-                        [](Input& input, double value) {
-                            springOf(input).guide_radius_at_zero = value * field::millimetre;
-                        });
-    distance_ = addSlider(panel, QStringLiteral("counterweight_distance_mm"), tr("ℓ&₂"), 10.0,
-                          300.0, 1.0, 10.0, 1, tr("mm"), tr("Counterweight's distance"),
-                          tr("From the crankpin to the counterweight on the rod. Paper: 50, 100 "
-                             "and 150 mm."),
-                          [](Input& input, double value) {
-                              if (input.rod_counterweight) {
-                                  input.rod_counterweight->distance = value * field::millimetre;
-                              }
-                          });
-    error_ = addSlider(
-        panel, QStringLiteral("profile_error_um"), tr("&error"), 0.0, 100.0, 0.5, 5.0, 1, tr("µm"),
-        tr("Profile error"),
-        tr("Amplitude of the waves on the guide's profile as it is made. Good "
-           "grinding leaves a few micrometres."),
-        [](Input& input, double value) { input.profile_error = value * field::micrometre; });
+    addSlider(panel, "angular_speed_rad_s", tr("&ω"), field::angular_speed, units::rad_per_s,
+              {0.0, 600.0, 1.0, 20.0, 1}, [](Input& input) { return &input.angular_speed; });
+    lambda_ = addSlider(panel, "lambda", tr("&λ"), field::lambda, units::none,
+                        {0.05, 0.99, 0.01, 0.1, 3}, [](Input& input) { return &input.lambda; });
+    addSlider(panel, "stiffness_kN_m", tr("&c"), field::stiffness, units::kN_per_m,
+              {1.0, 1e6, 0.1, 1.0, 1}, [](Input& input) { return &springOf(input).stiffness; })
+        ->setLogarithmic(50, 3);
+    radius_ = addSlider(panel, "guide_radius_at_zero_mm", tr("&ρ₀"), field::guide_radius, units::mm,
+                        {1.0, 199.0, 0.01, 1.0, 3},
+                        [](Input& input) { return &springOf(input).guide_radius_at_zero; });
+    distance_ =
+        addSlider(panel, "counterweight_distance_mm", tr("ℓ&₂"), field::counterweight_distance,
+                  units::mm, {10.0, 300.0, 1.0, 10.0, 1}, [](Input& input) {
+                      return input.rod_counterweight ? &input.rod_counterweight->distance : nullptr;
+                  });
+    addSlider(panel, "profile_error_um", tr("&error"), field::profile_error, units::micrometre,
+              {0.0, 100.0, 0.5, 5.0, 1}, [](Input& input) { return &input.profile_error; });
     // One width for labels and boxes, so that the sliders stand in line.
     int labels = 0;
-    const QList<ValueSlider*> all{omega_, lambda_, stiffness_, radius_, distance_, error_};
-    for (ValueSlider* slider : all) {
-        labels = std::max(labels, slider->findChild<QLabel*>()->sizeHint().width());
+    for (const Slider& each : sliders_) {
+        labels = std::max(labels, each.slider->findChild<QLabel*>()->sizeHint().width());
     }
-    for (ValueSlider* slider : all) {
-        slider->findChild<QLabel*>()->setFixedWidth(labels);
-        slider->box()->setFixedWidth(boxWidth);
+    for (const Slider& each : sliders_) {
+        each.slider->findChild<QLabel*>()->setFixedWidth(labels);
+        each.slider->box()->setFixedWidth(boxWidth);
     }
     return panel;
 }
@@ -226,8 +197,7 @@ QWidget* ElasticHingePage::buildAnswer() {
     takePreload_->setObjectName(QStringLiteral("take_preload"));
     takeStiffness_ = new QPushButton(tr("Take this sti&ffness"), answer);
     takeStiffness_->setObjectName(QStringLiteral("take_stiffness"));
-    connect(takePreload_, &QPushButton::clicked, model_,
-            &ElasticHingeModel::takeMinimumPreload);
+    connect(takePreload_, &QPushButton::clicked, model_, &ElasticHingeModel::takeMinimumPreload);
     connect(takeStiffness_, &QPushButton::clicked, model_,
             &ElasticHingeModel::takeMinimumStiffness);
     mend->addWidget(takePreload_);
@@ -245,21 +215,29 @@ QWidget* ElasticHingePage::buildAnswer() {
 }
 
 void ElasticHingePage::showInput() {
-    const Input& input = model_->input();
-    const bool series = input.kinematics == Kinematics::series;
-    showValue(omega_, input.angular_speed, 0.0, 600.0);
-    showValue(lambda_, input.lambda, 0.05, series ? 1.0 : 0.99);
-    Input known = input;
-    const Spring& spring = springOf(known);
-    showValue(stiffness_, spring.stiffness / kilonewtonPerMetre, 1.0, 1e6);
-    showValue(radius_, spring.guide_radius_at_zero / field::millimetre,
-              std::min(1.0, 0.005 * spring.free_length / field::millimetre),
-              spring.free_length / field::millimetre);
+    Input input = model_->input();
+    const Spring& spring = springOf(input);
     distance_->setEnabled(input.rod_counterweight.has_value());
-    const double distance =
-        input.rod_counterweight ? input.rod_counterweight->distance : usualDistance;
-    showValue(distance_, distance / field::millimetre, 10.0, 300.0);
-    showValue(error_, input.profile_error / field::micrometre, 0.0, 100.0);
+    if (!input.rod_counterweight) {
+        input.rod_counterweight.emplace();  // shows where a new one would stand
+    }
+    for (const Slider& each : sliders_) {
+        double min = each.min;
+        double max = each.max;
+        if (each.slider == lambda_ && input.kinematics == Kinematics::series) {
+            max = 1.0;
+        } else if (each.slider == radius_) {
+            min = std::min(min, 0.005 * spring.free_length / units::mm);
+            max = spring.free_length / units::mm;
+        }
+        const double value = *each.value(input) / each.unit;
+        min = std::min(min, value);  // the slider widens where the case lies beyond it
+        max = std::max(max, value);
+        if (min != each.slider->box()->minimum() || max != each.slider->box()->maximum()) {
+            each.slider->setRange(min, max);
+        }
+        each.slider->setValue(value);
+    }
 }
 
 void ElasticHingePage::showAnswer() {

@@ -1,18 +1,12 @@
 #pragma once
 
-#include <QWidget>
-
 #include "elastic-hinge/model/elastic_hinge_model.h"
-
-class QLabel;
-class QPushButton;
+#include "widgets/form.h"
 
 namespace ravnoves {
 
-class NumberField;
-
 /// Search for a spring whose guide has a wanted relief within a wanted size.
-class GuideSearchForm : public QWidget {
+class GuideSearchForm : public Form {
     Q_OBJECT
 
   public:
@@ -22,14 +16,7 @@ class GuideSearchForm : public QWidget {
     void showEvent(QShowEvent* event) override;
 
   private:
-    void show();
-
-    ElasticHingeModel* model_;
-    NumberField* relief_;
-    NumberField* diameter_;
-    NumberField* shortest_;
-    QLabel* answer_;
-    QPushButton* take_;
+    std::function<void()> showAnswer_;
 };
 
 }  // namespace ravnoves

@@ -5,31 +5,24 @@
 #include <cmath>
 
 #include "elastic-hinge/hinge_plots.h"
-#include "theme/theme.h"
+#include "elastic-hinge/model/guide_picture.h"
 #include "text/number_text.h"
+#include "theme/theme.h"
 #include "widgets/value_slider.h"
 
 namespace ravnoves {
 
 using elastic_hinge::Branch;
 using elastic_hinge::Guide;
-using elastic_hinge::GuidePoint;
 using elastic_hinge::Hinge;
-using elastic_hinge::PlanePoint;
 
 namespace {
 
-constexpr double mm = 1e3;
-constexpr double um = 1e6;
 constexpr std::array branches{Branch::compressed, Branch::stretched};
 constexpr std::array colours{2, 1};
 // Curves: a circle and a guide for each branch, the profile between them.
 constexpr int profile = 2;
 constexpr int firstGuide = 3;
-
-const std::vector<double>& radii(const Guide& guide, std::size_t branch) {
-    return branch == 0 ? guide.radius_compressed : guide.radius_stretched;
-}
 
 class GuideTab : public HingePlotTab {
   public:
@@ -39,16 +32,9 @@ class GuideTab : public HingePlotTab {
     void showGuides();
     void showMarks();
     void buildBar();
-    double start(std::size_t branch) const;
-    /// A radius as the picture draws it, mm.
-    double drawn(double radius, double start) const {
-        return (start + model_->exaggeration() * (radius - start)) * mm;
-    }
-    void showCircle(std::size_t branch);
-    void showGuide(std::size_t branch);
-    void showProfile();
+    GuidePicture shown() const { return {model_->shownGuide(), model_->exaggeration()}; }
     /// Sets a curve of the guides' plot and remembers how far it reaches.
-    void setPath(int curve, std::vector<double> x, std::vector<double> y);
+    void setPath(int curve, GuidePicture::Path path);
     void showReach();
     void showRelief();
 
@@ -126,11 +112,6 @@ void GuideTab::buildBar() {
     row->addWidget(automatic_);
 }
 
-double GuideTab::start(std::size_t branch) const {
-    const auto& shape = model_->shownGuide().shape;
-    return shape ? shape->spring().start_radius(branches[branch]) : 0.0;
-}
-
 void GuideTab::showGuides() {
     const double factor = model_->exaggeration();
     hingeChoice_->setCurrentIndex(static_cast<int>(model_->shownHinge()));
@@ -141,71 +122,23 @@ void GuideTab::showGuides() {
             ? HingePlots::tr("Guides, to scale")
             : HingePlots::tr("Guides, relief × %1").arg(formNumber(factor, QLocale(), 6)));
     reach_ = 0.0;
-    for (std::size_t branch = 0; branch < branches.size(); ++branch) {
-        showCircle(branch);
-        showGuide(branch);
+    const GuidePicture picture = shown();
+    for (const Branch branch : branches) {
+        const int curve = static_cast<int>(branch);
+        GuidePicture::Path circle = picture.circle(branch);
+        guide_->setCurve(curve, std::move(circle.x), std::move(circle.y));
+        setPath(firstGuide + curve, picture.path(branch));
     }
-    showProfile();
+    GuidePicture::Path rollers = picture.profile(model_->input().roller_radius);
+    guide_->setCurveName(profile, rollers.x.empty() ? QString() : HingePlots::tr("profile"));
+    setPath(profile, std::move(rollers));
     showReach();
     showRelief();
 }
 
-void GuideTab::setPath(int curve, std::vector<double> x, std::vector<double> y) {
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        const double radius = std::hypot(x[i], y[i]);
-        if (std::isfinite(radius)) {
-            reach_ = std::max(reach_, radius);
-        }
-    }
-    guide_->setCurve(curve, std::move(x), std::move(y));
-}
-
-void GuideTab::showCircle(std::size_t branch) {
-    const double radius = start(branch) * mm;
-    std::vector<double> x;
-    std::vector<double> y;
-    if (!model_->shownGuide().polar_angle.empty() && radius > 0.0) {
-        for (int i = 0; i <= 120; ++i) {
-            x.push_back(radius * std::cos(two_pi * i / 120));
-            y.push_back(radius * std::sin(two_pi * i / 120));
-        }
-    }
-    guide_->setCurve(static_cast<int>(branch), std::move(x), std::move(y));
-}
-
-void GuideTab::showGuide(std::size_t branch) {
-    const Guide& guide = model_->shownGuide();
-    std::vector<double> x = radii(guide, branch);
-    std::vector<double> y(x.size());
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        const double radius = drawn(x[i], start(branch));
-        x[i] = radius * std::cos(guide.polar_angle[i]);
-        y[i] = radius * std::sin(guide.polar_angle[i]);
-    }
-    setPath(firstGuide + static_cast<int>(branch), std::move(x), std::move(y));
-}
-
-void GuideTab::showProfile() {
-    // Of the design's branch, for a roller that has a size.
-    const Guide& guide = model_->shownGuide();
-    const double roller = model_->input().roller_radius;
-    std::vector<double> x;
-    std::vector<double> y;
-    if (guide.feasible && roller > 0.0) {
-        const bool compressed = guide.branch == Branch::compressed;
-        const double offset = compressed ? roller : -roller;
-        constexpr int points = 361;
-        for (int i = 0; i < points; ++i) {
-            const PlanePoint p = elastic_hinge::offset_point(
-                guide.shape->at(guide.branch, two_pi * i / (points - 1)), offset);
-            const double radius = std::hypot(p.x, p.y);
-            const double far = drawn(radius, start(compressed ? 0 : 1) + offset);
-            x.push_back(far * p.x / radius);
-            y.push_back(far * p.y / radius);
-        }
-    }
-    guide_->setCurveName(profile, x.empty() ? QString() : HingePlots::tr("profile"));
-    setPath(profile, std::move(x), std::move(y));
+void GuideTab::setPath(int curve, GuidePicture::Path path) {
+    reach_ = std::max(reach_, path.reach());
+    guide_->setCurve(curve, std::move(path.x), std::move(path.y));
 }
 
 void GuideTab::showReach() {
@@ -222,10 +155,10 @@ void GuideTab::showRelief() {
     const Guide& guide = model_->shownGuide();
     const std::vector<double>& phi = model_->result().crank_angle_deg;
     double finest = 0.0;
-    std::array<std::vector<double>, 2> rises{radii(guide, 0), radii(guide, 1)};
-    for (std::size_t branch = 0; branch < rises.size(); ++branch) {
-        for (double& rise : rises[branch]) {
-            rise -= start(branch);
+    const GuidePicture picture = shown();
+    std::array rises{picture.rise(Branch::compressed), picture.rise(Branch::stretched)};
+    for (const std::vector<double>& list : rises) {
+        for (const double rise : list) {
             finest = std::isfinite(rise) ? std::max(finest, std::abs(rise)) : finest;
         }
     }
@@ -236,7 +169,7 @@ void GuideTab::showRelief() {
                       {narrow_ ? HingePlots::tr("ρ − ρ(0), µm") : HingePlots::tr("ρ − ρ(0), mm")});
     for (std::size_t branch = 0; branch < rises.size(); ++branch) {
         for (double& rise : rises[branch]) {
-            rise *= narrow_ ? um : mm;
+            rise = rise / (narrow_ ? units::micrometre : units::mm);
         }
         relief_->setCurve(static_cast<int>(branch), phi, std::move(rises[branch]));
     }
@@ -257,13 +190,9 @@ void GuideTab::showRelief() {
 
 void GuideTab::showMarks() {
     std::vector<PlotView::Mark> marks;
-    const auto& shape = model_->shownGuide().shape;
-    for (std::size_t branch = 0; shape && branch < branches.size(); ++branch) {
-        const GuidePoint point = shape->at(branches[branch], model_->crankAngleDeg() * degree);
-        const double far = drawn(point.radius, start(branch));
-        if (std::isfinite(far) && point.radius > 0.0) {
-            marks.push_back(
-                {far * std::cos(point.angle), far * std::sin(point.angle), {}, colours[branch]});
+    for (const Branch branch : branches) {
+        if (const auto at = shown().centre(branch, model_->crankAngleDeg() * degree)) {
+            marks.push_back({at->x, at->y, {}, colours[static_cast<std::size_t>(branch)]});
         }
     }
     guide_->setMarks(std::move(marks));

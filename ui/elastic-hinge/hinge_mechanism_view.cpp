@@ -9,9 +9,9 @@
 
 #include "elastic-hinge/model/elastic_hinge_model.h"
 #include "numerics/constants.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
-#include "text/number_text.h"
 
 namespace ravnoves {
 

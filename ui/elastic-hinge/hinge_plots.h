@@ -16,7 +16,6 @@ class HingePlots : public QTabWidget {
   public:
     explicit HingePlots(ElasticHingeModel* model, QWidget* parent = nullptr);
 
-
     // For tests.
     PlotView* guidePlot() const { return tabs_[0]->plots()[0]; }
     PlotView* reliefPlot() const { return tabs_[0]->plots()[1]; }

@@ -1,7 +1,4 @@
-#include <cmath>
-
 #include "elastic-hinge/hinge_plots.h"
-#include "elastic-hinge/rod_hinge_moment.h"
 #include "text/number_text.h"
 
 namespace ravnoves {
@@ -42,26 +39,6 @@ class MechanismFamily {
     PlotView::Family family_;
 };
 
-/// M₁₂ by the kinematics that the design does not use; nothing where they are the same.
-std::vector<double> otherRodMoment(const Result& result, const elastic_hinge::Input& input) {
-    std::vector<double> moment;
-    if (!result.design->has_exact_kinematics()) {
-        return moment;
-    }
-    const auto& mechanism = result.design->mechanism();
-    const Kinematics other =
-        input.kinematics == Kinematics::series ? Kinematics::exact : Kinematics::series;
-    for (const double angle : result.crank_angle_deg) {
-        const double s = std::sin(angle * degree);
-        const double c = std::cos(angle * degree);
-        const auto rod = elastic_hinge::rod_angle(other, mechanism.lambda, s, c);
-        moment.push_back(
-            elastic_hinge::rod_hinge_moment(mechanism, result.design->static_moment(), s, c, rod)
-                .value(input.angular_speed));
-    }
-    return moment;
-}
-
 }  // namespace
 
 HingePlotTab* makeRodHingeTab(ElasticHingeModel* model, QWidget* parent) {
@@ -93,7 +70,7 @@ HingePlotTab* makeRodHingeTab(ElasticHingeModel* model, QWidget* parent) {
         moment->setCurveName(2, model->input().kinematics == Kinematics::series
                                     ? HingePlots::tr("exact")
                                     : HingePlots::tr("series"));
-        moment->setCurve(2, phi, otherRodMoment(result, model->input()));
+        moment->setCurve(2, phi, result.other_rod_hinge_moment);
         speeds.showSpeeds(result);
     };
     return tab;
@@ -114,8 +91,8 @@ HingePlotTab* makeSideForceTab(ElasticHingeModel* model, QWidget* parent) {
     tab->refresh = [=] {
         const Result& result = model->result();
         lambdas.show(result.crank_angle_deg, result.by_lambda, QStringLiteral("λ = %1"));
-        // A counterweight by (10) leaves rounding only: a flat line at 0, not its noise enlarged.
-        if (result.largest_side_force_with <= 1e-9 * result.largest_side_force_without) {
+        // A flat line at 0, not its rounding enlarged.
+        if (model->sideForceVanishes()) {
             with->setYRange(PlotView::Side::Left, -1.0, 1.0);
         } else {
             with->followData(PlotView::Side::Left);

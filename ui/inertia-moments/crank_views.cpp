@@ -7,9 +7,9 @@
 #include <map>
 
 #include "inertia-moments/model/inertia_moments_model.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
-#include "text/number_text.h"
 
 namespace ravnoves {
 
@@ -172,8 +172,7 @@ FiringWheel::FiringWheel(InertiaMomentsModel* model, QWidget* parent)
         tr("One four-stroke cycle of 720°, counter-clockwise from the top: cylinders in "
            "the order of firing, the intervals between them, the present crank angle."));
     connectTo(model, this);
-    connect(model_, &InertiaMomentsModel::crankAngleChanged, this,
-            qOverload<>(&QWidget::update));
+    connect(model_, &InertiaMomentsModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
 }
 
 void FiringWheel::paintEvent(QPaintEvent* /*event*/) {

@@ -11,9 +11,9 @@
 
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "inertia-moments/pose.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
-#include "text/number_text.h"
 
 namespace ravnoves {
 
@@ -60,8 +60,7 @@ EngineView::EngineView(InertiaMomentsModel* model, QWidget* parent)
           parent),
       model_(model) {
     connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
-    connect(model_, &InertiaMomentsModel::crankAngleChanged, this,
-            qOverload<>(&QWidget::update));
+    connect(model_, &InertiaMomentsModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
 }
 
 void EngineView::play(double seconds) {

@@ -1,4 +1,4 @@
-#include "inertia-moments/inertia_moments_page.h"
+#include "inertia-moments/inertia_moments_charts.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -11,10 +11,9 @@
 #include "inertia-moments/crank_views.h"
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "inertia-moments/order_bars.h"
-#include "inertia-moments/presets.h"
 #include "inertia-moments/shaft_view.h"
+#include "plot/plot_view.h"
 #include "theme/theme.h"
-#include "widgets/value_slider.h"
 
 namespace ravnoves {
 
@@ -22,10 +21,9 @@ using inertia_moments::EngineOrder;
 using inertia_moments::Result;
 using inertia_moments::RotatingPair;
 using inertia_moments::WrenchCurves;
+using inertia_moments::zero_share;
 
 namespace {
-
-using Tabs = InertiaMomentsModel::Tabs;
 
 constexpr int plotStep = 3;        // degrees between the points of one order
 constexpr int cycleDegrees = 720;  // the paper's Fig. 6 shows two turns
@@ -39,6 +37,8 @@ enum MomentCurve {
     verticalLeft,
     horizontalLeft
 };
+// Curves of a hodograph, likewise.
+enum HodographCurve { firstOrder, secondOrder, allOrders, leftOver };
 
 /// The ellipse that a rotating pair runs round.
 void traceOrder(const RotatingPair& pair, std::vector<double>& x, std::vector<double>& y) {
@@ -83,14 +83,35 @@ double niceReach(double value) {
 
 }  // namespace
 
-QWidget* InertiaMomentsPage::buildPlots() {
-    auto* holder = new QWidget(this);
-    auto* column = new QVBoxLayout(holder);
+InertiaMomentsCharts::InertiaMomentsCharts(InertiaMomentsModel* model, QWidget* parent)
+    : QWidget(parent), model_(model), tabs_(new QTabWidget(this)) {
+    auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(Theme::space);
+    addMoments();
+    for (PlotView* plot : moments_) {
+        column->addWidget(plot, 4);
+    }
+    tabs_->setDocumentMode(true);
+    addHodographs();
+    addBars();
+    addRoll();
+    shaftView_ = new ShaftView(model_, tabs_);
+    tabs_->addTab(shaftView_, tr("Shafts"));
+    tabs_->addTab(new CounterweightView(model_, tabs_), tr("Weights"));
+    tabs_->addTab(new FiringWheel(model_, tabs_), tr("Firing"));
+    column->addWidget(tabs_, 6);
+    connect(tabs_, &QTabWidget::currentChanged, this, &InertiaMomentsCharts::showFront);
+    connect(model_, &SceneModel::changed, this, &InertiaMomentsCharts::showMoments);
+    connect(model_, &InertiaMomentsModel::crankAngleChanged, this,
+            &InertiaMomentsCharts::showCursor);
+    showMoments();
+    showCursor(model_->crankAngleDeg());
+}
 
+void InertiaMomentsCharts::addMoments() {
     for (std::size_t i = 0; i < moments_.size(); ++i) {
-        auto* plot = new PlotView(i == 0 ? tr("Order 1") : tr("Order 2"), holder);
+        auto* plot = new PlotView(i == 0 ? tr("Order 1") : tr("Order 2"), this);
         // One below the other: the lower one's axis title serves both.
         plot->setXAxis({i == 0 ? QString() : tr("φ, °"), 0.0, cycleDegrees, true});
         plot->setYAxis(PlotView::Side::Left, {tr("M, N·m")});
@@ -122,47 +143,41 @@ QWidget* InertiaMomentsPage::buildPlots() {
                         .toolTip = tr("Horizontal plane, likewise")});
         connect(plot, &PlotView::cursorMoved, model_, &InertiaMomentsModel::setCrankAngleDeg);
         moments_[i] = plot;
-        column->addWidget(plot, 4);
     }
-    column->addWidget(buildCharts(), 6);
-    return holder;
 }
 
-QWidget* InertiaMomentsPage::buildCharts() {
-    charts_ = new QTabWidget(this);
-    charts_->setDocumentMode(true);
-
-    auto* pair = new QWidget(charts_);
+void InertiaMomentsCharts::addHodographs() {
+    auto* pair = new QWidget(tabs_);
     auto* row = new QHBoxLayout(pair);
     row->setContentsMargins(0, Theme::gap, 0, 0);
     row->setSpacing(Theme::space);
     for (std::size_t i = 0; i < hodographs_.size(); ++i) {
-        Hodograph& hodograph = hodographs_[i];
         auto* plot = new PlotView(i == 0 ? tr("Forces") : tr("Moments"), pair);
         plot->setEqualScale(true);
         plot->setXAxis({i == 0 ? tr("Fx, N") : tr("Mx, N·m"), -1.0, 1.0});
         plot->setYAxis(PlotView::Side::Left, {i == 0 ? tr("Fy, N") : tr("My, N·m")});
-        hodograph.plot = plot;
-        hodograph.order1 = plot->addCurve(
+        hodographs_[i].plot = plot;
+        plot->addCurve(
             {.name = tr("1st"), .colour = 2, .toolTip = tr("Exact first order (Fig. 5)")});
-        hodograph.order2 = plot->addCurve({.name = tr("2nd"),
-                                           .colour = 1,
-                                           .pen = Qt::DashLine,
-                                           .toolTip = tr("Exact second order (Fig. 5)")});
-        hodograph.whole = plot->addCurve({.name = tr("all"),
-                                          .colour = 0,
-                                          .width = 1.2,
-                                          .toolTip = tr("All orders of the reciprocating parts")});
-        hodograph.left =
-            plot->addCurve({.name = tr("left"),
-                            .colour = 3,
-                            .toolTip = tr("All orders with rotating masses, and with the "
-                                          "counterweights and shafts that are on")});
+        plot->addCurve({.name = tr("2nd"),
+                        .colour = 1,
+                        .pen = Qt::DashLine,
+                        .toolTip = tr("Exact second order (Fig. 5)")});
+        plot->addCurve({.name = tr("all"),
+                        .colour = 0,
+                        .width = 1.2,
+                        .toolTip = tr("All orders of the reciprocating parts")});
+        plot->addCurve({.name = tr("left"),
+                        .colour = 3,
+                        .toolTip = tr("All orders with rotating masses, and with the "
+                                      "counterweights and shafts that are on")});
         row->addWidget(plot, 1);
     }
-    charts_->addTab(pair, tr("Hodographs"));
+    tabs_->addTab(pair, tr("Hodographs"));
+}
 
-    auto* orders = new QWidget(charts_);
+void InertiaMomentsCharts::addBars() {
+    auto* orders = new QWidget(tabs_);
     auto* ordersColumn = new QVBoxLayout(orders);
     ordersColumn->setContentsMargins(0, Theme::gap, 0, 0);
     ordersColumn->setSpacing(0);
@@ -176,9 +191,11 @@ QWidget* InertiaMomentsPage::buildCharts() {
     corner->addStretch();
     corner->addWidget(logarithmic, 0, Qt::AlignTop);
     ordersColumn->addWidget(bars_);
-    charts_->addTab(orders, tr("Orders"));
+    tabs_->addTab(orders, tr("Orders"));
+}
 
-    roll_ = new PlotView(tr("Roll moment on the engine"), charts_);
+void InertiaMomentsCharts::addRoll() {
+    roll_ = new PlotView(tr("Roll moment on the engine"), tabs_);
     roll_->setXAxis({tr("φ, °"), 0.0, cycleDegrees, true});
     roll_->setYAxis(PlotView::Side::Left, {tr("N·m")});
     roll_->addCurve({.name = tr("Mz"),
@@ -193,21 +210,10 @@ QWidget* InertiaMomentsPage::buildCharts() {
                      .colour = 3,
                      .toolTip = tr("Reaction of the inertia torque on the crank, −Σ F ds/dφ")});
     connect(roll_, &PlotView::cursorMoved, model_, &InertiaMomentsModel::setCrankAngleDeg);
-    charts_->addTab(roll_, tr("Roll"));
-    shaftView_ = new ShaftView(model_, charts_);
-    charts_->addTab(shaftView_, tr("Shafts"));
-    weightView_ = new CounterweightView(model_, charts_);
-    charts_->addTab(weightView_, tr("Weights"));
-    firing_ = new FiringWheel(model_, charts_);
-    charts_->addTab(firing_, tr("Firing"));
-    connect(charts_, &QTabWidget::currentChanged, this, [this](int index) {
-        model_->setTab(Tabs::Charts, index);
-        showCharts();
-    });
-    return charts_;
+    tabs_->addTab(roll_, tr("Roll"));
 }
 
-void InertiaMomentsPage::showResult() {
+void InertiaMomentsCharts::showMoments() {
     const Result& result = model_->result();
     constexpr auto points = static_cast<std::size_t>(cycleDegrees / plotStep) + 1;
     std::vector<double> angle(points);
@@ -219,7 +225,7 @@ void InertiaMomentsPage::showResult() {
                          const EngineOrder& order) {
         std::vector<double> x(points, 0.0);
         std::vector<double> y(points, 0.0);
-        const bool something = pair.max() > inertia_moments::zero_share * order.moment_scale;
+        const bool something = pair.max() > zero_share * order.moment_scale;
         for (std::size_t i = 0; i < points && something; ++i) {
             const auto vector = pair.at(angle[i] * degree * order.order);
             x[i] = vector.real();
@@ -230,13 +236,13 @@ void InertiaMomentsPage::showResult() {
         return something;
     };
     for (int k = 1; k <= 2; ++k) {
-        PlotView* plot = momentPlot(k);
+        PlotView* plot = moment(k);
         const EngineOrder& exact = result.exact.order(k);
         bool something = set(plot, vertical, horizontal, exact.moment, exact);
         set(plot, verticalTwoTerm, horizontalTwoTerm, result.two_term.order(k).moment, exact);
         // Only where something acts on this order.
         const RotatingPair& left = result.remaining.order(k).moment;
-        if ((left - exact.moment).max() > inertia_moments::zero_share * exact.moment_scale) {
+        if ((left - exact.moment).max() > zero_share * exact.moment_scale) {
             something = set(plot, verticalLeft, horizontalLeft, left, exact) || something;
         } else {
             plot->setCurve(verticalLeft, {}, {});
@@ -248,15 +254,12 @@ void InertiaMomentsPage::showResult() {
             plot->setYRange(PlotView::Side::Left, -1.0, 1.0);
         }
     }
-    showCharts();
-    showAnswer();
-    warning_->setText(model_->warningText());
-    warning_->setVisible(!warning_->text().isEmpty());
+    showFront();
 }
 
-void InertiaMomentsPage::showCharts() {
+void InertiaMomentsCharts::showFront() {
     // Only the tab in front; the others follow when they come to the front.
-    QWidget* front = charts_->currentWidget();
+    QWidget* front = tabs_->currentWidget();
     if (front == roll_) {
         const WrenchCurves& curves = model_->result().curves;
         std::vector<double> angle(2 * curves.crank_angle.size() - 1);
@@ -267,13 +270,13 @@ void InertiaMomentsPage::showCharts() {
         roll_->setCurve(0, angle, twice(curves.roll));
         roll_->setCurve(1, angle, twice(curves.inertia_roll));
         roll_->setCurve(2, angle, twice(curves.reaction_torque));
-    } else if (charts_->currentIndex() == 0) {
+    } else if (tabs_->currentIndex() == 0) {
         showHodograph(hodographs_[0], true);
         showHodograph(hodographs_[1], false);
     }
 }
 
-void InertiaMomentsPage::showHodograph(Hodograph& hodograph, bool force) {
+void InertiaMomentsCharts::showHodograph(Hodograph& hodograph, bool force) {
     const Result& result = model_->result();
     const auto member = [&](const EngineOrder& order) -> const RotatingPair& {
         return force ? order.force : order.moment;
@@ -281,35 +284,35 @@ void InertiaMomentsPage::showHodograph(Hodograph& hodograph, bool force) {
     std::vector<double> x;
     std::vector<double> y;
     double reach = 0.0;
-    const auto order = [&](int curve, int k) {
+    const auto trace = [&](int curve, int k) {
         traceOrder(member(result.exact.order(k)), x, y);
         reach = std::max(reach, reachOf(x, y));
         hodograph.plot->setCurve(curve, x, y);
     };
-    order(hodograph.order1, 1);
-    order(hodograph.order2, 2);
+    trace(firstOrder, 1);
+    trace(secondOrder, 2);
     const auto curve = [&](int number, const WrenchCurves& curves) {
         const auto& cx = force ? curves.force_x : curves.moment_x;
         const auto& cy = force ? curves.force_y : curves.moment_y;
         reach = std::max(reach, reachOf(cx, cy));
         hodograph.plot->setCurve(number, cx, cy);
     };
-    curve(hodograph.whole, result.curves);
+    curve(allOrders, result.curves);
     bool acts = false;
     for (std::size_t i = 0; i < result.exact.orders.size(); ++i) {
         const EngineOrder& before = result.exact.orders[i];
         const double scale = force ? before.force_scale : before.moment_scale;
-        acts = acts || (member(result.remaining.orders[i]) - member(before)).max() > 1e-9 * scale;
+        acts = acts ||
+               (member(result.remaining.orders[i]) - member(before)).max() > zero_share * scale;
     }
     if (acts) {
-        curve(hodograph.left, result.remaining_curves);
+        curve(leftOver, result.remaining_curves);
     } else {
-        hodograph.plot->setCurve(hodograph.left, {}, {});
+        hodograph.plot->setCurve(leftOver, {}, {});
     }
     // Rounding of a balanced engine is not a picture.
     const EngineOrder& first = result.exact.order(1);
-    const double floor =
-        inertia_moments::zero_share * (force ? first.force_scale : first.moment_scale);
+    const double floor = zero_share * (force ? first.force_scale : first.moment_scale);
     reach = std::max(reach, std::max(floor * 1e3, 1e-12));
     // With hysteresis, so that the axes rest while a slider moves.
     if (reach > hodograph.reach || reach < 0.45 * hodograph.reach) {
@@ -320,8 +323,7 @@ void InertiaMomentsPage::showHodograph(Hodograph& hodograph, bool force) {
     }
 }
 
-void InertiaMomentsPage::showCursor(double crankAngle) {
-    crank_->setValue(std::round(crankAngle));
+void InertiaMomentsCharts::showCursor(double crankAngle) {
     for (PlotView* plot : moments_) {
         plot->setPresentX(crankAngle);
     }

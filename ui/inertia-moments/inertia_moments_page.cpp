@@ -5,78 +5,79 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "inertia-moments/model/inertia_moments_model.h"
+#include "inertia-moments/cylinder_editor.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
 
-using inertia_moments::Input;
-
-namespace {
-
 using Tabs = InertiaMomentsModel::Tabs;
-
-}  // namespace
 
 InertiaMomentsPage::InertiaMomentsPage(QWidget* parent)
     : ScenePage(parent), model_(new InertiaMomentsModel(this)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     row->setSpacing(Theme::space);
-    row->addWidget(buildInputs());
+    QTabWidget* inputs = makeInputs();
+    row->addWidget(inputs);
     // The sliders over plots and picture: they need length.
     auto* right = new QVBoxLayout;
     right->setSpacing(Theme::space);
-    right->addWidget(buildSliders());
+    sliders_ = new EngineSliders(model_, this);
+    right->addWidget(sliders_);
     auto* lower = new QHBoxLayout;
     lower->setSpacing(Theme::space);
-    lower->addWidget(buildPlots(), 5);
-    lower->addWidget(buildAnswer(), 3);
+    charts_ = new InertiaMomentsCharts(model_, this);
+    lower->addWidget(charts_, 5);
+    answer_ = new InertiaMomentsAnswer(model_, this);
+    lower->addWidget(answer_, 3);
     right->addLayout(lower, 1);
     row->addLayout(right, 1);
 
+    followTabs(inputs, Tabs::Inputs);
+    followTabs(charts_->tabs(), Tabs::Charts);
+    followTabs(answer_->tabs(), Tabs::Answer);
+    connect(model_, &SceneModel::refused, this, &ScenePage::status);
+    addShaftsAction();
+}
+
+QTabWidget* InertiaMomentsPage::makeInputs() {
+    auto* inputs = new QTabWidget(this);
+    inputs->setDocumentMode(true);
+    inputs->setFixedWidth(300);
+    engine_ = new EngineForm(model_);
+    inputs->addTab(scrolled(engine_, inputs), tr("Engine"));
+    cylinders_ = new CylinderEditor(model_, inputs);
+    inputs->addTab(cylinders_, tr("Cylinders"));
+    inputs->addTab(scrolled(new BalancingForm(model_), inputs), tr("Balancing"));
+    return inputs;
+}
+
+void InertiaMomentsPage::followTabs(QTabWidget* tabs, Tabs group) {
+    connect(tabs, &QTabWidget::currentChanged, model_,
+            [this, group](int index) { model_->setTab(group, index); });
+    connect(model_, &InertiaMomentsModel::tabChanged, tabs, [tabs, group](Tabs which, int index) {
+        if (which == group) {
+            tabs->setCurrentIndex(index);
+        }
+    });
+}
+
+void InertiaMomentsPage::addShaftsAction() {
     shaftsAction_ = new QAction(themedIcon(QStringLiteral("best")), tr("&Shafts on or off"), this);
     shaftsAction_->setToolTip(tr("Switch all balance shafts on, or off when all are on"));
     connect(shaftsAction_, &QAction::triggered, this, [this] {
         const auto& shafts = model_->input().shafts;
         const bool all = std::all_of(shafts.begin(), shafts.end(),
                                      [](const auto& shaft) { return shaft.enabled; });
-        model_->edit(all ? tr("All shafts off") : tr("All shafts on"), [all](Input& input) {
-            for (auto& shaft : input.shafts) {
-                shaft.enabled = !all;
-            }
-        });
+        model_->edit(all ? tr("All shafts off") : tr("All shafts on"),
+                     [all](inertia_moments::Input& input) {
+                         for (auto& shaft : input.shafts) {
+                             shaft.enabled = !all;
+                         }
+                     });
         model_->finishDrag();
     });
-    connect(model_, &SceneModel::changed, this, &InertiaMomentsPage::showInput);
-    connect(model_, &SceneModel::changed, this, &InertiaMomentsPage::showResult);
-    connect(model_, &InertiaMomentsModel::crankAngleChanged, this,
-            &InertiaMomentsPage::showCursor);
-    connect(model_, &InertiaMomentsModel::refused, this, [this](const QString& why) {
-        Q_EMIT status(why);
-        showSliders();  // a slider that went too far comes back
-    });
-    connect(model_, &InertiaMomentsModel::tabChanged, this, [this](Tabs group, int index) {
-        QTabWidget* tabs = group == Tabs::Inputs   ? inputs_
-                           : group == Tabs::Charts ? charts_
-                                                   : answer_;
-        tabs->setCurrentIndex(index);
-        showCharts();
-        showAnswer();
-    });
-
-    showInput();
-    showResult();
-    showCursor(model_->crankAngleDeg());
-}
-
-SceneModel* InertiaMomentsPage::model() {
-    return model_;
-}
-
-QList<QAction*> InertiaMomentsPage::sceneActions() {
-    return {playAction_, shaftsAction_};
 }
 
 }  // namespace ravnoves

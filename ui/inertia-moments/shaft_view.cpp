@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "inertia-moments/model/inertia_moments_model.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
-#include "text/number_text.h"
 
 namespace ravnoves {
 
@@ -27,8 +27,7 @@ QString short4(double value) {
 
 }  // namespace
 
-ShaftView::ShaftView(InertiaMomentsModel* model, QWidget* parent)
-    : QWidget(parent), model_(model) {
+ShaftView::ShaftView(InertiaMomentsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Balance shafts: arrangement and phases"));
     setToolTip(
@@ -37,8 +36,7 @@ ShaftView::ShaftView(InertiaMomentsModel* model, QWidget* parent)
            "switch it; arrow keys and Space do the same."));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
-    connect(model_, &InertiaMomentsModel::crankAngleChanged, this,
-            qOverload<>(&QWidget::update));
+    connect(model_, &InertiaMomentsModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 

@@ -5,6 +5,7 @@
 #include <new>
 #include <utility>
 
+#include "numerics/vector_state.h"
 #include "text/error_text.h"
 
 namespace ravnoves {
@@ -72,6 +73,7 @@ void BackgroundJob::launch() {
             return !*stop;
         };
         std::function<void()> apply;
+        clear_vector_state();
         try {
             apply = work(report);
         } catch (...) {

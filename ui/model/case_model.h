@@ -9,6 +9,7 @@
 #include "model/input_command.h"
 #include "model/scene_model.h"
 #include "numerics/demand.h"
+#include "numerics/vector_state.h"
 #include "text/error_text.h"
 
 namespace ravnoves {
@@ -42,6 +43,7 @@ class CaseModel : public SceneModel {
         if (next == input_) {
             return {};
         }
+        clear_vector_state();  // painting may have left it in use
         try {
             prepared_ = scene_.solve(next);
         } catch (const InputError& error) {

@@ -119,7 +119,9 @@ QComboBox* Form::choice(const char* pointer) {
     connect(box, &QComboBox::activated, this,
             [this, place = entry.pointer, name = fieldName(entry.field)](int index) {
                 model_->finishDrag();
-                model_->editField(place, index, name);
+                if (!model_->editField(place, index, name).isEmpty()) {
+                    showAll();  // refused: the choice goes back
+                }
             });
     add(pointer, box, [box](const FieldValue& value) {
         const int* index = std::get_if<int>(&value);

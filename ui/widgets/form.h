@@ -51,6 +51,10 @@ class Form : public QWidget {
     /// Entries that are refused now: "Crank radius r, mm: The value must be greater than 0 mm."
     QStringList refused() const;
 
+  protected:
+    /// One editing is one step of the history.
+    void groupSteps(EntryField* field);
+
   private:
     struct Row {
         std::string pointer;
@@ -60,8 +64,6 @@ class Form : public QWidget {
 
     const FieldEntry& described(const char* pointer) const;
     void add(const char* pointer, QWidget* field, std::function<void(const FieldValue&)> show);
-    /// One editing is one step of the history.
-    void groupSteps(EntryField* field);
     void showAll();
 
     SceneModel* model_;

@@ -75,17 +75,6 @@ NumberField* FormSection::addNumber(const QString& label, const FieldSpec& spec,
         QString::fromUtf8(spec.key.data(), static_cast<qsizetype>(spec.key.size())));
     field->setMaximumWidth(96);
     addWidget(label, field, shownUnit, {});
-
-    auto* trouble = new QLabel(this);
-    trouble->setWordWrap(true);
-    trouble->setFont(Theme::font(Theme::smallSize));
-    trouble->hide();
-    grid_->addWidget(trouble, row_++, 0, 1, 3);
-    connect(field, &NumberField::troubleChanged, trouble, [trouble](const QString& text) {
-        colourText(trouble, Theme::instance().error());
-        trouble->setText(text);
-        trouble->setVisible(!text.isEmpty());
-    });
     return field;
 }
 
@@ -121,6 +110,18 @@ void FormSection::addWidget(const QString& label, QWidget* field, const QString&
         grid_->addWidget(unitLabel, row_, 2);
     }
     ++row_;
+    if (auto* entry = qobject_cast<EntryField*>(field)) {
+        auto* trouble = new QLabel(this);
+        trouble->setWordWrap(true);
+        trouble->setFont(Theme::font(Theme::smallSize));
+        trouble->hide();
+        grid_->addWidget(trouble, row_++, 0, 1, 3);
+        connect(entry, &EntryField::troubleChanged, trouble, [trouble](const QString& text) {
+            colourText(trouble, Theme::instance().error());
+            trouble->setText(text);
+            trouble->setVisible(!text.isEmpty());
+        });
+    }
 }
 
 void FormSection::addWide(QWidget* widget) {

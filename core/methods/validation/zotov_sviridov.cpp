@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "case-file/range.h"
 #include "elastic-hinge/presets.h"
 #include "elastic-hinge/solver.h"
 #include "methods/validation/rows.h"

@@ -155,10 +155,42 @@ TEST(Fields, EveryScalarIsReadAndSetByItsPointer) {
     EXPECT_FALSE(s.depth.has_value());
     EXPECT_FALSE(set_field(s, "/length_mm", FieldValue())) << "a length cannot be empty";
     EXPECT_FALSE(set_field(s, "/nothing", FieldValue(1.0)));
+    EXPECT_TRUE(set_field(s, "/share", FieldValue()));
+    EXPECT_EQ(s.share, 0.5) << "what may be left out has its default when empty";
     s.part.reset();
     EXPECT_TRUE(set_field(s, "/part/mass_g", FieldValue(7.0)));
     ASSERT_TRUE(s.part.has_value());
     EXPECT_EQ(s.part->mass, 7 * units::gram);
+}
+
+struct Weight {
+    std::optional<double> mass;  // kg; empty: by formula
+    std::optional<Part> other;
+    bool operator==(const Weight&) const = default;
+};
+
+void visit_fields(FieldVisitor& visitor, Weight& weight) {
+    visitor.number_or_word(field::mass, weight.mass, "solve");
+    visitor.object(field::part, weight.other,
+                   [&](Part& part) { visitor.number(field::mass, part.mass); });
+}
+
+TEST(Fields, ANumberMayBeAWord) {
+    const Json given = parse_json(R"({"mass_g": 46, "part": {"mass_g": 3}})");
+    const Weight weight = read_fields<Weight>(given);
+    EXPECT_EQ(weight.mass, 46 * units::gram);
+    EXPECT_EQ(weight.other->mass, 3 * units::gram);
+    EXPECT_EQ(write_fields(weight), given);
+    const Json solved = parse_json(R"({"mass_g": "solve"})");
+    EXPECT_EQ(read_fields<Weight>(solved), Weight());
+    EXPECT_EQ(write_fields(Weight()), solved);
+    try {
+        read_fields<Weight>(parse_json(R"({"mass_g": "auto"})"));
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(), "/input/mass_g: must be a number or \"solve\", got \"auto\"");
+    }
+    EXPECT_THROW(read_fields<Weight>(parse_json("{}")), InputError);
 }
 
 TEST(Fields, TheTableOfTheHelpListsEveryKey) {

@@ -211,14 +211,14 @@ TEST(GuideStability, ThePreloadTouchesTheLeastOne) {
         return elastic_hinge::solve(input).crank_guide;
     };
     const auto just = guide_with(least * (1.0 + 1e-13));
-    EXPECT_TRUE(just.feasible) << just.reason;
+    EXPECT_TRUE(just.feasible) << just.reason.english();
     for (const double radius : just.radius_compressed) {
         EXPECT_TRUE(std::isfinite(radius));
     }
     EXPECT_LT(just.smallest_deflection, 1e-6 * least);
     const auto missing = guide_with(least * (1.0 - 1e-9));
     EXPECT_FALSE(missing.feasible);
-    EXPECT_TRUE(says(missing.reason, "preload")) << missing.reason;
+    EXPECT_TRUE(says(missing.reason.english(), "preload"));
 }
 
 TEST(GuideStability, TheOdeIsSingularThereAndTheClosedFormIsNot) {

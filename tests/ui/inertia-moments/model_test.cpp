@@ -207,16 +207,19 @@ TEST(InertiaMomentsModel, ShaftsAreAddedInPairsAndRemoved) {
 
 TEST(InertiaMomentsModel, FiringOrdersAreReadAsPeopleWriteThem) {
     InertiaMomentsModel model;
-    EXPECT_EQ(model.setFiringOrderText(QStringLiteral("1, 3, 5, 4, 2")), QString());
+    EXPECT_EQ(model.setFiringOrder(InertiaMomentsModel::readOrder(QStringLiteral("1, 3, 5, 4, 2"))),
+              QString());
     EXPECT_EQ(model.firingOrderText(), QStringLiteral("1-3-5-4-2"));
     for (const QString& bad :
          {QStringLiteral("1-2-3"), QStringLiteral("1-2-3-4-4"),
           QStringLiteral("1-2-3-4-9999999999"), QString(), QStringLiteral("abc")}) {
-        EXPECT_FALSE(model.setFiringOrderText(bad).isEmpty()) << bad.toStdString();
+        const std::vector<int> order = InertiaMomentsModel::readOrder(bad);
+        EXPECT_FALSE(model.orderTrouble(order).isEmpty()) << bad.toStdString();
+        EXPECT_FALSE(model.setFiringOrder(order).isEmpty()) << bad.toStdString();
     }
     EXPECT_EQ(model.firingOrderText(), QStringLiteral("1-3-5-4-2"));
     model.makeTable();
-    EXPECT_EQ(model.setFiringOrderText({}), QString());
+    EXPECT_EQ(model.setFiringOrder({}), QString());
     EXPECT_TRUE(model.firingOrderText().isEmpty());
     EXPECT_FALSE(model.setEvenFiring().isEmpty());
 }

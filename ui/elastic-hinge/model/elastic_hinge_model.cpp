@@ -7,15 +7,16 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "elastic-hinge/fields.h"
 #include "plot/model/ticks.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
+#include "text/message_text.h"
 #include "text/number_text.h"
 
 namespace ravnoves {
 
 using elastic_hinge::Branch;
-using elastic_hinge::CounterweightInertia;
 using elastic_hinge::Guide;
 using elastic_hinge::GuideProblem;
 using elastic_hinge::GuideProposal;
@@ -23,16 +24,14 @@ using elastic_hinge::GuideSign;
 using elastic_hinge::GuideWish;
 using elastic_hinge::Hinge;
 using elastic_hinge::Input;
-using elastic_hinge::Kinematics;
 using elastic_hinge::Motion;
 using elastic_hinge::MotionEnd;
 using elastic_hinge::Result;
 using elastic_hinge::Spring;
+namespace field = elastic_hinge::field;
 
 namespace {
 
-constexpr double mm = 1e3;  ///< per metre
-constexpr double um = 1e6;
 constexpr double margin = 1.001;     ///< beyond the least preload or stiffness that would do
 constexpr double poorTorque = 0.05;  ///< part of the moment that a profile error may spoil
 
@@ -51,7 +50,7 @@ QString significant(double value, int digits = 4) {
 
 /// A preload in mm, rounded up so that what is shown suffices.
 QString millimetresUp(double length) {
-    return number(std::ceil(length * mm * 1e4 - 1e-9) / 1e4, 4);
+    return number(std::ceil(length / units::mm * 1e4 - 1e-9) / 1e4, 4);
 }
 
 QString percent(double fraction, int decimals = 1) {
@@ -82,7 +81,8 @@ std::vector<double> readList(const QString& key, const QString& value) {
     for (const QString& part : value.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
         const auto read = readFormNumber(part);
         if (!read) {
-            throw InputError(key.toStdString(), "must be numbers with blanks between them",
+            throw InputError(key.toStdString(),
+                             CORE_TEXT("elastic-hinge", "must be numbers with blanks between them"),
                              value.toStdString());
         }
         numbers.push_back(*read);
@@ -140,27 +140,22 @@ bool ElasticHingeModel::setViewOption(const QString& key, const QString& value) 
 }
 
 void ElasticHingeModel::setCompareSpeeds(const std::vector<double>& speeds) {
-    for (const double speed : speeds) {
-        if (!elastic_hinge::field::angular_speed.range.contains(speed)) {
-            throw InputError("compare_speeds", elastic_hinge::field::angular_speed.range.describe(),
-                             format_number(speed));
-        }
-    }
-    if (speeds != scene().options.speeds) {
-        scene().options.speeds = speeds;
-        solveAgain();
-    }
+    compare(scene().options.speeds, speeds, "compare_speeds", field::angular_speed.range);
 }
 
 void ElasticHingeModel::setCompareLambdas(const std::vector<double>& lambdas) {
-    for (const double lambda : lambdas) {
-        if (!elastic_hinge::field::lambda.range.contains(lambda)) {
-            throw InputError("compare_lambdas", elastic_hinge::field::lambda.range.describe(),
-                             format_number(lambda));
+    compare(scene().options.lambdas, lambdas, "compare_lambdas", field::lambda.range);
+}
+
+void ElasticHingeModel::compare(std::vector<double>& kept, const std::vector<double>& wanted,
+                                const char* key, const Range& range) {
+    for (const double value : wanted) {
+        if (!range.contains(value)) {
+            throw InputError(key, range.message(), Number{value});
         }
     }
-    if (lambdas != scene().options.lambdas) {
-        scene().options.lambdas = lambdas;
+    if (wanted != kept) {
+        kept = wanted;
         solveAgain();
     }
 }
@@ -254,8 +249,9 @@ double ElasticHingeModel::exaggeration() const {
 }
 
 void ElasticHingeModel::setExaggeration(std::optional<double> factor) {
-    if (factor && !(*factor >= 1.0 && *factor <= 1e6)) {
-        throw InputError("exaggeration", "must be from 1 to 1000000", format_number(*factor));
+    constexpr Range range = Range::between(1, 1e6);
+    if (factor && !range.contains(*factor)) {
+        throw InputError("exaggeration", range.message(), Number{*factor});
     }
     if (factor != exaggeration_) {
         exaggeration_ = factor;
@@ -265,8 +261,21 @@ void ElasticHingeModel::setExaggeration(std::optional<double> factor) {
 
 // --------------------------------------------------------------------------------------- search
 
-GuideWish ElasticHingeModel::wish() const {
-    return input().guide_search.value_or(GuideWish{});
+void ElasticHingeModel::setGravity(double gravity) {
+    edit(fieldName(field::gravity), [&](Input& input) {
+        if (input.masses_as_weights) {
+            const Field before = field::as_weight({}, input.gravity);
+            const Field after = field::as_weight({}, gravity);
+            for (double* mass : {&input.crank_mass, &input.rod_mass, &input.slider_mass}) {
+                *mass = from_si(before, *mass) * after.unit;
+            }
+            if (input.rod_counterweight && input.rod_counterweight->mass) {
+                double& mass = *input.rod_counterweight->mass;
+                mass = from_si(before, mass) * after.unit;
+            }
+        }
+        input.gravity = gravity;
+    });
 }
 
 const GuideProposal& ElasticHingeModel::proposal() const {
@@ -274,10 +283,12 @@ const GuideProposal& ElasticHingeModel::proposal() const {
         if (input().spring) {
             solved().proposal = elastic_hinge::search_guide(
                 result().design, Hinge::crank, input().guide_sign, result().crank_guide.branch,
-                input().spring->free_length, input().roller_radius, wish());
+                input().spring->free_length, input().roller_radius,
+                input().guide_search.value_or(GuideWish{}));
         } else {
             solved().proposal = GuideProposal{};
-            solved().proposal->reason = tr("No spring is given.").toStdString();
+            solved().proposal->reason =
+                CORE_TEXT("elastic-hinge", "no spring is given: its free length is needed");
         }
     }
     return *solved().proposal;
@@ -285,39 +296,16 @@ const GuideProposal& ElasticHingeModel::proposal() const {
 
 QString ElasticHingeModel::proposalText() const {
     const GuideProposal& found = proposal();
-    using elastic_hinge::SearchProblem;
-    const double length = input().spring ? input().spring->free_length : 0.0;
-    switch (found.problem) {
-        case SearchProblem::mechanism_locks:
-            return tr("None: at λ = 1 the mechanism locks.");
-        case SearchProblem::no_energy:
-            return tr("None: the hinge has no energy to give out, its guide is a circle.");
-        case SearchProblem::spring_too_short:
-            return tr("None: a spring of %1 mm that gets no shorter than %2 mm leaves no room for "
-                      "this relief.")
-                .arg(number(length * mm, 1), number(found.smallest_spring_length * mm, 1));
-        case SearchProblem::diameter_too_small:
-            return tr("None: with a spring of %1 mm this relief needs an outer diameter of at "
-                      "least %2 mm.")
-                .arg(number(length * mm, 1),
-                     number(std::ceil(found.needed_outer_diameter * mm * 10.0) / 10.0, 1));
-        case SearchProblem::undercut:
-            return tr("None: the roller of radius %1 mm undercuts every guide with this relief.")
-                .arg(significant(input().roller_radius * mm));
-        case SearchProblem::stiffness_out_of_range:
-            return tr("None: the stiffness that would be needed is out of range.");
-        case SearchProblem::none:
-            break;
-    }
     if (!found.found) {
-        return tr("No spring is given.");
+        return tr("None: %1.").arg(messageText(found.reason));
     }
     return tr("c = %1 kN/m, ρ₀ = %2 mm: relief %3 mm within %4 mm; the spring is at least %5 mm "
               "long, bears up to %6 kN and stores up to %7 J.")
-        .arg(significant(found.spring.stiffness / 1e3, 5),
-             number(found.spring.guide_radius_at_zero * mm, 3), number(found.relief * mm, 3),
-             number(found.outer_diameter * mm, 1), number(found.smallest_spring_length * mm, 1),
-             significant(found.largest_spring_force / 1e3),
+        .arg(significant(found.spring.stiffness / units::kN_per_m, 5),
+             number(found.spring.guide_radius_at_zero / units::mm, 3),
+             number(found.relief / units::mm, 3), number(found.outer_diameter / units::mm, 1),
+             number(found.smallest_spring_length / units::mm, 1),
+             significant(found.largest_spring_force / units::kN),
              significant(found.largest_spring_energy));
 }
 
@@ -343,7 +331,7 @@ void ElasticHingeModel::takeMinimumPreload() {
         // Rounded away from ℓ₀/2 to what a drawing would say.
         const double radius = 0.5 * input.spring->free_length + side * preload;
         input.spring->guide_radius_at_zero =
-            side * std::ceil(side * radius * mm * 1e3 - 1e-9) / 1e3 / mm;
+            side * std::ceil(side * radius / units::mm * 1e3 - 1e-9) / 1e3 * units::mm;
     });
     finishDrag();
 }
@@ -365,57 +353,32 @@ void ElasticHingeModel::takeMinimumStiffness() {
 ElasticHingeModel::Verdict ElasticHingeModel::verdict() const {
     using Level = Verdict::Level;
     const Guide& guide = result().crank_guide;
-    switch (guide.problem) {
-        case GuideProblem::mechanism_locks:
-            return {Level::Bad,
-                    tr("At λ = 1 the mechanism locks: there is no guide and no motion. The "
-                       "series still draws M₁₂ and the side force.")};
-        case GuideProblem::no_spring:
-            return {Level::Bad, tr("No spring is given, so there is no guide.")};
-        case GuideProblem::radius_not_positive:
-            return {Level::Bad,
-                    tr("No guide: the spring would have to be compressed by %1 mm of its %2 mm.")
-                        .arg(number(2.0 * guide.largest_deflection * mm, 1),
-                             number(input().spring->free_length * mm, 1))};
-        case GuideProblem::preload_too_small: {
-            QString text =
-                tr("No guide: from φ = %1° on the spring would have to give out more than it "
-                   "stores (most at %2°). It needs a preload |ℓ₀/2 − ρ₀| of %3 mm and has %4 mm")
-                    .arg(number(guide.first_missing_angle / degree, 1),
-                         number(guide.worst_angle / degree, 1),
-                         millimetresUp(guide.minimum_preload), number(guide.preload * mm, 3));
-            if (guide.minimum_stiffness &&
-                elastic_hinge::field::stiffness.range.contains(*guide.minimum_stiffness)) {
-                text += tr(", or with this preload a stiffness of %1 kN/m")
-                            .arg(significant(*guide.minimum_stiffness * margin / 1e3));
-            }
-            return {Level::Bad, text + QLatin1Char('.')};
-        }
-        case GuideProblem::none:
-            break;
+    if (!guide.feasible) {
+        return {Level::Bad, tr("No guide: %1.").arg(messageText(guide.reason))};
     }
     if (guide.summary().undercut) {
-        return {Level::Bad, tr("The roller of radius %1 mm undercuts the guide: at most %2 mm "
-                               "follow it.")
-                                .arg(significant(input().roller_radius * mm),
-                                     number(*guide.summary().largest_roller_radius * mm, 2))};
+        return {Level::Bad,
+                tr("The roller of radius %1 mm undercuts the guide: at most %2 mm "
+                   "follow it.")
+                    .arg(significant(input().roller_radius / units::mm),
+                         number(*guide.summary().largest_roller_radius / units::mm, 2))};
     }
     if (input().guide_sign == GuideSign::as_printed) {
         return {Level::Warning,
                 tr("The guide exists, but with the printed sign it stores what the mechanism "
                    "takes up: the crank does not keep its speed.")};
     }
-    const QString error = significant(guide.error.amplitude * um, 3);
+    const QString error = significant(guide.error.amplitude / units::micrometre, 3);
     const QString spoilt = percent(guide.error.relative);
     if (guide.error.relative > poorTorque) {
         return {Level::Warning,
                 tr("The guide exists, but cannot be made: with a relief of %1 mm a profile error "
                    "of %2 µm changes its moment by up to %3.")
-                    .arg(number(guide.relief * mm, 3), error, spoilt)};
+                    .arg(number(guide.relief / units::mm, 3), error, spoilt)};
     }
     return {Level::Good, tr("The guide exists: relief %1 mm; a profile error of %2 µm changes its "
                             "moment by up to %3.")
-                             .arg(number(guide.relief * mm, 3), error, spoilt)};
+                             .arg(number(guide.relief / units::mm, 3), error, spoilt)};
 }
 
 QStringList ElasticHingeModel::quantityColumns() const {
@@ -432,29 +395,30 @@ QVector<QStringList> ElasticHingeModel::quantityRows() const {
     const auto when = [&](bool shown, const QString& text) { return shown ? text : none; };
 
     QVector<QStringList> rows;
-    rows << QStringList{tr("Relief of the guide"), when(there, number(guide.relief * mm, 4)),
+    rows << QStringList{tr("Relief of the guide"), when(there, number(guide.relief / units::mm, 4)),
                         millimetre};
     rows << QStringList{tr("Preload needed / given"),
                         when(known, millimetresUp(guide.minimum_preload) + QStringLiteral(" / ") +
-                                        number(guide.preload * mm, 2)),
+                                        number(guide.preload / units::mm, 2)),
                         millimetre};
-    rows << QStringList{tr("Spring travel"), when(there, number(guide.spring_travel * mm, 3)),
-                        millimetre};
+    rows << QStringList{tr("Spring travel"),
+                        when(there, number(guide.spring_travel / units::mm, 3)), millimetre};
     rows << QStringList{tr("Largest spring force"),
-                        when(there, significant(guide.largest_spring_force / 1e3)), tr("kN")};
+                        when(there, significant(guide.largest_spring_force / units::kN)), tr("kN")};
+    rows << QStringList{tr("Moment error from %1 µm")
+                            .arg(significant(input().profile_error / units::micrometre, 3)),
+                        when(there, number(guide.error.torque, 2) + QStringLiteral(" (") +
+                                        percent(guide.error.relative) + QLatin1Char(')')),
+                        tr("N·m")};
     rows << QStringList{
-        tr("Moment error from %1 µm").arg(significant(input().profile_error * um, 3)),
-        when(there, number(guide.error.torque, 2) + QStringLiteral(" (") +
-                        percent(guide.error.relative) + QLatin1Char(')')),
-        tr("N·m")};
-    rows << QStringList{tr("Least curvature radius"),
-                        when(there, number(guide.summary().smallest_curvature_radius * mm, 2)),
-                        millimetre};
-    rows << QStringList{tr("Largest roller radius"),
-                        when(there, guide.summary().largest_roller_radius
-                                        ? number(*guide.summary().largest_roller_radius * mm, 2)
-                                        : tr("any")),
-                        millimetre};
+        tr("Least curvature radius"),
+        when(there, number(guide.summary().smallest_curvature_radius / units::mm, 2)), millimetre};
+    rows << QStringList{
+        tr("Largest roller radius"),
+        when(there, guide.summary().largest_roller_radius
+                        ? number(*guide.summary().largest_roller_radius / units::mm, 2)
+                        : tr("any")),
+        millimetre};
     rows << QStringList{tr("∮ M₁₂ dφ"), number(result().rod_hinge_integral, 3), tr("J")};
     rows << QStringList{tr("Side force without hinge"),
                         number(result().largest_side_force_without, 1), newton};
@@ -495,19 +459,8 @@ QVector<QStringList> ElasticHingeModel::quantityRows() const {
 
 QString ElasticHingeModel::notesText() const {
     QStringList lines;
-    if (input().kinematics == Kinematics::series && result().series_error > 0.01) {
-        lines << tr("The series is off by %1 in cos ψ at φ = %2°; use the exact kinematics for a "
-                    "design.")
-                     .arg(significant(result().series_error, 3),
-                          number(result().series_error_angle / degree, 0));
-    }
-    if (input().rod_counterweight &&
-        input().rod_counterweight->inertia == CounterweightInertia::as_printed &&
-        result().counterweight_mass > 0.0 && !result().side_force_true.empty()) {
-        lines << tr("Equation (9) as printed has the wrong sign at the counterweight's inertia: "
-                    "the slider would still bear up to %1 N. Newton–Euler makes the side force "
-                    "zero.")
-                     .arg(number(result().largest_side_force_true, 0));
+    for (const Message& note : result().notes) {
+        lines << messageText(note);
     }
     return lines.join(QLatin1Char('\n'));
 }
@@ -524,25 +477,13 @@ QString ElasticHingeModel::motionsText() const {
         if (!motion) {
             return;
         }
-        const QString turned =
-            number(std::abs(motion->crank_angle.back() - motion->crank_angle.front()) / two_pi, 2);
-        switch (motion->end) {
-            case MotionEnd::completed:
-                lines << tr("%1: %2…%3 rad/s, drift %4")
-                             .arg(name, significant(motion->min_speed, 5),
-                                  significant(motion->max_speed, 5),
-                                  powerText(motion->energy_drift, QLocale(), 1));
-                break;
-            case MotionEnd::reversed:
-                lines << tr("%1: the crank stops after %2 turns and would turn back")
-                             .arg(name, turned);
-                break;
-            case MotionEnd::too_slow:
-                lines << tr("%1: only %2 turns in %3 s")
-                             .arg(name, turned, significant(motion->time.back()));
-                break;
-            case MotionEnd::cancelled:
-                break;
+        if (motion->end == MotionEnd::completed) {
+            lines << tr("%1: %2…%3 rad/s, drift %4")
+                         .arg(name, significant(motion->min_speed, 5),
+                              significant(motion->max_speed, 5),
+                              powerText(motion->energy_drift, QLocale(), 1));
+        } else if (motion->end != MotionEnd::cancelled) {
+            lines << name + QStringLiteral(": ") + messageText(motion->reason);
         }
     };
     add(tr("without hinge"), motions_->without);

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "case-file/json.h"
-#include "elastic-hinge/scene.h"
 #include "elastic-hinge/guide_export.h"
 #include "elastic-hinge/model/motion_runner.h"
+#include "elastic-hinge/presets.h"
+#include "elastic-hinge/scene.h"
 #include "elastic-hinge/solver.h"
 #include "model/case_model.h"
-#include "elastic-hinge/presets.h"
 
 namespace ravnoves {
 
@@ -91,14 +91,21 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     void setCompareSpeeds(const std::vector<double>& speeds);
     void setCompareLambdas(const std::vector<double>& lambdas);
 
-    /// What the search is asked for, and what it finds now (computed when first asked).
-    elastic_hinge::GuideWish wish() const;
+    /// Sets gravity, m/s². Where the case gives weights they stay, and the masses follow.
+    void setGravity(double gravity);
+
+    /// What the search for a guide finds now (computed when first asked).
     const elastic_hinge::GuideProposal& proposal() const;
     QString proposalText() const;
     void takeProposal();
     /// Give the crank's guide what it needs.
     void takeMinimumPreload();
     void takeMinimumStiffness();
+
+    /// True where a counterweight by (10) leaves rounding only of the side force.
+    bool sideForceVanishes() const {
+        return result().largest_side_force_with <= 1e-9 * result().largest_side_force_without;
+    }
 
     Verdict verdict() const;
     // What the page's tables show: text in the user's locale, the first column the row's name.
@@ -121,6 +128,8 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     void motionsChanged();
 
   private:
+    void compare(std::vector<double>& kept, const std::vector<double>& wanted, const char* key,
+                 const Range& range);
     void taken() override { runner_.start(input(), solved().result); }
 
     MotionRunner runner_{this};

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 
+#include "inertia-moments/fields.h"
 #include "inertia-moments/model/inertia_moments_model.h"
+#include "text/message_text.h"
 #include "text/number_text.h"
 
 namespace ravnoves {
@@ -16,7 +18,7 @@ namespace field = inertia_moments::field;
 namespace {
 
 struct ColumnInfo {
-    const FieldSpec* field;
+    const Field* field;
     double Cylinder::*member;
 };
 
@@ -31,16 +33,6 @@ const std::array<ColumnInfo, CylinderTableModel::Columns>& columns() {
 
 const ColumnInfo& infoOf(int index) {
     return columns().at(static_cast<std::size_t>(index));
-}
-
-/// Makes the input's table the one that is edited.
-std::vector<Cylinder>& ownTable(Input& input, const std::vector<Cylinder>& shown) {
-    if (input.layout) {
-        input.cylinders = inertia_moments::rounded(shown);
-        input.firing_order = input.layout->firing_order;
-        input.layout.reset();
-    }
-    return input.cylinders;
 }
 
 }  // namespace
@@ -118,12 +110,11 @@ bool CylinderTableModel::setData(const QModelIndex& index, const QVariant& value
     if (!number || !info.field->range.contains(*number)) {
         why = tr("Cylinder %1: %2")
                   .arg(QString::number(index.row() + 1),
-                       rangeText(info.field->range, unitText(info.field->unit), QLocale()));
+                       rangeText(info.field->range, unitText(info.field->unit.name), QLocale()));
     } else {
         why = model_->edit(tr("Cylinder %1").arg(index.row() + 1), [&](Input& input) {
-            ownTable(input, model_->result().engine.cylinders)
-                    .at(static_cast<std::size_t>(index.row())).*
-                info.member = *number * info.field->to_si;
+            model_->tableOf(input).at(static_cast<std::size_t>(index.row())).*info.member =
+                *number * info.field->unit;
         });
         model_->finishDrag();
     }
@@ -141,42 +132,22 @@ QVariant CylinderTableModel::headerData(int section, Qt::Orientation orientation
     if (orientation == Qt::Vertical) {
         return role == Qt::DisplayRole ? QVariant(section + 1) : QVariant();
     }
-    if (role == Qt::DisplayRole) {
-        switch (section) {
-            case Position:
-                return tr("z, mm");
-            case BankAngle:
-                return tr("β, °");
-            case Offset:
-                return tr("e, mm");
-            case CrankpinAngle:
-                return tr("κ, °");
-            default:
-                return {};
-        }
+    const Field& field = *infoOf(section).field;
+    switch (role) {
+        case Qt::DisplayRole:
+            return QString::fromUtf8(field.symbol.data(),
+                                     static_cast<qsizetype>(field.symbol.size())) +
+                   QStringLiteral(", ") + unitText(field.unit.name);
+        case Qt::ToolTipRole:
+            return shownText(field.hint);
+        default:
+            return {};
     }
-    if (role == Qt::ToolTipRole) {
-        switch (section) {
-            case Position:
-                return tr("Axial position, positive towards cylinder 1");
-            case BankAngle:
-                return tr("Direction of the cylinder's axis, counter-clockwise from up");
-            case Offset:
-                return tr(
-                    "Distance of the cylinder's axis from the crank axis, positive on the "
-                    "counter-clockwise side");
-            case CrankpinAngle:
-                return tr("Crankpin, counter-clockwise from crankpin 1");
-            default:
-                return {};
-        }
-    }
-    return {};
 }
 
 void CylinderTableModel::insertRowBelow(int row) {
     const QString why = model_->edit(tr("Add cylinder"), [&](Input& input) {
-        auto& cylinders = ownTable(input, model_->result().engine.cylinders);
+        auto& cylinders = model_->tableOf(input);
         const int at = row < 0 ? static_cast<int>(cylinders.size()) - 1 : row;
         Cylinder copy = cylinders.at(static_cast<std::size_t>(at));
         copy.axial_position -= 2.0 * input.crank_radius;
@@ -196,7 +167,7 @@ void CylinderTableModel::removeRowRange(int first, int count) {
         return;
     }
     const QString why = model_->edit(tr("Remove cylinder"), [&](Input& input) {
-        auto& cylinders = ownTable(input, model_->result().engine.cylinders);
+        auto& cylinders = model_->tableOf(input);
         const auto from = cylinders.begin() + first;
         cylinders.erase(from, from + std::min(count, static_cast<int>(cylinders.size()) - first));
         input.firing_order.clear();
@@ -221,15 +192,11 @@ QString CylinderTableModel::pasteBlock(int row, int column, const std::vector<QS
                     .arg(QString::number(line + 1), QString::number(cell + 1),
                          cells[line][cell].left(20));
             }
-            cylinders[first + line].*info.member = *number * info.field->to_si;
+            cylinders[first + line].*info.member = *number * info.field->unit;
         }
     }
     QString why = model_->edit(tr("Paste cylinders"), [&](Input& input) {
-        auto& own = ownTable(input, cylinders);
-        if (own.size() != cylinders.size()) {
-            input.firing_order.clear();
-        }
-        own = cylinders;
+        model_->tableOf(input) = cylinders;
         if (input.firing_order.size() != cylinders.size()) {
             input.firing_order.clear();
         }

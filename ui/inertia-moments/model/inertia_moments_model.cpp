@@ -1,15 +1,13 @@
 #include "inertia-moments/model/inertia_moments_model.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <QRegularExpression>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "case-file/input_error.h"
-#include "case-file/json.h"
-#include "text/error_text.h"
+#include "inertia-moments/fields.h"
+#include "text/message_text.h"
 #include "text/number_text.h"
 
 namespace ravnoves {
@@ -35,38 +33,6 @@ namespace {
 const QString paperEngine = QStringLiteral("vw-vr5");
 const QString ownTable = QStringLiteral("table");
 const QString dash = QStringLiteral("–");
-constexpr double gramMillimetre = 1e-6;  // kg·m per g·mm
-
-/// Names of the library's layouts in words.
-struct LayoutTitle {
-    const char* name;
-    const char* title;
-};
-
-constexpr std::array layoutTitles{
-    LayoutTitle{"i1", QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel", "Single")},
-    LayoutTitle{"i2-180", QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel", "In-line 2, 180°")},
-    LayoutTitle{"i2-360", QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel", "In-line 2, 360°")},
-    LayoutTitle{"i3", QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel", "In-line 3")},
-    LayoutTitle{"i4", QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel", "In-line 4")},
-    LayoutTitle{"i5", QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel", "In-line 5")},
-    LayoutTitle{"i6", QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel", "In-line 6")},
-    LayoutTitle{"v2-45", QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel", "V-twin 45°")},
-    LayoutTitle{"v2-60", QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel", "V-twin 60°")},
-    LayoutTitle{"v2-90", QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel", "V-twin 90°")},
-    LayoutTitle{"v6-60", QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel", "V6 60°, split pins")},
-    LayoutTitle{"v6-90", QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel", "V6 90°, split pins")},
-    LayoutTitle{"v8-cross-plane",
-                QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel", "V8, cross-plane")},
-    LayoutTitle{"v8-flat-plane",
-                QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel", "V8, flat-plane")},
-    LayoutTitle{"flat-2", QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel", "Flat twin")},
-    LayoutTitle{"flat-4", QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel", "Flat 4")},
-    LayoutTitle{"flat-6", QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel", "Flat 6")},
-    LayoutTitle{"vr5", QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel", "VR5")},
-    LayoutTitle{"vr6", QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel", "VR6")},
-    LayoutTitle{"w12", QT_TRANSLATE_NOOP("ravnoves::InertiaMomentsModel", "W12")},
-};
 
 double wrap(double value, double period) {
     const double rest = std::fmod(value, period);
@@ -137,29 +103,6 @@ bool InertiaMomentsModel::setViewOption(const QString& key, const QString& value
     return true;
 }
 
-QString InertiaMomentsModel::explain(const Input& input, const InputError& error) const {
-    // The faults that a slider or the table can run into, in the user's language.
-    if (!(input.lambda > 0.0) || !(input.crank_radius > 0.0)) {
-        return errorText(error);
-    }
-    std::vector<Cylinder> cylinders = input.cylinders;
-    if (input.layout) {
-        cylinders = {Cylinder{0.0, 0.0, input.layout->offset, 0.0}};
-    }
-    const auto locking = inertia_moments::find_locking(input.crank_radius, input.lambda, cylinders);
-    if (!locking) {
-        return errorText(error);
-    }
-    if (!locking->angles) {
-        return tr("Cylinder %1 cannot be joined: its rod reaches the piston at no crank angle.")
-            .arg(locking->cylinder + 1);
-    }
-    return tr("The mechanism of cylinder %1 locks with its crank at %2° turning forward and at "
-              "%3° turning back, from the cylinder's axis.")
-        .arg(QString::number(locking->cylinder + 1), number(locking->angles->forward / degree, 1),
-             number(locking->angles->backward / degree, 1));
-}
-
 // -------------------------------------------------------------------------------------- layout
 
 QStringList InertiaMomentsModel::layoutNames() {
@@ -177,10 +120,8 @@ QString InertiaMomentsModel::layoutTitle(const QString& name) const {
     if (name == ownTable) {
         return tr("Own table");
     }
-    for (const LayoutTitle& known : layoutTitles) {
-        if (name == QLatin1String(known.name)) {
-            return tr(known.title);
-        }
+    if (const auto* spec = inertia_moments::find_layout(name.toStdString())) {
+        return shownText(spec->title);
     }
     const int cylinders = input().layout ? inertia_moments::cylinder_count(*input().layout) : 0;
     return tr("VR%1").arg(cylinders);
@@ -241,37 +182,36 @@ void InertiaMomentsModel::chooseLayout(const QString& name) {
 }
 
 void InertiaMomentsModel::makeTable() {
-    if (!input().layout) {
-        return;
-    }
-    edit(tr("Own table"), [this](Input& input) {
-        input.cylinders = inertia_moments::rounded(result().engine.cylinders);
-        input.firing_order = input.layout->firing_order;
-        input.layout.reset();
-    });
+    edit(tr("Own table"), [this](Input& input) { tableOf(input); });
     finishDrag();
 }
 
+std::vector<Cylinder>& InertiaMomentsModel::tableOf(Input& input) const {
+    if (input.layout) {
+        input.cylinders = inertia_moments::rounded(result().engine.cylinders);
+        input.firing_order = input.layout->firing_order;
+        input.layout.reset();
+    }
+    return input.cylinders;
+}
+
 QString InertiaMomentsModel::setEvenFiring() {
-    std::vector<int> order = input().layout ? input().layout->firing_order : input().firing_order;
+    const std::vector<int> order = firingOrder();
     const int count = static_cast<int>(result().engine.cylinders.size());
     if (!inertia_moments::is_firing_order(order, count)) {
         return tr("Even firing needs a firing order.");
     }
     return edit(tr("Even firing"), [&](Input& input) {
-        if (input.layout) {
-            input.cylinders = inertia_moments::rounded(result().engine.cylinders);
-            input.firing_order = order;
-            input.layout.reset();
-        }
-        inertia_moments::set_even_firing(input.cylinders, order, input.crank_radius, input.lambda);
+        inertia_moments::set_even_firing(tableOf(input), order, input.crank_radius, input.lambda);
         input.cylinders = inertia_moments::rounded(std::move(input.cylinders));
     });
 }
 
-QString InertiaMomentsModel::firingOrderText() const {
-    const std::vector<int>& order =
-        input().layout ? input().layout->firing_order : input().firing_order;
+const std::vector<int>& InertiaMomentsModel::firingOrder() const {
+    return input().layout ? input().layout->firing_order : input().firing_order;
+}
+
+QString InertiaMomentsModel::orderText(const std::vector<int>& order) {
     QStringList words;
     for (const int cylinder : order) {
         words << QString::number(cylinder);
@@ -279,18 +219,25 @@ QString InertiaMomentsModel::firingOrderText() const {
     return words.join(QLatin1Char('-'));
 }
 
-QString InertiaMomentsModel::setFiringOrderText(const QString& text) {
+std::vector<int> InertiaMomentsModel::readOrder(const QString& text) {
     static const QRegularExpression separators(QStringLiteral("[^0-9]+"));
     std::vector<int> order;
     for (const QString& word : text.split(separators, Qt::SkipEmptyParts)) {
         order.push_back(word.left(6).toInt());
     }
-    const int count = static_cast<int>(result().engine.cylinders.size());
-    const bool none = order.empty() && !input().layout;
-    if (!none && !inertia_moments::is_firing_order(order, count)) {
-        return tr("The firing order must name each cylinder from 1 to %1 once.").arg(count);
+    return order;
+}
+
+QString InertiaMomentsModel::orderTrouble(const std::vector<int>& order) const {
+    if (order.empty() && !input().layout) {
+        return {};
     }
-    return edit(tr("Firing order"), [&](Input& input) {
+    const int count = static_cast<int>(result().engine.cylinders.size());
+    return messageText(inertia_moments::firing_order_trouble(order, count));
+}
+
+QString InertiaMomentsModel::setFiringOrder(const std::vector<int>& order) {
+    return edit(fieldName(field::firing_order), [&](Input& input) {
         (input.layout ? input.layout->firing_order : input.firing_order) = order;
     });
 }
@@ -335,7 +282,7 @@ void InertiaMomentsModel::setBankAngleDeg(double angle) {
 
 double InertiaMomentsModel::offsetMm() const {
     if (input().layout) {
-        return from_si(field::offset, input().layout->offset);
+        return from_si(field::layout_offset, input().layout->offset);
     }
     double largest = 0.0;
     for (const Cylinder& cylinder : input().cylinders) {
@@ -349,8 +296,8 @@ bool InertiaMomentsModel::canChangeOffset() const {
 }
 
 std::pair<double, double> InertiaMomentsModel::offsetLimitsMm() const {
-    const double reach = (input().rod_length() - input().crank_radius) / field::millimetre;
-    const double radius = input().crank_radius / field::millimetre;
+    const double reach = (input().rod_length() - input().crank_radius) / units::mm;
+    const double radius = input().crank_radius / units::mm;
     const double most = std::floor(std::min(0.98 * reach, radius) * 10.0) / 10.0;
     const double high = std::max(most, std::abs(offsetMm()));
     // A table's offsets keep their signs; at 0 they would lose them.
@@ -363,7 +310,7 @@ void InertiaMomentsModel::setOffsetMm(double offset) {
     }
     edit(tr("Offset"), [&](Input& input) {
         if (input.layout) {
-            input.layout->offset = offset * field::millimetre;
+            input.layout->offset = offset * units::mm;
             return;
         }
         const double factor = std::max(offset, 0.1) / offsetMm();
@@ -388,15 +335,15 @@ double InertiaMomentsModel::referenceMm() const {
 
 void InertiaMomentsModel::setReferenceMm(double position) {
     edit(tr("Centre of mass"),
-         [&](Input& input) { input.reference_position = position * field::millimetre; });
+         [&](Input& input) { input.reference_position = position * units::mm; });
 }
 
 std::pair<double, double> InertiaMomentsModel::referenceLimitsMm() const {
     const auto [low, high] = extent(result().engine.cylinders, &Cylinder::axial_position);
     const double room = std::max(high - low, 2.0 * input().crank_radius) / 2.0;
     const double reference = input().reference_position;
-    return {std::floor(std::min(low - room, reference) / field::millimetre),
-            std::ceil(std::max(high + room, reference) / field::millimetre)};
+    return {std::floor(std::min(low - room, reference) / units::mm),
+            std::ceil(std::max(high + room, reference) / units::mm)};
 }
 
 // -------------------------------------------------------------------------------------- shafts
@@ -576,7 +523,7 @@ QVector<QStringList> InertiaMomentsModel::shaftRows() const {
         const QString mark =
             design.shaft.enabled ? QStringLiteral("\u25CF ") : QStringLiteral("\u25CB ");
         rows.push_back({mark + shaftTitle(design.shaft), figure(std::abs(design.target)),
-                        figure(design.unbalance / gramMillimetre),
+                        figure(design.unbalance / units::gram_mm),
                         design.phase ? degrees(*design.phase) : dash, figure(design.remaining)});
     }
     return rows;
@@ -609,9 +556,9 @@ QVector<QStringList> InertiaMomentsModel::weightRows() const {
         const inertia_moments::CounterweightDesign& design = *result().counterweights;
         const double scale = std::abs(design.against_force) + std::abs(design.against_moment);
         const auto weight = [&](const QString& name, const inertia_moments::Counterweight& w) {
-            rows.push_back(row(name + tr(", g·mm"), figure(std::abs(w.unbalance) / gramMillimetre),
+            rows.push_back(row(name + tr(", g·mm"), figure(std::abs(w.unbalance) / units::gram_mm),
                                w.unbalance, scale));
-            rows.push_back({name + tr(", g"), figure(1e3 * w.mass()), {}, {}});
+            rows.push_back({name + tr(", g"), figure(w.mass() / units::gram), {}, {}});
         };
         weight(tr("Front web"), design.front);
         weight(tr("Rear web"), design.rear);
@@ -654,9 +601,7 @@ QVector<QStringList> InertiaMomentsModel::remainingRows() const {
 QString InertiaMomentsModel::warningText() const {
     QStringList lines;
     if (!result().exact.accurate) {
-        lines << tr(
-            "A mechanism is so near locking that the exact orders are less accurate than "
-            "usual.");
+        lines << shownText(inertia_moments::less_accurate);
     }
     std::vector<const Difference*> warnings;
     for (const Difference& d : result().differences) {

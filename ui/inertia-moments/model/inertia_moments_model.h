@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "case-file/json.h"
-#include "inertia-moments/scene.h"
 #include "inertia-moments/presets.h"
+#include "inertia-moments/scene.h"
 #include "inertia-moments/solver.h"
 #include "model/case_model.h"
 
@@ -58,11 +58,17 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     /// Sets the crankpins of the table for even firing in its firing order.
     /// @return an empty string, or why it cannot be done
     QString setEvenFiring();
+    /// Makes an input's own table the one that is edited: that of its layout, where it has one.
+    std::vector<inertia_moments::Cylinder>& tableOf(Input& input) const;
+    const std::vector<int>& firingOrder() const;
     /// "1-3-4-2" and the like.
-    QString firingOrderText() const;
-    /// Sets the firing order from such a text; an empty text removes it from a table.
+    static QString orderText(const std::vector<int>& order);
+    QString firingOrderText() const { return orderText(firingOrder()); }
+    static std::vector<int> readOrder(const QString& text);
+    /// Why this cannot be the firing order; empty where it can. A table may have none.
+    QString orderTrouble(const std::vector<int>& order) const;
     /// @return an empty string, or what is wrong with it
-    QString setFiringOrderText(const QString& text);
+    QString setFiringOrder(const std::vector<int>& order);
 
     // --------------------------------------------------- the sliders, in their units
 
@@ -122,8 +128,6 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     void tabChanged(InertiaMomentsModel::Tabs group, int index);
 
   private:
-    QString explain(const Input& refused, const InputError& error) const override;
-
     double crankAngle_ = 40.0;
     std::array<int, 3> tabs_{};
 };
