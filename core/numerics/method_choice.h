@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "case-file/message.h"
+#include "numerics/text.h"
 
 namespace ravnoves {
 

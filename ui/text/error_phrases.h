@@ -6,7 +6,7 @@
 namespace ravnoves {
 
 /// The phrases of core's messages to the user, with the places of their values (%1, %2). core has
-/// no translations, so they are listed for the translator here and matched in error_text.cpp. A
+/// no translations, so they are listed for the translator here and matched in error_phrases.cpp. A
 /// test feeds bad cases to every scene and fails where a message matches none.
 inline constexpr std::array errorPhrases{
     QT_TRANSLATE_NOOP("ravnoves::InputError", "must be from %1 to %2"),

@@ -212,6 +212,10 @@ TEST(Fields, MessagesKeepTheirPatternAndTheirValues) {
     EXPECT_EQ(Message("plain").english(), "plain");
     const Message nested(CORE_TEXT("core", "cannot be read: %1"), message);
     EXPECT_EQ(nested.english(), "cannot be read: must be from 1.5 to 3 mm");
+    EXPECT_EQ(joined("a", line_place(4)).english(), "a, line 4");
+    const InputError error(table_place(4, 2), message, Number{20.5, units::degree});
+    EXPECT_EQ(error.message().english(), "line 4, column 2: must be from 1.5 to 3 mm, got 20.5°");
+    EXPECT_EQ(error.message().english(), error.what());
 }
 
 }  // namespace ravnoves

@@ -13,6 +13,7 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "case-file/range.h"
 #include "case-file/text_file.h"
 #include "language/catalogue.h"
 #include "scenes/scenes.h"
