@@ -16,7 +16,6 @@
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "events.h"
-#include "plot/plot_view.h"
 #include "shell/help_window.h"
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
@@ -234,43 +233,6 @@ TEST_F(MainWindowEndTest, WhatWasTypedArrivesWhileTheWindowIsWhole) {
                      });
     window.reset();
     EXPECT_EQ(hearer, "ravnoves::MainWindow");
-}
-
-TEST(Pages, APageThatIsAWindowGoesWithAFieldHalfTyped) {
-    for (const SceneInfo& info : sceneList()) {
-        std::unique_ptr<ScenePage> page(info.make(nullptr));
-        test::showAt(*page, {1280, 800});
-        page->activateWindow();
-        for (QLineEdit* field : page->findChildren<QLineEdit*>()) {
-            if (field->isVisible() && field->isEnabled() && !field->isReadOnly()) {
-                field->setFocus();
-                field->selectAll();
-                QTest::keyClicks(field, QStringLiteral("4"));
-                break;
-            }
-        }
-        page.reset();
-    }
-    QApplication::processEvents();
-}
-
-TEST(Pages, ResetZoomReachesEveryPlot) {
-    for (const SceneInfo& info : sceneList()) {
-        const std::unique_ptr<ScenePage> page(info.make(nullptr));
-        test::showAt(*page, {1280, 800});
-        const auto plots = page->findChildren<PlotView*>();
-        EXPECT_FALSE(plots.isEmpty()) << info.name.toStdString();
-        bool zoomed = false;
-        for (PlotView* plot : plots) {
-            test::turnWheel(plot, plot->plotArea().center().toPoint(), 2);
-            zoomed = zoomed || plot->isZoomed();
-        }
-        EXPECT_TRUE(zoomed) << info.name.toStdString();
-        page->resetZoom();
-        for (PlotView* plot : plots) {
-            EXPECT_FALSE(plot->isZoomed()) << info.name.toStdString();
-        }
-    }
 }
 
 }  // namespace
