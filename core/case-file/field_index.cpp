@@ -81,10 +81,12 @@ class Setter final : public FieldWalker {
     bool creates_objects() const override { return true; }
 
   protected:
-    void visit_number(const Field& field, double& si, const double* /*fallback*/,
+    void visit_number(const Field& field, double& si, const double* fallback,
                       bool /*always*/) override {
         if (const double* number = wanted<double>(field)) {
             si = *number * field.unit;
+        } else if (fallback != nullptr && wanted<std::monostate>(field) != nullptr) {
+            si = *fallback;
         }
     }
     void visit_optional(const Field& field, std::optional<double>& si, bool /*required*/) override {

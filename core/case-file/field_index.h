@@ -51,8 +51,9 @@ std::vector<FieldEntry> describe_fields() {
     return detail::index_with(detail::visit_input<Input>, &input, true);
 }
 
-/// Sets one scalar by its pointer below "input"; an object that was absent comes into being.
-/// Nothing is checked. @return false where there is no such field or the kind of value is wrong
+/// Sets one scalar by its pointer below "input"; an object that was absent comes into being, and no
+/// value sets a number to its default. Nothing is checked. @return false where there is no such
+/// field or the kind of value is wrong
 template <typename Input>
 bool set_field(Input& input, std::string_view pointer, const FieldValue& value) {
     return detail::set_with(detail::visit_input<Input>, &input, pointer, value);

@@ -15,7 +15,9 @@ struct Shown {
     QString operator()(const Message& message) const { return messageText(message); }
     QString operator()(const Number& number) const {
         const int digits = number.digits > 0 ? number.digits : QLocale::FloatingPointShortest;
-        return withUnit(formNumber(number.value, QLocale(), digits), unitText(number.unit.name));
+        return withUnit(number.digits < 0 ? fixedNumber(number.value, -number.digits, QLocale())
+                                          : formNumber(number.value, QLocale(), digits),
+                        unitText(number.unit.name));
     }
 };
 
