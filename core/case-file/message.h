@@ -15,7 +15,7 @@ namespace ravnoves {
 struct Number {
     double value = 0.0;  ///< in the unit
     Unit unit = units::none;
-    int digits = 0;  ///< significant; 0: as many as read back to the same number
+    int digits = 0;  ///< significant; 0: as many as read back to the same number; −2: two decimals
 };
 
 class Message;

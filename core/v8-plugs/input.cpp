@@ -6,15 +6,28 @@ namespace ravnoves::v8_plugs {
 
 namespace {
 
-constexpr Range mass_change_range = Range::between(-100'000, 100'000);
+constexpr Field change(std::string_view key, Text label, Text hint) {
+    return {.key = key,
+            .unit = units::gram,
+            .range = Range::between(-100'000, 100'000),
+            .label = label,
+            .hint = hint,
+            .placeholder = {"", "0"}};
+}
 
 constexpr std::array<MassChangeField, 4> change_fields{{
-    {{"piston", "g", mass_change_range, 1e-3}, &MassChanges::piston, false},
-    {{"rod_big_end", "g", mass_change_range, 1e-3}, &MassChanges::rod_big_end, false},
-    {{"repair_piston_and_rings", "g", mass_change_range, 1e-3},
-     &MassChanges::repair_piston_and_rings,
-     true},
-    {{"repair_bearing", "g", mass_change_range, 1e-3}, &MassChanges::repair_bearing, true},
+    {change("piston", CORE_TEXT("V8", "Improved piston Δm_pi"),
+            CORE_TEXT("V8", "Δm_pi: one piston against nominal.")),
+     &MassChanges::piston, false},
+    {change("rod_big_end", CORE_TEXT("V8", "Rod big end Δm_be"),
+            CORE_TEXT("V8", "Δm_be: one big end against nominal.")),
+     &MassChanges::rod_big_end, false},
+    {change("repair_piston_and_rings", CORE_TEXT("V8", "Repair piston and rings Δm_rp"),
+            CORE_TEXT("V8", "Δm_rp: one repair piston with its rings against nominal.")),
+     &MassChanges::repair_piston_and_rings, true},
+    {change("repair_bearing", CORE_TEXT("V8", "Repair shells Δm_sh"),
+            CORE_TEXT("V8", "Δm_sh: the repair shells of one crankpin against nominal.")),
+     &MassChanges::repair_bearing, true},
 }};
 
 }  // namespace

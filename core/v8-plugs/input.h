@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "case-file/field_visitor.h"
 #include "v8-plugs/compensation.h"
 #include "v8-plugs/engine.h"
 #include "v8-plugs/plug_geometry.h"
@@ -14,20 +15,16 @@
 
 namespace ravnoves::v8_plugs {
 
-inline constexpr double default_tolerance = 5 * 1e-6;  ///< kg·m, the paper's limit on the machine
+inline constexpr double default_tolerance =
+    5 * units::gram_mm;  ///< kg·m, the paper's limit on the machine
 
 /// The mass changes of the case file, in the order of the contract.
 struct MassChangeField {
-    FieldSpec spec;
+    Field field;
     double MassChanges::*member;
     bool repair_only;
 };
 std::span<const MassChangeField> mass_change_fields();
-
-inline constexpr FieldSpec tolerance_field{"tolerance_g_mm", "g·mm", Range::between(0, 1e6), 1e-6};
-inline constexpr FieldSpec part_mass_field{"mass_g", "g", Range::between(0.001, 100'000), 1e-3};
-inline constexpr FieldSpec permitted_spread_field{"permitted_spread_g", "g",
-                                                  Range::between(0, 100'000), 1e-3};
 
 /// The plug's dimensions as far as they are known.
 struct PlugSheet {
@@ -97,5 +94,17 @@ struct Input {
 
     friend bool operator==(const Input&, const Input&) = default;
 };
+
+void visit_fields(FieldVisitor& visitor, MassChanges& changes);
+void visit_fields(FieldVisitor& visitor, PartColumn& column);
+void visit_fields(FieldVisitor& visitor, WeighIn& sheet);
+void visit_fields(FieldVisitor& visitor, PlugSheet& sheet);
+void visit_fields(FieldVisitor& visitor, BalancingSheet& sheet);
+void visit_fields(FieldVisitor& visitor, JobHeader& job);
+void visit_fields(FieldVisitor& visitor, Input& input);
+
+/// Checks the ranges, that nothing which a result needs is missing, and the rules that join fields.
+/// @throws InputError
+void check_input(const Input& input);
 
 }  // namespace ravnoves::v8_plugs

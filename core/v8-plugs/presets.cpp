@@ -7,7 +7,8 @@ namespace ravnoves::v8_plugs {
 
 namespace {
 
-constexpr double milli = 1e-3;  // mm to m, g to kg
+using units::gram;
+using units::mm;
 
 Engine paper_engine(std::string name) {
     Engine engine;
@@ -18,15 +19,15 @@ Engine paper_engine(std::string name) {
 /// Table 2 and Table 3, left columns.
 Engine engine_4_25() {
     Engine engine = paper_engine("4.25 l");
-    engine.crank_radius = 40 * milli;
-    engine.plug_radius = 47.2 * milli;
-    engine.new_plug_radius = 49.3 * milli;
-    engine.steel_plug_mass = 2.79 * milli;
-    engine.aluminium_plug_mass = 0.954 * milli;
-    engine.new_steel_plug_mass = 3.45 * milli;
-    engine.new_aluminium_plug_mass = 1.179 * milli;
-    engine.max_steel_reduction = 1.951 * milli;
-    engine.max_aluminium_reduction = 0.684 * milli;
+    engine.crank_radius = 40 * mm;
+    engine.plug_radius = 47.2 * mm;
+    engine.new_plug_radius = 49.3 * mm;
+    engine.steel_plug_mass = 2.79 * gram;
+    engine.aluminium_plug_mass = 0.954 * gram;
+    engine.new_steel_plug_mass = 3.45 * gram;
+    engine.new_aluminium_plug_mass = 1.179 * gram;
+    engine.max_steel_reduction = 1.951 * gram;
+    engine.max_aluminium_reduction = 0.684 * gram;
     engine.rod_coefficient = 0.445;
     return engine;
 }
@@ -34,15 +35,15 @@ Engine engine_4_25() {
 /// Table 1, Table 2 and Table 3, right columns: the 6 and 7 l engines share the crankshaft.
 Engine engine_6_7(std::string name) {
     Engine engine = paper_engine(std::move(name));
-    engine.crank_radius = 47.5 * milli;
-    engine.plug_radius = 61.5 * milli;
-    engine.new_plug_radius = 63.2 * milli;
-    engine.steel_plug_mass = 4.03 * milli;
-    engine.aluminium_plug_mass = 1.377 * milli;
-    engine.new_steel_plug_mass = 5.25 * milli;
-    engine.new_aluminium_plug_mass = 1.794 * milli;
-    engine.max_steel_reduction = 2.746 * milli;
-    engine.max_aluminium_reduction = 1.013 * milli;
+    engine.crank_radius = 47.5 * mm;
+    engine.plug_radius = 61.5 * mm;
+    engine.new_plug_radius = 63.2 * mm;
+    engine.steel_plug_mass = 4.03 * gram;
+    engine.aluminium_plug_mass = 1.377 * gram;
+    engine.new_steel_plug_mass = 5.25 * gram;
+    engine.new_aluminium_plug_mass = 1.794 * gram;
+    engine.max_steel_reduction = 2.746 * gram;
+    engine.max_aluminium_reduction = 1.013 * gram;
     engine.rod_coefficient = 0.414;
     return engine;
 }
@@ -50,7 +51,7 @@ Engine engine_6_7(std::string name) {
 /// The engines of which the text gives the crank radius alone.
 Engine engine_with_radius(std::string name, double crank_radius_mm) {
     Engine engine = paper_engine(std::move(name));
-    engine.crank_radius = crank_radius_mm * milli;
+    engine.crank_radius = crank_radius_mm * mm;
     return engine;
 }
 
@@ -82,11 +83,11 @@ const Engine* find_preset(std::string_view name) {
 PlugSheet printed_plug(std::string_view preset) {
     PlugSheet sheet;
     if (preset == "4.25 l") {
-        sheet.thread = Thread{22e-3, 1.5e-3};
-        sheet.height = 14e-3;
+        sheet.thread = Thread{22 * mm, 1.5 * mm};
+        sheet.height = 14 * mm;
     } else if (preset == "6 l" || preset == "7 l") {
-        sheet.thread = Thread{30e-3, 1.5e-3};
-        sheet.height = 11e-3;
+        sheet.thread = Thread{30 * mm, 1.5 * mm};
+        sheet.height = 11 * mm;
     }
     return sheet;
 }

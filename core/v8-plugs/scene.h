@@ -1,19 +1,14 @@
 #pragma once
 
 #include "case-file/case_context.h"
+#include "case-file/field_reader.h"
 #include "case-file/json_fwd.h"
 #include "v8-plugs/input.h"
 #include "v8-plugs/result.h"
 
 namespace ravnoves::v8_plugs {
 
-enum class Completeness {
-    required,  ///< every value that a result needs must be there
-    as_is      ///< each value that is there is checked; what is missing stays empty, and rules that
-               ///< join values are left to the page, as in a form half filled
-};
-
-/// Reads the case's "input" object.
+/// Reads the case's "input" object. As it is, rules that join values are left to the page.
 /// @throws InputError
 Input read_input(const Json& input, Completeness completeness = Completeness::required);
 /// Writes an "input" object that read_input() turns into the same Input.

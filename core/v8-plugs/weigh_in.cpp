@@ -133,24 +133,6 @@ double mean_deviation(const PartColumn& column) {
 
 }  // namespace
 
-std::string_view part_key(Part part) {
-    switch (part) {
-        case Part::piston:
-            return "piston";
-        case Part::pin:
-            return "pin";
-        case Part::rings:
-            return "rings";
-        case Part::rod_big_end:
-            return "rod_big_end";
-        case Part::rod_small_end:
-            return "rod_small_end";
-        case Part::shells:
-            return "shells";
-    }
-    return "";
-}
-
 bool PartColumn::is_empty() const {
     return std::none_of(mass.begin(), mass.end(), [](const auto& m) { return m.has_value(); });
 }
@@ -227,6 +209,11 @@ std::array<double, crankpin_count> crankpin_excess(const WeighIn& sheet, Process
         }
     }
     return excess;
+}
+
+double spread(const std::array<double, crankpin_count>& totals) {
+    const auto [least, most] = std::minmax_element(totals.begin(), totals.end());
+    return *most - *least;
 }
 
 double assignment_spread(const std::vector<double>& pistons, const std::vector<double>& rods,

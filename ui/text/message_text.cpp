@@ -14,6 +14,10 @@ struct Shown {
     QString operator()(const std::string& word) const { return coreText(word); }
     QString operator()(const Message& message) const { return messageText(message); }
     QString operator()(const Number& number) const {
+        if (number.digits < 0) {
+            return withUnit(fixedNumber(number.value, -number.digits, QLocale()),
+                            unitText(number.unit.name));
+        }
         const Message plain(Number{number.value, units::none, number.digits});
         QString digits = QString::fromStdString(plain.english());
         return withUnit(digits.replace(QLatin1Char('.'), QLocale().decimalPoint()),

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "v8-plugs/model/v8_text.h"
 #include "v8-plugs/model/v8_names.h"
+#include "v8-plugs/model/v8_text.h"
 
 namespace ravnoves {
 
 using namespace v8_plugs;
 
 namespace {
-constexpr double gram = 1e-3;
+using units::gram;
 constexpr int todayColour = 6;
 }  // namespace
 

@@ -12,7 +12,6 @@ class JobSheet : public SheetForm {
     explicit JobSheet(V8PlugsModel* model, QWidget* parent = nullptr);
 
   private:
-    void buildHead();
     void buildWork();
     void buildChanges();
     void showEngines();

@@ -17,9 +17,6 @@ class MachineSheet : public SheetForm {
     const ResultTable* planes() const { return planes_; }
 
   private:
-    void addValue(FormSection* section, const QString& label, const FieldSpec& spec,
-                  std::optional<double> v8_plugs::BalancingSheet::*member, const QString& hint);
-
     ResultTable* planes_;
 };
 

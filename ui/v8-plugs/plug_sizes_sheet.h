@@ -12,11 +12,7 @@ class PlugSizesSheet : public SheetForm {
     explicit PlugSizesSheet(V8PlugsModel* model, QWidget* parent = nullptr);
 
   private:
-    void addThread(FormSection* section);
-    void addSize(FormSection* section, const QString& label, const FieldSpec& spec,
-                 std::optional<double> v8_plugs::PlugSheet::*member, const QString& hint);
-    void addDensity(FormSection* section, const QString& label, const FieldSpec& spec,
-                    double v8_plugs::PlugSheet::*member, double usual, const QString& hint);
+    void addThread();
 };
 
 }  // namespace ravnoves

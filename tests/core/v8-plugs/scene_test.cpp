@@ -220,14 +220,14 @@ TEST(RoundTrip, EveryTypedDecimalComesBack) {
     Workshop workshop(8);
     for (int round = 0; round < 20000; ++round) {
         const double typed = std::round(workshop.between(0, 1e4) * 1e4) / 1e4;
-        const FieldSpec& spec = engine_field("steel_plug_mass_g").spec;
-        ASSERT_EQ(in_unit(typed * spec.to_si, spec), typed);
+        const Field& mass = engine_field("steel_plug_mass_g").field;
+        ASSERT_EQ(from_si(mass, typed * mass.unit), typed);
     }
 }
 
 TEST(BadInput, EveryEngineValueMissingNegativeOrAbsurd) {
     for (const EngineField& field : engine_fields()) {
-        const std::string key(field.spec.key);
+        const std::string key(field.field.key);
         const std::string pointer = "/input/engine/" + key + ": ";
         Json input = example();
         input["engine"].erase(key);
@@ -251,7 +251,7 @@ TEST(BadInput, EveryEngineValueMissingNegativeOrAbsurd) {
 TEST(BadInput, DenormalsGiveFiniteAnswersOrAreRefused) {
     for (const EngineField& field : engine_fields()) {
         Json input = example();
-        input["engine"][std::string(field.spec.key)] = std::numeric_limits<double>::denorm_min();
+        input["engine"][std::string(field.field.key)] = std::numeric_limits<double>::denorm_min();
         try {
             const Json result = solved(input);
             EXPECT_EQ(result.dump().find("null,\"k"), std::string::npos);
@@ -325,15 +325,15 @@ TEST(BadInput, RandomInputsInRangeAlwaysGiveFiniteResults) {
     for (int round = 0; round < 300; ++round) {
         Json input = example();
         for (const EngineField& field : engine_fields()) {
-            const double low = field.spec.range.min;
-            const double high = field.spec.range.max;
+            const double low = field.field.range.min;
+            const double high = field.field.range.max;
             // from the very ends of the range as often as from within
             const double pick = workshop.between(-1, 2);
             double value = pick < 0 ? low : pick > 1 ? high : low + pick * (high - low);
-            if (!field.spec.range.contains(value)) {
+            if (!field.field.range.contains(value)) {
                 value = std::nextafter(low, high);
             }
-            input["engine"][std::string(field.spec.key)] = value;
+            input["engine"][std::string(field.field.key)] = value;
         }
         for (const char* side : {"steel", "aluminium"}) {
             const std::string mass = std::string(side) + "_plug_mass_g";

@@ -22,7 +22,6 @@ namespace ravnoves {
 namespace {
 
 using namespace Qt::StringLiterals;
-using v8_plugs::Completeness;
 using v8_plugs::Input;
 
 class JobCardTest : public ::testing::Test {

@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDialog>
 #include <QDir>
@@ -35,10 +36,10 @@
 #include "v8-plugs/job_card.h"
 #include "v8-plugs/journal_dialog.h"
 #include "v8-plugs/model/v8_plugs_model.h"
+#include "v8-plugs/presets.h"
+#include "v8-plugs/scene.h"
 #include "widgets/number_field.h"
 #include "widgets/result_table.h"
-#include "v8-plugs/scene.h"
-#include "v8-plugs/presets.h"
 
 namespace ravnoves {
 namespace {
@@ -438,6 +439,30 @@ TEST_F(V8PageTest, WeighInSheetByKeyboard) {
     EXPECT_EQ(field("repair_piston_and_rings")->value(), 3.5);
     QTest::keyClick(use, Qt::Key_Space);
     EXPECT_TRUE(field("repair_piston_and_rings")->isEnabled());
+}
+
+TEST_F(V8PageTest, ColumnOfASpreadsheetIsPastedWithoutItsHeading) {
+    page.sheets()->setCurrentIndex(2);
+    NumberField* first = field("mass_piston_1");
+    const auto paste = [&](const QString& text) {
+        QGuiApplication::clipboard()->setText(text);
+        first->setFocus();
+        QTest::keyClick(first, Qt::Key_V, Qt::ControlModifier);
+    };
+    paste(u"Piston, g\tPin, g\r\n601,5\t151\r\n602\t\r\n603\t153\r\n"_s);
+    const WeighIn& sheet = model->input().weigh_in.value();
+    EXPECT_EQ(field("mass_piston_1")->value(), 601.5);
+    EXPECT_EQ(field("mass_pin_3")->value(), 153.0);
+    EXPECT_FALSE(sheet[Part::pin].mass[1]) << "a gap stays a gap";
+    model->history()->undo();
+    EXPECT_FALSE(model->input().weigh_in) << "the paste is one step";
+    // Refused as a whole: a word, a mass out of range, more rows than cylinders.
+    for (const QString& bad : {u"601\nheavy"_s, u"601\n-5"_s, u"1\n2\n3\n4\n5\n6\n7\n8\n9"_s}) {
+        paste(bad);
+        EXPECT_FALSE(model->input().weigh_in) << qPrintable(bad);
+    }
+    paste(u"1\n2\n3\n4\n5\n6\n7\n8\n"_s);
+    EXPECT_EQ(field("mass_piston_8")->value(), 8.0);
 }
 
 TEST_F(V8PageTest, EngineChoiceAndFlags) {

@@ -118,16 +118,12 @@ Journal::Saved Journal::saveOnce(JournalJob& job) {
     bool asCopy = false;
     if (job.id != 0) {
         QSqlQuery query(database());
-        query.prepare(QStringLiteral(
-            "UPDATE job SET revision = revision + 1, engine_number = :engine_number,"
-            " customer = :customer, technician = :technician, engine = :engine,"
-            " job_date = :job_date, process = :process, unbalanced_mass_g = :unbalanced_mass_g,"
-            " recommended = :recommended, reduction_g = :reduction_g,"
-            " bob_weight_g = :bob_weight_g, saved = :saved, form = :form, search = :search"
-            " WHERE id = :id AND revision = :revision"));
+        query.prepare(QStringLiteral("UPDATE job SET revision = revision + 1, (%1) = (%2)"
+                                     " WHERE id = ? AND revision = ?")
+                          .arg(journal_rows::written, journal_rows::places));
         journal_rows::bind(query, job);
-        query.bindValue(QStringLiteral(":id"), job.id);
-        query.bindValue(QStringLiteral(":revision"), job.revision);
+        query.addBindValue(job.id);
+        query.addBindValue(job.revision);
         if (!run(query, cannot)) {
             return Saved::No;
         }
@@ -138,12 +134,8 @@ Journal::Saved Journal::saveOnce(JournalJob& job) {
         asCopy = true;  // changed or removed elsewhere: neither version is lost
     }
     QSqlQuery query(database());
-    query.prepare(QStringLiteral(
-        "INSERT INTO job (revision, engine_number, customer, technician, engine, job_date, process,"
-        " unbalanced_mass_g, recommended, reduction_g, bob_weight_g, saved, form, search)"
-        " VALUES (1, :engine_number, :customer, :technician, :engine, :job_date, :process,"
-        " :unbalanced_mass_g, :recommended, :reduction_g, :bob_weight_g, :saved, :form,"
-        " :search)"));
+    query.prepare(QStringLiteral("INSERT INTO job (revision, %1) VALUES (1, %2)")
+                      .arg(journal_rows::written, journal_rows::places));
     journal_rows::bind(query, job);
     if (!run(query, cannot)) {
         return Saved::No;
@@ -153,57 +145,53 @@ Journal::Saved Journal::saveOnce(JournalJob& job) {
     return asCopy ? Saved::AsCopy : Saved::Yes;
 }
 
-std::optional<JournalJob> Journal::job(qint64 id) {
+std::optional<QSqlQuery> Journal::ask(const QString& sql, const QVariantList& values,
+                                      const QString& cannot) {
     if (!isReady()) {
         return std::nullopt;
-    }
-    QSqlQuery query(database());
-    query.prepare(QStringLiteral("SELECT %1 FROM job WHERE id = ?").arg(journal_rows::columns));
-    query.addBindValue(id);
-    if (!run(query, tr("The job could not be read."))) {
-        return std::nullopt;
-    }
-    if (!query.next()) {
-        fail(tr("The job is no longer in the journal."), {});
-        return std::nullopt;
-    }
-    return journal_rows::read(query);
-}
-
-QList<JournalJob> Journal::search(const JournalQuery& wanted) {
-    if (!isReady()) {
-        return {};
     }
     QSqlQuery query(database());
     query.setForwardOnly(true);
-    query.prepare(QStringLiteral("SELECT %1 FROM job"
-                                 " WHERE search LIKE :pattern ESCAPE '\\'"
-                                 " AND (:from = '' OR job_date >= :from)"
-                                 " AND (:to = '' OR (job_date <> '' AND job_date <= :to))"
-                                 " ORDER BY job_date DESC, id DESC LIMIT :limit")
-                      .arg(journal_rows::columns));
-    query.bindValue(QStringLiteral(":pattern"),
-                    likePattern(journal_rows::folded(wanted.text.trimmed())));
-    query.bindValue(QStringLiteral(":from"), bare(wanted.from.toString(Qt::ISODate)));
-    query.bindValue(QStringLiteral(":to"), bare(wanted.to.toString(Qt::ISODate)));
-    query.bindValue(QStringLiteral(":limit"), wanted.limit);
+    query.prepare(sql);
+    for (const QVariant& value : values) {
+        query.addBindValue(value);
+    }
+    return run(query, cannot) ? std::optional(std::move(query)) : std::nullopt;
+}
+
+std::optional<JournalJob> Journal::job(qint64 id) {
+    auto found = ask(QStringLiteral("SELECT %1 FROM job WHERE id = ?").arg(journal_rows::columns),
+                     {id}, tr("The job could not be read."));
+    if (found && !found->next()) {
+        fail(tr("The job is no longer in the journal."), {});
+        return std::nullopt;
+    }
+    return found ? std::optional(journal_rows::read(*found)) : std::nullopt;
+}
+
+QList<JournalJob> Journal::search(const JournalQuery& wanted) {
+    const QString from = bare(wanted.from.toString(Qt::ISODate));
+    const QString to = bare(wanted.to.toString(Qt::ISODate));
+    auto found = ask(QStringLiteral("SELECT %1 FROM job"
+                                    " WHERE search LIKE ? ESCAPE '\\'"
+                                    " AND (? = '' OR job_date >= ?)"
+                                    " AND (? = '' OR (job_date <> '' AND job_date <= ?))"
+                                    " ORDER BY job_date DESC, id DESC LIMIT ?")
+                         .arg(journal_rows::columns),
+                     {likePattern(journal_rows::folded(wanted.text.trimmed())), from, from, to, to,
+                      wanted.limit},
+                     tr("The journal could not be searched."));
     QList<JournalJob> jobs;
-    if (run(query, tr("The journal could not be searched."))) {
-        while (query.next()) {
-            jobs << journal_rows::read(query);
-        }
+    while (found && found->next()) {
+        jobs << journal_rows::read(*found);
     }
     return jobs;
 }
 
 bool Journal::remove(qint64 id) {
-    if (!isReady()) {
-        return false;
-    }
-    QSqlQuery query(database());
-    query.prepare(QStringLiteral("DELETE FROM job WHERE id = ?"));
-    query.addBindValue(id);
-    return run(query, tr("The job could not be removed."));
+    return ask(QStringLiteral("DELETE FROM job WHERE id = ?"), {id},
+               tr("The job could not be removed."))
+        .has_value();
 }
 
 QString Journal::lockPath(const QString& session) const {
@@ -214,53 +202,39 @@ bool Journal::saveDraft(const JournalDraft& draft) {
     if (!isReady()) {
         return false;
     }
-    QSqlQuery query(database());
-    query.prepare(QStringLiteral(
-        "INSERT INTO draft (session, job_id, job_revision, engine_number, saved, form)"
-        " VALUES (?, ?, ?, ?, ?, ?)"
-        " ON CONFLICT (session) DO UPDATE SET job_id = excluded.job_id,"
-        " job_revision = excluded.job_revision, engine_number = excluded.engine_number,"
-        " saved = excluded.saved, form = excluded.form"));
-    query.addBindValue(draft.session.isEmpty() ? session_ : draft.session);
-    query.addBindValue(draft.jobId);
-    query.addBindValue(draft.jobRevision);
-    query.addBindValue(bare(draft.engineNumber));
-    query.addBindValue(stamp(QDateTime::currentDateTimeUtc()));
-    query.addBindValue(bare(QString::fromUtf8(draft.form)));
     // A draft is written while the user types: it does not wait for another program's write as a
     // job does, it is tried again.
     const PatienceFor patience(database(), draftPatience);
-    return run(query, tr("The draft could not be saved."));
+    return ask(QStringLiteral(
+                   "INSERT INTO draft (session, job_id, job_revision, engine_number, saved, form)"
+                   " VALUES (?, ?, ?, ?, ?, ?)"
+                   " ON CONFLICT (session) DO UPDATE SET job_id = excluded.job_id,"
+                   " job_revision = excluded.job_revision,"
+                   " engine_number = excluded.engine_number, saved = excluded.saved,"
+                   " form = excluded.form"),
+               {draft.session.isEmpty() ? session_ : draft.session, draft.jobId, draft.jobRevision,
+                bare(draft.engineNumber), stamp(QDateTime::currentDateTimeUtc()),
+                bare(QString::fromUtf8(draft.form))},
+               tr("The draft could not be saved."))
+        .has_value();
 }
 
 bool Journal::discardDraft(const QString& session) {
-    if (!isReady()) {
-        return false;
-    }
-    QSqlQuery query(database());
-    query.prepare(QStringLiteral("DELETE FROM draft WHERE session = ?"));
-    query.addBindValue(session);
-    return run(query, tr("The draft could not be removed."));
+    return ask(QStringLiteral("DELETE FROM draft WHERE session = ?"), {session},
+               tr("The draft could not be removed."))
+        .has_value();
 }
 
 QList<JournalDraft> Journal::orphanedDrafts() {
     QList<JournalDraft> drafts;
-    if (!isReady()) {
-        return drafts;
-    }
-    QSqlQuery query(database());
-    query.setForwardOnly(true);
-    query.prepare(
-        QStringLiteral("SELECT session, job_id, job_revision, engine_number, saved, form"
-                       " FROM draft WHERE session <> ? ORDER BY saved DESC"));
-    query.addBindValue(session_);
-    if (!run(query, tr("The drafts could not be read."))) {
-        return drafts;
-    }
-    while (query.next()) {
-        JournalDraft draft{query.value(0).toString(), query.value(1).toLongLong(),
-                           query.value(2).toInt(),    query.value(3).toString(),
-                           fromStamp(query.value(4)), query.value(5).toString().toUtf8()};
+    auto found =
+        ask(QStringLiteral("SELECT session, job_id, job_revision, engine_number, saved, form"
+                           " FROM draft WHERE session <> ? ORDER BY saved DESC"),
+            {session_}, tr("The drafts could not be read."));
+    while (found && found->next()) {
+        JournalDraft draft{found->value(0).toString(), found->value(1).toLongLong(),
+                           found->value(2).toInt(),    found->value(3).toString(),
+                           fromStamp(found->value(4)), found->value(5).toString().toUtf8()};
         // The lock of a program that runs cannot be taken; that of a crashed one can.
         QLockFile lock(lockPath(draft.session));
         lock.setStaleLockTime(0);
@@ -272,54 +246,33 @@ QList<JournalDraft> Journal::orphanedDrafts() {
 }
 
 bool Journal::saveEngine(const JournalEngine& engine) {
-    if (!isReady()) {
-        return false;
-    }
-    QSqlQuery query(database());
-    query.prepare(
-        QStringLiteral("INSERT INTO engine (name, engine_values) VALUES (?, ?)"
-                       " ON CONFLICT (name) DO UPDATE SET engine_values = excluded.engine_values"));
-    query.addBindValue(engine.name);
-    query.addBindValue(bare(QString::fromUtf8(engine.values)));
-    return run(query, tr("The engine could not be saved."));
+    return ask(QStringLiteral(
+                   "INSERT INTO engine (name, engine_values) VALUES (?, ?)"
+                   " ON CONFLICT (name) DO UPDATE SET engine_values = excluded.engine_values"),
+               {engine.name, bare(QString::fromUtf8(engine.values))},
+               tr("The engine could not be saved."))
+        .has_value();
 }
 
 bool Journal::renameEngine(const QString& from, const QString& to) {
-    if (!isReady()) {
-        return false;
-    }
-    QSqlQuery query(database());
-    query.prepare(QStringLiteral("UPDATE engine SET name = ? WHERE name = ?"));
-    query.addBindValue(to);
-    query.addBindValue(from);
     const QString cannot = tr("The engine could not be renamed.");
-    if (!run(query, cannot)) {
-        return false;
-    }
-    return query.numRowsAffected() == 1 || fail(cannot, tr("it is no longer kept"));
+    const auto done =
+        ask(QStringLiteral("UPDATE engine SET name = ? WHERE name = ?"), {to, from}, cannot);
+    return done && (done->numRowsAffected() == 1 || fail(cannot, tr("it is no longer kept")));
 }
 
 bool Journal::removeEngine(const QString& name) {
-    if (!isReady()) {
-        return false;
-    }
-    QSqlQuery query(database());
-    query.prepare(QStringLiteral("DELETE FROM engine WHERE name = ?"));
-    query.addBindValue(name);
-    return run(query, tr("The engine could not be removed."));
+    return ask(QStringLiteral("DELETE FROM engine WHERE name = ?"), {name},
+               tr("The engine could not be removed."))
+        .has_value();
 }
 
 QList<JournalEngine> Journal::engines() {
+    auto found = ask(QStringLiteral("SELECT name, engine_values FROM engine ORDER BY name"), {},
+                     tr("The engines could not be read."));
     QList<JournalEngine> list;
-    if (!isReady()) {
-        return list;
-    }
-    QSqlQuery query(database());
-    query.prepare(QStringLiteral("SELECT name, engine_values FROM engine ORDER BY name"));
-    if (run(query, tr("The engines could not be read."))) {
-        while (query.next()) {
-            list << JournalEngine{query.value(0).toString(), query.value(1).toString().toUtf8()};
-        }
+    while (found && found->next()) {
+        list << JournalEngine{found->value(0).toString(), found->value(1).toString().toUtf8()};
     }
     return list;
 }

@@ -8,6 +8,7 @@
 #include <QLockFile>
 #include <QObject>
 #include <QString>
+#include <QVariant>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -142,6 +143,9 @@ class Journal : public QObject {
     bool isDamaged();
     bool putAside(const QString& why);
     int takeOver(const QString& damaged);
+    /// Runs a statement with values for its ?; nothing where it fails, see lastError().
+    std::optional<QSqlQuery> ask(const QString& sql, const QVariantList& values,
+                                 const QString& cannot);
     bool run(QSqlQuery& query, const QString& what);
     bool runText(const QString& sql, const QString& what);
     bool fail(const QString& what, const QString& why);

@@ -34,6 +34,8 @@ std::optional<double> orNothing(const QVariant& value) {
 const QString columns = QStringLiteral(
     "id, revision, engine_number, customer, technician, engine, job_date, process, "
     "unbalanced_mass_g, recommended, reduction_g, bob_weight_g, saved, form");
+const QString written = columns.section(QStringLiteral(", "), 2) + QStringLiteral(", search");
+const QString places = QStringLiteral("?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?");
 
 QString folded(const QString& text) {
     return text.toCaseFolded();
@@ -70,19 +72,15 @@ JournalJob read(const QSqlQuery& query) {
 }
 
 void bind(QSqlQuery& query, const JournalJob& job) {
-    query.bindValue(QStringLiteral(":engine_number"), bare(job.engineNumber));
-    query.bindValue(QStringLiteral(":customer"), bare(job.customer));
-    query.bindValue(QStringLiteral(":technician"), bare(job.technician));
-    query.bindValue(QStringLiteral(":engine"), bare(job.engine));
-    query.bindValue(QStringLiteral(":job_date"), bare(job.date.toString(Qt::ISODate)));
-    query.bindValue(QStringLiteral(":process"), bare(job.process));
-    query.bindValue(QStringLiteral(":unbalanced_mass_g"), orNull(job.unbalancedMass));
-    query.bindValue(QStringLiteral(":recommended"), bare(job.recommended));
-    query.bindValue(QStringLiteral(":reduction_g"), orNull(job.reduction));
-    query.bindValue(QStringLiteral(":bob_weight_g"), orNull(job.bobWeight));
-    query.bindValue(QStringLiteral(":saved"), stamp(job.saved));
-    query.bindValue(QStringLiteral(":form"), bare(QString::fromUtf8(job.form)));
-    query.bindValue(QStringLiteral(":search"), searchText(job));
+    for (const QVariant& value :
+         {QVariant(bare(job.engineNumber)), QVariant(bare(job.customer)),
+          QVariant(bare(job.technician)), QVariant(bare(job.engine)),
+          QVariant(bare(job.date.toString(Qt::ISODate))), QVariant(bare(job.process)),
+          orNull(job.unbalancedMass), QVariant(bare(job.recommended)), orNull(job.reduction),
+          orNull(job.bobWeight), stamp(job.saved), QVariant(bare(QString::fromUtf8(job.form))),
+          QVariant(searchText(job))}) {
+        query.addBindValue(value);
+    }
 }
 
 bool saysBusy(const QSqlError& error) {

@@ -15,7 +15,10 @@ extern const QString columns;
 
 /// The job in the query's present row.
 JournalJob read(const QSqlQuery& query);
-/// Binds all but id and revision to the placeholders named as the columns.
+/// The columns that bind() fills, in their order, and a place for each.
+extern const QString written;
+extern const QString places;
+/// Binds all but id and revision to the next places.
 void bind(QSqlQuery& query, const JournalJob& job);
 
 /// Lower case in every alphabet, so that a search finds "змз" in "ЗМЗ": SQLite folds ASCII only.

@@ -9,10 +9,10 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "text/error_text.h"
-#include "v8-plugs/model/v8_text.h"
-#include "v8-plugs/scene.h"
-#include "v8-plugs/presets.h"
 #include "v8-plugs/model/v8_names.h"
+#include "v8-plugs/model/v8_text.h"
+#include "v8-plugs/presets.h"
+#include "v8-plugs/scene.h"
 
 namespace ravnoves {
 
@@ -186,9 +186,8 @@ void V8PlugsModel::chooseEngine(int place) {
     }
     finishDrag();
     if (!isOwnEngine(place)) {
-        edit(tr("Engine"), [&](Input& input) {
-            takePreset(input, presets[static_cast<std::size_t>(place)]);
-        });
+        edit(tr("Engine"),
+             [&](Input& input) { takePreset(input, presets[static_cast<std::size_t>(place)]); });
     } else {
         const JournalEngine& own = ownEngines_.at(place - static_cast<int>(presets.size()));
         try {
@@ -281,8 +280,7 @@ QString V8PlugsModel::renameEngine(const QString& from, const QString& to) {
     }
     ownEngines_ = journal_->engines();
     if (QString::fromStdString(input().engine.name) == from) {
-        edit(tr("Rename engine"),
-             [&](Input& input) { input.engine.name = trimmed.toStdString(); });
+        edit(tr("Rename engine"), [&](Input& input) { input.engine.name = trimmed.toStdString(); });
     }
     Q_EMIT enginesChanged();
     return {};

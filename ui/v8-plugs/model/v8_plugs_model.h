@@ -11,8 +11,8 @@
 #include "v8-plugs/input.h"
 #include "v8-plugs/model/journal.h"
 #include "v8-plugs/model/words.h"
-#include "v8-plugs/solver.h"
 #include "v8-plugs/scene.h"
+#include "v8-plugs/solver.h"
 
 namespace ravnoves {
 
@@ -23,7 +23,7 @@ struct V8PlugsScene {
     Input defaultInput() const;
     static QString defaultTitle() { return {}; }
     static Input read(const Json& input, const CaseContext& /*context*/) {
-        return v8_plugs::read_input(input, v8_plugs::Completeness::as_is);
+        return v8_plugs::read_input(input, Completeness::as_is);
     }
     static Json write(const Input& input) { return v8_plugs::write_input(input); }
     /// Refuses nothing: what is missing or broken is named in the solution.

@@ -1,13 +1,10 @@
 // What the page shows of the solution: sentences and tables.
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "numerics/constants.h"
+#include "v8-plugs/model/v8_names.h"
 #include "v8-plugs/model/v8_plugs_model.h"
 #include "v8-plugs/model/v8_text.h"
-#include "v8-plugs/model/v8_names.h"
 
 namespace ravnoves {
 
@@ -15,8 +12,8 @@ using namespace v8_plugs;
 
 namespace {
 
-constexpr double gram = 1e-3;
-constexpr double gramMillimetre = 1e-6;
+using units::gram;
+using units::gram_mm;
 
 const QString dash = QStringLiteral("–");
 
@@ -26,12 +23,9 @@ QString V8PlugsModel::adviceText() const {
     if (solution().advice) {
         return v8_text::advice(words_, input(), solution());
     }
-    QStringList names;
-    for (const EngineField* field : missing_fields(input().engine, false)) {
-        names << v8_text::fieldName(words_, field->spec.key);
-    }
+    const QString names = v8_text::missingNames(words_, input().engine, false);
     return names.isEmpty() ? tr("The values do not go together.")
-                           : tr("Still needed: %1.").arg(names.join(QStringLiteral(", ")));
+                           : tr("Still needed: %1.").arg(names);
 }
 
 QString V8PlugsModel::boringText() const {
@@ -72,13 +66,8 @@ QString V8PlugsModel::hangText() const {
 }
 
 QString V8PlugsModel::missingText() const {
-    QStringList names;
-    for (const EngineField* field : missing_fields(input().engine, true)) {
-        names << v8_text::fieldName(words_, field->spec.key);
-    }
-    return names.isEmpty()
-               ? QString()
-               : tr("The bob weight still needs: %1.").arg(names.join(QStringLiteral(", ")));
+    const QString names = v8_text::missingNames(words_, input().engine, true);
+    return names.isEmpty() ? QString() : tr("The bob weight still needs: %1.").arg(names);
 }
 
 QString V8PlugsModel::isoText() const {
@@ -134,7 +123,7 @@ QVector<QStringList> V8PlugsModel::optionRows() const {
             words_.number(option->maximum / gram, 3),
             words_.number(option->required_reduction / gram, 3),
             words_.number(option->residual_mass / gram, 3),
-            words_.number(option->residual_unbalance / gramMillimetre, 1)};
+            words_.number(option->residual_unbalance / gram_mm, 1)};
     }
     return rows;
 }
@@ -152,10 +141,10 @@ QString V8PlugsModel::optionToolTip(int row) const {
     }
     text << QStringList{
         tr("%1: %2.").arg(v8_text::optionName(words_, id),
-                          v8_text::verdict(words_, *option, input().tolerance)),
+                          words_.message(describe_verdict(*option, input().tolerance))),
         tr("At most %1 may come off a plug; slope k_y = %2, %3°.")
             .arg(v8_text::grams(words_, option->max_reduction, 3), words_.number(option->slope, 3),
-                 words_.number(std::atan(option->slope) / degree, 1))};
+                 words_.number(std::atan(option->slope) / units::degree, 1))};
     const QString boring = v8_text::boring(words_, input(), solution(), id);
     if (!boring.isEmpty()) {
         text << boring;
@@ -173,26 +162,12 @@ QVector<QStringList> V8PlugsModel::bobWeightRows() const {
     if (!solution().nominal || !solution().before) {
         return rows;
     }
-    const auto chosen = v8_text::chosenOption(solution());
-    const BobWeight* after = chosen ? &solution().bob_weights[index(chosen->id)]->after : nullptr;
-    const auto product = [&](const BobWeight* weight, BobWeightLine::Part part) {
-        if (weight != nullptr) {
-            for (const BobWeightLine& line : weight->lines) {
-                if (line.part == part) {
-                    return words_.number(line.product() / gram, 2);
-                }
-            }
-        }
-        return dash;
-    };
     for (const BobWeightLine& line : solution().before->lines) {
-        rows << QStringList{v8_text::shortLine(words_, line),
-                            product(&*solution().nominal, line.part),
-                            product(&*solution().before, line.part), product(after, line.part)};
+        rows << v8_text::bobWeightCells(words_, solution(), line.part, 2, dash);
+        rows.last().prepend(v8_text::shortLine(words_, line));
     }
-    rows << QStringList{tr("Bob weight"), words_.number(solution().nominal->sum() / gram, 2),
-                        words_.number(solution().before->sum() / gram, 2),
-                        after != nullptr ? words_.number(after->sum() / gram, 2) : dash};
+    rows << v8_text::bobWeightCells(words_, solution(), std::nullopt, 2, dash);
+    rows.last().prepend(tr("Bob weight"));
     return rows;
 }
 
@@ -205,8 +180,8 @@ QVector<QStringList> V8PlugsModel::planeRows() const {
     const auto add = [&](const QString& name, const PlaneVerdict* plane,
                          const std::optional<double>& reading) {
         rows << QStringList{
-            name, plane != nullptr ? words_.number(plane->permissible / gramMillimetre, 1) : dash,
-            reading ? words_.number(*reading / gramMillimetre, 1) : dash,
+            name, plane != nullptr ? words_.number(plane->permissible / gram_mm, 1) : dash,
+            reading ? words_.number(*reading / gram_mm, 1) : dash,
             plane == nullptr || !plane->passes ? dash
             : *plane->passes                   ? tr("✓ passes")
                                                : tr("✗ fails")};
@@ -262,8 +237,7 @@ QVector<QStringList> V8PlugsModel::crankpinRows() const {
         for (const double mass : excess) {
             cells << words_.number(mass / gram, 2);
         }
-        const auto [least, most] = std::minmax_element(excess.begin(), excess.end());
-        cells << words_.number((*most - *least) / gram, 2);
+        cells << words_.number(spread(excess) / gram, 2);
         return cells;
     };
     return {row(tr("as weighed, g"), *solution().crankpin_excess),

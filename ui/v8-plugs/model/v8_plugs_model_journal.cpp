@@ -5,17 +5,18 @@
 
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
+#include "scenes/scenes.h"
 #include "text/error_text.h"
+#include "v8-plugs/fields.h"
 #include "v8-plugs/model/v8_plugs_model.h"
 #include "v8-plugs/scene.h"
-#include "scenes/scenes.h"
 
 namespace ravnoves {
 
 using namespace v8_plugs;
 
 namespace {
-constexpr double gram = 1e-3;
+using units::gram;
 }
 
 void V8PlugsModel::setJournalTrouble(const QString& text) {
@@ -64,8 +65,8 @@ JournalJob V8PlugsModel::journalJob() const {
     job.technician = QString::fromStdString(input().job.technician);
     job.engine = QString::fromStdString(input().engine.name);
     job.date = QDate::fromString(QString::fromStdString(input().job.date), Qt::ISODate);
-    job.process = input().process == Process::repair ? QStringLiteral("repair")
-                                                     : QStringLiteral("manufacture");
+    const std::string process(process_words[static_cast<std::size_t>(input().process)].word);
+    job.process = QString::fromStdString(process);
     if (solution().unbalanced_mass) {
         job.unbalancedMass = *solution().unbalanced_mass / gram;
     }
@@ -74,10 +75,9 @@ JournalJob V8PlugsModel::journalJob() const {
             job.recommended = QStringLiteral("none-needed");
         } else if (solution().advice->kind == Advice::Kind::option) {
             const Option& option = *solution().advice->option;
-            const std::string_view name = option_name(option.id);
-            job.recommended = QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+            job.recommended = QString::fromStdString(std::string(option_word(option.id).word));
             job.reduction = option.reduction / gram;
-            if (const auto& weights = solution().bob_weights[static_cast<std::size_t>(option.id)]) {
+            if (const auto& weights = solution().bob_weights[index(option.id)]) {
                 job.bobWeight = weights->after.sum() / gram;
             }
         }

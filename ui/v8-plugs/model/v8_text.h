@@ -11,9 +11,8 @@ namespace ravnoves::v8_text {
 // What the page and the job card say about a solution, in the language of the Words. Masses in g,
 // unbalance in g·mm, lengths in mm.
 
-QString grams(const Words& words, double kilograms, int decimals = 2);
-QString gramMillimetres(const Words& words, double kilogramMetres, int decimals = 1);
-QString millimetres(const Words& words, double metres, int decimals = 2);
+QString grams(const Words& words, double mass, int decimals = 2);
+QString gramMillimetres(const Words& words, double unbalance, int decimals = 1);
 
 /// What to do, as one or two sentences; empty while it is not known.
 QString advice(const Words& words, const v8_plugs::Input& input, const v8_plugs::Result& solution);
@@ -21,8 +20,6 @@ QString advice(const Words& words, const v8_plugs::Input& input, const v8_plugs:
 /// or nothing is to be cut.
 QString boring(const Words& words, const v8_plugs::Input& input, const v8_plugs::Result& solution,
                v8_plugs::OptionId option);
-/// "fits" or by how much not.
-QString verdict(const Words& words, const v8_plugs::Option& option, double tolerance);
 /// Where a typed mass does not fit the plug's dimensions: what the dimensions would weigh. Empty
 /// where it fits or nothing is known.
 QStringList massWarnings(const Words& words, const v8_plugs::Input& input,
@@ -39,6 +36,12 @@ QString shiftText(const Words& words, const v8_plugs::Input& input,
 /// The option that the answer is about: the recommended one, else the one that leaves least;
 /// nothing where nothing is needed or known.
 std::optional<v8_plugs::Option> chosenOption(const v8_plugs::Result& solution);
+/// The bob weight with it; null where it is not known.
+const v8_plugs::BobWeight* bobWeightAfter(const v8_plugs::Result& solution);
+/// A line of the bob weights nominal, before and after, in g; of the sum where no part is given.
+QStringList bobWeightCells(const Words& words, const v8_plugs::Result& solution,
+                           std::optional<v8_plugs::BobWeightLine::Part> part, int decimals,
+                           const QString& missing);
 /// True where the advice is something that works.
 bool works(const v8_plugs::Result& solution);
 /// What to hang on the crankpins, to 0.1 g; empty while it is not known.

@@ -29,6 +29,37 @@ QString Words::translate(const char* context, const char* text, const char* comm
     return found.isEmpty() ? QString::fromUtf8(text) : found;
 }
 
+QString Words::unit(Unit unit) const {
+    return unit.name.empty() ? QString()
+                             : translate("ravnoves::Unit", std::string(unit.name).c_str());
+}
+
+QString Words::message(const Message& message) const {
+    if (message.pattern().empty()) {
+        return QString::fromStdString(message.verbatim());
+    }
+    struct Shown {
+        const Words& words;
+        QString operator()(const std::string& word) const { return QString::fromStdString(word); }
+        QString operator()(const Message& inner) const { return words.message(inner); }
+        QString operator()(const Number& number) const {
+            return withUnit(number.digits < 0 ? words.number(number.value, -number.digits)
+                                              : formNumber(number.value, words.locale(),
+                                                           number.digits > 0 ? number.digits : 10),
+                            words.unit(number.unit));
+        }
+    };
+    std::vector<std::string> values;
+    for (const Argument& argument : message.arguments()) {
+        values.push_back(std::visit(Shown{*this}, argument).toStdString());
+    }
+    return QString::fromStdString(fill_pattern(text(message.pattern()).toStdString(), values));
+}
+
+QString Words::number(double si, Unit unit, int decimals) const {
+    return withUnit(number(si / unit, decimals), this->unit(unit));
+}
+
 QString Words::number(double value, int decimals) const {
     return fixedNumber(value, decimals, locale_);
 }

@@ -4,6 +4,8 @@
 #include <QString>
 #include <memory>
 
+#include "case-file/field.h"
+
 class QTranslator;
 
 namespace ravnoves {
@@ -25,9 +27,19 @@ class Words {
     /// The text in the language; named as lupdate knows it.
     QString translate(const char* context, const char* text, const char* comment = nullptr) const;
 
+    QString text(const Text& text) const { return translate(text.context, text.english); }
+    /// A message of core, with the numbers and units of the language.
+    QString message(const Message& message) const;
+    /// A field's label without the & of its mnemonic: "Crank radius r".
+    QString name(const Field& field) const { return text(field.label).remove(QLatin1Char('&')); }
+    /// A unit of core; empty for pure numbers.
+    QString unit(Unit unit) const;
+
     const QLocale& locale() const { return locale_; }
     /// Fixed decimals, decimal sign of the language, a true minus.
     QString number(double value, int decimals) const;
+    /// With its unit: "2.79 g".
+    QString number(double si, Unit unit, int decimals) const;
     /// As many of the decimals as the number has: "2.79", "40".
     QString plain(double value, int decimals = 4) const;
 
