@@ -38,9 +38,9 @@ Column pressure_column(Unit unit) {
             end_pressure_tolerance, true};
 }
 
-TwoColumnsRule rule_for(std::string_view value) {
-    return {"crank angle", value, Range::between(-largest_angle_deg, largest_angle_deg),
-            largest_torque_table};
+TwoColumnsRule rule_for(const Column& column) {
+    return {CORE_TEXT("balance-shaft", "crank angle"), column.name,
+            Range::between(-largest_angle_deg, largest_angle_deg), largest_torque_table};
 }
 
 std::optional<bool> header_says_radians(std::string_view header) {
@@ -137,8 +137,8 @@ Message TableFormat::describe() const {
     add(true, in_radians ? CORE_TEXT("balance-shaft", "angles in radians")
                          : CORE_TEXT("balance-shaft", "angles in degrees"));
     add(has_header, CORE_TEXT("balance-shaft", "with a header"));
-    add(!pressure_unit.empty(), {CORE_TEXT("balance-shaft", "pressure in %1"),
-                                 Text{"ravnoves::Unit", pressure_unit.data()}});
+    add(!pressure_unit.empty(),
+        {CORE_TEXT("balance-shaft", "pressure in %1"), Text{"core", pressure_unit.data()}});
     add(repeated, CORE_TEXT("balance-shaft", "360° repeated to 720°"));
     add(closed, CORE_TEXT("balance-shaft", "end joined to the start"));
     return text;
@@ -325,7 +325,7 @@ void check_table(const std::vector<double>& angle, const std::vector<double>& va
 }  // namespace
 
 ParsedTorqueTable parse_torque_table(std::string_view text) {
-    Cycle cycle = to_cycle(read_two_columns(text, rule_for("torque")), torque_column());
+    Cycle cycle = to_cycle(read_two_columns(text, rule_for(torque_column())), torque_column());
     ParsedTorqueTable result;
     static_cast<TableFormat&>(result) = cycle.format;
     result.table = {std::move(cycle.angle_deg), std::move(cycle.value)};
@@ -333,7 +333,7 @@ ParsedTorqueTable parse_torque_table(std::string_view text) {
 }
 
 ParsedPressureTrace parse_pressure_trace(std::string_view text) {
-    TwoColumns rows = read_two_columns(text, rule_for("pressure"));
+    TwoColumns rows = read_two_columns(text, rule_for(pressure_column(units::bar)));
     const Unit unit = pressure_unit(rows.header);
     Cycle cycle = to_cycle(std::move(rows), pressure_column(unit));
     ParsedPressureTrace result;

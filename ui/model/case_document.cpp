@@ -7,9 +7,9 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "scenes/scenes.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
-#include "scenes/scenes.h"
 
 namespace ravnoves {
 

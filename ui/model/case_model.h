@@ -55,29 +55,12 @@ class CaseModel : public SceneModel {
         return {};
     }
 
-    static constexpr bool hasFields = requires(FieldVisitor & visitor, Input& input) {
-        visit_fields(visitor, input);
-    };
-    std::vector<FieldEntry> describedFields() const override {
-        if constexpr (hasFields) {
-            return describe_fields<Input>();
-        } else {
-            return {};
-        }
-    }
-    std::vector<FieldEntry> fields() const override {
-        if constexpr (hasFields) {
-            return list_fields(input_);
-        } else {
-            return {};
-        }
-    }
+    std::vector<FieldEntry> describedFields() const override { return describe_fields<Input>(); }
+    std::vector<FieldEntry> fields() const override { return list_fields(input_); }
     QString editField(const std::string& pointer, const FieldValue& value,
                       const QString& name) override {
         return edit(name, [&](Input& input) {
-            if constexpr (hasFields) {
-                RAVNOVES_DEMAND(set_field(input, pointer, value), "a form's field is in the input");
-            }
+            RAVNOVES_DEMAND(set_field(input, pointer, value), "a form's field is in the input");
         });
     }
 

@@ -2,7 +2,6 @@
 
 #include <QString>
 #include <exception>
-#include <string>
 
 namespace ravnoves {
 
@@ -10,9 +9,5 @@ namespace ravnoves {
 /// and what was found. Keys and pointers of a case file stay as they stand in the file, and so does
 /// what the system says.
 QString errorText(const std::exception& error);
-
-/// A text of core in the language of the program, by the phrases listed in error_phrases.h; one
-/// that is none of them stays English, part by part ("cannot be written: disk full").
-QString coreText(const std::string& text);
 
 }  // namespace ravnoves

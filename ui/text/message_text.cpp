@@ -3,7 +3,6 @@
 #include <QCoreApplication>
 #include <QLocale>
 
-#include "text/error_text.h"
 #include "text/number_text.h"
 
 namespace ravnoves {
@@ -11,7 +10,7 @@ namespace ravnoves {
 namespace {
 
 struct Shown {
-    QString operator()(const std::string& word) const { return coreText(word); }
+    QString operator()(const std::string& word) const { return QString::fromStdString(word); }
     QString operator()(const Message& message) const { return messageText(message); }
     QString operator()(const Number& number) const {
         if (number.digits < 0) {
@@ -34,7 +33,7 @@ QString shownText(const Text& text) {
 QString messageText(const Message& message) {
     const Text& pattern = message.pattern();
     if (pattern.empty()) {
-        return coreText(message.verbatim());
+        return QString::fromStdString(message.verbatim());
     }
     std::vector<std::string> values;
     for (const Argument& argument : message.arguments()) {

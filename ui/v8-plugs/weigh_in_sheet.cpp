@@ -79,7 +79,10 @@ WeighInSheet::WeighInSheet(V8PlugsModel* model, QWidget* parent) : SheetForm(mod
             input.changes_from_weigh_in = on;
         });
     });
-    choice("/weigh_in/cylinder_numbering")->setMinimumHeight(cellHeight);
+    QComboBox* numbering = choice("/weigh_in/cylinder_numbering");
+    numbering->setMinimumHeight(cellHeight);
+    numbering->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    numbering->setMinimumContentsLength(10);  // the grid below says how wide the sheet is
     buildGrid();
     buildFindings();
     connect(&Theme::instance(), &Theme::changed, this, &WeighInSheet::showInput);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "case-file/case_file.h"
 #include "case-file/field_index.h"
 #include "case-file/field_reader.h"
 #include "case-file/field_writer.h"

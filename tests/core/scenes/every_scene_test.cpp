@@ -201,6 +201,9 @@ TEST_P(EveryScene, SetsEveryScalarByItsPointer) {
 TEST_P(EveryScene, OffersTheNearestForAMisspeltKey) {
     int tried = 0;
     for_each_object(file.input, "", [&](const Json& object, const std::string& pointer) {
+        if (pointer == "/reciprocating_masses_kg") {
+            return;  // names are free there
+        }
         for (const auto& item : object.items()) {
             const std::string misspelt = item.key() + "x";
             Json input = file.input;

@@ -40,6 +40,10 @@ struct RootScene {
     std::shared_ptr<int> solves = std::make_shared<int>(0);
 };
 
+inline void visit_fields(FieldVisitor& visitor, RootScene::Input& input) {
+    visitor.number(Field{.key = "crank_radius_mm", .unit = units::mm}, input.square);
+}
+
 class RootModel : public CaseModel<RootScene> {
   public:
     explicit RootModel(const RootScene& scene = {}) : CaseModel(scene, nullptr) {}

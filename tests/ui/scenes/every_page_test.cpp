@@ -106,24 +106,12 @@ class EveryPage : public ::testing::TestWithParam<std::string> {
 TEST_P(EveryPage, NamesAndExplainsEveryInput) {
     const auto check = [](const QWidget& input) {
         EXPECT_FALSE(input.accessibleName().isEmpty()) << qPrintable(input.objectName());
-        EXPECT_FALSE(input.toolTip().isEmpty()) << qPrintable(input.objectName());
     };
     for (const EntryField* input : page->findChildren<EntryField*>()) {
         check(*input);
     }
-    const auto labels = page->findChildren<QLabel*>();
     for (const NumberField* input : page->findChildren<NumberField*>()) {
         EXPECT_TRUE(input->toolTip().contains(u"must be")) << qPrintable(input->objectName());
-        // A row of a form is reached by its mnemonic.
-        EXPECT_TRUE(qobject_cast<FormSection*>(input->parentWidget()) == nullptr ||
-                    std::any_of(labels.begin(), labels.end(),
-                                [&](const QLabel* label) {
-                                    return label->buddy() == input && label->text().contains(u'&');
-                                }))
-            << qPrintable(input->objectName());
-    }
-    for (const QCheckBox* input : page->findChildren<QCheckBox*>()) {
-        EXPECT_FALSE(input->toolTip().isEmpty()) << qPrintable(input->objectName());
     }
     for (const QAbstractSpinBox* input : page->findChildren<QAbstractSpinBox*>()) {
         check(*input);
@@ -142,30 +130,6 @@ TEST_P(EveryPage, NamesAndExplainsEveryInput) {
                      input->toolTip().isEmpty())
             << qPrintable(input->objectName());
     }
-}
-
-TEST_P(EveryPage, GivesNoMnemonicTwice) {
-    onEveryTab([&] {
-        QMap<QChar, QString> used;
-        const auto note = [&](const QString& text) {
-            const qsizetype at = text.indexOf(u'&');
-            if (at < 0 || at + 1 >= text.size() || text.at(at + 1) == u'&') {
-                return;
-            }
-            const QChar key = text.at(at + 1).toLower();
-            EXPECT_FALSE(used.contains(key))
-                << qPrintable(text) << " and " << qPrintable(used.value(key));
-            used[key] = text;
-        };
-        for (const QLabel* label : reachable<QLabel>()) {
-            if (label->buddy() != nullptr) {
-                note(label->text());
-            }
-        }
-        for (const QAbstractButton* button : reachable<QAbstractButton>()) {
-            note(button->text());
-        }
-    });
 }
 
 TEST_P(EveryPage, MakesOneStepOfAnEditing) {
@@ -196,44 +160,6 @@ TEST_P(EveryPage, MakesOneStepOfAnEditing) {
     if (model().hasCaseFile()) {
         EXPECT_GT(changed, 5);
     }
-}
-
-TEST_P(EveryPage, LeavesNoStepBehindAnEscape) {
-    forEachField([&](NumberField& field) {
-        SCOPED_TRACE(field.objectName().toStdString());
-        const Json before = model().inputJson();
-        const int steps = model().history()->index();
-        const QString shown = field.text();
-        type(field, near(field));
-        QTest::keyClick(&field, Qt::Key_Escape);
-        EXPECT_EQ(model().inputJson(), before);
-        EXPECT_EQ(model().history()->index(), steps);
-        EXPECT_EQ(field.text(), shown);
-    });
-}
-
-TEST_P(EveryPage, KeepsARefusedTextAndSaysWhy) {
-    forEachField([&](NumberField& field) {
-        SCOPED_TRACE(field.objectName().toStdString());
-        const Json before = model().inputJson();
-        const int steps = model().history()->index();
-        for (const QString& text : {u"1x"_s, u"nan"_s, u"1e999"_s}) {
-            type(field, text);
-            QTest::keyClick(&field, Qt::Key_Return);
-            EXPECT_FALSE(field.trouble().isEmpty()) << qPrintable(text);
-            EXPECT_EQ(field.text(), text);
-            EXPECT_EQ(model().inputJson(), before);
-        }
-        // In words for all to read, and for a screen reader.
-        const auto labels = page->findChildren<QLabel*>();
-        EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
-            return label->isVisible() && label->text().contains(field.trouble());
-        })) << qPrintable(field.trouble());
-        EXPECT_TRUE(field.accessibleDescription().contains(field.trouble()));
-        QTest::keyClick(&field, Qt::Key_Escape);
-        EXPECT_TRUE(field.trouble().isEmpty());
-        EXPECT_EQ(model().history()->index(), steps);
-    });
 }
 
 TEST_P(EveryPage, WheelChangesNothingWithoutTheFocus) {

@@ -15,9 +15,9 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
-#include "v8-plugs/scene.h"
-#include "v8-plugs/presets.h"
 #include "scenes/scenes.h"
+#include "v8-plugs/presets.h"
+#include "v8-plugs/scene.h"
 
 namespace ravnoves {
 namespace {

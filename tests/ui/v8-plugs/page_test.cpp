@@ -436,7 +436,7 @@ TEST_F(V8PageTest, WeighInSheetByKeyboard) {
     QTest::keyClick(use, Qt::Key_Space);
     EXPECT_NEAR(model->solution().changes.repair_piston_and_rings, 3.5 * gram, 1e-12);
     EXPECT_FALSE(field("repair_piston_and_rings")->isEnabled());
-    EXPECT_EQ(field("repair_piston_and_rings")->value(), 3.5);
+    EXPECT_NEAR(field("repair_piston_and_rings")->value().value_or(0.0), 3.5, 1e-12);
     QTest::keyClick(use, Qt::Key_Space);
     EXPECT_TRUE(field("repair_piston_and_rings")->isEnabled());
 }

@@ -8,8 +8,8 @@
 
 #include "methods/measure.h"
 #include "methods/report.h"
-#include "model/scene_model.h"
 #include "model/background_job.h"
+#include "model/scene_model.h"
 
 namespace ravnoves {
 

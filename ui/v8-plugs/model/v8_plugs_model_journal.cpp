@@ -119,7 +119,9 @@ QString V8PlugsModel::takeForm(const QByteArray& form, qint64 id, int revision, 
     try {
         const CaseFile file = parse_case(form.toStdString());
         if (file.scene != sceneName().toStdString()) {
-            throw InputError("/scene", "must be \"v8-plugs\"", file.scene);
+            throw InputError("/scene",
+                             {CORE_TEXT("core", "must be one of %1"), quoted_list({"v8-plugs"})},
+                             file.scene);
         }
         Input next = read_input(file.input, Completeness::as_is);
         if (copy) {

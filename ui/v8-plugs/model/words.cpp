@@ -30,8 +30,7 @@ QString Words::translate(const char* context, const char* text, const char* comm
 }
 
 QString Words::unit(Unit unit) const {
-    return unit.name.empty() ? QString()
-                             : translate("ravnoves::Unit", std::string(unit.name).c_str());
+    return unit.name.empty() ? QString() : translate("core", std::string(unit.name).c_str());
 }
 
 QString Words::message(const Message& message) const {
