@@ -9,7 +9,7 @@ usage() {
 usage: packaging/test.sh [--quick | --full] [--no-install]
 
   1. core-only    core and the command line with Qt hidden from CMake: build, tests
-  2. release      the whole program, warnings are errors: build, tests (offscreen)
+  2. release      the whole program, warnings are errors: build, its other tests (offscreen)
   3. lint         shellcheck over the scripts
   4. with --full  address and undefined-behaviour sanitizers over everything; clang-tidy
 
@@ -108,7 +108,8 @@ sections=(core ui run test)
 [ $install = no ] || stage "packages" install_sections "${sections[@]}"
 
 build_and_test core-only
-build_and_test release
+# What core-only has just tested is not built and tested again.
+build_and_test release -DRAVNOVES_BUILD_CORE_TESTS=OFF
 if [ $quick = no ]; then
     stage "lint: scripts" lint_scripts || true
 fi

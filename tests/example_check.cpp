@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <vector>
 
-#include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "scenes/scenes.h"
 
 namespace ravnoves::test {
 

@@ -3,12 +3,12 @@
 #include <iostream>
 #include <string>
 
-#include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "command.h"
 #include "output.h"
+#include "scenes/scenes.h"
 
 namespace ravnoves::cli {
 

@@ -6,11 +6,11 @@
 #include <cstdio>
 #include <initializer_list>
 
-#include "shell/language.h"
 #include "shell/main_window.h"
 #include "shell/screenshot.h"
+#include "text/language.h"
 #include "theme/theme.h"
-#include "v8-plugs/journal.h"
+#include "v8-plugs/model/journal.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "balance-shaft/balance_shaft.h"
+#include "balance-shaft/solver.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -13,7 +13,7 @@ namespace ravnoves::balance_shaft {
 /// P cos φ along the cylinder, P = m_j r ω²: the force (−κ P sin φ, (1 − κ) P cos φ) runs on an
 /// ellipse, a line at κ = 0 and 1, a circle at κ = ½. The shaft with two equal counterweights by
 /// equation (1) makes it a point. The second order P λ cos 2φ along the cylinder stays either way.
-/// Source: Gots and Klevtsov, the introduction of the method; text-book result.
+/// Source: [gots-klevtsov], the introduction of the method; text-book result.
 struct CrankBalance {
     double share = 0.0;                 ///< κ
     double first_order = 0.0;           ///< P = m_j r ω², N

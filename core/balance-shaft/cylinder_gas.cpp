@@ -89,10 +89,10 @@ CylinderGas::CylinderGas(const SliderCrank<double>& crank, const CylinderSizes& 
         heat_ = (wanted - motored) / per_heat;
         if (!(heat_ >= 0.0) || !std::isfinite(heat_)) {
             throw InputError("/input/torque/cycle/indicated_mean_effective_pressure_bar",
-                             "must be at least " +
-                                 format_number(motored / indicated_.displacement / 1e5, 6) +
-                                 ", what the cycle gives without heat",
-                             format_number(cycle_.imep.value_or(0.0) / 1e5));
+                             {CORE_TEXT("balance-shaft",
+                                        "must be at least %1, what the cycle gives without heat"),
+                              Number{motored / indicated_.displacement / units::bar, {}, 6}},
+                             Number{cycle_.imep.value_or(0.0) / units::bar});
         }
     }
     indicated_.heat = heat_;

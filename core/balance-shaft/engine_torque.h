@@ -3,8 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "balance-shaft/balance_shaft.h"
 #include "balance-shaft/cylinder_gas.h"
+#include "balance-shaft/inertia_check.h"
+#include "balance-shaft/input.h"
 #include "numerics/periodic_piecewise.h"
 
 namespace ravnoves::balance_shaft {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "balance-shaft/balance_shaft.h"
+#include "balance-shaft/solver.h"
 
 namespace ravnoves::balance_shaft {
 

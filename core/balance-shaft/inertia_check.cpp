@@ -5,7 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "balance-shaft/balance_shaft.h"
+#include "balance-shaft/input.h"
+#include "case-file/range.h"
 #include "numerics/slider_crank.h"
 
 namespace ravnoves::balance_shaft {
@@ -147,9 +148,11 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
                                                                   first.residual * second.size);
     const Fit& fit = take_second ? second : first;
     if (!fit.found || !(check.entered > 0.0)) {
-        check.text =
-            "The torque on the gas-exchange strokes does not look like the inertia torque of a "
-            "slider-crank, so it cannot be compared with the masses and the speed entered.";
+        check.text = CORE_TEXT(
+            "balance-shaft",
+            "The torque on the gas-exchange strokes does not look like the inertia torque "
+            "of a slider-crank, so it cannot be compared with the masses and the speed "
+            "entered.");
         return check;
     }
     check.fitted = fit.scale;
@@ -161,19 +164,24 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
     check.consistent = std::abs(ratio - 1.0) <= InertiaCheck::tolerance;
     check.matching_speed = speed * std::sqrt(ratio);
     check.matching_mass = mass * ratio;
-    const auto number = [](double value) { return format_number(value, 3); };
-    check.text = "The torque on the gas-exchange stroke holds an inertia torque of m_j r² ω² = " +
-                 number(fit.scale) + " N·m (r/L = " + number(fit.lambda) +
-                 "); the masses and the speed entered give " + number(check.entered) + " N·m. ";
-    if (*check.consistent) {
-        check.text += "They belong together.";
-    } else {
-        check.text += "They do not belong together: the torque fits these masses at " +
-                      format_number(check.matching_speed / rpm, 4) + " min⁻¹, or " +
-                      number(check.matching_mass) +
-                      " kg at this speed. The best angle found below is that of no real engine "
-                      "until they agree.";
-    }
+    const auto number = [](double value, int digits = 3) {
+        return Number{rounded_to(value, digits)};
+    };
+    check.text =
+        *check.consistent
+            ? Message(CORE_TEXT("balance-shaft",
+                                "The torque on the gas-exchange stroke holds an inertia torque of "
+                                "m_j r² ω² = %1 N·m (r/L = %2); the masses and the speed entered "
+                                "give %3 N·m. They belong together."),
+                      number(fit.scale), number(fit.lambda), number(check.entered))
+            : Message(CORE_TEXT("balance-shaft",
+                                "The torque on the gas-exchange stroke holds an inertia torque of "
+                                "m_j r² ω² = %1 N·m (r/L = %2); the masses and the speed entered "
+                                "give %3 N·m. They do not belong together: the torque fits these "
+                                "masses at %4 min⁻¹, or %5 kg at this speed. The best angle found "
+                                "below is that of no real engine until they agree."),
+                      number(fit.scale), number(fit.lambda), number(check.entered),
+                      number(check.matching_speed / units::rpm, 4), number(check.matching_mass));
     return check;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "balance-shaft/torque_table.h"
 
@@ -29,7 +28,7 @@ struct InertiaCheck {
     double matching_speed = 0.0;
     /// The reciprocating mass that has it at the speed entered, kg.
     double matching_mass = 0.0;
-    std::string text;  ///< what this means, in English sentences
+    Message text;  ///< what this means, in English sentences
 
     static constexpr double tolerance = 0.15;  ///< of fitted against entered
 };

@@ -1,6 +1,7 @@
+#include "balance-shaft/mechanism.h"
+
 #include <cmath>
 
-#include "balance-shaft/balance_shaft.h"
 #include "balance-shaft/engine_torque.h"
 
 namespace ravnoves::balance_shaft {

@@ -11,9 +11,11 @@ inline constexpr MethodChoice cycle_mean_choice{
     "exact",
     "pieces",
     1e-9,
-    "The paper's conclusions rest on a mean, so it has to be that of the cycle and not of a choice "
-    "of nodes: nine digits for any table, however uneven its rows. The pieces between the rows are "
-    "integrated exactly; after that every angle of the shaft costs three multiplications."};
+    CORE_TEXT("methods",
+              "The paper's conclusions rest on a mean, so it has to be that of the cycle and not "
+              "of a choice of nodes: nine digits for any table, however uneven its rows. The "
+              "pieces between the rows are integrated exactly; after that every angle of the shaft "
+              "costs three multiplications.")};
 
 /// Range of M_ups at one α: CycleExtrema.
 inline constexpr MethodChoice moment_range_choice{
@@ -22,9 +24,10 @@ inline constexpr MethodChoice moment_range_choice{
     "exact",
     "pieces",
     1e-9,
-    "The best angle is found from differences of ranges, so nine digits. Nodes miss a peak "
-    "between them; the extremum of a line plus a sine is known in closed form, and only the few "
-    "intervals that can hold it are solved."};
+    CORE_TEXT("methods",
+              "The best angle is found from differences of ranges, so nine digits. Nodes miss a "
+              "peak between them; the extremum of a line plus a sine is known in closed form, and "
+              "only the few intervals that can hold it are solved.")};
 
 /// The angle with the least range: minimise_range().
 inline constexpr MethodChoice best_angle_choice{
@@ -33,8 +36,10 @@ inline constexpr MethodChoice best_angle_choice{
     "cutting-planes",
     "exact",
     1e-9,
-    "The range is the largest of many sinusoids: it has kinks at its minima and several of them. "
-    "Sinusoids that bound it from below tell where no better angle can be, so the best one is "
-    "found and not just a good one, with fewer evaluations than a scan of 5°."};
+    CORE_TEXT(
+        "methods",
+        "The range is the largest of many sinusoids: it has kinks at its minima and several of "
+        "them. Sinusoids that bound it from below tell where no better angle can be, so the best "
+        "one is found and not just a good one, with fewer evaluations than a scan of 5°.")};
 
 }  // namespace ravnoves::balance_shaft

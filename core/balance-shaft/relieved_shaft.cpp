@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "balance-shaft/fields.h"
+#include "balance-shaft/input.h"
+#include "case-file/field_writer.h"
 #include "case-file/input_error.h"
 #include "drawing/dxf_document.h"
 #include "numerics/constants.h"
@@ -11,19 +14,10 @@ namespace ravnoves::balance_shaft {
 
 namespace {
 
-constexpr double millimetre = 1e-3;
 constexpr const char* root = "/input/relieved_shaft";
 
-void check(const FieldSpec& field, double si) {
-    const double value = from_si(field, si);
-    if (!field.range.contains(value)) {
-        throw InputError(std::string(root) + "/" + std::string(field.key), field.range.describe(),
-                         format_number(value));
-    }
-}
-
-std::string in_mm(double metres) {
-    return format_number(metres / millimetre, 4) + " mm";
+Number in_mm(double metres) {
+    return {metres / units::mm, units::mm, 4};
 }
 
 /// The relieved section about the bar's axis, y towards the flat.
@@ -53,27 +47,20 @@ struct Section {
 }  // namespace
 
 void check_relieved_shaft(const RelievedShaftSizes& sizes) {
-    int given = 0;
-    const auto check_size = [&](const FieldSpec& field, const std::optional<double>& size) {
-        if (size) {
-            ++given;
-            check(field, *size);
-        }
-    };
-    check_size(field::bar_diameter, sizes.diameter);
-    check_size(field::relief_depth, sizes.depth);
-    check_size(field::relief_length, sizes.length);
-    check(field::density, sizes.density);
-    check(field::elastic_modulus, sizes.elastic_modulus);
+    check_fields(sizes, root);
+    const int given =
+        sizes.diameter.has_value() + sizes.depth.has_value() + sizes.length.has_value();
     if (given < 2) {
-        throw InputError(root, "must hold two of diameter_mm, depth_mm and length_mm",
-                         std::to_string(given));
+        throw InputError(
+            root,
+            CORE_TEXT("balance-shaft", "must hold two of diameter_mm, depth_mm and length_mm"),
+            Number{1.0 * given});
     }
     if (sizes.diameter && sizes.depth && !(*sizes.depth < *sizes.diameter)) {
         throw InputError(std::string(root) + "/depth_mm",
-                         "must be less than the diameter, " +
-                             format_number(from_si(field::bar_diameter, *sizes.diameter)),
-                         format_number(from_si(field::relief_depth, *sizes.depth)));
+                         {CORE_TEXT("balance-shaft", "must be less than the diameter, %1"),
+                          from_si(field::bar_diameter, *sizes.diameter)},
+                         Number{from_si(field::relief_depth, *sizes.depth)});
     }
 }
 
@@ -87,7 +74,8 @@ RelievedShaft design_relieved_shaft(const RelievedShaftSizes& sizes, double requ
     shaft.length = sizes.length.value_or(0.0);
     const double per_volume = 2.0 / 3.0 * sizes.density;  // U = per_volume b a³
     if (!(required > 0.0)) {
-        shaft.reason = "No unbalance is needed, so there is nothing to mill away.";
+        shaft.reason =
+            CORE_TEXT("balance-shaft", "No unbalance is needed, so there is nothing to mill away.");
         return shaft;
     }
     if (sizes.length) {
@@ -100,10 +88,11 @@ RelievedShaft design_relieved_shaft(const RelievedShaftSizes& sizes, double requ
         const double radius = shaft.diameter / 2.0;
         const double a = shaft.critical_radius;
         if (a > radius) {
-            shaft.reason = "The bar is too thin: over a length of " + in_mm(shaft.length) +
-                           " its diameter must be at least " + in_mm(2.0 * a) +
-                           "; with this diameter the relieved length must be at least " +
-                           in_mm(shaft.critical_length) + ".";
+            shaft.reason = {
+                CORE_TEXT("balance-shaft",
+                          "The bar is too thin: over a length of %1 its diameter must be at least "
+                          "%2; with this diameter the relieved length must be at least %3."),
+                in_mm(shaft.length), in_mm(2.0 * a), in_mm(shaft.critical_length)};
             return shaft;
         }
         // The smaller root of h (D − h) = a², without cancellation.
@@ -139,36 +128,40 @@ RelievedShaft design_relieved_shaft(const RelievedShaftSizes& sizes, double requ
         !std::isfinite(shaft.critical_radius) || !std::isfinite(shaft.critical_length)) {
         RelievedShaft none;
         none.required = required;
-        none.reason = "The unbalance needed is beyond any shaft of such sizes.";
+        none.reason =
+            CORE_TEXT("balance-shaft", "The unbalance needed is beyond any shaft of such sizes.");
         return none;
     }
     const double ratio = shaft.unbalance / required;
     if (std::abs(ratio - 1.0) > relieved_shaft_tolerance) {
-        shaft.reason = "These sizes give " + format_number(100.0 * ratio, 4) +
-                       " % of the unbalance that is needed.";
+        shaft.reason = {
+            CORE_TEXT("balance-shaft", "These sizes give %1 % of the unbalance that is needed."),
+            Number{100.0 * ratio, {}, 4}};
         return shaft;
     }
     shaft.feasible = true;
     constexpr double half = 0.5 * (1.0 + 1e-12);
     if (shaft.depth > half * shaft.diameter) {
-        shaft.note = "More than half of the bar is milled away: the depth " +
-                     in_mm(shaft.diameter - shaft.depth) +
-                     " gives the same unbalance and a stiffer shaft.";
+        shaft.note = {CORE_TEXT("balance-shaft",
+                                "More than half of the bar is milled away: the depth %1 gives the "
+                                "same unbalance and a stiffer shaft."),
+                      in_mm(shaft.diameter - shaft.depth)};
     }
     return shaft;
 }
 
 std::string relieved_shaft_dxf(const RelievedShaft& shaft, const std::string& title) {
     if (!shaft.feasible) {
-        throw InputError("", "there is no shaft to draw: " + shaft.reason);
+        throw InputError(
+            "", {CORE_TEXT("balance-shaft", "there is no shaft to draw: %1"), shaft.reason});
     }
     DxfDocument drawing({{"SHAFT", DxfDocument::white},
                          {"REMOVED", DxfDocument::cyan},
                          {"AXIS", DxfDocument::red},
                          {"NOTE", DxfDocument::grey}});
-    const double radius = shaft.diameter / 2.0 / millimetre;
-    const double flat = radius - shaft.depth / millimetre;
-    const double half_width = shaft.half_width / millimetre;
+    const double radius = shaft.diameter / 2.0 / units::mm;
+    const double flat = radius - shaft.depth / units::mm;
+    const double half_width = shaft.half_width / units::mm;
     const double angle = std::atan2(flat, half_width) / degree;
     // Section at the origin, the flat above: the rest goes round below it.
     drawing.arc({0.0, 0.0}, radius, 180.0 - angle, 360.0 + angle, "SHAFT");
@@ -178,7 +171,7 @@ std::string relieved_shaft_dxf(const RelievedShaft& shaft, const std::string& ti
     drawing.line({-arm, 0.0}, {arm, 0.0}, "AXIS");
     drawing.line({0.0, -arm}, {0.0, arm}, "AXIS");
     // Side view to the right, the bar whole for half a diameter on both sides.
-    const double length = shaft.length / millimetre;
+    const double length = shaft.length / units::mm;
     const double stub = radius;
     const double left = 2.0 * radius;
     const double begin = left + stub;
@@ -202,14 +195,14 @@ std::string relieved_shaft_dxf(const RelievedShaft& shaft, const std::string& ti
         drawing.text({-radius, y}, height, words, "NOTE");
         y -= 1.6 * height;
     };
-    const auto mm = [](double metres) { return format_number(metres / millimetre, 6); };
+    const auto mm = [](double metres) { return format_number(metres / units::mm, 6); };
     if (!title.empty()) {
         note(title);
     }
     note("Balance shaft with a relieved middle; dimensions in mm, scale 1:1");
     note("Diameter " + mm(shaft.diameter) + ", depth " + mm(shaft.depth) + ", length " +
          mm(shaft.length) + ", width of the flat " + mm(2.0 * shaft.half_width));
-    note("Unbalance " + format_number(shaft.unbalance * 1e6, 6) +
+    note("Unbalance " + format_number(shaft.unbalance / units::gram_mm, 6) +
          " g mm on the side away from the flat; relieved part " + format_number(shaft.mass, 4) +
          " kg");
     return drawing.write();

@@ -3,32 +3,23 @@
 #include <optional>
 #include <string>
 
-#include "case-file/range.h"
+#include "case-file/message.h"
 
 namespace ravnoves::balance_shaft {
 
-namespace field {
-// Of the object "relieved_shaft".
-inline constexpr FieldSpec bar_diameter{"diameter_mm", "mm", Range::greater_than(0, 1e5), 1e-3};
-inline constexpr FieldSpec relief_depth{"depth_mm", "mm", Range::greater_than(0, 1e5), 1e-3};
-inline constexpr FieldSpec relief_length{"length_mm", "mm", Range::greater_than(0, 1e5), 1e-3};
-inline constexpr FieldSpec density{"density_kg_m3", "kg/m³", Range::between(100, 30000)};
-inline constexpr FieldSpec elastic_modulus{"elastic_modulus_GPa", "GPa", Range::between(1, 1000),
-                                           1e9};
-}  // namespace field
-
 /// What is known of a balance shaft with a relieved middle. Of diameter, depth and length two are
-/// given and the third is sized; with all three given the shaft is only checked.
+/// given and the third is sized; with all three given the shaft is only checked. The values here
+/// are what a page shows before sizes are entered.
 struct RelievedShaftSizes {
-    std::optional<double> diameter;  ///< D, m
-    std::optional<double> depth;     ///< h, m
-    std::optional<double> length;    ///< b, m
-    double density = 7850.0;         ///< ρ, kg/m³; steel
-    double elastic_modulus = 210e9;  ///< Pa; steel
+    std::optional<double> diameter = 0.050;  ///< D, m
+    std::optional<double> depth;             ///< h, m
+    std::optional<double> length = 0.400;    ///< b, m
+    double density = 7850.0;                 ///< ρ, kg/m³; steel
+    double elastic_modulus = 210e9;          ///< Pa; steel
     bool operator==(const RelievedShaftSizes&) const = default;
 };
 
-/// A balance shaft as on the VAZ-11113 (Gots and Klevtsov, Fig. 5): a round bar of diameter D with
+/// A balance shaft as on the VAZ-11113 ([gots-klevtsov], Fig. 5): a round bar of diameter D with
 /// a segment of depth h milled away over the length b.
 ///
 /// The removed segment has the first moment ∫ y dA = (2/3) a³ about the bar's axis, a² = h (D − h)
@@ -36,7 +27,7 @@ struct RelievedShaftSizes {
 /// of mass on the other side. It is largest at h = D/2.
 struct RelievedShaft {
     bool feasible = false;
-    std::string reason;                  ///< why not, as a sentence; empty where feasible
+    Message reason;                      ///< why not, as a sentence; empty where feasible
     double required = 0.0;               ///< m₁ ρ₁, kg·m
     double unbalance = 0.0;              ///< U, kg·m
     double diameter = 0.0;               ///< m
@@ -54,7 +45,7 @@ struct RelievedShaft {
     /// and largest stress, Pa.
     double sag = 0.0;
     double bending_stress = 0.0;
-    std::string note;  ///< what a designer should know of a feasible shaft; may be empty
+    Message note;  ///< what a designer should know of a feasible shaft; may be empty
 };
 
 inline constexpr double relieved_shaft_tolerance = 0.01;  ///< of U, where all sizes are given

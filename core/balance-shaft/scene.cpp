@@ -1,14 +1,115 @@
 #include "balance-shaft/scene.h"
 
+#include <cmath>
+#include <filesystem>
+
 #include "balance-shaft/crank_balance.h"
+#include "balance-shaft/engine_torque.h"
 #include "balance-shaft/envelope_study.h"
 #include "balance-shaft/gear_error.h"
 #include "balance-shaft/speed_study.h"
+#include "case-file/field_reader.h"
+#include "case-file/field_writer.h"
+#include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "case-file/object_reader.h"
+#include "case-file/text_file.h"
 
 namespace ravnoves::balance_shaft {
 
 namespace {
+
+/// Reads and parses a file that the case names.
+template <typename Parse>
+auto read_beside(const std::string& name, const std::string& place, const CaseContext& context,
+                 Parse parse) {
+    if (name.find('\0') != std::string::npos || name.empty()) {
+        throw InputError(place, CORE_TEXT("core", "must be a file name"), show(Json(name)));
+    }
+    try {
+        return parse(read_text_file(context.directory / name));
+    } catch (const InputError& error) {
+        const Message rule =
+            error.where().empty()
+                ? error.allowed_message()
+                : Message(Text{"", "%1: %2"}, error.where_message(), error.allowed_message());
+        throw InputError(place, {Text{"", "%1: %2"}, name, rule}, error.found_message());
+    }
+}
+
+Json number_or_null(const std::optional<double>& value, double factor) {
+    return value ? Json(*value * factor) : Json(nullptr);
+}
+
+Json write(const MomentMetrics& metrics) {
+    return {{"mean_Nm", metrics.mean},
+            {"max_Nm", metrics.max},
+            {"min_Nm", metrics.min},
+            {"range_Nm", metrics.range},
+            {"rms_Nm", metrics.rms},
+            {"max_crank_angle_deg", metrics.max_angle / degree},
+            {"min_crank_angle_deg", metrics.min_angle / degree}};
+}
+
+Json write(const Optimum& optimum, const char* value_key) {
+    Json json = {{"shaft_angle_deg", number_or_null(optimum.shaft_angle, 1.0 / degree)},
+                 {value_key, optimum.value}};
+    if (!optimum.note.empty()) {
+        json["note"] = optimum.note.english();
+    }
+    return json;
+}
+
+Json write(const IndicatedCycle& indicated, double power) {
+    return {{"displacement_cm3", indicated.displacement / units::cm3},
+            {"clearance_volume_cm3", number_or_null(indicated.clearance, 1.0 / units::cm3.to_si)},
+            {"heat_J", number_or_null(indicated.heat, 1.0)},
+            {"work_J", indicated.work},
+            {"mean_effective_pressure_bar", indicated.imep / units::bar},
+            {"power_kW", power / units::kW},
+            {"mean_torque_Nm", indicated.work / (4.0 * pi)},
+            {"peak_pressure_bar", indicated.peak_pressure / units::bar},
+            {"peak_pressure_crank_angle_deg", indicated.peak_pressure_angle / degree}};
+}
+
+Json write(const InertiaCheck& check) {
+    Json json = {{"fitted_m_r2_w2_Nm", number_or_null(check.fitted, 1.0)},
+                 {"entered_m_r2_w2_Nm", check.entered},
+                 {"fitted_lambda", check.fitted ? Json(check.fitted_lambda) : Json(nullptr)},
+                 {"consistent", check.consistent ? Json(*check.consistent) : Json(nullptr)}};
+    if (check.fitted) {
+        json["residual_rms_Nm"] = check.residual_rms;
+        json["matching_speed_rpm"] = check.matching_speed / rpm;
+        json["matching_mass_kg"] = check.matching_mass;
+    }
+    json["text"] = check.text.english();
+    return json;
+}
+
+Json write_spectrum(const Result& result) {
+    Json json = {{"order", Json::array()},
+                 {"M_up_amplitude_Nm", Json::array()},
+                 {"M_up_phase_deg", Json::array()},
+                 {"M_ups_amplitude_Nm", Json::array()},
+                 {"M_ups_phase_deg", Json::array()}};
+    for (const OrderLine& line : result.spectrum_M_up) {
+        json["order"].push_back(line.order);
+        json["M_up_amplitude_Nm"].push_back(line.amplitude);
+        json["M_up_phase_deg"].push_back(line.phase / degree);
+    }
+    for (const OrderLine& line : result.spectrum_M_ups) {
+        json["M_ups_amplitude_Nm"].push_back(line.amplitude);
+        json["M_ups_phase_deg"].push_back(line.phase / degree);
+    }
+    return json;
+}
+
+std::vector<double> scaled(std::vector<double> values, double factor) {
+    for (double& value : values) {
+        value *= factor;
+    }
+    return values;
+}
 
 Json write_crank_balance(const CrankBalance& balance) {
     return {{"share", balance.share},
@@ -26,8 +127,8 @@ Json write_envelope_study(const EnvelopeStudy& study) {
     for (std::size_t i = 0; i < study.efficient.size(); ++i) {
         if (study.efficient[i]) {
             efficient.push_back({{"shaft_angle_deg", study.shaft_angle_deg[i]},
-                                 {"width_mm", study.width[i] * 1e3},
-                                 {"height_mm", study.height[i] * 1e3},
+                                 {"width_mm", study.width[i] / units::mm},
+                                 {"height_mm", study.height[i] / units::mm},
                                  {"range_Nm", study.range[i]}});
         }
     }
@@ -48,44 +149,117 @@ Json write_gear_error(const GearError& error) {
 Json write_relieved_shaft(const RelievedShaft& shaft) {
     Json json = {{"feasible", shaft.feasible}};
     if (!shaft.feasible) {
-        json["reason"] = shaft.reason;
+        json["reason"] = shaft.reason.english();
     }
-    const auto put = [&](const char* key, double value, double unit) {
+    const auto put = [&](const char* key, double value, const Unit& unit) {
         if (shaft.feasible || value > 0.0) {
             json[key] = value / unit;
         }
     };
-    constexpr double millimetre = 1e-3;
-    constexpr double gram_millimetre = 1e-6;  // kg·m
-    put("required_unbalance_g_mm", shaft.required, gram_millimetre);
-    put("unbalance_g_mm", shaft.unbalance, gram_millimetre);
-    put("diameter_mm", shaft.diameter, millimetre);
-    put("depth_mm", shaft.depth, millimetre);
-    put("length_mm", shaft.length, millimetre);
-    put("flat_width_mm", 2.0 * shaft.half_width, millimetre);
-    put("removed_mass_kg", shaft.removed_mass, 1.0);
-    put("relieved_part_mass_kg", shaft.mass, 1.0);
-    put("centre_of_mass_radius_mm", shaft.centre_of_mass_radius, millimetre);
-    put("critical_radius_mm", shaft.critical_radius, millimetre);
-    put("critical_length_mm", shaft.critical_length, millimetre);
-    put("sag_mm", shaft.sag, millimetre);
-    put("bending_stress_MPa", shaft.bending_stress, 1e6);
+    put("required_unbalance_g_mm", shaft.required, units::gram_mm);
+    put("unbalance_g_mm", shaft.unbalance, units::gram_mm);
+    put("diameter_mm", shaft.diameter, units::mm);
+    put("depth_mm", shaft.depth, units::mm);
+    put("length_mm", shaft.length, units::mm);
+    put("flat_width_mm", 2.0 * shaft.half_width, units::mm);
+    put("removed_mass_kg", shaft.removed_mass, units::kg);
+    put("relieved_part_mass_kg", shaft.mass, units::kg);
+    put("centre_of_mass_radius_mm", shaft.centre_of_mass_radius, units::mm);
+    put("critical_radius_mm", shaft.critical_radius, units::mm);
+    put("critical_length_mm", shaft.critical_length, units::mm);
+    put("sag_mm", shaft.sag, units::mm);
+    put("bending_stress_MPa", shaft.bending_stress, units::MPa);
     if (!shaft.note.empty()) {
-        json["note"] = shaft.note;
+        json["note"] = shaft.note.english();
     }
     return json;
 }
 
 }  // namespace
 
-RelievedShaft relieved_shaft(const Solver& solver) {
-    const Input& input = solver.input();
-    const double speed2 = input.angular_speed * input.angular_speed;
-    return design_relieved_shaft(input.relieved_shaft.value_or(default_relieved_shaft),
-                                 solver.counterweight_force() / speed2, input.angular_speed);
+Input read_input(const Json& json, const CaseContext& context) {
+    Input input = read_fields<Input>(json);
+    TorqueSource& source = input.torque;
+    if (source.kind == TorqueSource::Kind::csv) {
+        source.table =
+            read_beside(source.csv, "/input/torque/csv", context,
+                        [](const std::string& text) { return parse_torque_table(text).table; });
+    } else if (source.kind == TorqueSource::Kind::pressure) {
+        source.trace =
+            read_beside(source.csv, "/input/torque/pressure/csv", context,
+                        [](const std::string& text) { return parse_pressure_trace(text).trace; });
+    }
+    check_input(input);
+    return input;
 }
 
-Json write_whole_result(const Solver& solver, const Result& result) {
+Json write_input(const Input& input) {
+    return write_fields(input);
+}
+
+Json write_result(const Result& result) {
+    Json notes = Json::array();
+    for (const Message& note : result.notes) {
+        notes.push_back(note.english());
+    }
+    Json json = {
+        {"angular_speed_rad_s", result.angular_speed},
+        {"reciprocating_mass_kg", result.reciprocating_mass},
+        {"inertia_force_1_max_N", result.inertia_force_1_max},
+        {"counterweight_mass_kg", result.counterweight_mass},
+        {"counterweight_force_N", result.counterweight_force},
+        {"moment_amplitude_Nm", result.moment_amplitude},
+        {"shaft_angle_deg", result.shaft_angle / degree},
+        {"metrics",
+         {{"M_up", write(result.M_up)},
+          {"M_s", write(result.M_s)},
+          {"M_ups", write(result.M_ups)}}},
+        {"change_without_shaft",
+         {{"range_percent", number_or_null(result.range_change, 100.0)},
+          {"rms_percent", number_or_null(result.rms_change, 100.0)}}},
+        {"printed_mean",
+         {{"M_s_25_nodes_Nm", result.printed_mean_M_s},
+          {"M_up_nodes_Nm", result.printed_mean_M_up},
+          {"M_ups_nodes_Nm", result.printed_mean_M_ups}}},
+        {"optimum",
+         {{"range", write(result.best_range, "range_Nm")},
+          {"rms", write(result.best_rms, "rms_Nm")}}},
+        {"order_1",
+         {{"amplitude_Nm", result.order_1_amplitude},
+          {"phase_deg", result.order_1_phase / degree},
+          {"share_of_variance", number_or_null(result.order_1_share, 1.0)}}},
+        {"envelope",
+         {{"width_mm", result.envelope.width() / units::mm},
+          {"height_mm", result.envelope.height() / units::mm}}},
+        {"notes", notes},
+    };
+    json["inertia_check"] = write(result.inertia_check);
+    json["spectrum"] = write_spectrum(result);
+    if (result.indicated) {
+        json["indicated"] = write(*result.indicated, result.indicated_power);
+    }
+    Json curves = {{"crank_angle_deg", result.curves.crank_angle_deg},
+                   {"M_up_Nm", result.curves.M_up},
+                   {"M_s_Nm", result.curves.M_s},
+                   {"M_ups_Nm", result.curves.M_ups}};
+    if (result.indicated) {
+        curves["M_gas_Nm"] = result.curves.M_gas;
+        curves["M_inertia_Nm"] = result.curves.M_inertia;
+        curves["pressure_bar"] = scaled(result.curves.pressure, 1.0 / units::bar.to_si);
+        curves["volume_cm3"] = scaled(result.curves.volume, 1.0 / units::cm3.to_si);
+    }
+    json["curves"] = std::move(curves);
+    json["sweep"] = {{"shaft_angle_deg", result.sweep.shaft_angle_deg},
+                     {"range_Nm", result.sweep.range},
+                     {"rms_Nm", result.sweep.rms},
+                     {"mean_M_s_Nm", result.sweep.mean_M_s},
+                     {"mean_M_ups_Nm", result.sweep.mean_M_ups},
+                     {"printed_mean_M_s_25_nodes_Nm", result.sweep.printed_mean_M_s},
+                     {"printed_mean_M_ups_nodes_Nm", result.sweep.printed_mean_M_ups}};
+    return json;
+}
+
+Json write_result(const Solver& solver, const Result& result) {
     Json json = write_result(result);
     json["crank_only"] = write_crank_balance(crank_balance(solver));
     json["envelope_study"] = write_envelope_study(envelope_study(solver));
@@ -104,7 +278,7 @@ Json write_whole_result(const Solver& solver, const Result& result) {
 
 Json solve_scene(const Json& input, const CaseContext& context) {
     const Solver solver(read_input(input, context));
-    return write_whole_result(solver, solver.result());
+    return write_result(solver, solver.result());
 }
 
 }  // namespace ravnoves::balance_shaft

@@ -1,7 +1,8 @@
+#include "balance-shaft/solver.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "balance-shaft/balance_shaft.h"
 #include "balance-shaft/best_range.h"
 #include "balance-shaft/cycle_extrema.h"
 #include "balance-shaft/engine_torque.h"
@@ -55,28 +56,6 @@ struct Forces {
         moment_amplitude = counterweight_force * input.centre_distance;
     }
 };
-
-FrontView fill_in(const Input& input) {
-    FrontView view{};
-    view.crank_radius = input.crank_radius;
-    view.rod_length = input.effective_rod_length();
-    view.counterweight_radius = input.counterweight_radius;
-    view.centre_distance = input.centre_distance;
-    const double known_bore =
-        input.torque.is_computed() ? input.torque.cylinder.bore : 2.0 * view.crank_radius;
-    view.cylinder_bore = input.envelope.cylinder_bore.value_or(known_bore);
-    view.cylinder_top = input.envelope.cylinder_top.value_or(view.crank_radius + view.rod_length +
-                                                             view.cylinder_bore / 2.0);
-    constexpr double swing = 1.3;  // circle swept against the radius of the centre of mass
-    view.crank_swing_radius = input.envelope.crank_swing_radius.value_or(
-        swing * std::max(view.crank_radius, view.counterweight_radius));
-    view.shaft_swing_radius =
-        input.envelope.shaft_swing_radius.value_or(swing * view.counterweight_radius);
-    view.gear_pitch_radius = view.centre_distance / 2.0;
-    view.gear_tip_radius = input.envelope.gear_tip_radius.value_or(view.gear_pitch_radius);
-    view.wall = input.envelope.wall;
-    return view;
-}
 
 /// The mean over the paper's 25 nodes, every 30° with both ends: 24 of them cancel, the last
 /// repeats φ = 0.
@@ -138,7 +117,6 @@ struct Solver::Prepared {
                                        std::cos(alpha) * order_1.b);
     }
     double rms_at(double alpha) const { return std::sqrt(std::max(variance_at(alpha), 0.0)); }
-    Envelope envelope_at(double alpha) const;
 
     TorqueTable inertia_table() const;
     void prepare_spectrum();
@@ -150,7 +128,7 @@ struct Solver::Prepared {
 
 Solver::Prepared::Prepared(const Input& checked)
     : input(checked),
-      view(fill_in(checked)),
+      view(balance_shaft::front_view(checked)),
       forces(checked),
       gas(cylinder_gas(checked)),
       table(engine_torque(checked, gas)),
@@ -239,7 +217,8 @@ void Solver::Prepared::prepare_curves() {
 
 void Solver::Prepared::prepare_optima() {
     if (forces.moment_amplitude == 0.0) {
-        const std::string note = "The shaft makes no moment, so its angle changes nothing.";
+        const Message note =
+            CORE_TEXT("balance-shaft", "The shaft makes no moment, so its angle changes nothing.");
         base.best_range = {std::nullopt, base.M_up.range, note};
         base.best_rms = {std::nullopt, base.M_up.rms, note};
         return;
@@ -249,7 +228,8 @@ void Solver::Prepared::prepare_optima() {
     if (best.worst - best.range > rounding * best.worst) {
         base.best_range.shaft_angle = best.shaft_angle;
     } else {
-        base.best_range.note = "The range is the same at every angle of the shaft.";
+        base.best_range.note =
+            CORE_TEXT("balance-shaft", "The range is the same at every angle of the shaft.");
     }
     // The variance is least where the shaft's moment opposes M_up's first order.
     const double size = std::max(std::abs(base.M_up.max), std::abs(base.M_up.min));
@@ -258,8 +238,9 @@ void Solver::Prepared::prepare_optima() {
         base.best_rms = {angle, rms_at(angle), {}};
     } else {
         base.best_rms = {std::nullopt, rms_at(0.0),
-                         "The tipping moment has no first order, so the RMS is the same at every "
-                         "angle of the shaft."};
+                         CORE_TEXT("balance-shaft",
+                                   "The tipping moment has no first order, so the RMS is the same "
+                                   "at every angle of the shaft.")};
     }
 }
 
@@ -282,51 +263,39 @@ void Solver::Prepared::prepare_sweep() {
 }
 
 void Solver::Prepared::prepare_notes() {
-    constexpr int digits = 4;
-    const auto note = [&](Note::Kind kind, const std::string& text) {
-        base.notes.push_back({kind, text});
-    };
+    const auto number = [](double value) { return Number{value, {}, 4}; };
     if (base.inertia_check.consistent && !*base.inertia_check.consistent) {
-        note(Note::Kind::inertia_mismatch, base.inertia_check.text);
+        base.notes.push_back(base.inertia_check.text);
     }
     if (forces.moment_amplitude == 0.0) {
-        note(Note::Kind::no_shaft_moment, base.best_range.note);
+        base.notes.push_back(base.best_range.note);
     } else {
         if (base.best_range.value >= base.M_up.range) {
-            note(Note::Kind::range_without_gain,
-                 "No angle of the shaft makes the range smaller than without a shaft: at best " +
-                     format_number(base.best_range.value, digits) + " N·m against " +
-                     format_number(base.M_up.range, digits) + " N·m.");
+            base.notes.emplace_back(
+                CORE_TEXT("balance-shaft",
+                          "No angle of the shaft makes the range smaller than without a shaft: at "
+                          "best %1 N·m against %2 N·m."),
+                number(base.best_range.value), number(base.M_up.range));
         }
         if (base.best_rms.value >= base.M_up.rms) {
-            note(Note::Kind::rms_without_gain,
-                 "No angle of the shaft makes the RMS smaller than without a shaft: at best " +
-                     format_number(base.best_rms.value, digits) + " N·m against " +
-                     format_number(base.M_up.rms, digits) + " N·m.");
+            base.notes.emplace_back(
+                CORE_TEXT("balance-shaft",
+                          "No angle of the shaft makes the RMS smaller than without a shaft: at "
+                          "best %1 N·m against %2 N·m."),
+                number(base.best_rms.value), number(base.M_up.rms));
         }
     }
     const double balanced = 2.0 * forces.counterweight_force / forces.inertia_force_1_max;
     constexpr double noticeable = 1e-3;
     if (input.counterweight_mass && std::abs(balanced - 1.0) > noticeable) {
-        note(Note::Kind::counterweight_mismatch,
-             "The counterweight given balances " + format_number(100.0 * balanced, digits) +
-                 " % of the first-order inertia force; equation (1) asks for " +
-                 format_number(input.reciprocating_mass() * input.crank_radius /
-                                   (2.0 * input.counterweight_radius),
-                               digits) +
-                 " kg.");
+        base.notes.emplace_back(
+            CORE_TEXT("balance-shaft",
+                      "The counterweight given balances %1 % of the first-order inertia force; "
+                      "equation (1) asks for %2 kg."),
+            number(100.0 * balanced),
+            number(input.reciprocating_mass() * input.crank_radius /
+                   (2.0 * input.counterweight_radius)));
     }
-}
-
-Envelope Solver::Prepared::envelope_at(double alpha) const {
-    const double crank = std::max(view.crank_swing_radius, view.gear_tip_radius) + view.wall;
-    const double shaft = std::max(view.shaft_swing_radius, view.gear_tip_radius) + view.wall;
-    const double x = view.centre_distance * std::sin(alpha);
-    const double y = view.centre_distance * std::cos(alpha);
-    const double cylinder = view.cylinder_bore / 2.0 + view.wall;
-    return {std::min({-crank, x - shaft, -cylinder}), std::max({crank, x + shaft, cylinder}),
-            std::min(-crank, y - shaft),
-            std::max({crank, y + shaft, view.cylinder_top + view.wall})};
 }
 
 Solver::Solver(const Input& input) {
@@ -366,7 +335,7 @@ void Solver::move_shaft(double shaft_angle, Result& result) const {
         result.range_change = result.M_ups.range / prepared.base.M_up.range - 1.0;
         result.rms_change = result.M_ups.rms / prepared.base.M_up.rms - 1.0;
     }
-    result.envelope = prepared.envelope_at(alpha);
+    result.envelope = balance_shaft::envelope(prepared.view, alpha);
 
     result.spectrum_M_ups[1] = order_line(1.0, {prepared.order_1.a + amplitude * std::sin(alpha),
                                                 prepared.order_1.b + amplitude * std::cos(alpha)});
@@ -406,11 +375,18 @@ const FrontView& Solver::front_view() const {
 }
 
 Envelope Solver::envelope(double shaft_angle) const {
-    return prepared_->envelope_at(shaft_angle);
+    return balance_shaft::envelope(prepared_->view, shaft_angle);
 }
 
 Result solve(const Input& input) {
     return Solver(input).result();
+}
+
+RelievedShaft relieved_shaft(const Solver& solver) {
+    const Input& input = solver.input();
+    const double speed2 = input.angular_speed * input.angular_speed;
+    return design_relieved_shaft(input.relieved_shaft.value_or(RelievedShaftSizes{}),
+                                 solver.counterweight_force() / speed2, input.angular_speed);
 }
 
 }  // namespace ravnoves::balance_shaft

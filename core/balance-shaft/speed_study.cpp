@@ -29,10 +29,13 @@ SpeedStudy::SpeedStudy(const Input& input, const SpeedBand& band, const Progress
         const InertiaCheck check = check_inertia(input.torque.table, input);
         parts = torque_parts(input, check);
         if (!parts) {
-            reason_ = check.fitted ? "The torque does not belong to the masses and the speed "
-                                     "entered, so it cannot be taken to other speeds. " +
-                                         check.text
-                                   : check.text;
+            reason_ = check.fitted
+                          ? Message(CORE_TEXT("balance-shaft",
+                                              "The torque does not belong to the masses and the "
+                                              "speed entered, so it cannot be taken to other "
+                                              "speeds. %1"),
+                                    check.text)
+                          : check.text;
             return;
         }
     }
@@ -171,7 +174,7 @@ SpeedStudy::LeastBad SpeedStudy::least_bad_angle(Criterion criterion, Measure me
 
 Json write_speed_study(const SpeedStudy& study, const std::optional<SpeedStudy::Map>& map) {
     if (!study.reason().empty()) {
-        return {{"feasible", false}, {"reason", study.reason()}};
+        return {{"feasible", false}, {"reason", study.reason().english()}};
     }
     Json json = {{"feasible", true}};
     const auto put = [&](const char* key, double SpeedStudy::Point::*member, double factor) {

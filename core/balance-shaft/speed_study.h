@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "balance-shaft/balance_shaft.h"
 #include "balance-shaft/cycle_extrema.h"
+#include "balance-shaft/input.h"
+#include "balance-shaft/result.h"
+#include "case-file/json_fwd.h"
 #include "numerics/periodic_piecewise.h"
 
 namespace ravnoves::balance_shaft {
@@ -61,7 +63,7 @@ class SpeedStudy {
     SpeedStudy(const Input& input, const SpeedBand& band, const Progress& progress = {});
 
     /// Empty where the study could be made; else a sentence that says why not.
-    const std::string& reason() const { return reason_; }
+    const Message& reason() const { return reason_; }
     bool is_complete() const { return complete_; }
     const std::vector<Point>& points() const { return points_; }
 
@@ -79,7 +81,7 @@ class SpeedStudy {
         FourierPair order_1;
     };
 
-    std::string reason_;
+    Message reason_;
     bool complete_ = false;
     std::vector<Point> points_;
     std::vector<Speed> speeds_;

@@ -1,13 +1,12 @@
 #include "balance-shaft/torque_table.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
-#include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "case-file/range.h"
+#include "case-file/two_columns.h"
 #include "numerics/constants.h"
 
 namespace ravnoves::balance_shaft {
@@ -22,128 +21,26 @@ constexpr double end_pressure_tolerance = 0.02;  ///< of the largest pressure
 
 /// What the second column holds.
 struct Column {
-    const char* name;
-    std::string unit;
-    double to_si;
+    Text name;
+    Unit unit;
     Range range;  ///< in SI
     double end_tolerance;
     bool may_be_open;  ///< the closing row may be missing
 };
 
 Column torque_column() {
-    return {
-        "torque", "N·m", 1.0, Range::between(-largest_torque, largest_torque), end_torque_tolerance,
-        false};
+    return {CORE_TEXT("balance-shaft", "torque"), units::N_m,
+            Range::between(-largest_torque, largest_torque), end_torque_tolerance, false};
 }
 
-Column pressure_column(const std::string& unit, double to_si) {
-    return {"pressure", unit, to_si, Range::between(0.0, largest_pressure), end_pressure_tolerance,
-            true};
+Column pressure_column(Unit unit) {
+    return {CORE_TEXT("balance-shaft", "pressure"), unit, Range::between(0.0, largest_pressure),
+            end_pressure_tolerance, true};
 }
 
-std::string_view trim(std::string_view text) {
-    const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v'; };
-    while (!text.empty() && is_blank(text.front())) {
-        text.remove_prefix(1);
-    }
-    while (!text.empty() && is_blank(text.back())) {
-        text.remove_suffix(1);
-    }
-    return text;
-}
-
-std::string quote(std::string_view text) {
-    constexpr std::size_t longest = 40;
-    std::string shown(text.substr(0, longest));
-    // Bytes that are not ASCII may be cut in the middle or be of another code page.
-    for (char& c : shown) {
-        if (static_cast<unsigned char>(c) >= 0x7F || static_cast<unsigned char>(c) < 0x20) {
-            c = '?';
-        }
-    }
-    return "\"" + shown + (text.size() > longest ? "…\"" : "\"");
-}
-
-std::string at(std::size_t line, int column) {
-    return "line " + std::to_string(line) + ", column " + std::to_string(column);
-}
-
-/// Fields of a line; a blank separator stands for any run of blanks. Quotes around a field go.
-void split(std::string_view line, char separator, std::vector<std::string_view>& fields) {
-    fields.clear();
-    line = separator == '\t' ? line : trim(line);
-    while (true) {
-        std::size_t end = 0;
-        if (!line.empty() && line.front() == '"') {
-            end = line.find('"', 1);
-            end = end == std::string_view::npos ? 0 : end;
-        }
-        end = separator == ' ' ? line.find_first_of(" \t", end) : line.find(separator, end);
-        std::string_view text = trim(line.substr(0, end));
-        if (text.size() >= 2 && text.front() == '"' && text.back() == '"') {
-            text = trim(text.substr(1, text.size() - 2));
-        }
-        fields.push_back(text);
-        if (end == std::string_view::npos) {
-            break;
-        }
-        line.remove_prefix(end + 1);
-        if (separator == ' ') {
-            line = trim(line);
-        }
-    }
-    if (fields.size() > 2 && fields.back().empty()) {
-        fields.pop_back();  // a separator at the end of the line
-    }
-}
-
-bool looks_like_number(std::string_view text) {
-    text = trim(text);
-    while (!text.empty() && text.front() == '"') {
-        text.remove_prefix(1);
-    }
-    if (text.empty()) {
-        return false;
-    }
-    const char c = text.front();
-    return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == ',' ||
-           text.substr(0, 3) == "\xE2\x88\x92";
-}
-
-bool is_not_a_number_word(std::string_view text) {
-    std::string word;
-    for (const char c : text) {
-        if (c != '"' && c != '-' && c != '+' && c != ' ') {
-            word += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-        }
-    }
-    return word.starts_with("nan") || word.starts_with("inf") || word.starts_with("#n/a");
-}
-
-/// The separator that a line of two numbers uses.
-char find_separator(std::string_view line, std::size_t number) {
-    if (line.find(';') != std::string_view::npos) {
-        return ';';
-    }
-    if (line.find('\t') != std::string_view::npos) {
-        return '\t';
-    }
-    if (line.find(',') == std::string_view::npos) {
-        return ' ';
-    }
-    std::vector<std::string_view> fields;
-    split(line, ' ', fields);
-    if (fields.size() == 2 && !fields[0].ends_with(',') && !fields[1].starts_with(',')) {
-        return ' ';
-    }
-    split(line, ',', fields);
-    if (fields.size() == 4 && line.find('"') == std::string_view::npos) {
-        throw InputError(at(number, 1),
-                         "must not separate columns by commas and use decimal commas at once; "
-                         "separate the columns by semicolons",
-                         quote(line));
-    }
-    return ',';
+TwoColumnsRule rule_for(const Column& column) {
+    return {CORE_TEXT("balance-shaft", "crank angle"), column.name,
+            Range::between(-largest_angle_deg, largest_angle_deg), largest_torque_table};
 }
 
 std::optional<bool> header_says_radians(std::string_view header) {
@@ -181,164 +78,96 @@ void check_ascending(const std::vector<double>& angles, const auto& place) {
         const double previous = angles[i - 1];
         if (angles[i] == previous) {
             throw InputError(
-                place(i), "must not repeat the angle of the row before, " + format_number(previous),
-                format_number(angles[i]));
+                place(i),
+                {CORE_TEXT("balance-shaft", "must not repeat the angle of the row before, %1"),
+                 previous},
+                Number{angles[i]});
         }
         if (!(angles[i] > previous)) {
             throw InputError(
                 place(i),
-                "must be greater than the angle of the row before, " + format_number(previous),
-                format_number(angles[i]));
+                {CORE_TEXT("balance-shaft", "must be greater than the angle of the row before, %1"),
+                 previous},
+                Number{angles[i]});
         }
     }
 }
 
 void check_end(const std::vector<double>& values, const Column& column, double tolerance,
-               const std::string& place) {
+               const Message& place) {
     double largest = 0.0;
     for (const double value : values) {
         largest = std::max(largest, std::abs(value));
     }
     if (!(std::abs(values.back() - values.front()) <= tolerance * largest)) {
-        const auto show_value = [&](double value) {
-            return format_number(value / column.to_si) + " " + column.unit;
-        };
-        throw InputError(place,
-                         "must equal the first " + std::string(column.name) + ", " +
-                             show_value(values.front()) + ", since the cycle repeats",
-                         show_value(values.back()));
+        const auto shown = [&](double value) { return Number{value / column.unit, column.unit}; };
+        throw InputError(
+            place,
+            {CORE_TEXT("balance-shaft", "must equal the first %1, %2, since the cycle repeats"),
+             column.name, shown(values.front())},
+            shown(values.back()));
     }
+}
+
+Number count(const std::vector<double>& values) {
+    return {static_cast<double>(values.size())};
 }
 
 /// A table of two columns, of one cycle of 720°.
 struct Cycle {
-    TableText text;
+    TableFormat format;
     std::vector<double> angle_deg;
     std::vector<double> value;
 };
 
 }  // namespace
 
-std::string TableText::describe() const {
-    std::string text = std::to_string(rows) + " rows, separated by ";
-    text += separator == ';'    ? "semicolons"
-            : separator == ','  ? "commas"
-            : separator == '\t' ? "tabs"
-                                : "blanks";
-    text += decimal_comma ? ", decimal comma" : "";
-    text += in_radians ? ", angles in radians" : ", angles in degrees";
-    text += has_header ? ", with a header" : "";
-    text += pressure_unit.empty() ? "" : ", pressure in " + pressure_unit;
-    text += repeated ? ", 360° repeated to 720°" : "";
-    text += closed ? ", end joined to the start" : "";
+Message TableFormat::describe() const {
+    Message text(CORE_TEXT("balance-shaft", "%1 rows"), rows);
+    const auto add = [&](bool holds, const Message& part) {
+        if (holds) {
+            text = Message(Text{"", "%1, %2"}, text, part);
+        }
+    };
+    add(true, separator == ';'    ? CORE_TEXT("balance-shaft", "separated by semicolons")
+              : separator == ','  ? CORE_TEXT("balance-shaft", "separated by commas")
+              : separator == '\t' ? CORE_TEXT("balance-shaft", "separated by tabs")
+                                  : CORE_TEXT("balance-shaft", "separated by blanks"));
+    add(decimal_comma, CORE_TEXT("balance-shaft", "decimal comma"));
+    add(true, in_radians ? CORE_TEXT("balance-shaft", "angles in radians")
+                         : CORE_TEXT("balance-shaft", "angles in degrees"));
+    add(has_header, CORE_TEXT("balance-shaft", "with a header"));
+    add(!pressure_unit.empty(),
+        {CORE_TEXT("balance-shaft", "pressure in %1"), Text{"core", pressure_unit.data()}});
+    add(repeated, CORE_TEXT("balance-shaft", "360° repeated to 720°"));
+    add(closed, CORE_TEXT("balance-shaft", "end joined to the start"));
     return text;
 }
 
 namespace {
 
-/// Rows as they stand in the text.
-struct Rows {
-    TableText text;
-    std::string header;
-    std::vector<double> angle;
-    std::vector<double> value;
-    std::vector<std::size_t> line;
-};
-
-Rows read_rows(std::string_view text, const char* value_name) {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (text.starts_with(byte_order_mark)) {
-        text.remove_prefix(byte_order_mark.size());
-    }
-    Rows rows;
-    std::vector<std::string_view> fields;
-    std::size_t number = 0;
-    std::size_t header_lines = 0;
-    bool separator_known = false;
-    while (!text.empty()) {
-        ++number;
-        const std::size_t end = text.find_first_of("\r\n");
-        const std::string_view line = text.substr(0, end);
-        if (end == std::string_view::npos) {
-            text = {};
-        } else {
-            text.remove_prefix(end + (text.substr(end, 2) == "\r\n" ? 2 : 1));
-        }
-        const auto bad = std::find_if(line.begin(), line.end(), [](char c) {
-            const auto byte = static_cast<unsigned char>(c);
-            return (byte < 0x20 && c != '\t' && c != '\v' && c != '\f') || byte == 0x7F;
-        });
-        if (bad != line.end()) {
-            throw InputError("line " + std::to_string(number),
-                             "must be text; this looks like a binary file");
-        }
-        if (trim(line).empty() || trim(line).front() == '#') {
-            continue;
-        }
-        if (rows.angle.empty() && !looks_like_number(line) && !is_not_a_number_word(line) &&
-            header_lines < 2) {
-            ++header_lines;  // names, and units below them
-            rows.header.append(line).append("\n");
-            rows.text.has_header = true;
-            continue;
-        }
-        if (!separator_known) {
-            rows.text.separator = find_separator(line, number);
-            separator_known = true;
-        }
-        split(line, rows.text.separator, fields);
-        if (fields.size() != 2) {
-            throw InputError(
-                "line " + std::to_string(number),
-                std::string("must hold two columns, crank angle and ") + value_name,
-                fields.size() == 1 ? quote(fields[0]) : std::to_string(fields.size()) + " columns");
-        }
-        std::array<double, 2> values{};
-        for (std::size_t column = 0; column < 2; ++column) {
-            const auto value = parse_decimal(fields[column]);
-            if (!value) {
-                throw InputError(at(number, static_cast<int>(column) + 1),
-                                 "must be a finite number", quote(fields[column]));
-            }
-            values[column] = *value;
-            rows.text.decimal_comma =
-                rows.text.decimal_comma || fields[column].find(',') != std::string_view::npos;
-        }
-        if (std::abs(values[0]) > largest_angle_deg) {
-            throw InputError(at(number, 1),
-                             Range::between(-largest_angle_deg, largest_angle_deg).describe(),
-                             format_number(values[0]));
-        }
-        if (rows.angle.size() >= largest_torque_table) {
-            throw InputError(
-                "line " + std::to_string(number),
-                "the table must have at most " + std::to_string(largest_torque_table) + " rows");
-        }
-        rows.angle.push_back(values[0]);
-        rows.value.push_back(values[1]);
-        rows.line.push_back(number);
-    }
-    return rows;
-}
-
 /// Checks the rows, finds the unit of the angles and brings the table to one cycle of 720°.
-Cycle to_cycle(Rows&& rows, const Column& column) {
-    Cycle cycle{rows.text, std::move(rows.angle), std::move(rows.value)};
+Cycle to_cycle(TwoColumns&& rows, const Column& column) {
+    Cycle cycle{{}, std::move(rows.first), std::move(rows.second)};
+    cycle.format.separator = rows.separator;
+    cycle.format.has_header = rows.has_header;
+    cycle.format.decimal_comma = rows.decimal_comma;
     std::vector<double>& angle = cycle.angle_deg;
     std::vector<double>& value = cycle.value;
-    const auto place_of_angle = [&](std::size_t i) { return at(rows.line[i], 1); };
+    const auto place_of_angle = [&](std::size_t i) { return table_place(rows.line[i], 1); };
     if (angle.size() < 3) {
-        throw InputError("", std::string("the ") + column.name + " table must have at least 3 rows",
-                         std::to_string(angle.size()));
+        throw InputError(
+            "", {CORE_TEXT("balance-shaft", "the %1 table must have at least 3 rows"), column.name},
+            count(angle));
     }
     for (std::size_t i = 0; i < value.size(); ++i) {
-        value[i] *= column.to_si;
+        value[i] *= column.unit.to_si;
         if (!column.range.contains(value[i])) {
             Range shown = column.range;
-            shown.min /= column.to_si;
-            shown.max /= column.to_si;
-            throw InputError(at(rows.line[i], 2), shown.describe(),
-                             format_number(value[i] / column.to_si));
+            shown.min /= column.unit.to_si;
+            shown.max /= column.unit.to_si;
+            throw InputError(table_place(rows.line[i], 2), shown.message(),
+                             Number{value[i] / column.unit});
         }
     }
     check_ascending(angle, place_of_angle);
@@ -357,57 +186,61 @@ Cycle to_cycle(Rows&& rows, const Column& column) {
         value.push_back(value.front());
         rows.line.push_back(rows.line.back());
         span = open_span;
-        cycle.text.closed = true;
+        cycle.format.closed = true;
     }
-    check_end(value, column, column.end_tolerance, at(rows.line.back(), 2));
-    cycle.text.in_radians = from_header.value_or(is_cycle(span, true));
-    if (!is_cycle(span, cycle.text.in_radians)) {
-        const std::string unit = cycle.text.in_radians ? " rad" : "°";
-        throw InputError(at(rows.line.back(), 1),
-                         "the angles must span 720° (or 360°, or 4π or 2π in radians), the last "
-                         "row repeating the first",
-                         format_number(span) + unit);
+    check_end(value, column, column.end_tolerance, table_place(rows.line.back(), 2));
+    cycle.format.in_radians = from_header.value_or(is_cycle(span, true));
+    if (!is_cycle(span, cycle.format.in_radians)) {
+        throw InputError(
+            table_place(rows.line.back(), 1),
+            CORE_TEXT("balance-shaft",
+                      "the angles must span 720° (or 360°, or 4π or 2π in radians), the last row "
+                      "repeating the first"),
+            Number{span, cycle.format.in_radians ? units::radian : units::degree});
     }
     if (column.may_be_open && value.back() != value.front()) {
         value.front() = (value.front() + value.back()) / 2.0;
-        cycle.text.closed = true;
+        cycle.format.closed = true;
     }
     value.back() = value.front();
-    if (cycle.text.in_radians) {
+    if (cycle.format.in_radians) {
         for (double& a : angle) {
             a /= degree;
         }
     }
-    cycle.text.repeated = near(angle.back() - angle.front(), cycle_deg / 2.0);
+    cycle.format.repeated = near(angle.back() - angle.front(), cycle_deg / 2.0);
     const double first_deg = angle.front();
-    if (cycle.text.repeated) {
-        const std::size_t count = angle.size();
-        if (2 * count - 1 > largest_torque_table) {
-            throw InputError("",
-                             "the table of 720° must have at most " +
-                                 std::to_string(largest_torque_table) + " rows",
-                             std::to_string(2 * count - 1));
+    if (cycle.format.repeated) {
+        const std::size_t half = angle.size();
+        if (2 * half - 1 > largest_torque_table) {
+            throw InputError(
+                "",
+                {CORE_TEXT("balance-shaft", "the table of 720° must have at most %1 rows"),
+                 largest_torque_table},
+                Number{static_cast<double>(2 * half - 1)});
         }
         angle.back() = first_deg + cycle_deg / 2.0;
-        for (std::size_t i = 1; i < count; ++i) {
+        for (std::size_t i = 1; i < half; ++i) {
             angle.push_back(angle[i] + cycle_deg / 2.0);
             value.push_back(value[i]);
         }
     }
     angle.back() = first_deg + cycle_deg;
-    cycle.text.rows = angle.size();
+    cycle.format.rows = angle.size();
     // Rounding of the units must not have undone the order.
     for (std::size_t i = 1; i < angle.size(); ++i) {
         if (!(angle[i] > angle[i - 1])) {
-            throw InputError("", "the angles of neighbouring rows are too close together",
-                             format_number(angle[i]) + "°");
+            throw InputError("",
+                             CORE_TEXT("balance-shaft",
+                                       "the angles of neighbouring rows are too close together"),
+                             Number{angle[i], units::degree});
         }
     }
     return cycle;
 }
 
-/// The unit that the header names for a pressure, with its size in Pa.
-std::pair<std::string, double> pressure_unit(std::string_view header) {
+/// The unit that the header names for a pressure.
+Unit pressure_unit(std::string_view header) {
     const auto has_word = [&](std::string_view word) {
         const auto is_letter = [](char c) {
             return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -423,44 +256,48 @@ std::pair<std::string, double> pressure_unit(std::string_view header) {
         return false;
     };
     if (has_word("MPa") || header.find("МПа") != std::string_view::npos) {
-        return {"MPa", 1e6};
+        return units::MPa;
     }
     if (has_word("kPa") || header.find("кПа") != std::string_view::npos) {
-        return {"kPa", 1e3};
+        return units::kPa;
     }
     if (has_word("Pa") || header.find("Па") != std::string_view::npos) {
-        return {"Pa", 1.0};
+        return units::pascal;
     }
     if (has_word("psi")) {
         return {"psi", 6894.757293168361};
     }
-    return {"bar", 1e5};
+    return units::bar;
 }
 
 void check_table(const std::vector<double>& angle, const std::vector<double>& value,
                  const Column& column, const std::string& angles, const std::string& values) {
     if (angle.size() != value.size()) {
         throw InputError(
-            values, "must hold as many numbers as crank_angle_deg, " + std::to_string(angle.size()),
-            std::to_string(value.size()));
+            values,
+            {CORE_TEXT("balance-shaft", "must hold as many numbers as crank_angle_deg, %1"),
+             angle.size()},
+            count(value));
     }
     if (angle.size() < 3) {
-        throw InputError(angles, "must hold at least 3 numbers", std::to_string(angle.size()));
+        throw InputError(angles, CORE_TEXT("balance-shaft", "must hold at least 3 numbers"),
+                         count(angle));
     }
     if (angle.size() > largest_torque_table) {
-        throw InputError(angles,
-                         "must hold at most " + std::to_string(largest_torque_table) + " numbers",
-                         std::to_string(angle.size()));
+        throw InputError(
+            angles,
+            {CORE_TEXT("balance-shaft", "must hold at most %1 numbers"), largest_torque_table},
+            count(angle));
     }
     constexpr Range angle_range = Range::between(-largest_angle_deg, largest_angle_deg);
     for (std::size_t i = 0; i < angle.size(); ++i) {
         if (!angle_range.contains(angle[i])) {
-            throw InputError(angles + "/" + std::to_string(i), angle_range.describe(),
-                             format_number(angle[i]));
+            throw InputError(angles + "/" + std::to_string(i), angle_range.message(),
+                             Number{angle[i]});
         }
         if (!column.range.contains(value[i])) {
-            throw InputError(values + "/" + std::to_string(i), column.range.describe(),
-                             format_number(value[i]));
+            throw InputError(values + "/" + std::to_string(i), column.range.message(),
+                             Number{value[i]});
         }
     }
     check_ascending(angle, [&](std::size_t i) { return angles + "/" + std::to_string(i); });
@@ -468,38 +305,40 @@ void check_table(const std::vector<double>& angle, const std::vector<double>& va
     constexpr double least_gap_deg = 1e-9;
     for (std::size_t i = 1; i < angle.size(); ++i) {
         if (!(angle[i] - angle[i - 1] >= least_gap_deg)) {
-            throw InputError(angles + "/" + std::to_string(i),
-                             "must be at least " + format_number(least_gap_deg) +
-                                 "° more than the angle of the row before, " +
-                                 format_number(angle[i - 1]),
-                             format_number(angle[i]));
+            throw InputError(
+                angles + "/" + std::to_string(i),
+                {CORE_TEXT("balance-shaft",
+                           "must be at least %1 more than the angle of the row before, %2"),
+                 Number{least_gap_deg, units::degree}, angle[i - 1]},
+                Number{angle[i]});
         }
     }
     check_end(value, column, end_torque_tolerance, values + "/" + std::to_string(value.size() - 1));
     const double span = angle.back() - angle.front();
     if (std::abs(span - cycle_deg) > 1e-9 * cycle_deg) {
-        throw InputError(angles, "must span 720°, the last row repeating the first",
-                         format_number(span) + "°");
+        throw InputError(
+            angles, CORE_TEXT("balance-shaft", "must span 720°, the last row repeating the first"),
+            Number{span, units::degree});
     }
 }
 
 }  // namespace
 
-TorqueTableText parse_torque_table(std::string_view text) {
-    Cycle cycle = to_cycle(read_rows(text, "torque"), torque_column());
-    TorqueTableText result;
-    static_cast<TableText&>(result) = cycle.text;
+ParsedTorqueTable parse_torque_table(std::string_view text) {
+    Cycle cycle = to_cycle(read_two_columns(text, rule_for(torque_column())), torque_column());
+    ParsedTorqueTable result;
+    static_cast<TableFormat&>(result) = cycle.format;
     result.table = {std::move(cycle.angle_deg), std::move(cycle.value)};
     return result;
 }
 
-PressureTraceText parse_pressure_trace(std::string_view text) {
-    Rows rows = read_rows(text, "pressure");
-    const auto [unit, to_si] = pressure_unit(rows.header);
-    Cycle cycle = to_cycle(std::move(rows), pressure_column(unit, to_si));
-    PressureTraceText result;
-    static_cast<TableText&>(result) = cycle.text;
-    result.pressure_unit = unit;
+ParsedPressureTrace parse_pressure_trace(std::string_view text) {
+    TwoColumns rows = read_two_columns(text, rule_for(pressure_column(units::bar)));
+    const Unit unit = pressure_unit(rows.header);
+    Cycle cycle = to_cycle(std::move(rows), pressure_column(unit));
+    ParsedPressureTrace result;
+    static_cast<TableFormat&>(result) = cycle.format;
+    result.pressure_unit = unit.name;
     result.trace = {std::move(cycle.angle_deg), std::move(cycle.value)};
     return result;
 }
@@ -510,7 +349,8 @@ void check_torque_table(const TorqueTable& table, const std::string& where) {
 }
 
 void check_pressure_trace(const PressureTrace& trace, const std::string& where) {
-    check_table(trace.crank_angle_deg, trace.pressure, pressure_column("Pa", 1.0), where, where);
+    check_table(trace.crank_angle_deg, trace.pressure, pressure_column(units::pascal), where,
+                where);
 }
 
 std::string write_torque_table(const TorqueTable& table) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "balance-shaft/cylinder_gas.h"
+#include "case-file/message.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -28,26 +29,26 @@ inline constexpr double largest_torque = 1e12;                  ///< N·m
 inline constexpr double largest_pressure = 1e10;  ///< Pa
 
 /// What the text of a table of two columns turned out to be, for the page to say.
-struct TableText {
+struct TableFormat {
     char separator = '\t';    ///< between the columns: comma, semicolon, tab or blank
     bool has_header = false;  ///< the first line held words
     bool in_radians = false;  ///< angles were in radians (by the header or by the span)
     bool repeated = false;    ///< the text spanned 360° and stands here twice
     bool decimal_comma = false;
-    std::size_t rows = 0;       ///< of the table, after repeating
-    std::string pressure_unit;  ///< "bar", "kPa" and so on, of a pressure trace
-    bool closed = false;        ///< a pressure trace's end was made to meet its start
+    std::size_t rows = 0;            ///< of the table, after repeating
+    std::string_view pressure_unit;  ///< "bar", "kPa" and so on, of a pressure trace
+    bool closed = false;             ///< a pressure trace's end was made to meet its start
 
     /// "49 rows, separated by semicolons, decimal comma, angles in degrees": one sentence without
     /// the full stop.
-    std::string describe() const;
+    Message describe() const;
 };
 
-struct TorqueTableText : TableText {
+struct ParsedTorqueTable : TableFormat {
     TorqueTable table;
 };
 
-struct PressureTraceText : TableText {
+struct ParsedPressureTrace : TableFormat {
     PressureTrace trace;
 };
 
@@ -60,14 +61,14 @@ struct PressureTraceText : TableText {
 /// repeated.
 /// @throws InputError that names line and column ("line 4, column 2"), or the row for a table that
 ///         is not one cycle: unsorted, duplicate angle, too few rows, end that differs from start
-TorqueTableText parse_torque_table(std::string_view text);
+ParsedTorqueTable parse_torque_table(std::string_view text);
 
 /// Reads a measured pressure trace the same way. The unit of the second column is what the header
 /// names ("Pa", "kPa", "MPa", "bar", "psi"), else bar; absolute pressures, not below 0. A cycle
 /// that lacks its last row is closed, and one whose end differs from its start by at most 2 % of
 /// the peak (a measured trace always does) is made to meet it half way.
 /// @throws InputError as parse_torque_table()
-PressureTraceText parse_pressure_trace(std::string_view text);
+ParsedPressureTrace parse_pressure_trace(std::string_view text);
 /// Checks a trace as check_torque_table() does; pressures from 0 to largest_pressure.
 /// @throws InputError
 void check_pressure_trace(const PressureTrace& trace, const std::string& where);

@@ -1,8 +1,6 @@
 #include "case-file/case_file.h"
 
 #include <algorithm>
-#include <cmath>
-#include <vector>
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
@@ -12,25 +10,13 @@ namespace ravnoves {
 
 namespace {
 
-void check_finite(const Json& value, const std::string& pointer) {
-    if (value.is_number_float() && !std::isfinite(value.get<double>())) {
-        throw std::logic_error("the result " + pointer + " is not finite");
-    }
-    if (value.is_structured()) {
-        for (const auto& item : value.items()) {
-            check_finite(item.value(), pointer + "/" + item.key());
-        }
-    }
-}
-
-std::string line_and_column(std::string_view text, std::size_t byte) {
+Message line_and_column(std::string_view text, std::size_t byte) {
     byte = std::min(byte, text.size());
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(byte);
     const auto line = std::count(text.begin(), end, '\n') + 1;
     const std::size_t newline = byte == 0 ? std::string_view::npos : text.rfind('\n', byte - 1);
     const std::size_t column = newline == std::string_view::npos ? byte : byte - newline - 1;
-    return "line " + std::to_string(line) + ", column " +
-           std::to_string(std::max<std::size_t>(column, 1));
+    return table_place(static_cast<std::size_t>(line), std::max(static_cast<int>(column), 1));
 }
 
 // The JSON library parses any depth, but writing a value out again takes stack for each level.
@@ -47,8 +33,9 @@ void check_depth(std::string_view text) {
             in_string = true;
         } else if (c == '[' || c == '{') {
             if (++depth > deepest) {
-                throw InputError(line_and_column(text, at + 1),
-                                 "is nested more than " + std::to_string(deepest) + " levels deep");
+                throw InputError(
+                    line_and_column(text, at + 1),
+                    {CORE_TEXT("core", "is nested more than %1 levels deep"), deepest});
             }
         } else if (c == ']' || c == '}') {
             --depth;
@@ -60,55 +47,50 @@ void check_depth(std::string_view text) {
 
 Json parse_json(std::string_view text) {
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-        throw InputError("", "is empty");
+        throw InputError("", CORE_TEXT("core", "is empty"));
     }
     check_depth(text);
     try {
         return Json::parse(text);
     } catch (const Json::parse_error& error) {
-        throw InputError(line_and_column(text, error.byte), "is not valid JSON");
+        throw InputError(line_and_column(text, error.byte), CORE_TEXT("core", "is not valid JSON"));
     } catch (const Json::out_of_range&) {
-        throw InputError("", "holds a number that is too large for this program");
+        throw InputError("",
+                         CORE_TEXT("core", "holds a number that is too large for this program"));
     }
 }
 
-CaseFile read_case(const Json& document) {
+CaseFile read_case(const Json& document, const std::vector<std::string>& scenes) {
     ObjectReader reader(document, "");
     reader.choice("format", {case_format});
     const int version = reader.integer("version", 1, 1'000'000);
     if (version > case_version) {
-        throw InputError("/version",
-                         "must be at most " + std::to_string(case_version) +
-                             " (a newer program wrote this case; update to open it)",
-                         std::to_string(version));
+        throw InputError(
+            "/version",
+            {CORE_TEXT("core",
+                       "must be at most %1 (a newer program wrote this case; update to open it)"),
+             case_version},
+            Number{1.0 * version});
     }
     CaseFile file;
     file.scene = reader.text("scene");
-    std::string names;
-    std::vector<std::string> candidates;
-    for (const SceneSolver& scene : scene_solvers()) {
-        names += (names.empty() ? "\"" : ", \"") + std::string(scene.name) + "\"";
-        candidates.emplace_back(scene.name);
-    }
-    if (std::find(candidates.begin(), candidates.end(), file.scene) == candidates.end()) {
-        std::string allowed = "must be one of " + names;
-        if (const auto near = nearest_word(file.scene, candidates)) {
-            allowed += " (the nearest is \"" + *near + "\")";
-        }
-        throw InputError("/scene", allowed, show(document.at("scene")));
+    if (std::find(scenes.begin(), scenes.end(), file.scene) == scenes.end()) {
+        const auto near = nearest_word(file.scene, scenes);
+        throw InputError("/scene",
+                         near
+                             ? Message(CORE_TEXT("core", "must be one of %1 (the nearest is %2)"),
+                                       quoted_list(scenes), quoted_list({*near}))
+                             : Message(CORE_TEXT("core", "must be one of %1"), quoted_list(scenes)),
+                         show(document.at("scene")));
     }
     file.title = reader.text("title", "");
     const Json& input = reader.raw("input");
     if (!input.is_object()) {
-        throw InputError("/input", "must be an object", show(input));
+        throw InputError("/input", CORE_TEXT("core", "must be an object"), show(input));
     }
     reader.finish();
     file.input = input;
     return file;
-}
-
-CaseFile parse_case(std::string_view text) {
-    return read_case(parse_json(text));
 }
 
 Json write_case(const CaseFile& file) {
@@ -117,22 +99,6 @@ Json write_case(const CaseFile& file) {
             {"scene", file.scene},
             {"title", file.title},
             {"input", file.input}};
-}
-
-Json solve_case(const CaseFile& file, const CaseContext& context) {
-    const auto scenes = scene_solvers();
-    const auto scene = std::find_if(scenes.begin(), scenes.end(),
-                                    [&](const SceneSolver& s) { return s.name == file.scene; });
-    if (scene == scenes.end()) {
-        throw InputError("/scene", "must be a known scene", file.scene);
-    }
-    Json result = scene->solve(file.input, context);
-    check_finite(result, "/result");
-    return {{"format", result_format},
-            {"version", case_version},
-            {"scene", file.scene},
-            {"title", file.title},
-            {"result", std::move(result)}};
 }
 
 }  // namespace ravnoves

@@ -27,7 +27,34 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row.back();
 }
 
-/// A key as a segment of a JSON pointer (RFC 6901).
+double checked_number(const Json& value, const std::string& pointer, const Range& range) {
+    if (!value.is_number()) {
+        throw InputError(pointer, CORE_TEXT("core", "must be a number"), show(value));
+    }
+    const double number = value.get<double>();
+    if (!range.contains(number)) {
+        throw InputError(pointer, range.message(), Number{number});
+    }
+    return number;
+}
+
+int checked_integer(const Json& value, const std::string& pointer, int min, int max) {
+    const double number = value.is_number() ? value.get<double>() : std::nan("");
+    if (!(number >= min && number <= max && std::floor(number) == number)) {
+        throw InputError(pointer, Range::between(min, max).whole_number_message(), show(value));
+    }
+    return static_cast<int>(number);
+}
+
+const Json& checked_array(const Json& value, const std::string& pointer) {
+    if (!value.is_array()) {
+        throw InputError(pointer, CORE_TEXT("core", "must be a list"), show(value));
+    }
+    return value;
+}
+
+}  // namespace
+
 std::string escape_segment(std::string_view key) {
     std::string text;
     for (const char c : key) {
@@ -41,37 +68,6 @@ std::string escape_segment(std::string_view key) {
     }
     return text;
 }
-
-double checked_number(const Json& value, const std::string& pointer, const Range& range) {
-    if (!value.is_number()) {
-        throw InputError(pointer, "must be a number", show(value));
-    }
-    const double number = value.get<double>();
-    if (!range.contains(number)) {
-        throw InputError(pointer, range.describe(), format_number(number));
-    }
-    return number;
-}
-
-int checked_integer(const Json& value, const std::string& pointer, int min, int max) {
-    const double number = value.is_number() ? value.get<double>() : std::nan("");
-    if (!(number >= min && number <= max && std::floor(number) == number)) {
-        throw InputError(
-            pointer,
-            "must be a whole number from " + std::to_string(min) + " to " + std::to_string(max),
-            show(value));
-    }
-    return static_cast<int>(number);
-}
-
-const Json& checked_array(const Json& value, const std::string& pointer) {
-    if (!value.is_array()) {
-        throw InputError(pointer, "must be a list", show(value));
-    }
-    return value;
-}
-
-}  // namespace
 
 std::string show(const Json& value) {
     std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -103,7 +99,7 @@ std::optional<std::string> nearest_word(std::string_view word,
 ObjectReader::ObjectReader(const Json& value, std::string pointer)
     : value_(value), pointer_(std::move(pointer)) {
     if (!value_.is_object()) {
-        throw InputError(pointer_, "must be an object", show(value_));
+        throw InputError(pointer_, CORE_TEXT("core", "must be an object"), show(value_));
     }
 }
 
@@ -124,7 +120,7 @@ bool ObjectReader::has(std::string_view key) {
 
 const Json& ObjectReader::require(std::string_view key) {
     if (!has(key)) {
-        throw InputError(pointer_to(key), "is required and missing");
+        throw InputError(pointer_to(key), CORE_TEXT("core", "is required and missing"));
     }
     return value_.at(std::string(key));
 }
@@ -163,7 +159,7 @@ bool ObjectReader::boolean(std::string_view key, bool fallback) {
     }
     const Json& value = require(key);
     if (!value.is_boolean()) {
-        throw InputError(pointer_to(key), "must be true or false", show(value));
+        throw InputError(pointer_to(key), CORE_TEXT("core", "must be true or false"), show(value));
     }
     return value.get<bool>();
 }
@@ -171,7 +167,7 @@ bool ObjectReader::boolean(std::string_view key, bool fallback) {
 std::string ObjectReader::text(std::string_view key) {
     const Json& value = require(key);
     if (!value.is_string()) {
-        throw InputError(pointer_to(key), "must be a text", show(value));
+        throw InputError(pointer_to(key), CORE_TEXT("core", "must be a text"), show(value));
     }
     return value.get<std::string>();
 }
@@ -189,11 +185,27 @@ std::string ObjectReader::choice(std::string_view key,
             return word;
         }
     }
-    std::string allowed = "must be one of ";
-    for (const std::string_view choice : choices) {
-        allowed += (allowed.back() == ' ' ? "\"" : ", \"") + std::string(choice) + "\"";
+    throw InputError(
+        pointer_to(key),
+        {CORE_TEXT("core", "must be one of %1"), quoted_list({choices.begin(), choices.end()})},
+        show(value));
+}
+
+int ObjectReader::choice(std::string_view key, std::span<const Word> words) {
+    const Json& value = require(key);
+    std::vector<std::string> allowed;
+    for (const Word& word : words) {
+        if (value.is_string() && value.get_ref<const std::string&>() == word.word) {
+            return static_cast<int>(allowed.size());
+        }
+        allowed.emplace_back(word.word);
     }
-    throw InputError(pointer_to(key), allowed, show(value));
+    throw InputError(pointer_to(key),
+                     {CORE_TEXT("core", "must be one of %1"), quoted_list(allowed)}, show(value));
+}
+
+const Json& ObjectReader::list(std::string_view key) {
+    return checked_array(require(key), pointer_to(key));
 }
 
 std::string ObjectReader::choice(std::string_view key,
@@ -248,11 +260,12 @@ void ObjectReader::finish() const {
         if (std::find(known_.begin(), known_.end(), item.key()) != known_.end()) {
             continue;
         }
-        std::string allowed = "is not a known key";
         if (const auto near = nearest_word(item.key(), known_)) {
-            allowed += "; the nearest is \"" + *near + "\"";
+            throw InputError(
+                pointer_to(item.key()),
+                {CORE_TEXT("core", "is not a known key; the nearest is %1"), quoted_list({*near})});
         }
-        throw InputError(pointer_to(item.key()), allowed);
+        throw InputError(pointer_to(item.key()), CORE_TEXT("core", "is not a known key"));
     }
 }
 

@@ -2,10 +2,12 @@
 
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "case-file/field.h"
 #include "case-file/json_fwd.h"
 #include "case-file/range.h"
 
@@ -46,6 +48,10 @@ class ObjectReader {
     std::string choice(std::string_view key, std::initializer_list<std::string_view> choices);
     std::string choice(std::string_view key, std::initializer_list<std::string_view> choices,
                        std::string_view fallback);
+    /// Place of the word that stands there.
+    int choice(std::string_view key, std::span<const Word> words);
+    /// The raw list.
+    const Json& list(std::string_view key);
     /// An array of numbers, each within the range; errors name the element.
     std::vector<double> numbers(std::string_view key, const Range& range);
     std::vector<int> integers(std::string_view key, int min, int max);
@@ -68,6 +74,9 @@ class ObjectReader {
     std::string pointer_;
     std::vector<std::string> known_;
 };
+
+/// A key as a segment of a JSON pointer (RFC 6901).
+std::string escape_segment(std::string_view key);
 
 /// The value as an error message shows it: compact JSON, cut after 40 characters.
 std::string show(const Json& value);

@@ -18,9 +18,8 @@ std::string format_number(double value) {
     const bool plain = size == 0.0 || (size >= 1e-5 && size < 1e15);
     std::array<char, 64> buffer{};
     char* const last = buffer.data() + buffer.size();
-    const auto end = plain
-                         ? std::to_chars(buffer.data(), last, value, std::chars_format::fixed).ptr
-                         : std::to_chars(buffer.data(), last, value).ptr;
+    const auto end = plain ? std::to_chars(buffer.data(), last, value, std::chars_format::fixed).ptr
+                           : std::to_chars(buffer.data(), last, value).ptr;
     return {buffer.data(), end};
 }
 
@@ -35,40 +34,56 @@ std::string format_number(double value, int significant_digits) {
     return {buffer.data(), end};
 }
 
-double from_si(const FieldSpec& field, double si) {
-    const double value = si / field.to_si;
-    if (!std::isfinite(value)) {
-        return value;
-    }
-    for (const int digits : {12, 15, 16}) {
-        const std::string text = format_number(value, digits);
-        double rounded = 0.0;
-        std::from_chars(text.data(), text.data() + text.size(), rounded);
-        if (rounded * field.to_si == si) {
-            return rounded;
-        }
-    }
-    return value;
-}
-
-std::string Range::describe() const {
+Message Range::message(Unit unit) const {
+    const auto number = [&](double value) { return Number{value, unit}; };
     const bool has_min = std::isfinite(min);
     const bool has_max = std::isfinite(max);
     if (has_min && has_max) {
         if (!min_open && !max_open) {
-            return "must be from " + format_number(min) + " to " + format_number(max);
+            return {CORE_TEXT("core", "must be from %1 to %2"), min, number(max)};
         }
-        return std::string("must be ") + (min_open ? "greater than " : "at least ") +
-               format_number(min) + " and " + (max_open ? "less than " : "at most ") +
-               format_number(max);
+        const Text text =
+            min_open ? (max_open ? CORE_TEXT("core", "must be greater than %1 and less than %2")
+                                 : CORE_TEXT("core", "must be greater than %1 and at most %2"))
+                     : CORE_TEXT("core", "must be at least %1 and less than %2");
+        return {text, min, number(max)};
     }
     if (has_min) {
-        return (min_open ? "must be greater than " : "must be at least ") + format_number(min);
+        return {min_open ? CORE_TEXT("core", "must be greater than %1")
+                         : CORE_TEXT("core", "must be at least %1"),
+                number(min)};
     }
     if (has_max) {
-        return (max_open ? "must be less than " : "must be at most ") + format_number(max);
+        return {max_open ? CORE_TEXT("core", "must be less than %1")
+                         : CORE_TEXT("core", "must be at most %1"),
+                number(max)};
     }
-    return "must be a finite number";
+    return CORE_TEXT("core", "must be a finite number");
+}
+
+Message Range::whole_number_message() const {
+    return {CORE_TEXT("core", "must be a whole number from %1 to %2"), min, max};
+}
+
+double rounded_to(double value, int digits) {
+    if (!std::isfinite(value)) {
+        return value;
+    }
+    const std::string text = format_number(value, digits);
+    double shorter = value;
+    std::from_chars(text.data(), text.data() + text.size(), shorter);
+    return shorter;
+}
+
+double from_si(const FieldSpec& field, double si) {
+    const double value = si / field.to_si;
+    for (const int digits : {12, 15, 16}) {
+        const double shorter = rounded_to(value, digits);
+        if (shorter * field.to_si == si) {
+            return shorter;
+        }
+    }
+    return value;
 }
 
 }  // namespace ravnoves

@@ -5,6 +5,9 @@
 #include <string>
 #include <string_view>
 
+#include "case-file/message.h"
+#include "numerics/units.h"
+
 namespace ravnoves {
 
 /// The interval in which an input may lie, in the unit that the user sees.
@@ -34,7 +37,10 @@ struct Range {
     }
 
     /// The rule in words: "must be greater than 0", "must be from 0 to 360".
-    std::string describe() const;
+    Message message(Unit unit = units::none) const;
+    /// The rule for a whole number: "must be a whole number from 1 to 12".
+    Message whole_number_message() const;
+    std::string describe() const { return message().english(); }
 };
 
 /// One input of a scene: the key of the case file, the unit the user sees and the allowed range.
@@ -54,5 +60,8 @@ double from_si(const FieldSpec& field, double si);
 std::string format_number(double value);
 /// Rounded to so many significant digits.
 std::string format_number(double value, int significant_digits);
+
+/// The value rounded to so many significant decimal digits: the one place for that.
+double rounded_to(double value, int digits);
 
 }  // namespace ravnoves

@@ -12,15 +12,23 @@
 
 namespace ravnoves {
 
+namespace {
+
+InputError not_written(const std::string& reason) {
+    return {"", {CORE_TEXT("core", "cannot be written: %1"), reason}};
+}
+
+}  // namespace
+
 std::string read_text_file(const std::filesystem::path& path) {
     constexpr std::uintmax_t largest = 64U << 20U;
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) {
-        throw InputError("", "must be a file, not a folder");
+        throw InputError("", CORE_TEXT("core", "must be a file, not a folder"));
     }
     std::ifstream stream(path, std::ios::binary);
     if (!stream) {
-        throw InputError("", std::string("cannot be read: ") + std::strerror(errno));
+        throw InputError("", {CORE_TEXT("core", "cannot be read: %1"), std::strerror(errno)});
     }
     std::string text;
     std::vector<char> block(1U << 16U);
@@ -28,11 +36,11 @@ std::string read_text_file(const std::filesystem::path& path) {
            stream.gcount() > 0) {
         text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
         if (text.size() > largest) {
-            throw InputError("", "must be at most 64 MiB");
+            throw InputError("", CORE_TEXT("core", "must be at most 64 MiB"));
         }
     }
     if (stream.bad()) {
-        throw InputError("", "cannot be read to its end");
+        throw InputError("", CORE_TEXT("core", "cannot be read to its end"));
     }
     return text;
 }
@@ -52,7 +60,7 @@ void write_text_file(const std::filesystem::path& path, std::string_view text) {
         std::ofstream stream(path, std::ios::binary);
         stream << text << std::flush;
         if (!stream) {
-            throw InputError("", std::string("cannot be written: ") + std::strerror(errno));
+            throw not_written(std::strerror(errno));
         }
         return;
     }
@@ -65,14 +73,14 @@ void write_text_file(const std::filesystem::path& path, std::string_view text) {
             const std::string reason = std::strerror(errno);
             stream.close();
             std::filesystem::remove(partial, error);
-            throw InputError("", "cannot be written: " + reason);
+            throw not_written(reason);
         }
     }
     std::filesystem::rename(partial, target, error);
     if (error) {
         const std::string reason = error.message();
         std::filesystem::remove(partial, error);
-        throw InputError("", "cannot be written: " + reason);
+        throw not_written(reason);
     }
 }
 

@@ -80,6 +80,7 @@ std::vector<AngleState> turn_states(const Mechanism<double>& mechanism, double s
         other.exact.d2psi = -state.exact.d2psi;
         other.inertia.slope = -state.inertia.slope;
         other.moment.inertia = -state.moment.inertia;
+        other.moment.true_inertia = -state.moment.true_inertia;
         other.moment.dweight = -state.moment.dweight;
         other.psi = -state.psi;
     }

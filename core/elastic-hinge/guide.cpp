@@ -1,6 +1,7 @@
 #include "elastic-hinge/guide.h"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
 
@@ -10,35 +11,46 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-std::string number(double value) {
-    return format_number(value, 6);
+Number number(double si, Unit unit) {
+    return {si / unit, unit, 6};
 }
 
-std::string number_up(double value) {
-    return number(value * (1.0 + 5e-6));  // six digits that still suffice
+/// Six digits that still suffice.
+Number number_up(double si, Unit unit) {
+    return number(si * (1.0 + 5e-6), unit);
 }
 
-std::string degrees(double angle) {
-    return number(angle / degree) + "°";
-}
-
-const char* name_of(Hinge hinge) {
+Text name_of(Hinge hinge) {
     switch (hinge) {
         case Hinge::crank:
-            return "the crank's hinge";
+            return CORE_TEXT("elastic-hinge", "the crank's hinge");
         case Hinge::crank_with_rod:
-            return "the crank's hinge beside the rod's";
+            return CORE_TEXT("elastic-hinge", "the crank's hinge beside the rod's");
         case Hinge::rod:
             break;
     }
-    return "the rod's hinge";
+    return CORE_TEXT("elastic-hinge", "the rod's hinge");
+}
+
+/// The greatest value of f near the sample of a grid where it is greatest.
+template <typename Function>
+std::pair<double, double> greatest_near(const Function& f, double sample, double step) {
+    const auto [place, value] = boost::math::tools::brent_find_minima(
+        [&](double x) {
+            const double y = -f(x);
+            return std::isfinite(y) ? y : std::numeric_limits<double>::max();
+        },
+        sample - step, sample + step, 26);
+    return {place, -value};
 }
 
 struct BranchScan {
     BranchSummary summary;
-    double sharpest = 0.0;  ///< greatest curvature against the roller, 1/m
+    double sharpest = 0.0;     ///< greatest curvature against the roller, 1/m
+    double sharpest_at = 0.0;  ///< crank angle, rad
+    double most_bent_at = 0.0;
 
-    void take(const GuidePoint& point, Branch branch, double roller) {
+    void take(const GuidePoint& point, double phi, Branch branch, double roller) {
         summary.min_radius = std::min(summary.min_radius, point.radius);
         summary.max_radius = std::max(summary.max_radius, point.radius);
         const double side = branch == Branch::compressed ? 1.0 : -1.0;
@@ -51,11 +63,15 @@ struct BranchScan {
         least_cosine = std::min(least_cosine, cosine);
         const double bend = point.curvature();
         if (std::isfinite(bend)) {
-            most_bent = std::max(most_bent, std::abs(bend));
+            if (std::abs(bend) > most_bent) {
+                most_bent = std::abs(bend);
+                most_bent_at = phi;
+            }
             // The profile lies outside a compressed spring's rollers and inside a stretched one's.
             const double against = -side * bend;
             if (against > sharpest) {
                 sharpest = against;
+                sharpest_at = phi;
                 summary.undercut_angle = point.angle;
             }
         }
@@ -67,7 +83,17 @@ struct BranchScan {
         summary.profile_max_radius = std::max(summary.profile_max_radius, profile);
     }
 
-    BranchSummary finish(double roller) {
+    /// @param step  of the grid, rad
+    BranchSummary finish(const GuideShape& shape, Branch branch, double step, double roller) {
+        if (most_bent > 0.0) {
+            const auto bend = [&](double phi) {
+                return std::abs(shape.at(branch, phi).curvature());
+            };
+            most_bent = std::max(most_bent, greatest_near(bend, most_bent_at, step).second);
+        }
+        if (sharpest > 0.0) {
+            sharpest = std::max(sharpest, sharpest_bend(shape, branch, sharpest_at, step));
+        }
         summary.smallest_curvature_radius = most_bent > 0.0 ? 1.0 / most_bent : summary.max_radius;
         if (sharpest > 0.0 && std::isfinite(1.0 / sharpest)) {
             summary.largest_roller_radius = 1.0 / sharpest;
@@ -103,6 +129,13 @@ double GuidePoint::pressure_angle() const {
     return std::atan2(std::abs(slope), radius);
 }
 
+double sharpest_bend(const GuideShape& shape, Branch branch, double near, double step) {
+    const double side = branch == Branch::compressed ? -1.0 : 1.0;
+    return greatest_near([&](double phi) { return side * shape.at(branch, phi).curvature(); }, near,
+                         step)
+        .second;
+}
+
 PlanePoint offset_point(const GuidePoint& point, double distance) {
     const double c = std::cos(point.angle);
     const double s = std::sin(point.angle);
@@ -120,6 +153,9 @@ GuideShape::GuideShape(std::shared_ptr<const Design> design, Hinge hinge, const 
       spring_{spring.stiffness, spring.free_length, spring.guide_radius_at_zero} {
     const bool reversed = sign == GuideSign::as_printed && hinge != Hinge::rod;
     scale_ = (reversed ? -0.5 : 0.5) / spring.stiffness;
+    const double preload = spring.preload();
+    rounding_ = 8.0 * std::numeric_limits<double>::epsilon() * preload *
+                (preload + 0.5 * spring.free_length);
 }
 
 Branch GuideShape::branch() const {
@@ -131,11 +167,11 @@ std::pair<GuidePoint, GuidePoint> GuideShape::both(const Demand& demand) const {
     const double q = given_out(demand);
     const double d0 = spring_.preload();
     const double square = d0 * d0 - q;
-    if (!(square >= 0.0)) {
+    if (!(square >= -rounding_)) {
         const GuidePoint none{demand.polar_angle, nothing, nothing, nothing};
         return {none, none};
     }
-    const double d = std::sqrt(square);
+    const double d = std::sqrt(std::max(square, 0.0));
     // guide_radius() for both branches: ρ = ρ₀ ± q / (d₀ + d).
     const double change = q == 0.0 ? 0.0 : q / (d0 + d);
     double slope = 0.0;
@@ -184,13 +220,15 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     guide.hinge = hinge;
     if (!design->has_exact_kinematics()) {
         guide.problem = GuideProblem::mechanism_locks;
-        guide.reason =
-            "at lambda = 1 the mechanism locks at a crank angle of 90°: there is no guide";
+        guide.reason = CORE_TEXT("elastic-hinge",
+                                 "at λ = 1 the mechanism locks at a crank angle of 90°: there is "
+                                 "no guide and no motion; "
+                                 "the series still draws M₁₂ and the side force");
         return guide;
     }
     if (!spring) {
         guide.problem = GuideProblem::no_spring;
-        guide.reason = "no spring is given for " + std::string(name_of(hinge));
+        guide.reason = {CORE_TEXT("elastic-hinge", "no spring is given for %1"), name_of(hinge)};
         return guide;
     }
     const auto shape =
@@ -212,9 +250,7 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
             std::max(guide.largest_moment, std::abs(demand.moment * demand.dpolar));
     }
 
-    // Where rounding alone leaves the last place of the square below zero, the guide exists.
-    const double slack = 8.0 * std::numeric_limits<double>::epsilon() * square;
-    const bool exists = greatest <= square + slack;
+    const bool exists = greatest <= square + shape->rounding();
     const double lowest = std::sqrt(std::max(square - greatest, 0.0));
     const double highest = std::sqrt(square - least);
     guide.smallest_deflection = lowest;
@@ -231,25 +267,26 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     double steepest_error = 0.0;
     const double waves = input.profile_error_waves;
     bool missing = false;
+    const double step = two_pi / static_cast<double>(std::max<std::size_t>(n, 2) - 1);
     for (std::size_t i = 0; i < n; ++i) {
         const Demand& demand = demands[i];
+        const double phi = step * static_cast<double>(i);
         const auto [inner, outer] = shape->both(demand);
         guide.polar_angle[i] = demand.polar_angle;
         guide.radius_stretched[i] = outer.radius;
         guide.radius_compressed[i] = inner.radius > 0.0 ? inner.radius : nothing;
         if (std::isnan(outer.radius)) {
             if (!missing) {
-                guide.first_missing_angle =
-                    two_pi * static_cast<double>(i) / static_cast<double>(n - 1);
+                guide.first_missing_angle = phi;
             }
             missing = true;
             continue;
         }
         if (exists) {
             if (fits) {
-                compressed.take(inner, Branch::compressed, input.roller_radius);
+                compressed.take(inner, phi, Branch::compressed, input.roller_radius);
             }
-            stretched.take(outer, Branch::stretched, input.roller_radius);
+            stretched.take(outer, phi, Branch::stretched, input.roller_radius);
             const double d = std::abs(outer.radius - half_length);
             const double slope = std::isfinite(outer.slope) ? outer.slope : 0.0;
             const double wave = waves * d;
@@ -262,14 +299,18 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
         if (!missing) {
             guide.first_missing_angle = guide.worst_angle;
         }
-        guide.reason = "from a crank angle of " + degrees(guide.first_missing_angle) +
-                       " the spring would have to give out more energy than it stores (most at " +
-                       degrees(guide.worst_angle) + "): the preload |l0/2 - rho0| is " +
-                       number(guide.preload / field::millimetre) + " mm and must be at least " +
-                       number_up(guide.minimum_preload / field::millimetre) + " mm";
+        guide.reason = {
+            CORE_TEXT("elastic-hinge",
+                      "from a crank angle of %1 the spring would have to give out more energy than "
+                      "it stores (most at %2): the preload |ℓ₀/2 − ρ₀| is %3 and must be at least "
+                      "%4"),
+            number(guide.first_missing_angle, units::degree),
+            number(guide.worst_angle, units::degree), number(guide.preload, units::mm),
+            number_up(guide.minimum_preload, units::mm)};
         if (guide.minimum_stiffness && std::isfinite(*guide.minimum_stiffness)) {
-            guide.reason += ", or the stiffness at least " + number_up(*guide.minimum_stiffness) +
-                            " N/m with this preload";
+            guide.reason = {
+                CORE_TEXT("elastic-hinge", "%1, or the stiffness at least %2 with this preload"),
+                guide.reason, number_up(*guide.minimum_stiffness, units::kN_per_m)};
         }
         return guide;
     }
@@ -278,10 +319,10 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     guide.spring_travel = 2.0 * guide.relief;
     guide.largest_spring_force = 2.0 * spring->stiffness * highest;
     guide.smallest_spring_force = 2.0 * spring->stiffness * lowest;
-    guide.stretched = stretched.finish(input.roller_radius);
+    guide.stretched = stretched.finish(*shape, Branch::stretched, step, input.roller_radius);
     guide.stretched.exists = true;
     if (fits) {
-        guide.compressed = compressed.finish(input.roller_radius);
+        guide.compressed = compressed.finish(*shape, Branch::compressed, step, input.roller_radius);
         guide.compressed.exists = true;
     }
 
@@ -297,10 +338,10 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
 
     if (guide.branch == Branch::compressed && !fits) {
         guide.problem = GuideProblem::radius_not_positive;
-        guide.reason = "the spring would have to be compressed by " +
-                       number(2.0 * highest / field::millimetre) +
-                       " mm, its whole free length of " +
-                       number(spring->free_length / field::millimetre) + " mm or more";
+        guide.reason = {CORE_TEXT("elastic-hinge",
+                                  "the spring would have to be compressed by %1, its whole free "
+                                  "length of %2 or more"),
+                        number(2.0 * highest, units::mm), number(spring->free_length, units::mm)};
         return guide;
     }
     guide.feasible = true;

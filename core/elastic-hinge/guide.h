@@ -2,10 +2,10 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
+#include "case-file/message.h"
 #include "elastic-hinge/design.h"
 #include "elastic-hinge/guide_formula.h"
 #include "elastic-hinge/input.h"
@@ -68,6 +68,9 @@ class GuideShape {
     /// Energy in the spring at a radius, ½ c (ℓ₀ − 2ρ)², J.
     double energy(double radius) const;
 
+    /// What rounding may leave below zero of preload² − given_out(), m²: a preload of exactly the
+    /// least one makes a guide.
+    double rounding() const { return rounding_; }
     /// Least and greatest of given_out() over the turn, m².
     double least_given_out() const;
     double greatest_given_out() const;
@@ -78,8 +81,13 @@ class GuideShape {
     std::shared_ptr<const Design> design_;
     Hinge hinge_;
     GuideSpring<double> spring_;
-    double scale_;  ///< ± 1 / (2c), m²/J
+    double scale_;     ///< ± 1 / (2c), m²/J
+    double rounding_;  ///< of preload² − what was given out, m²
 };
+
+/// The path's greatest curvature against a roller on the profile's side, 1/m, near the crank angle
+/// where a grid of that step (rad) has found it: a roller of more than the inverse of it undercuts.
+double sharpest_bend(const GuideShape& shape, Branch branch, double near, double step);
 
 /// Why there is no guide.
 enum class GuideProblem {
@@ -95,7 +103,7 @@ struct BranchSummary {
     bool exists = false;
     double min_radius = 0.0;  ///< of the roller centre's path, m
     double max_radius = 0.0;
-    double smallest_curvature_radius = 0.0;  ///< of the path, m; over the sampled angles
+    double smallest_curvature_radius = 0.0;  ///< of the path, m
     /// The largest roller that follows the path without undercutting its profile, m. Empty: any.
     std::optional<double> largest_roller_radius;
     bool undercut = false;            ///< the input's roller is larger than that
@@ -119,7 +127,7 @@ struct Guide {
     Hinge hinge = Hinge::crank;
     bool feasible = false;
     GuideProblem problem = GuideProblem::no_spring;
-    std::string reason;  ///< why not, as a sentence; empty where feasible
+    Message reason;  ///< why not, as a sentence; empty where feasible
 
     double preload = 0.0;                     ///< |ℓ₀/2 − ρ₀|, m
     double minimum_preload = 0.0;             ///< that the guide needs, m

@@ -7,6 +7,7 @@
 
 #include "case-file/input_error.h"
 #include "drawing/dxf_document.h"
+#include "elastic-hinge/fields.h"
 
 namespace ravnoves::elastic_hinge {
 
@@ -18,24 +19,28 @@ void check_drawing(const Guide& guide, const GuideDrawing& drawing) {
     const BranchSummary& summary =
         drawing.branch == Branch::compressed ? guide.compressed : guide.stretched;
     if (!guide.shape || !summary.exists) {
-        throw InputError("", "there is no guide to export" +
-                                 (guide.reason.empty() ? std::string() : ": " + guide.reason));
+        throw InputError(
+            "", guide.reason.empty()
+                    ? Message(CORE_TEXT("elastic-hinge", "there is no guide to export"))
+                    : Message(CORE_TEXT("elastic-hinge", "there is no guide to export: %1"),
+                              guide.reason));
     }
-    const double tolerance = drawing.chord_tolerance / field::chord_tolerance.to_si;
+    const double tolerance = drawing.chord_tolerance / units::mm;
     if (!field::chord_tolerance.range.contains(tolerance)) {
-        throw InputError("chord tolerance", field::chord_tolerance.range.describe() + " mm",
-                         format_number(tolerance));
+        throw InputError(CORE_TEXT("elastic-hinge", "chord tolerance"),
+                         field::chord_tolerance.range.message(units::mm), Number{tolerance});
     }
-    if (!(drawing.roller_radius >= 0.0) || !std::isfinite(drawing.roller_radius)) {
-        throw InputError("roller radius", "must be at least 0",
-                         format_number(drawing.roller_radius));
+    const Text roller = CORE_TEXT("elastic-hinge", "roller radius");
+    if (!field::roller_radius.range.contains(drawing.roller_radius / units::mm)) {
+        throw InputError(roller, field::roller_radius.range.message(units::mm),
+                         Number{drawing.roller_radius / units::mm});
     }
     if (summary.largest_roller_radius && drawing.roller_radius >= *summary.largest_roller_radius) {
-        throw InputError("roller radius",
-                         "must be less than " +
-                             format_number(*summary.largest_roller_radius / field::millimetre) +
-                             " mm, else the profile is undercut",
-                         format_number(drawing.roller_radius / field::millimetre) + " mm");
+        throw InputError(
+            roller,
+            {CORE_TEXT("elastic-hinge", "must be less than %1, else the profile is undercut"),
+             Number{*summary.largest_roller_radius / units::mm, units::mm}},
+            Number{drawing.roller_radius / units::mm, units::mm});
     }
 }
 
@@ -87,9 +92,11 @@ class ClosedPolyline {
             return;
         }
         if (result_.size() >= most_points) {
-            throw InputError("chord tolerance",
-                             "is too small for this guide: it would take more than " +
-                                 std::to_string(most_points) + " points");
+            throw InputError(CORE_TEXT("elastic-hinge", "chord tolerance"),
+                             {CORE_TEXT("elastic-hinge",
+                                        "is too small for this guide: it would take more than %1 "
+                                        "points"),
+                              most_points});
         }
         divide(from, a, middle, m, depth + 1);
         result_.push_back(m);
@@ -105,7 +112,7 @@ std::vector<DxfDocument::Point> in_millimetres(const std::vector<PlanePoint>& po
     std::vector<DxfDocument::Point> result;
     result.reserve(points.size());
     for (const PlanePoint& point : points) {
-        result.push_back({point.x / field::millimetre, point.y / field::millimetre});
+        result.push_back({point.x / units::mm, point.y / units::mm});
     }
     return result;
 }
@@ -122,10 +129,9 @@ std::vector<std::string> note_lines(const Guide& guide, const GuideDrawing& draw
                            ? "Spring compressed: rollers run inside the profile"
                            : "Spring stretched: rollers run outside the profile");
     lines.push_back("Dimensions in mm, scale 1:1, chord tolerance " +
-                    format_number(drawing.chord_tolerance / field::millimetre));
-    lines.push_back("Roller radius " + format_number(drawing.roller_radius / field::millimetre) +
-                    ", relief " +
-                    format_number(std::round(guide.relief / field::millimetre * 1e6) / 1e6));
+                    format_number(drawing.chord_tolerance / units::mm));
+    lines.push_back("Roller radius " + format_number(drawing.roller_radius / units::mm) +
+                    ", relief " + format_number(std::round(guide.relief / units::mm * 1e6) / 1e6));
     lines.emplace_back(
         drawing.guide_turns
             ? "Guide turns counter-clockwise, spring stands still; zero angle on +X"
@@ -188,7 +194,7 @@ std::string guide_dxf(const Guide& guide, const GuideDrawing& drawing) {
 std::string guide_csv(const Guide& guide, const GuideDrawing& drawing, double step_deg) {
     check_drawing(guide, drawing);
     if (!(step_deg >= 0.001 && step_deg <= 90.0)) {
-        throw InputError("step", "must be from 0.001 to 90", format_number(step_deg));
+        throw InputError("step", Range::between(0.001, 90).message(), Number{step_deg});
     }
     const GuideShape& shape = *guide.shape;
     const double offset = offset_of(drawing);
@@ -204,11 +210,11 @@ std::string guide_csv(const Guide& guide, const GuideDrawing& drawing, double st
         const double polar = guide.hinge == Hinge::rod ? point.angle / degree : phi_deg;
         const double values[] = {phi_deg,
                                  i == 0 ? 0.0 : sense * polar,
-                                 point.radius / field::millimetre,
-                                 path.x / field::millimetre,
-                                 path.y / field::millimetre,
-                                 profile.x / field::millimetre,
-                                 profile.y / field::millimetre};
+                                 point.radius / units::mm,
+                                 path.x / units::mm,
+                                 path.y / units::mm,
+                                 profile.x / units::mm,
+                                 profile.y / units::mm};
         const char* separator = "";
         for (const double value : values) {
             text += separator;

@@ -7,11 +7,6 @@
 
 namespace ravnoves::elastic_hinge {
 
-namespace field {
-inline constexpr FieldSpec chord_tolerance{"chord_tolerance_mm", "mm", Range::between(1e-5, 1),
-                                           millimetre};
-}
-
 /// How a guide is drawn for the machine shop.
 struct GuideDrawing {
     Branch branch = Branch::compressed;

@@ -3,24 +3,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case-file/field_writer.h"
+#include "case-file/input_error.h"
+
 namespace ravnoves::elastic_hinge {
 
 namespace {
 
-std::string millimetres(double length) {
-    const double rounded = std::round(length / field::millimetre * 1e3) / 1e3;
-    return format_number(rounded) + " mm";
+Number millimetres(double length) {
+    return {std::round(length / units::mm * 1e3) / 1e3, units::mm};
 }
 
 /// The largest roller that follows the path, m; empty where any does.
 std::optional<double> largest_roller(const GuideShape& shape, Branch branch) {
     const auto grid = angle_grid(721);
     double sharpest = 0.0;
+    double place = 0.0;
     for (const double phi : grid->angle) {
         const double bend = shape.at(branch, phi).curvature();
-        if (std::isfinite(bend)) {
-            sharpest = std::max(sharpest, branch == Branch::compressed ? -bend : bend);
+        const double against = branch == Branch::compressed ? -bend : bend;
+        if (against > sharpest && std::isfinite(against)) {
+            sharpest = against;
+            place = phi;
         }
+    }
+    if (sharpest > 0.0) {
+        sharpest = std::max(sharpest, sharpest_bend(shape, branch, place, grid->angle[1]));
     }
     return sharpest > 0.0 ? std::optional(1.0 / sharpest) : std::nullopt;
 }
@@ -33,20 +41,22 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
     GuideProposal proposal;
     proposal.branch = branch;
     proposal.smallest_spring_length = wish.smallest_spring_length.value_or(0.4 * free_length);
-    const auto refuse = [&](SearchProblem problem, std::string reason) {
+    const auto refuse = [&](SearchProblem problem, Message reason) {
         proposal.problem = problem;
         proposal.reason = std::move(reason);
         return proposal;
     };
     if (!design->has_exact_kinematics()) {
-        return refuse(SearchProblem::mechanism_locks,
-                      "at lambda = 1 the mechanism locks: there is no guide");
+        return refuse(
+            SearchProblem::mechanism_locks,
+            CORE_TEXT("elastic-hinge", "at λ = 1 the mechanism locks: there is no guide"));
     }
     const DemandRange range = design->range(hinge);
     const double span = range.span();
     if (!(span > 0.0)) {
         return refuse(SearchProblem::no_energy,
-                      "the hinge has no energy to give out: its guide is a circle");
+                      CORE_TEXT("elastic-hinge",
+                                "the hinge has no energy to give out: its guide is a circle"));
     }
     const bool reversed = sign == GuideSign::as_printed && hinge != Hinge::rod;
     const double greatest = reversed ? -range.min : range.max;
@@ -64,30 +74,31 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
         high = 0.5 * (free_length - shortest) - relief;
         if (high < 0.1 * relief) {
             return refuse(SearchProblem::spring_too_short,
-                          "a spring of " + millimetres(free_length) +
-                              " that gets no shorter than " + millimetres(shortest) +
-                              " leaves no room for a relief of " + millimetres(relief) +
-                              "; it must be at least " + millimetres(shortest + 2.2 * relief) +
-                              " long");
+                          {CORE_TEXT("elastic-hinge",
+                                     "a spring of %1 that gets no shorter than %2 leaves no room "
+                                     "for a relief of %3; it must be at least %4 long"),
+                           millimetres(free_length), millimetres(shortest), millimetres(relief),
+                           millimetres(shortest + 2.2 * relief)});
         }
         proposal.needed_outer_diameter = 2.0 * (half - high + roller_radius);
         if (low > high) {
             return refuse(SearchProblem::diameter_too_small,
-                          "a compressed spring of " + millimetres(free_length) +
-                              " that gets no shorter than " + millimetres(shortest) +
-                              " needs an outer diameter of at least " +
-                              millimetres(proposal.needed_outer_diameter) + " for a relief of " +
-                              millimetres(relief));
+                          {CORE_TEXT("elastic-hinge",
+                                     "a compressed spring of %1 that gets no shorter than %2 needs "
+                                     "an outer diameter of at least %3 for a relief of %4"),
+                           millimetres(free_length), millimetres(shortest),
+                           millimetres(proposal.needed_outer_diameter), millimetres(relief)});
         }
     } else {
         high = limit - half - relief;
         proposal.needed_outer_diameter = 2.0 * (half + 1.1 * relief + roller_radius);
         if (low > high) {
             return refuse(SearchProblem::diameter_too_small,
-                          "a stretched spring of " + millimetres(free_length) +
-                              " with a relief of " + millimetres(relief) +
-                              " needs an outer diameter of at least " +
-                              millimetres(proposal.needed_outer_diameter));
+                          {CORE_TEXT("elastic-hinge",
+                                     "a stretched spring of %1 with a relief of %2 needs an outer "
+                                     "diameter of at least %3"),
+                           millimetres(free_length), millimetres(relief),
+                           millimetres(proposal.needed_outer_diameter)});
         }
     }
 
@@ -114,10 +125,11 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
         ++first;
     }
     if (first > looks) {
-        return refuse(SearchProblem::undercut, "a roller of radius " + millimetres(roller_radius) +
-                                                   " undercuts every guide with a relief of " +
-                                                   millimetres(relief) +
-                                                   "; a smaller roller or less relief is needed");
+        return refuse(SearchProblem::undercut,
+                      {CORE_TEXT("elastic-hinge",
+                                 "a roller of radius %1 undercuts every guide with a relief of %2; "
+                                 "a smaller roller or less relief is needed"),
+                       millimetres(roller_radius), millimetres(relief)});
     }
     double least = look(first);
     for (double bad = first == 0 ? least : look(first - 1); least - bad > 1e-9 * free_length;) {
@@ -126,12 +138,13 @@ GuideProposal search_guide(const std::shared_ptr<const Design>& design, Hinge hi
     }
 
     proposal.spring = spring_for(least);
-    if (!field::stiffness.range.contains(proposal.spring.stiffness) ||
-        !field::guide_radius.range.contains(proposal.spring.guide_radius_at_zero /
-                                            field::millimetre)) {
-        return refuse(SearchProblem::stiffness_out_of_range,
-                      "the stiffness that would be needed, " +
-                          format_number(proposal.spring.stiffness) + " N/m, is out of range");
+    try {
+        check_fields(proposal.spring);
+    } catch (const InputError&) {
+        return refuse(
+            SearchProblem::stiffness_out_of_range,
+            {CORE_TEXT("elastic-hinge", "the stiffness that would be needed, %1, is out of range"),
+             Number{proposal.spring.stiffness, units::N_per_m}});
     }
     const double most = least + relief;
     proposal.found = true;

@@ -2,8 +2,8 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 
+#include "case-file/message.h"
 #include "elastic-hinge/design.h"
 #include "elastic-hinge/guide.h"
 #include "elastic-hinge/input.h"
@@ -25,7 +25,7 @@ enum class SearchProblem {
 struct GuideProposal {
     bool found = false;
     SearchProblem problem = SearchProblem::none;
-    std::string reason;                  ///< why not, as a sentence; empty where found
+    Message reason;                      ///< why not, as a sentence; empty where found
     double needed_outer_diameter = 0.0;  ///< m, where the diameter is too small
     Branch branch = Branch::compressed;
     Spring spring;                        ///< the free length that was given, with new c and ρ₀

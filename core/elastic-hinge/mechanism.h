@@ -12,7 +12,8 @@ enum class Kinematics {
 ///
 /// The counterweight lies on the other side of A than the slider, so the moments of its weight and
 /// of its inertia force about A both change sign; equation (9) changes only the weight's. With (9)
-/// as printed the side force is not zero.
+/// as printed the side force is not zero. A sign of the hinge's moment changes no force without the
+/// hinge.
 enum class CounterweightInertia {
     as_printed,    ///< (9): + (P₄/g) ẍ₄ h₆ + (P₄/g) ÿ₄ h₅
     newton_euler,  ///< − (P₄/g) ẍ₄ h₆ − (P₄/g) ÿ₄ h₅, as moments about A demand
@@ -31,7 +32,7 @@ struct Mechanism {
     Scalar lambda;                              ///< r/ℓ
     Scalar counterweight_mass = Scalar(0);      ///< P₄/g, kg
     Scalar counterweight_distance = Scalar(0);  ///< ℓ₂ beyond A, m
-    CounterweightInertia counterweight_inertia = CounterweightInertia::as_printed;
+    CounterweightInertia counterweight_inertia = CounterweightInertia::newton_euler;
 
     Scalar rod_length() const { return crank_radius / lambda; }  ///< ℓ, m
     /// Moment of the weights of rod, slider and counterweight about A at ψ = 0, divided by g, kg·m:

@@ -11,10 +11,11 @@ inline constexpr MethodChoice guide_choice{
     "closed-form",
     "free of cancellation",
     1e-7,
-    "What a guide does lies in its relief, which may be a few micrometres on a radius of a hundred "
-    "millimetres: seven digits of the relief. The closed form needs no step and no start; written "
-    "without a difference of nearly equal squares it keeps its digits down to the point where the "
-    "spring gives out all that it stores."};
+    CORE_TEXT("methods",
+              "What a guide does lies in its relief, which may be a few micrometres on a radius of "
+              "a hundred millimetres: seven digits of the relief. The closed form needs no step "
+              "and no start; written without a difference of nearly equal squares it keeps its "
+              "digits down to the point where the spring gives out all that it stores.")};
 
 /// Motion with hinges: simulate() at MotionSetup's own tolerance.
 inline constexpr MethodChoice motion_choice{
@@ -23,8 +24,10 @@ inline constexpr MethodChoice motion_choice{
     "dormand-prince",
     "1e-11",
     1e-7,
-    "Ripple and energy drift are read off to parts of a million, after up to a thousand turns: so "
-    "an error of 1e-7 a turn. Step control finds the few steep places of a turn by itself; a fixed "
-    "step that held at λ = 0.95 would be wasted everywhere else."};
+    CORE_TEXT(
+        "methods",
+        "Ripple and energy drift are read off to parts of a million, after up to a thousand turns: "
+        "so an error of 1e-7 a turn. Step control finds the few steep places of a turn by itself; "
+        "a fixed step that held at λ = 0.95 would be wasted everywhere else.")};
 
 }  // namespace ravnoves::elastic_hinge

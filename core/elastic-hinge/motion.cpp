@@ -6,6 +6,7 @@
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "case-file/input_error.h"
 
@@ -99,21 +100,28 @@ class System {
     double mean_;
 };
 
-std::string turns_text(double angle) {
-    return format_number(std::round(std::abs(angle) / two_pi * 1e4) / 1e4);
+Number turns_of(double angle) {
+    return {std::round(std::abs(angle) / two_pi * 1e4) / 1e4};
 }
 
 void check_setup(const Design& design, const Guide& guide, const MotionSetup& setup) {
     if (!design.has_exact_kinematics()) {
-        throw InputError("/input/lambda", "must be less than 1 for a motion: the mechanism locks",
-                         format_number(design.mechanism().lambda));
+        throw InputError(
+            "/input/lambda",
+            CORE_TEXT("elastic-hinge", "must be less than 1 for a motion: the mechanism locks"),
+            Number{design.mechanism().lambda});
     }
     if (setup.hinges != HingeSet::none) {
         const Hinge wanted = setup.hinges == HingeSet::crank ? Hinge::crank : Hinge::crank_with_rod;
         if (!guide.feasible || !guide.shape || guide.hinge != wanted) {
-            throw InputError("/input/spring",
-                             "must make a guide that exists for this motion" +
-                                 (guide.reason.empty() ? std::string() : ": " + guide.reason));
+            throw InputError(
+                "/input/spring",
+                guide.reason.empty()
+                    ? Message(CORE_TEXT("elastic-hinge",
+                                        "must make a guide that exists for this motion"))
+                    : Message(CORE_TEXT("elastic-hinge",
+                                        "must make a guide that exists for this motion: %1"),
+                              guide.reason));
         }
     }
 }
@@ -168,8 +176,9 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
     system(start, slope, 0.0);
     const double inertia = reduced_inertia_at_zero(design->mechanism());
     if (!std::isfinite(slope[1]) || !(inertia > 0.0)) {
-        throw InputError("/input",
-                         "must give the crank and the rod together some mass for a motion");
+        throw InputError(
+            "/input", CORE_TEXT("elastic-hinge",
+                                "must give the crank and the rod together some mass for a motion"));
     }
     const double wanted = setup.turns * two_pi;
 
@@ -181,10 +190,17 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
         longest = 50.0 * (setup.turns * two_pi + 1.0) / rate;
     }
 
+    motion.min_speed = setup.start_speed;
+    motion.max_speed = setup.start_speed;
+    const auto take_speed = [&](double speed) {
+        motion.min_speed = std::min(motion.min_speed, speed);
+        motion.max_speed = std::max(motion.max_speed, speed);
+    };
     const auto record = [&](double time, const State& x) {
         motion.time.push_back(time);
         motion.crank_angle.push_back(x[0]);
         motion.speed.push_back(x[1]);
+        take_speed(x[1]);
     };
     const double potential_0 = system.potential(start);
     const double kinetic_0 = system.kinetic(start);
@@ -228,6 +244,26 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
         return bracket.second;
     };
 
+    const auto acceleration = [&](const State& x) {
+        State rate_of_x{};
+        system(x, rate_of_x, 0.0);
+        return rate_of_x[1];
+    };
+    // Takes the speed where it is greatest or least between the last two samples.
+    double last_acceleration = slope[1];
+    const auto take_extremum = [&](double begin, double end, const State& x) {
+        const double present = acceleration(x);
+        const double last = std::exchange(last_acceleration, present);
+        const double reach = std::max(std::abs(last), std::abs(present)) * (end - begin);
+        const bool turns = (last < 0.0) != (present < 0.0);
+        const bool counts = x[1] + reach > motion.max_speed || x[1] - reach < motion.min_speed;
+        if (turns && counts && reach > 1e-13 * std::abs(x[1])) {
+            State extreme{};
+            stepper.calc_state(locate(acceleration, begin, end), extreme);
+            take_speed(extreme[1]);
+        }
+    };
+
     while (!done) {
         const auto [from, step_end] = stepper.do_step(std::cref(system));
         ++motion.steps;
@@ -265,10 +301,13 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
         stepper.calc_state(to, x);
         const auto parts = static_cast<int>(
             std::clamp(std::ceil(std::abs(x[0] - before[0]) / sample_angle), 1.0, 1000.0));
+        double last_time = from;
         for (int part = 1; part <= parts; ++part) {
             const double time = from + (to - from) * part / parts;
             stepper.calc_state(time, x);
             record(time, x);
+            take_extremum(last_time, time, x);
+            last_time = time;
         }
         watch(x);
         if (motion.steps >= most_steps) {
@@ -286,9 +325,6 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
     }
 
     const double turned = motion.crank_angle.back() - setup.start_angle;
-    const auto [least, greatest] = std::minmax_element(motion.speed.begin(), motion.speed.end());
-    motion.min_speed = *least;
-    motion.max_speed = *greatest;
     motion.mean_speed = motion.time.back() > 0.0 ? turned / motion.time.back() : 0.0;
     motion.ripple = motion.mean_speed != 0.0
                         ? (motion.max_speed - motion.min_speed) / std::abs(motion.mean_speed)
@@ -298,15 +334,17 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
         case MotionEnd::completed:
             break;
         case MotionEnd::reversed:
-            motion.reason =
-                "the crank stops after " + turns_text(turned) + " turns and would turn back";
+            motion.reason = {
+                CORE_TEXT("elastic-hinge", "the crank stops after %1 turns and would turn back"),
+                turns_of(turned)};
             break;
         case MotionEnd::too_slow:
-            motion.reason = "the crank made only " + turns_text(turned) + " turns in " +
-                            format_number(motion.time.back()) + " s";
+            motion.reason = {CORE_TEXT("elastic-hinge", "the crank made only %1 turns in %2"),
+                             turns_of(turned), Number{motion.time.back(), units::second, 6}};
             break;
         case MotionEnd::cancelled:
-            motion.reason = "cancelled after " + turns_text(turned) + " turns";
+            motion.reason = {CORE_TEXT("elastic-hinge", "cancelled after %1 turns"),
+                             turns_of(turned)};
             break;
     }
     return motion;

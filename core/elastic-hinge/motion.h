@@ -2,9 +2,9 @@
 
 #include <functional>
 #include <memory>
-#include <string>
 #include <vector>
 
+#include "case-file/message.h"
 #include "elastic-hinge/design.h"
 #include "elastic-hinge/guide.h"
 #include "elastic-hinge/input.h"
@@ -38,11 +38,11 @@ struct MotionSetup {
 /// The motion at growing times.
 struct Motion {
     MotionEnd end = MotionEnd::completed;
-    std::string reason;               ///< how it ended, as a sentence; empty where completed
+    Message reason;                   ///< how it ended, as a sentence; empty where completed
     std::vector<double> time;         ///< s
     std::vector<double> crank_angle;  ///< rad
     std::vector<double> speed;        ///< rad/s
-    double min_speed = 0.0;           ///< rad/s, over the samples
+    double min_speed = 0.0;           ///< rad/s, of the continuous motion
     double max_speed = 0.0;
     double mean_speed = 0.0;  ///< angle turned / time, rad/s
     /// (max − min) / mean, the coefficient of speed fluctuation; 0 where the mean is 0.

@@ -14,6 +14,9 @@ template <typename Scalar>
 struct RodHingeMoment {
     Scalar weight;   ///< N·m
     Scalar inertia;  ///< N·m·s²
+    /// The same by Newton–Euler, whatever the signs at the counterweight: of the side force without
+    /// hinge.
+    Scalar true_inertia;
     Scalar dweight;  ///< derivatives by φ
     Scalar dinertia;
 
@@ -54,16 +57,20 @@ RodHingeMoment<Scalar> rod_hinge_moment(const Mechanism<Scalar>& m, const Scalar
 
     const Scalar sign =
         m.counterweight_inertia == CounterweightInertia::as_printed ? Scalar(1) : Scalar(-1);
-    const Scalar weight4 = sign * m.counterweight_mass;
     const Scalar fall = (r + arm) * l2;
+    const Scalar bars = r * sin_phi * reach - rod_inertia * rod.d2psi - lift * sc;
+    const Scalar dbars =
+        r * (cos_phi * reach + sin_phi * dreach) - rod_inertia * rod.d3psi - lift * dsc;
+    const Scalar fourth = m.counterweight_mass * (x4 * arm * sin_phi - fall * sc);
+    const Scalar dfourth =
+        m.counterweight_mass * ((dx4 * sin_phi + x4 * cos_phi) * arm - fall * dsc);
 
     RodHingeMoment<Scalar> moment;
     moment.weight = m.gravity * static_moment * rod.cos_psi;
     moment.dweight = m.gravity * static_moment * rod.dcos;
-    moment.inertia = r * sin_phi * reach - rod_inertia * rod.d2psi - lift * sc +
-                     weight4 * (x4 * arm * sin_phi - fall * sc);
-    moment.dinertia = r * (cos_phi * reach + sin_phi * dreach) - rod_inertia * rod.d3psi -
-                      lift * dsc + weight4 * ((dx4 * sin_phi + x4 * cos_phi) * arm - fall * dsc);
+    moment.inertia = bars + sign * fourth;
+    moment.true_inertia = bars - fourth;
+    moment.dinertia = dbars + sign * dfourth;
     return moment;
 }
 

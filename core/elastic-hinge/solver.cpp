@@ -42,8 +42,9 @@ bool all_finite(const MechanismCurves& curves) {
 
 [[noreturn]] void refuse_extreme() {
     throw InputError("/input",
-                     "holds values so far apart that the result leaves the range of "
-                     "numbers; bring them nearer to those of a machine");
+                     CORE_TEXT("elastic-hinge",
+                               "holds values so far apart that the result leaves the range of "
+                               "numbers; bring them nearer to those of a machine"));
 }
 
 void resize(MechanismCurves& curves, std::size_t n, bool exact) {
@@ -70,7 +71,8 @@ void fill(MechanismCurves& curves, const Mechanism<double>& mechanism,
         const double arm = lever / state.cos_psi;
         curves.rod_hinge_moment[i] = moment;
         curves.rod_hinge_moment_potential[i] = moment - mean;
-        curves.side_force_without_hinge[i] = -moment * arm;
+        curves.side_force_without_hinge[i] =
+            -(state.moment.weight + square * state.moment.true_inertia) * arm;
         curves.side_force_with_hinge[i] = -mean * arm;
     }
     if (!exact) {
@@ -110,7 +112,8 @@ MechanismCurves curves_at_lambda(Input input, double lambda, const AngleGrid& gr
             const double value = moment.weight + side * square * moment.inertia;
             curves.rod_hinge_moment[at] = value;
             curves.rod_hinge_moment_potential[at] = value - mean;
-            curves.side_force_without_hinge[at] = -value * arm;
+            curves.side_force_without_hinge[at] =
+                -(moment.weight + side * square * moment.true_inertia) * arm;
             curves.side_force_with_hinge[at] = -mean * arm;
         }
     }
@@ -124,8 +127,10 @@ void compare_kinematics(const Input& input, const Design& design,
     const Mechanism<double>& mechanism = design.mechanism();
     const bool exact = design.has_exact_kinematics();
     const double square = input.angular_speed * input.angular_speed;
+    const std::size_t n = grid.size();
     double moment_error = 0.0;
-    for (std::size_t i = 0; 2 * i < grid.size(); ++i) {
+    result.other_rod_hinge_moment.resize(exact ? n : 0);
+    for (std::size_t i = 0; 2 * i < n; ++i) {
         const double s = grid.sin_phi[i];
         const double c = grid.cos_phi[i];
         const auto series = rod_angle_series(mechanism.lambda, s, c);
@@ -139,6 +144,8 @@ void compare_kinematics(const Input& input, const Design& design,
             const auto other =
                 rod_hinge_moment(mechanism, design.static_moment(), s, c,
                                  input.kinematics == Kinematics::series ? states[i].exact : series);
+            result.other_rod_hinge_moment[i] = other.weight + square * other.inertia;
+            result.other_rod_hinge_moment[n - 1 - i] = other.weight - square * other.inertia;
             // At φ or at −φ, whichever is worse.
             moment_error = std::max(
                 moment_error, std::abs(other.weight - states[i].moment.weight) +
@@ -153,33 +160,40 @@ void compare_kinematics(const Input& input, const Design& design,
 void add_notes(const Input& input, Result& result) {
     const auto& guide = result.crank_guide;
     if (input.kinematics == Kinematics::series && input.lambda > 0.4) {
-        result.notes.emplace_back("the series for cos(psi) is off by " +
-                                  format_number(std::round(result.series_error * 1e4) / 1e4) +
-                                  " at this lambda; use the exact kinematics for a design");
+        result.notes.emplace_back(
+            CORE_TEXT("elastic-hinge",
+                      "The series is off by %1 in cos ψ at φ = %2°; use the exact kinematics for a "
+                      "design."),
+            Number{result.series_error, units::none, 3},
+            std::round(result.series_error_angle / units::degree));
     }
     if (input.guide_sign == GuideSign::as_printed) {
-        result.notes.emplace_back(
-            "the guide's sign is that printed in the paper: such a guide drives the crank's speed "
-            "away from the design speed; the energy sign keeps it");
+        result.guide_notes.emplace_back(
+            CORE_TEXT("elastic-hinge",
+                      "The guide's sign is that printed in the paper: such a guide drives the "
+                      "crank's speed away from the design speed; the energy sign keeps it."));
     }
     if (input.rod_counterweight &&
         input.rod_counterweight->inertia == CounterweightInertia::as_printed &&
-        result.counterweight_mass > 0.0) {
+        result.counterweight_mass > 0.0 && !result.side_force_true.empty()) {
         result.notes.emplace_back(
-            "the counterweight's inertia enters the rod's hinge with the sign of equation (9) as "
-            "printed; the slider would bear up to " +
-            format_number(std::round(result.largest_side_force_true * 10.0) / 10.0) +
-            " N; the inertia \"newton-euler\" makes the side force zero");
+            CORE_TEXT("elastic-hinge",
+                      "Equation (9) as printed has the wrong sign at the counterweight's inertia: "
+                      "the slider would still bear up to %1 N. Newton–Euler makes the side force "
+                      "zero."),
+            std::round(result.largest_side_force_true));
     }
-    if (guide.feasible && guide.relief < 0.1 * field::millimetre && guide.error.relative > 0.02) {
-        result.notes.emplace_back(
-            "the crank's guide has a relief of only " +
-            format_number(std::round(guide.relief / field::micrometre * 10.0) / 10.0) +
-            " µm: a profile error of " +
-            format_number(std::round(guide.error.amplitude / field::micrometre * 100.0) / 100.0) +
-            " µm changes its moment by up to " +
-            format_number(std::round(guide.error.relative * 1e3) / 10.0) +
-            " %; a softer spring gives more relief");
+    if (guide.feasible && guide.relief < 0.1 * units::mm && guide.error.relative > 0.02) {
+        const auto rounded = [](double value, double decimals) {
+            return std::round(value * decimals) / decimals;
+        };
+        result.guide_notes.emplace_back(
+            CORE_TEXT("elastic-hinge",
+                      "The crank's guide has a relief of only %1: a profile error of %2 changes "
+                      "its moment by up to %3; a softer spring gives more relief."),
+            Number{rounded(guide.relief / units::micrometre, 10.0), units::micrometre},
+            Number{rounded(guide.error.amplitude / units::micrometre, 100.0), units::micrometre},
+            Number{rounded(guide.error.relative / units::percent, 10.0), units::percent});
     }
 }
 
@@ -255,15 +269,15 @@ Result solve(const Input& input, const SolveOptions& options) {
     if (exact && hinge_is_true) {
         result.side_force_true = result.curves.side_force_with_hinge;
     } else if (exact) {
-        Mechanism<double> true_mechanism = mechanism;
-        true_mechanism.counterweight_inertia = CounterweightInertia::newton_euler;
+        const double square = omega * omega;
         result.side_force_true.resize(n);
         for (std::size_t i = 0; i < n; ++i) {
-            const auto moment = rod_hinge_moment(true_mechanism, design.static_moment(),
-                                                 grid.sin_phi[i], grid.cos_phi[i], states[i].exact);
-            result.side_force_true[i] =
-                (result.curves.rod_hinge_moment_potential[i] - moment.value(omega)) *
-                mechanism.lambda / (mechanism.crank_radius * states[i].exact.cos_psi);
+            const auto moment = rod_hinge_moment(mechanism, design.static_moment(), grid.sin_phi[i],
+                                                 grid.cos_phi[i], states[i].exact);
+            result.side_force_true[i] = (result.curves.rod_hinge_moment_potential[i] -
+                                         (moment.weight + square * moment.true_inertia)) *
+                                        mechanism.lambda /
+                                        (mechanism.crank_radius * states[i].exact.cos_psi);
         }
     }
     for (const double lambda : options.lambdas) {

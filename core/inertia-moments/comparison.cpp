@@ -73,37 +73,28 @@ std::vector<Difference> compare(const EngineOrders& exact, const EngineOrders& t
     return differences;
 }
 
-std::string describe(const Difference& difference) {
-    std::string text = "order " + std::to_string(difference.order);
-    switch (difference.quantity) {
-        case Quantity::force:
-            text += " force";
-            break;
-        case Quantity::moment:
-            text += " moment";
-            break;
-        case Quantity::roll:
-            text += " roll moment";
-            break;
+Message describe(const Difference& difference) {
+    constexpr Text quantities[] = {CORE_TEXT("inertia-moments", "order %1 force"),
+                                   CORE_TEXT("inertia-moments", "order %1 moment"),
+                                   CORE_TEXT("inertia-moments", "order %1 roll moment")};
+    constexpr Text planes[] = {CORE_TEXT("inertia-moments", "%1, horizontal plane"),
+                               CORE_TEXT("inertia-moments", "%1, vertical plane")};
+    Message component(quantities[static_cast<int>(difference.quantity)], difference.order);
+    if (difference.plane != Plane::none) {
+        component = Message(planes[static_cast<int>(difference.plane)], component);
     }
-    switch (difference.plane) {
-        case Plane::horizontal:
-            text += ", horizontal plane";
-            break;
-        case Plane::vertical:
-            text += ", vertical plane";
-            break;
-        case Plane::none:
-            break;
-    }
-    std::array<char, 64> number{};
+    const auto percent = [](double share) {
+        std::array<char, 64> number{};
+        std::snprintf(number.data(), number.size(), "%.1f", 100.0 * share);
+        return std::string(number.data());
+    };
     if (difference.two_term == 0.0) {
-        std::snprintf(number.data(), number.size(), "%.1f", 100.0 * difference.of_largest);
-        return text + ": the two-term form leaves it out, " + number.data() +
-               " % of the largest order";
+        return {CORE_TEXT("inertia-moments",
+                          "%1: the two-term form leaves it out, %2 % of the largest order"),
+                component, percent(difference.of_largest)};
     }
-    std::snprintf(number.data(), number.size(), "%.1f", 100.0 * difference.relative.value_or(0.0));
-    return text + ": the two-term form is " + number.data() + " % off";
+    return {CORE_TEXT("inertia-moments", "%1: the two-term form is %2 % off"), component,
+            percent(difference.relative.value_or(0.0))};
 }
 
 }  // namespace ravnoves::inertia_moments

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "case-file/message.h"
 #include "inertia-moments/orders.h"
 
 namespace ravnoves::inertia_moments {
@@ -39,7 +39,7 @@ inline constexpr double balanced_share = 0.02;
 /// have count as left out whole.
 std::vector<Difference> compare(const EngineOrders& exact, const EngineOrders& two_term);
 
-/// A warning as a sentence: "order 1 force, vertical plane: two-term is 12.8 % off".
-std::string describe(const Difference& difference);
+/// A warning as a sentence: "order 1 force, vertical plane: the two-term form is 12.8 % off".
+Message describe(const Difference& difference);
 
 }  // namespace ravnoves::inertia_moments

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "inertia-moments/fields.h"
+
 namespace ravnoves::inertia_moments {
 
 namespace {
@@ -36,28 +38,47 @@ constexpr std::span<const int> even;  // crankpins follow the firing order
 
 using enum Arrangement;
 
-// name, arrangement, N, γ°, side of bank 1, K, a/R, stagger/R, even firing, pins, firing order
+// name, title, arrangement, N, γ°, side of bank 1, K, a/R, stagger/R, even firing, pins, firing
+// order
 constexpr std::array<LayoutSpec, 20> library{{
-    {"i1", in_line, 1, 0, 0, 0, 2, 0, false, pins_1, order_1},
-    {"i2-180", in_line, 2, 0, 0, 0, 2, 0, false, pins_i2_180, order_2},
-    {"i2-360", in_line, 2, 0, 0, 0, 2, 0, false, pins_i2_360, order_2},
-    {"i3", in_line, 3, 0, 0, 0, 2, 0, true, even, order_3},
-    {"i4", in_line, 4, 0, 0, 0, 2, 0, true, even, order_4},
-    {"i5", in_line, 5, 0, 0, 0, 2, 0, true, even, order_5},
-    {"i6", in_line, 6, 0, 0, 0, 2, 0, true, even, order_6},
-    {"v2-45", v, 2, 45, 1, 0, 2, 0, false, pins_common_2, order_2},
-    {"v2-60", v, 2, 60, 1, 0, 2, 0, false, pins_common_2, order_2},
-    {"v2-90", v, 2, 90, 1, 0, 2, 0, false, pins_common_2, order_2},
-    {"v6-60", v, 6, 60, -1, 0, 2.4, 0, true, even, order_v6},
-    {"v6-90", v, 6, 90, -1, 0, 2.4, 0, true, even, order_v6},
-    {"v8-cross-plane", v, 8, 90, 1, 0, 2.4, 0, false, pins_v8_cross, order_v8_cross},
-    {"v8-flat-plane", v, 8, 90, -1, 0, 2.4, 0, false, pins_v8_flat, order_v8_flat},
-    {"flat-2", v, 2, 180, 1, 0, 2.4, 1, false, pins_flat_2, order_2},
-    {"flat-4", v, 4, 180, 1, 0, 2.4, 1, false, pins_flat_4, order_flat_4},
-    {"flat-6", v, 6, 180, 1, 0, 2.4, 1, true, even, order_flat_6},
-    {"vr5", vr, 5, 15, 1, 0.278, 1.4, 0, true, even, order_5},
-    {"vr6", vr, 6, 15, 1, 0.278, 1.4, 0, true, even, order_6},
-    {"w12", double_vr, 12, 72, -1, 0.278, 1.5, 0.3, true, even, order_w12},
+    {"i1", CORE_TEXT("inertia-moments", "Single"), in_line, 1, 0, 0, 0, 2, 0, false, pins_1,
+     order_1},
+    {"i2-180", CORE_TEXT("inertia-moments", "In-line 2, 180°"), in_line, 2, 0, 0, 0, 2, 0, false,
+     pins_i2_180, order_2},
+    {"i2-360", CORE_TEXT("inertia-moments", "In-line 2, 360°"), in_line, 2, 0, 0, 0, 2, 0, false,
+     pins_i2_360, order_2},
+    {"i3", CORE_TEXT("inertia-moments", "In-line 3"), in_line, 3, 0, 0, 0, 2, 0, true, even,
+     order_3},
+    {"i4", CORE_TEXT("inertia-moments", "In-line 4"), in_line, 4, 0, 0, 0, 2, 0, true, even,
+     order_4},
+    {"i5", CORE_TEXT("inertia-moments", "In-line 5"), in_line, 5, 0, 0, 0, 2, 0, true, even,
+     order_5},
+    {"i6", CORE_TEXT("inertia-moments", "In-line 6"), in_line, 6, 0, 0, 0, 2, 0, true, even,
+     order_6},
+    {"v2-45", CORE_TEXT("inertia-moments", "V-twin 45°"), v, 2, 45, 1, 0, 2, 0, false,
+     pins_common_2, order_2},
+    {"v2-60", CORE_TEXT("inertia-moments", "V-twin 60°"), v, 2, 60, 1, 0, 2, 0, false,
+     pins_common_2, order_2},
+    {"v2-90", CORE_TEXT("inertia-moments", "V-twin 90°"), v, 2, 90, 1, 0, 2, 0, false,
+     pins_common_2, order_2},
+    {"v6-60", CORE_TEXT("inertia-moments", "V6 60°, split pins"), v, 6, 60, -1, 0, 2.4, 0, true,
+     even, order_v6},
+    {"v6-90", CORE_TEXT("inertia-moments", "V6 90°, split pins"), v, 6, 90, -1, 0, 2.4, 0, true,
+     even, order_v6},
+    {"v8-cross-plane", CORE_TEXT("inertia-moments", "V8, cross-plane"), v, 8, 90, 1, 0, 2.4, 0,
+     false, pins_v8_cross, order_v8_cross},
+    {"v8-flat-plane", CORE_TEXT("inertia-moments", "V8, flat-plane"), v, 8, 90, -1, 0, 2.4, 0,
+     false, pins_v8_flat, order_v8_flat},
+    {"flat-2", CORE_TEXT("inertia-moments", "Flat twin"), v, 2, 180, 1, 0, 2.4, 1, false,
+     pins_flat_2, order_2},
+    {"flat-4", CORE_TEXT("inertia-moments", "Flat 4"), v, 4, 180, 1, 0, 2.4, 1, false, pins_flat_4,
+     order_flat_4},
+    {"flat-6", CORE_TEXT("inertia-moments", "Flat 6"), v, 6, 180, 1, 0, 2.4, 1, true, even,
+     order_flat_6},
+    {"vr5", CORE_TEXT("inertia-moments", "VR5"), vr, 5, 15, 1, 0.278, 1.4, 0, true, even, order_5},
+    {"vr6", CORE_TEXT("inertia-moments", "VR6"), vr, 6, 15, 1, 0.278, 1.4, 0, true, even, order_6},
+    {"w12", CORE_TEXT("inertia-moments", "W12"), double_vr, 12, 72, -1, 0.278, 1.5, 0.3, true, even,
+     order_w12},
 }};
 
 /// The number of stations along the crank.
@@ -116,7 +137,7 @@ Layout usual_layout(const LayoutSpec& spec, double crank_radius) {
     layout.name = spec.arrangement == vr ? "vr" : std::string(spec.name);
     layout.cylinders = spec.cylinders;
     layout.bank_angle = spec.bank_angle_deg * degree;
-    layout.offset = rounded(spec.relative_offset * crank_radius, field::offset, 6);
+    layout.offset = rounded(spec.relative_offset * crank_radius, field::layout_offset, 6);
     layout.spacing = rounded(spec.relative_spacing * crank_radius, field::spacing, 6);
     layout.stagger = rounded(spec.relative_stagger * crank_radius, field::stagger, 6);
     const double length =
@@ -197,6 +218,21 @@ bool is_firing_order(std::span<const int> order, int count) {
         }
     }
     return true;
+}
+
+Message firing_order_trouble(std::span<const int> order, int count) {
+    return is_firing_order(order, count)
+               ? Message()
+               : Message(CORE_TEXT("inertia-moments", "must name each cylinder from 1 to %1 once"),
+                         count);
+}
+
+Message firing_order_text(std::span<const int> order) {
+    std::string text;
+    for (const int number : order) {
+        text += (text.empty() ? "" : "-") + std::to_string(number);
+    }
+    return text.empty() ? Message(CORE_TEXT("inertia-moments", "nothing")) : Message(text);
 }
 
 void set_even_firing(std::vector<Cylinder>& cylinders, std::span<const int> firing_order,

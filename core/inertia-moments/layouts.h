@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "case-file/message.h"
 #include "inertia-moments/engine.h"
 
 namespace ravnoves::inertia_moments {
@@ -20,6 +21,7 @@ enum class Arrangement {
 /// A layout of the library: what stays the same when its sizes change.
 struct LayoutSpec {
     std::string_view name;  ///< as in case files, for example "v6-60"
+    Text title;             ///< for the page's list
     Arrangement arrangement;
     int cylinders;
     double bank_angle_deg;          ///< γ, usual value
@@ -66,6 +68,11 @@ double wrap_turn(double angle);
 
 /// True for a permutation of 1…count.
 bool is_firing_order(std::span<const int> order, int count);
+
+/// Why an order cannot be the firing order of so many cylinders; empty where it can.
+Message firing_order_trouble(std::span<const int> order, int count);
+/// "1-3-4-2"; "nothing" for an empty one.
+Message firing_order_text(std::span<const int> order);
 
 /// One firing of the four-stroke cycle.
 struct FiringEvent {

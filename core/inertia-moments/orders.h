@@ -99,6 +99,11 @@ struct EngineOrders {
     const EngineOrder& order(int k) const { return orders[static_cast<std::size_t>(k) - 1]; }
 };
 
+/// The note on orders that are not accurate.
+inline constexpr Text less_accurate =
+    CORE_TEXT("inertia-moments",
+              "a mechanism is so near locking that the exact orders are less accurate than usual");
+
 /// Exact orders 1…max_order of forces and moments.
 /// @param accuracy  of the orders relative to m R ω² (sets the transform's length)
 EngineOrders exact_orders(const Engine& engine, int max_order = highest_order,

@@ -54,8 +54,9 @@ void check_designs(const Result& result) {
     }
     if (!finite) {
         throw InputError("/input",
-                         "sizes, masses and speed together must keep the balancing masses in the "
-                         "range of numbers");
+                         CORE_TEXT("inertia-moments",
+                                   "sizes, masses and speed together must keep the balancing "
+                                   "masses in the range of numbers"));
     }
 }
 

@@ -97,7 +97,7 @@ Method<AngleCase> method_of(MethodInfo info, Search search) {
         return [search, setting, extrema = cycle.extrema()](std::span<double> out) {
             int asked = 0;
             out[0] = search(extrema, setting, asked);
-            return std::string();
+            return Message();
         };
     };
     method.operations = [search](const AngleCase& cycle, const Setting& setting) {
@@ -171,59 +171,65 @@ Kernel best_angle_kernel() {
     Definition<AngleCase> definition;
     Kernel& kernel = definition.kernel;
     kernel.id = "best-angle";
-    kernel.title = "Best shaft angle";
-    kernel.quantity = "the α with the least range of M_ups";
-    kernel.error_measure = "range there less the least range, part of the largest torque + A";
-    kernel.evaluation = "one search over all α, the table being prepared";
-    kernel.check_text = "a scan of sampled moments, refined by Brent's method";
+    kernel.title = CORE_TEXT("methods", "Best shaft angle");
+    kernel.quantity = CORE_TEXT("methods", "the α with the least range of M_ups");
+    kernel.error_measure =
+        CORE_TEXT("methods", "range there less the least range, part of the largest torque + A");
+    kernel.evaluation = CORE_TEXT("methods", "one search over all α, the table being prepared");
+    kernel.check_text =
+        CORE_TEXT("methods", "a scan of sampled moments, refined by Brent's method");
     kernel.check_tolerance = 1e-5;  // what samples every 0.25° allow
     kernel.choice = balance_shaft::best_angle_choice;
     definition.methods = {
         method_of({"scan",
-                   "scan",
-                   "as good as its step, whatever the table",
+                   CORE_TEXT("methods", "scan"),
+                   CORE_TEXT("methods", "as good as its step, whatever the table"),
                    {{"30°", 30}, {"5°", 5}, {"1°", 1}, {"0.1°", 0.1}},
                    false},
                   scan),
-        method_of({"brent",
-                   "Brent's method",
-                   "finds one of several minima, and on a kink its parabolas do not help",
-                   {{"one start", 0}, {"from a scan of 30°", 30}, {"from a scan of 10°", 10}},
-                   false},
-                  brent),
-        method_of({"descent",
-                   "steepest descent from a scan of 30°",
-                   "stalls at a kink, where the slope does not go to zero but changes sign",
-                   {{"10 steps", 10}, {"40 steps", 40}},
-                   false},
-                  descent),
+        method_of(
+            {"brent",
+             CORE_TEXT("methods", "Brent's method"),
+             CORE_TEXT("methods",
+                       "finds one of several minima, and on a kink its parabolas do not help"),
+             {{CORE_TEXT("methods", "one start"), 0},
+              counted(CORE_TEXT("methods", "from a scan of %1°"), 30),
+              counted(CORE_TEXT("methods", "from a scan of %1°"), 10)},
+             false},
+            brent),
+        method_of(
+            {"descent", CORE_TEXT("methods", "steepest descent from a scan of 30°"),
+             CORE_TEXT("methods",
+                       "stalls at a kink, where the slope does not go to zero but changes sign"),
+             counted(CORE_TEXT("methods", "%1 steps"), {10, 40}), false},
+            descent),
         method_of({"cutting-planes",
-                   "cutting planes",
-                   "exact: the bounds prove that no angle is better",
-                   {{"exact", 0}},
+                   CORE_TEXT("methods", "cutting planes"),
+                   CORE_TEXT("methods", "exact: the bounds prove that no angle is better"),
+                   {{CORE_TEXT("methods", "exact"), 0}},
                    false},
                   cutting_planes),
     };
     const TorqueCycle paper = paper_cycle();
     definition.sweeps = {
-        {{"amplitude", "amplitude of the shaft's moment, the paper's torque", "N·m", 1.0, 1e5,
-          Spacing::logarithmic, 0.0, 1.0, 1e5, paper.amplitude},
+        {{"amplitude", CORE_TEXT("methods", "amplitude of the shaft's moment, the paper's torque"),
+          units::N_m, 1.0, 1e5, Spacing::logarithmic, 0.0, 1.0, 1e5, paper.amplitude},
          [paper](double amplitude) {
              AngleCase cycle{paper};
              cycle.amplitude = amplitude;
              return cycle;
          }},
-        {{"second-minimum", "how much better the best of two minima is", "", 1e-12, 1.0,
-          Spacing::logarithmic, 0.0, 1e-12, 1.0, 0.1},
+        {{"second-minimum", CORE_TEXT("methods", "how much better the best of two minima is"),
+          units::none, 1e-12, 1.0, Spacing::logarithmic, 0.0, 1e-12, 1.0, 0.1},
          [](double share) { return AngleCase{two_minima_cycle(share)}; }},
-        {{"peak-width", "width of the combustion peak", "°", 0.05, 60.0, Spacing::logarithmic, 0.0,
-          0.05, 60.0, 15.0},
+        {{"peak-width", CORE_TEXT("methods", "width of the combustion peak"), units::degree, 0.05,
+          60.0, Spacing::logarithmic, 0.0, 0.05, 60.0, 15.0},
          [](double width) { return AngleCase{peak_cycle(width)}; }},
-        {{"spline-rows", "rows of a table read by the spline", "", 8.0, 160.0, Spacing::logarithmic,
-          0.0, 8.0, 160.0, 48.0},
+        {{"spline-rows", CORE_TEXT("methods", "rows of a table read by the spline"), units::none,
+          8.0, 160.0, Spacing::logarithmic, 0.0, 8.0, 160.0, 48.0},
          [](double rows) { return AngleCase{spline_cycle(rows)}; }},
-        {{"irregular-rows", "rows of an irregular table", "", 6.0, 400.0, Spacing::logarithmic, 0.0,
-          6.0, 400.0, 48.0},
+        {{"irregular-rows", CORE_TEXT("methods", "rows of an irregular table"), units::none, 6.0,
+          400.0, Spacing::logarithmic, 0.0, 6.0, 400.0, 48.0},
          [](double rows) { return AngleCase{irregular_cycle(rows)}; }},
     };
     definition.reference = reference;

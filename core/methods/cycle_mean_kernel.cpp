@@ -50,8 +50,12 @@ template <typename Weight>
 Method<MeanCase> node_rule(MethodInfo info, const Weight& weight) {
     Method<MeanCase> method;
     method.info = std::move(info);
-    method.info.settings = {{"12 steps", 12},   {"24 steps", 24},   {"48 steps", 48},
-                            {"144 steps", 144}, {"720 steps", 720}, {"7200 steps", 7200}};
+    method.info.settings = {counted(CORE_TEXT("methods", "%1 steps"), 12),
+                            {CORE_TEXT("methods", "24 steps"), 24},
+                            counted(CORE_TEXT("methods", "%1 steps"), 48),
+                            {CORE_TEXT("methods", "144 steps"), 144},
+                            counted(CORE_TEXT("methods", "%1 steps"), 720),
+                            counted(CORE_TEXT("methods", "%1 steps"), 7200)};
     method.info.has_order = true;
     method.prepare = [weight](const MeanCase& cycle, const Setting& setting) -> Run {
         return
@@ -69,7 +73,7 @@ Method<MeanCase> node_rule(MethodInfo info, const Weight& weight) {
                     weights += w;
                 }
                 put_moments(sum, squares, weights, out);
-                return std::string();
+                return Message();
             };
     };
     method.operations = [](const MeanCase& cycle, const Setting& setting) {
@@ -82,15 +86,17 @@ using Panel = boost::math::quadrature::gauss<double, 10>;
 
 Method<MeanCase> gauss_legendre() {
     Method<MeanCase> method;
-    method.info = {"gauss-legendre",
-                   "Gauss-Legendre, 10 points a panel",
-                   "converges slowly over the kinks at the rows; a peak inside one panel is lost",
-                   {{"1 panel", 1},
-                    {"4 panels", 4},
-                    {"16 panels", 16},
-                    {"72 panels", 72},
-                    {"720 panels", 720}},
-                   true};
+    method.info = {
+        "gauss-legendre",
+        CORE_TEXT("methods", "Gauss-Legendre, 10 points a panel"),
+        CORE_TEXT("methods",
+                  "converges slowly over the kinks at the rows; a peak inside one panel is lost"),
+        {{CORE_TEXT("methods", "1 panel"), 1},
+         {CORE_TEXT("methods", "4 panels"), 4},
+         counted(CORE_TEXT("methods", "%1 panels"), 16),
+         {CORE_TEXT("methods", "72 panels"), 72},
+         counted(CORE_TEXT("methods", "%1 panels"), 720)},
+        true};
     method.prepare = [](const MeanCase& cycle, const Setting& setting) -> Run {
         return [&cycle, panels = static_cast<int>(setting.value)](std::span<double> out) {
             const Moment moment(cycle);
@@ -108,7 +114,7 @@ Method<MeanCase> gauss_legendre() {
                     from, to);
             }
             put_moments(sum, squares, cycle_deg, out);
-            return std::string();
+            return Message();
         };
     };
     method.operations = [](const MeanCase& cycle, const Setting& setting) {
@@ -134,16 +140,17 @@ void exact_moments(const BasicPeriodicPiecewise<Scalar>& moment, const Scalar& a
 Method<MeanCase> exact() {
     Method<MeanCase> method;
     method.info = {"exact",
-                   "exact integral of the interpolant",
-                   "exact for the table as it is read; what the engine did between the rows is not "
-                   "in the table",
-                   {{"pieces", 0}},
+                   CORE_TEXT("methods", "exact integral of the interpolant"),
+                   CORE_TEXT("methods",
+                             "exact for the table as it is read; what the engine did between the "
+                             "rows is not in the table"),
+                   {{CORE_TEXT("methods", "pieces"), 0}},
                    false};
     method.prepare = [](const MeanCase& cycle, const Setting&) -> Run {
         return [&cycle](std::span<double> out) {
             exact_moments(cycle.interpolant<double>(), cycle.amplitude, cycle.alpha, out[0],
                           out[1]);
-            return std::string();
+            return Message();
         };
     };
     method.operations = [](const MeanCase& cycle, const Setting&) {
@@ -195,32 +202,35 @@ Kernel cycle_mean_kernel() {
     Definition<MeanCase> definition;
     Kernel& kernel = definition.kernel;
     kernel.id = "cycle-mean";
-    kernel.title = "Cycle mean and RMS";
-    kernel.quantity = "mean of M_ups and its RMS about the mean";
-    kernel.error_measure = "part of the largest torque of the table + A";
-    kernel.evaluation = "both numbers, from the table";
-    kernel.check_text = "adaptive Gauss-Kronrod quadrature from row to row";
+    kernel.title = CORE_TEXT("methods", "Cycle mean and RMS");
+    kernel.quantity = CORE_TEXT("methods", "mean of M_ups and its RMS about the mean");
+    kernel.error_measure = CORE_TEXT("methods", "part of the largest torque of the table + A");
+    kernel.evaluation = CORE_TEXT("methods", "both numbers, from the table");
+    kernel.check_text = CORE_TEXT("methods", "adaptive Gauss-Kronrod quadrature from row to row");
     kernel.check_tolerance = 1e-13;
     kernel.choice = balance_shaft::cycle_mean_choice;
     definition.methods = {
         node_rule({"nodes-end-twice",
-                   "node mean, end counted twice",
-                   "never: 720° is 0° once more, so a pure sine gets a mean of A sin α / nodes "
-                   "(17.2 N·m in the paper)",
+                   CORE_TEXT("methods", "node mean, end counted twice"),
+                   CORE_TEXT("methods",
+                             "never: 720° is 0° once more, so a pure sine gets a mean of A sin α / "
+                             "nodes (17.2 N·m in the paper)"),
                    {},
                    true},
                   [](std::size_t, std::size_t) { return 1.0; }),
         node_rule({"trapezoid",
-                   "trapezoid rule",
-                   "a peak narrower than the step is seen or missed by chance; the kinks at the "
-                   "rows leave order 2",
+                   CORE_TEXT("methods", "trapezoid rule"),
+                   CORE_TEXT("methods",
+                             "a peak narrower than the step is seen or missed by chance; the kinks "
+                             "at the rows leave order 2"),
                    {},
                    true},
                   [](std::size_t i, std::size_t n) { return i == 0 || i == n ? 0.5 : 1.0; }),
         node_rule({"simpson",
-                   "Simpson's rule",
-                   "on a periodic function its alternate weights make it a trapezoid rule of half "
-                   "the nodes and worse",
+                   CORE_TEXT("methods", "Simpson's rule"),
+                   CORE_TEXT("methods",
+                             "on a periodic function its alternate weights make it a trapezoid "
+                             "rule of half the nodes and worse"),
                    {},
                    true},
                   [](std::size_t i, std::size_t n) {
@@ -231,24 +241,24 @@ Kernel cycle_mean_kernel() {
     };
     const TorqueCycle paper = paper_cycle();
     definition.sweeps = {
-        {{"shaft-angle", "shaft angle α, the paper's engine", "°", 0.0, 360.0, Spacing::linear, 0.0,
-          0.0, 360.0, paper.alpha / degree},
+        {{"shaft-angle", CORE_TEXT("methods", "shaft angle α, the paper's engine"), units::degree,
+          0.0, 360.0, Spacing::linear, 0.0, 0.0, 360.0, paper.alpha / degree},
          [paper](double alpha) {
              MeanCase cycle{paper};
              cycle.alpha = alpha * degree;
              return cycle;
          }},
-        {{"pure-sine", "shaft angle α, no torque but the shaft's", "°", 0.0, 360.0, Spacing::linear,
-          0.0, 0.0, 360.0, 90.0},
+        {{"pure-sine", CORE_TEXT("methods", "shaft angle α, no torque but the shaft's"),
+          units::degree, 0.0, 360.0, Spacing::linear, 0.0, 0.0, 360.0, 90.0},
          [](double alpha) { return MeanCase{pure_sine_cycle(alpha)}; }},
-        {{"peak-width", "width of the combustion peak", "°", 0.05, 60.0, Spacing::logarithmic, 0.0,
-          0.05, 60.0, 15.0},
+        {{"peak-width", CORE_TEXT("methods", "width of the combustion peak"), units::degree, 0.05,
+          60.0, Spacing::logarithmic, 0.0, 0.05, 60.0, 15.0},
          [](double width) { return MeanCase{peak_cycle(width)}; }},
-        {{"spline-rows", "rows of a table read by the spline", "", 8.0, 160.0, Spacing::logarithmic,
-          0.0, 8.0, 160.0, 48.0},
+        {{"spline-rows", CORE_TEXT("methods", "rows of a table read by the spline"), units::none,
+          8.0, 160.0, Spacing::logarithmic, 0.0, 8.0, 160.0, 48.0},
          [](double rows) { return MeanCase{spline_cycle(rows)}; }},
-        {{"irregular-rows", "rows of an irregular table", "", 6.0, 400.0, Spacing::logarithmic, 0.0,
-          6.0, 400.0, 48.0},
+        {{"irregular-rows", CORE_TEXT("methods", "rows of an irregular table"), units::none, 6.0,
+          400.0, Spacing::logarithmic, 0.0, 6.0, 400.0, 48.0},
          [](double rows) { return MeanCase{irregular_cycle(rows)}; }},
     };
     definition.reference = reference;

@@ -47,7 +47,7 @@ struct Definition {
     /// In the place of the largest |out − expected| / scale, where the error is something else.
     std::function<double(const Case&, std::span<const double>, const std::vector<Expected>&)>
         measure;
-    std::function<std::string(const Case&)> refusal;
+    std::function<Message(const Case&)> refusal;
     std::function<std::optional<double>(const Case&, const std::vector<Expected>&)> check;
 };
 
@@ -78,8 +78,8 @@ class ProblemOf final : public Problem {
         }
         return static_cast<double>(worst);
     }
-    std::string scene_refusal() const override {
-        return definition_->refusal ? definition_->refusal(case_) : std::string();
+    Message scene_refusal() const override {
+        return definition_->refusal ? definition_->refusal(case_) : Message();
     }
     std::optional<double> check() const override {
         return definition_->check ? definition_->check(case_, reference()) : std::nullopt;

@@ -6,6 +6,7 @@
 #include "elastic-hinge/energy.h"
 #include "elastic-hinge/guide_formula.h"
 #include "elastic-hinge/method_choices.h"
+#include "elastic-hinge/presets.h"
 #include "elastic-hinge/solver.h"
 #include "methods/definition.h"
 #include "methods/hinge_mechanism.h"
@@ -55,8 +56,8 @@ struct GuideCase {
 
 constexpr double rise_operations = 170.0;
 
-std::string no_guide() {
-    return "the spring would have to give out more energy than it stores";
+Message no_guide() {
+    return CORE_TEXT("methods", "the spring would have to give out more energy than it stores");
 }
 
 template <typename Radius>
@@ -74,7 +75,7 @@ Method<GuideCase> closed_form(MethodInfo info, const Radius& radius, double oper
                 }
                 out[i] = radius(spring, q);
             }
-            return std::string();
+            return Message();
         };
     };
     method.operations = [operations](const GuideCase&, const Setting&) {
@@ -93,8 +94,9 @@ struct Slope {
     }
 };
 
-std::string singular() {
-    return "runs into the spring's free length, where the equation is singular";
+Message singular() {
+    return CORE_TEXT("methods",
+                     "runs into the spring's free length, where the equation is singular");
 }
 
 /// Steps of a fixed size through the whole turn; `step(rho, phi, h)` returns the next radius.
@@ -119,7 +121,7 @@ Method<GuideCase> fixed_step(MethodInfo info, double slopes_per_step, const Step
                 }
                 out[i + 1] = rho;
             }
-            return std::string();
+            return Message();
         };
     };
     method.operations = [slopes_per_step](const GuideCase&, const Setting& setting) {
@@ -132,8 +134,7 @@ Method<GuideCase> fixed_step(MethodInfo info, double slopes_per_step, const Step
 namespace odeint = boost::numeric::odeint;
 
 /// With step control by Odeint, read off every degree; counts the slopes asked for.
-std::string run_adaptive(const GuideCase& guide, double tolerance, std::span<double> out,
-                         int& asked) {
+Message run_adaptive(const GuideCase& guide, double tolerance, std::span<double> out, int& asked) {
     using State = std::array<double, 1>;
     const Slope slope{guide, guide.spring<double>()};
     const auto system = [&](const State& x, State& dx, double phi) {
@@ -167,8 +168,7 @@ std::string run_adaptive(const GuideCase& guide, double tolerance, std::span<dou
 }
 
 /// The same by an implicit method: Rosenbrock's of order 4 with its exact Jacobian.
-std::string run_implicit(const GuideCase& guide, double tolerance, std::span<double> out,
-                         int& asked) {
+Message run_implicit(const GuideCase& guide, double tolerance, std::span<double> out, int& asked) {
     const Slope slope{guide, guide.spring<double>()};
     ScalarEquation equation;
     equation.slope = [&](double phi, double rho) {
@@ -190,10 +190,10 @@ std::string run_implicit(const GuideCase& guide, double tolerance, std::span<dou
     }
     const bool done = integrate_rosenbrock(equation, angles, tolerance * slope.spring.preload(),
                                            tolerance, out.data());
-    return done ? std::string() : singular();
+    return done ? Message() : singular();
 }
 
-using Adaptive = std::string (*)(const GuideCase&, double, std::span<double>, int&);
+using Adaptive = Message (*)(const GuideCase&, double, std::span<double>, int&);
 
 Method<GuideCase> adaptive(MethodInfo info, Adaptive integrate) {
     Method<GuideCase> method;
@@ -296,20 +296,22 @@ Kernel guide_kernel() {
     Definition<GuideCase> definition;
     Kernel& kernel = definition.kernel;
     kernel.id = "guide";
-    kernel.title = "Guide of the elastic hinge";
-    kernel.quantity = "radius ρ(φ) of the crank's guide over one turn";
-    kernel.error_measure = "part of the guide's relief";
-    kernel.evaluation = "ρ at one crank angle";
-    kernel.check_text =
-        "energy of the spring against that of the bars, speeds by differences of positions";
+    kernel.title = CORE_TEXT("methods", "Guide of the elastic hinge");
+    kernel.quantity = CORE_TEXT("methods", "radius ρ(φ) of the crank's guide over one turn");
+    kernel.error_measure = CORE_TEXT("methods", "part of the guide's relief");
+    kernel.evaluation = CORE_TEXT("methods", "ρ at one crank angle");
+    kernel.check_text = CORE_TEXT(
+        "methods",
+        "energy of the spring against that of the bars, speeds by differences of positions");
     kernel.check_tolerance = 1e-15;
     kernel.choice = elastic_hinge::guide_choice;
     definition.methods = {
         closed_form(
             {"printed-form",
-             "closed form as printed",
-             "a difference of nearly equal squares: it loses the digits of a small relief "
-             "or a small preload",
+             CORE_TEXT("methods", "closed form as printed"),
+             CORE_TEXT("methods",
+                       "a difference of nearly equal squares: it loses the digits of a small "
+                       "relief or a small preload"),
              {{"(3)", 0}},
              false},
             [](const GuideSpring<double>& spring, double q) {
@@ -318,46 +320,45 @@ Kernel guide_kernel() {
             15.0),
         closed_form(
             {"closed-form",
-             "closed form",
-             "half of the digits are left where the spring gives out all that it stores; "
-             "beyond there is no guide",
-             {{"free of cancellation", 0}},
+             CORE_TEXT("methods", "closed form"),
+             CORE_TEXT("methods",
+                       "half of the digits are left where the spring gives out all that it stores; "
+                       "beyond there is no guide"),
+             {{CORE_TEXT("methods", "free of cancellation"), 0}},
              false},
             [](const GuideSpring<double>& spring, double q) {
                 return guide_radius(spring, Branch::compressed, q);
             },
             20.0),
-        fixed_step({"euler",
-                    "Euler's method",
-                    "order 1: the guide does not close after a turn",
-                    {{"360 steps", 360}, {"3600 steps", 3600}, {"36000 steps", 36000}},
-                    true},
+        fixed_step({"euler", CORE_TEXT("methods", "Euler's method"),
+                    CORE_TEXT("methods", "order 1: the guide does not close after a turn"),
+                    counted(CORE_TEXT("methods", "%1 steps"), {360, 3600, 36000}), true},
                    1.0,
                    [](const Slope& slope, double rho, double phi, double h) {
                        return rho + h * slope(rho, phi);
                    }),
-        fixed_step({"rk4",
-                    "Runge-Kutta of order 4",
-                    "loses its order where ρ comes near ℓ₀/2: the slope is infinite there",
-                    {{"360 steps", 360}, {"720 steps", 720}, {"3600 steps", 3600}},
-                    true},
-                   4.0,
-                   [](const Slope& slope, double rho, double phi, double h) {
-                       const double a = slope(rho, phi);
-                       const double b = slope(rho + h / 2.0 * a, phi + h / 2.0);
-                       const double c = slope(rho + h / 2.0 * b, phi + h / 2.0);
-                       const double d = slope(rho + h * c, phi + h);
-                       return rho + h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
-                   }),
+        fixed_step(
+            {"rk4", CORE_TEXT("methods", "Runge-Kutta of order 4"),
+             CORE_TEXT("methods",
+                       "loses its order where ρ comes near ℓ₀/2: the slope is infinite there"),
+             counted(CORE_TEXT("methods", "%1 steps"), {360, 720, 3600}), true},
+            4.0,
+            [](const Slope& slope, double rho, double phi, double h) {
+                const double a = slope(rho, phi);
+                const double b = slope(rho + h / 2.0 * a, phi + h / 2.0);
+                const double c = slope(rho + h / 2.0 * b, phi + h / 2.0);
+                const double d = slope(rho + h * c, phi + h);
+                return rho + h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
+            }),
         adaptive({"dormand-prince",
-                  "Dormand-Prince with step control",
-                  "its steps shrink to nothing where ρ comes near ℓ₀/2",
+                  CORE_TEXT("methods", "Dormand-Prince with step control"),
+                  CORE_TEXT("methods", "its steps shrink to nothing where ρ comes near ℓ₀/2"),
                   {{"1e-6", 1e-6}, {"1e-8", 1e-8}, {"1e-10", 1e-10}, {"1e-12", 1e-12}},
                   false},
                  run_adaptive),
         adaptive({"rosenbrock",
-                  "Rosenbrock 4, implicit, with step control",
-                  "the same place stops it: what is singular is not stiff",
+                  CORE_TEXT("methods", "Rosenbrock 4, implicit, with step control"),
+                  CORE_TEXT("methods", "the same place stops it: what is singular is not stiff"),
                   {{"1e-6", 1e-6}, {"1e-9", 1e-9}, {"1e-12", 1e-12}},
                   false},
                  run_implicit),
@@ -366,17 +367,18 @@ Kernel guide_kernel() {
     const double least_preload = scene_guide(paper.input).minimum_preload;
     const double margin = paper.spring<double>().preload() / least_preload - 1.0;
     definition.sweeps = {
-        {{"preload", "preload above the least one, part of it", "", 1e-12, 1e2,
-          Spacing::logarithmic, 0.0, 1e-12, 1e2, margin},
+        {{"preload", CORE_TEXT("methods", "preload above the least one, part of it"), units::none,
+          1e-12, 1e2, Spacing::logarithmic, 0.0, 1e-12, 1e2, margin},
          paper_with([least_preload](elastic_hinge::Input& input, double excess) {
              input.spring->guide_radius_at_zero =
                  input.spring->free_length / 2.0 - least_preload * (1.0 + excess);
          })},
-        {{"stiffness", "stiffness c of the spring", "N/m", 1e4, 1e12, Spacing::logarithmic, 0.0,
-          1e5, 1e10, paper.input.spring->stiffness},
+        {{"stiffness", CORE_TEXT("methods", "stiffness c of the spring"), units::N_per_m, 1e4, 1e12,
+          Spacing::logarithmic, 0.0, 1e5, 1e10, paper.input.spring->stiffness},
          paper_with([](elastic_hinge::Input& input, double c) { input.spring->stiffness = c; })},
-        {{"stiffness-preloaded", "stiffness c, preload 1.1 times the least", "N/m", 1e7, 1e15,
-          Spacing::logarithmic, 0.0, 1e7, 1e15, paper.input.spring->stiffness},
+        {{"stiffness-preloaded", CORE_TEXT("methods", "stiffness c, preload 1.1 times the least"),
+          units::N_per_m, 1e7, 1e15, Spacing::logarithmic, 0.0, 1e7, 1e15,
+          paper.input.spring->stiffness},
          paper_with([paper_least = least_preload](elastic_hinge::Input& input, double c) {
              constexpr double reserve = 1.1;
              elastic_hinge::Spring& spring = *input.spring;
@@ -384,20 +386,20 @@ Kernel guide_kernel() {
                  spring.free_length / 2.0 - reserve * paper_least * std::sqrt(spring.stiffness / c);
              spring.stiffness = c;
          })},
-        {{"speed", "crank speed ω", "rad/s", 1.0, 1e4, Spacing::logarithmic, 0.0, 1.0, 1e3,
-          paper.input.angular_speed},
+        {{"speed", CORE_TEXT("methods", "crank speed ω"), units::rad_per_s, 1.0, 1e4,
+          Spacing::logarithmic, 0.0, 1.0, 1e3, paper.input.angular_speed},
          paper_with(
              [](elastic_hinge::Input& input, double speed) { input.angular_speed = speed; })},
-        {{"lambda", "crank ratio λ", "", 0.01, 1.0, Spacing::towards_end, 1e-6, 0.01, 1.0 - 1e-6,
-          paper.input.lambda},
+        {{"lambda", CORE_TEXT("methods", "crank ratio λ"), units::none, 0.01, 1.0,
+          Spacing::towards_end, 1e-6, 0.01, 1.0 - 1e-6, paper.input.lambda},
          paper_with([](elastic_hinge::Input& input, double lambda) { input.lambda = lambda; })},
     };
     definition.reference = reference;
-    definition.refusal = [](const GuideCase& guide) {
+    definition.refusal = [](const GuideCase& guide) -> Message {
         try {
-            return scene_guide(guide.input).reason;
+            return scene_guide(guide.input).reason.english();
         } catch (const InputError& error) {
-            return std::string(error.what());
+            return error.message();
         }
     };
     definition.check = check;

@@ -5,6 +5,7 @@
 #include "case-file/input_error.h"
 #include "elastic-hinge/method_choices.h"
 #include "elastic-hinge/motion.h"
+#include "elastic-hinge/presets.h"
 #include "elastic-hinge/solver.h"
 #include "methods/cancellation.h"
 #include "methods/definition.h"
@@ -127,13 +128,14 @@ class Acceleration {
 constexpr double slope_operations = 230.0;  // of one acceleration
 
 /// Why there is no motion to compute; empty where there is.
-std::string why_not(const MotionCase& motion) {
+Message why_not(const MotionCase& motion) {
     if (!motion.solved || !motion.solved->crank_guide.feasible) {
-        return "there is no guide";
+        return CORE_TEXT("methods", "there is no guide");
     }
     return motion.seconds > 0.0 && std::isfinite(motion.seconds)
-               ? ""
-               : "at this speed the turns take no time that a number can hold";
+               ? Text{}
+               : CORE_TEXT("methods",
+                           "at this speed the turns take no time that a number can hold");
 }
 
 Method<MotionCase> fixed_step(MethodInfo info, double slopes_per_step,
@@ -141,14 +143,11 @@ Method<MotionCase> fixed_step(MethodInfo info, double slopes_per_step,
                                                 double& phi, double& speed)) {
     Method<MotionCase> method;
     method.info = std::move(info);
-    method.info.settings = {{"45 steps a turn", 45},
-                            {"90 steps a turn", 90},
-                            {"180 steps a turn", 180},
-                            {"360 steps a turn", 360}};
+    method.info.settings = counted(CORE_TEXT("methods", "%1 steps a turn"), {45, 90, 180, 360});
     method.info.has_order = true;
     method.prepare = [integrate](const MotionCase& motion, const Setting& setting) -> Run {
         return [&motion, integrate, per_turn = setting.value](std::span<double> out) {
-            std::string refusal = why_not(motion);
+            Message refusal = why_not(motion);
             if (refusal.empty()) {
                 const auto steps = std::lround(per_turn * motion.turns);
                 out[0] = 0.0;
@@ -237,18 +236,19 @@ Motion simulate(const MotionCase& motion, double tolerance) {
 Method<MotionCase> dormand_prince() {
     Method<MotionCase> method;
     method.info = {"dormand-prince",
-                   "Dormand-Prince with step control",
-                   "the energy drifts by about the tolerance at every turn: a little less than "
-                   "its tolerance promises, but without end",
+                   CORE_TEXT("methods", "Dormand-Prince with step control"),
+                   CORE_TEXT("methods",
+                             "the energy drifts by about the tolerance at every turn: a little "
+                             "less than its tolerance promises, but without end"),
                    {{"1e-5", 1e-5}, {"1e-8", 1e-8}, {"1e-11", 1e-11}, {"1e-13", 1e-13}},
                    false};
     method.prepare = [](const MotionCase& motion, const Setting& setting) -> Run {
         return [&motion, tolerance = setting.value](std::span<double> out) {
-            std::string refusal = why_not(motion);
+            Message refusal = why_not(motion);
             if (refusal.empty()) {
                 try {
                     const Motion result = simulate(motion, tolerance);
-                    refusal = result.reason;
+                    refusal = result.reason.english();
                     out[0] = result.crank_angle.back();
                     out[1] = result.speed.back();
                 } catch (const std::runtime_error& error) {
@@ -344,52 +344,57 @@ Kernel hinge_motion_kernel() {
     Definition<MotionCase> definition;
     Kernel& kernel = definition.kernel;
     kernel.id = "hinge-motion";
-    kernel.title = "Motion with a hinge";
-    kernel.quantity = "crank angle and speed after whole turns off the design speed";
-    kernel.error_measure = "rad, or part of the speed, for each turn made";
-    kernel.evaluation = "one turn of motion";
-    kernel.check_text = "speeds by the energy of bars and spring, from differences of positions";
+    kernel.title = CORE_TEXT("methods", "Motion with a hinge");
+    kernel.quantity =
+        CORE_TEXT("methods", "crank angle and speed after whole turns off the design speed");
+    kernel.error_measure = CORE_TEXT("methods", "rad, or part of the speed, for each turn made");
+    kernel.evaluation = CORE_TEXT("methods", "one turn of motion");
+    kernel.check_text = CORE_TEXT(
+        "methods", "speeds by the energy of bars and spring, from differences of positions");
     kernel.check_tolerance = 1e-15;
     kernel.choice = elastic_hinge::motion_choice;
     definition.methods = {
         fixed_step({"rk4",
-                    "Runge-Kutta of order 4, fixed step",
-                    "its energy drifts steadily: with 90 steps a turn it is wrong after thousands "
-                    "of turns, and near λ = 1 at once",
+                    CORE_TEXT("methods", "Runge-Kutta of order 4, fixed step"),
+                    CORE_TEXT("methods",
+                              "its energy drifts steadily: with 90 steps a turn it is wrong after "
+                              "thousands of turns, and near λ = 1 at once"),
                     {},
                     true},
                    4.0, runge_kutta_4),
-        fixed_step({"stoermer-verlet",
-                    "Störmer-Verlet, symplectic",
-                    "its energy never drifts, but order 2 leaves it behind in time",
-                    {},
-                    true},
-                   3.0, stoermer_verlet),
+        fixed_step(
+            {"stoermer-verlet",
+             CORE_TEXT("methods", "Störmer-Verlet, symplectic"),
+             CORE_TEXT("methods", "its energy never drifts, but order 2 leaves it behind in time"),
+             {},
+             true},
+            3.0, stoermer_verlet),
         dormand_prince(),
     };
     constexpr double off_design = 0.8;
     constexpr double paper_lambda = 0.3;
     definition.sweeps = {
-        {{"lambda", "crank ratio λ, 5 turns", "", 0.05, 1.0, Spacing::towards_end, 1e-3, 0.05, 0.95,
-          paper_lambda},
+        {{"lambda", CORE_TEXT("methods", "crank ratio λ, 5 turns"), units::none, 0.05, 1.0,
+          Spacing::towards_end, 1e-3, 0.05, 0.95, paper_lambda},
          [=](double lambda) { return make_motion(lambda, off_design, 5.0); }},
-        {{"start-speed", "start speed, part of the design speed", "", 0.05, 20.0,
-          Spacing::logarithmic, 0.0, 0.05, 20.0, off_design},
+        {{"start-speed", CORE_TEXT("methods", "start speed, part of the design speed"), units::none,
+          0.05, 20.0, Spacing::logarithmic, 0.0, 0.05, 20.0, off_design},
          [=](double share) { return make_motion(paper_lambda, share, 5.0); }},
-        {{"turns", "turns", "", 1.0, 1e4, Spacing::logarithmic, 0.0, 1.0, 1e3, 5.0},
+        {{"turns", CORE_TEXT("methods", "turns"), units::none, 1.0, 1e4, Spacing::logarithmic, 0.0,
+          1.0, 1e3, 5.0},
          [=](double turns) { return make_motion(paper_lambda, off_design, turns); }},
     };
     definition.sweeps.back().info.points = 5;
     definition.reference = reference;
-    definition.refusal = [](const MotionCase& motion) {
+    definition.refusal = [](const MotionCase& motion) -> Message {
         try {
             elastic_hinge::Input input = motion.input;
             input.motion = elastic_hinge::MotionWish{};
             input.motion->turns = motion.turns;
             input.motion->start_speed = motion.start_speed;
-            return elastic_hinge::solve(input).crank_guide.reason;
+            return elastic_hinge::solve(input).crank_guide.reason.english();
         } catch (const InputError& error) {
-            return std::string(error.what());
+            return error.message();
         }
     };
     definition.check = check;

@@ -46,8 +46,8 @@ void put(const CylinderOrders<double>& orders, std::span<double> out) {
     std::copy(list.begin(), list.end(), out.begin());
 }
 
-std::string locks() {
-    return "the mechanism locks: the crank cannot turn round";
+Message locks() {
+    return CORE_TEXT("methods", "the mechanism locks: the crank cannot turn round");
 }
 
 /// Orders that fold onto others are not there; they are left zero.
@@ -63,17 +63,19 @@ double transform_operations(double samples) {
 
 Method<OrdersCase> two_term() {
     Method<OrdersCase> method;
-    method.info = {"two-term",
-                   "two-term closed form",
-                   "leaves λ³/4 in order 2 and all of the higher orders: three digits at λ = 0.25",
-                   {{"closed form", 0}},
-                   false};
+    method.info = {
+        "two-term",
+        CORE_TEXT("methods", "two-term closed form"),
+        CORE_TEXT("methods",
+                  "leaves λ³/4 in order 2 and all of the higher orders: three digits at λ = 0.25"),
+        {{CORE_TEXT("methods", "closed form"), 0}},
+        false};
     method.prepare = [](const OrdersCase& problem, const Setting&) -> Run {
         return [&problem](std::span<double> out) {
             put(inertia_moments::two_term_cylinder_orders(problem.crank.lambda(),
                                                           problem.crank.relative_offset(), false),
                 out);
-            return std::string();
+            return Message();
         };
     };
     method.operations = [](const OrdersCase&, const Setting&) { return 20.0; };
@@ -83,16 +85,17 @@ Method<OrdersCase> two_term() {
 Method<OrdersCase> transform() {
     Method<OrdersCase> method;
     method.info = {"transform",
-                   "discrete Fourier transform",
-                   "orders above half the points fold onto the low ones: with large λ or K a short "
-                   "transform is wrong",
-                   {{"8 points", 8},
-                    {"16 points", 16},
-                    {"32 points", 32},
-                    {"64 points", 64},
-                    {"128 points", 128},
-                    {"256 points", 256},
-                    {"512 points", 512}},
+                   CORE_TEXT("methods", "discrete Fourier transform"),
+                   CORE_TEXT("methods",
+                             "orders above half the points fold onto the low ones: with large λ or "
+                             "K a short transform is wrong"),
+                   {counted(CORE_TEXT("methods", "%1 points"), 8),
+                    counted(CORE_TEXT("methods", "%1 points"), 16),
+                    {CORE_TEXT("methods", "32 points"), 32},
+                    {CORE_TEXT("methods", "64 points"), 64},
+                    counted(CORE_TEXT("methods", "%1 points"), 128),
+                    counted(CORE_TEXT("methods", "%1 points"), 256),
+                    counted(CORE_TEXT("methods", "%1 points"), 512)},
                    false};
     method.prepare = [](const OrdersCase& problem, const Setting& setting) -> Run {
         return
@@ -101,7 +104,7 @@ Method<OrdersCase> transform() {
                     return locks();
                 }
                 put(transformed(problem.crank, samples), out);
-                return std::string();
+                return Message();
             };
     };
     method.operations = [](const OrdersCase&, const Setting& setting) {
@@ -113,9 +116,10 @@ Method<OrdersCase> transform() {
 Method<OrdersCase> transform_by_accuracy() {
     Method<OrdersCase> method;
     method.info = {"transform-by-accuracy",
-                   "Fourier transform as long as needed",
-                   "the number of points grows as 1/√(1 - λ(1 + K)); beyond 65536 points it says "
-                   "that the accuracy is not reached",
+                   CORE_TEXT("methods", "Fourier transform as long as needed"),
+                   CORE_TEXT("methods",
+                             "the number of points grows as 1/√(1 - λ(1 + K)); beyond 65536 points "
+                             "it says that the accuracy is not reached"),
                    {{"1e-4", 1e-4}, {"1e-8", 1e-8}, {"1e-13", 1e-13}},
                    false};
     method.prepare = [](const OrdersCase& problem, const Setting& setting) -> Run {
@@ -127,8 +131,10 @@ Method<OrdersCase> transform_by_accuracy() {
                 transform_length(problem.crank.harmonic_decay(), max_order, accuracy);
             put(transformed(problem.crank, length.samples), out);
             return length.sufficient
-                       ? std::string()
-                       : std::string("the mechanism is too near locking for the accuracy asked");
+                       ? Message()
+                       : Message(
+                             CORE_TEXT("methods",
+                                       "the mechanism is too near locking for the accuracy asked"));
         };
     };
     method.operations = [](const OrdersCase& problem, const Setting& setting) {
@@ -142,16 +148,17 @@ Method<OrdersCase> transform_by_accuracy() {
 Method<OrdersCase> series() {
     Method<OrdersCase> method;
     method.info = {"series",
-                   "exact series",
-                   "terms fall as (λ(1 + K))^2n only: near locking thousands are needed, and their "
-                   "number grows into the square of the cost",
-                   {{"2 terms", 2},
-                    {"4 terms", 4},
-                    {"8 terms", 8},
-                    {"16 terms", 16},
-                    {"32 terms", 32},
-                    {"64 terms", 64},
-                    {"128 terms", 128}},
+                   CORE_TEXT("methods", "exact series"),
+                   CORE_TEXT("methods",
+                             "terms fall as (λ(1 + K))^2n only: near locking thousands are needed, "
+                             "and their number grows into the square of the cost"),
+                   {{CORE_TEXT("methods", "2 terms"), 2},
+                    {CORE_TEXT("methods", "4 terms"), 4},
+                    counted(CORE_TEXT("methods", "%1 terms"), 8),
+                    counted(CORE_TEXT("methods", "%1 terms"), 16),
+                    {CORE_TEXT("methods", "32 terms"), 32},
+                    {CORE_TEXT("methods", "64 terms"), 64},
+                    counted(CORE_TEXT("methods", "%1 terms"), 128)},
                    false};
     method.prepare = [](const OrdersCase& problem, const Setting& setting) -> Run {
         return [&problem, terms = static_cast<int>(setting.value)](std::span<double> out) {
@@ -159,7 +166,7 @@ Method<OrdersCase> series() {
                 return locks();
             }
             put(series_cylinder_orders(problem.crank, max_order, terms), out);
-            return std::string();
+            return Message();
         };
     };
     method.operations = [](const OrdersCase&, const Setting& setting) {
@@ -220,22 +227,23 @@ Kernel inertia_orders_kernel() {
     Definition<OrdersCase> definition;
     Kernel& kernel = definition.kernel;
     kernel.id = "inertia-orders";
-    kernel.title = "Inertia orders";
-    kernel.quantity = "orders 0 to 12 of force and torque of one cylinder";
-    kernel.error_measure = "part of the largest order, or of m R ω² and m R² ω²";
-    kernel.evaluation = "all the orders of one cylinder";
-    kernel.check_text = "the binomial series of the rod's root, term by term";
+    kernel.title = CORE_TEXT("methods", "Inertia orders");
+    kernel.quantity = CORE_TEXT("methods", "orders 0 to 12 of force and torque of one cylinder");
+    kernel.error_measure =
+        CORE_TEXT("methods", "part of the largest order, or of m R ω² and m R² ω²");
+    kernel.evaluation = CORE_TEXT("methods", "all the orders of one cylinder");
+    kernel.check_text = CORE_TEXT("methods", "the binomial series of the rod's root, term by term");
     kernel.check_tolerance = 1e-20;
     kernel.choice = inertia_moments::orders_choice;
     definition.methods = {two_term(), transform(), transform_by_accuracy(), series()};
     definition.sweeps = {
-        {{"lambda", "crank ratio λ, K = 0", "", 0.01, 1.0, Spacing::towards_end, 1e-4, 0.01,
-          1.0 - 1e-4, vr5_lambda},
+        {{"lambda", CORE_TEXT("methods", "crank ratio λ, K = 0"), units::none, 0.01, 1.0,
+          Spacing::towards_end, 1e-4, 0.01, 1.0 - 1e-4, vr5_lambda},
          [](double lambda) {
              return OrdersCase{{1.0, 1.0 / lambda, 0.0}};
          }},
-        {{"offset", "relative offset K at λ = 0.265", "", 0.0, limit, Spacing::towards_end, 1e-4,
-          0.0, limit * (1.0 - 1e-4), vr5_offset},
+        {{"offset", CORE_TEXT("methods", "relative offset K at λ = 0.265"), units::none, 0.0, limit,
+          Spacing::towards_end, 1e-4, 0.0, limit * (1.0 - 1e-4), vr5_offset},
          [](double offset) {
              return OrdersCase{{1.0, 1.0 / vr5_lambda, offset}};
          }},
@@ -245,7 +253,7 @@ Kernel inertia_orders_kernel() {
         const auto locking =
             inertia_moments::find_locking(problem.crank.crank_radius, problem.crank.lambda(),
                                           {{0.0, 0.0, problem.crank.offset, 0.0}});
-        return locking ? inertia_moments::describe(*locking) : std::string();
+        return locking ? inertia_moments::describe(*locking) : Message();
     };
     definition.check = check;
     return make_kernel(std::move(definition));

@@ -93,12 +93,21 @@ std::size_t Kernel::find_method(std::string_view wanted) const {
 
 std::size_t Kernel::find_setting(std::size_t method, std::string_view label) const {
     return index_of(
-        methods.at(method).settings, label, [](const Setting& s) { return s.label; }, "setting");
+        methods.at(method).settings, label, [](const Setting& s) { return s.label.english(); },
+        "setting");
 }
 
 std::size_t Kernel::find_sweep(std::string_view wanted) const {
     return index_of(
         sweeps, wanted, [](const SweepInfo& s) { return s.id; }, "sweep");
+}
+
+std::vector<Setting> counted(Text label, std::initializer_list<double> values) {
+    std::vector<Setting> settings;
+    for (const double value : values) {
+        settings.push_back(counted(label, value));
+    }
+    return settings;
 }
 
 const std::vector<Kernel>& kernels() {
@@ -131,12 +140,12 @@ Result evaluate(const Problem& problem, std::size_t method, std::size_t setting)
         return result;
     }
     if (!std::all_of(out.begin(), out.end(), [](double x) { return std::isfinite(x); })) {
-        result.refusal = "gives no finite number";
+        result.refusal = CORE_TEXT("methods", "gives no finite number");
         return result;
     }
     result.error = problem.error(out);
     if (!std::isfinite(result.error)) {
-        result.refusal = "is off by more than numbers can say";
+        result.refusal = CORE_TEXT("methods", "is off by more than numbers can say");
         result.error = 0.0;
     }
     return result;

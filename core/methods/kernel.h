@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
@@ -9,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "case-file/message.h"
 #include "numerics/method_choice.h"
 
 /// Speed against accuracy: every method that could compute a quantity of the scenes, with its
@@ -17,15 +19,21 @@ namespace ravnoves::methods {
 
 /// One setting of a method: a number of nodes, a step, a tolerance…
 struct Setting {
-    std::string label;   ///< as the table shows it: "15°", "64 points", "float"
+    Message label;       ///< as the table shows it: "15°", "64 points", "float"
     double value = 0.0;  ///< the number in it; what it means is the method's affair
 };
 
+/// Settings whose number stands in the label: "64 points".
+inline Setting counted(Text label, double value) {
+    return {Message(label, value), value};
+}
+std::vector<Setting> counted(Text label, std::initializer_list<double> values);
+
 /// What a method says of itself.
 struct MethodInfo {
-    std::string id;      ///< "trapezoid"
-    std::string title;   ///< "trapezoid rule"
-    std::string limits;  ///< where it stops being trustworthy and why, as a sentence
+    std::string id;  ///< "trapezoid"
+    Text title;      ///< "trapezoid rule"
+    Text limits;     ///< where it stops being trustworthy and why, as a sentence
     std::vector<Setting> settings;
     /// True where Setting::value counts nodes, steps or terms, so that an order of convergence
     /// −d log(error) / d log(value) can be found.
@@ -42,9 +50,9 @@ enum class Spacing {
 
 /// A hard parameter: one number that carries a kernel's problems from easy to hard.
 struct SweepInfo {
-    std::string id;     ///< "lambda"
-    std::string title;  ///< "crank ratio λ"
-    std::string unit;   ///< "°" or empty
+    std::string id;  ///< "lambda"
+    Text title;      ///< "crank ratio λ"
+    Unit unit;       ///< that its values are in
     double from = 0.0;
     double to = 1.0;
     Spacing spacing = Spacing::linear;
@@ -73,7 +81,7 @@ struct SweepInfo {
 
 /// Runs a method on the problem it was prepared for and writes the outputs.
 /// @return empty, or why there are no numbers, as a clause ("the mechanism locks")
-using Run = std::function<std::string(std::span<double> out)>;
+using Run = std::function<Message(std::span<double> out)>;
 
 /// One problem of a kernel. Const members may run in one thread at a time (the reference is made
 /// when it is first asked for).
@@ -92,7 +100,7 @@ class Problem {
     /// Largest error of the outputs against 50 digits, in the kernel's measure.
     virtual double error(std::span<const double> out) const = 0;
     /// What the scene says instead of numbers for this input, as a sentence; empty where it solves.
-    virtual std::string scene_refusal() const = 0;
+    virtual Message scene_refusal() const = 0;
     /// Largest difference of the reference from the check that shares no code with it, in the
     /// kernel's measure; empty where the check does not apply.
     virtual std::optional<double> check() const = 0;
@@ -100,12 +108,12 @@ class Problem {
 
 /// A quantity that scenes compute, with all the methods that could compute it.
 struct Kernel {
-    std::string id;             ///< "slider-crank"
-    std::string title;          ///< "Slider-crank kinematics"
-    std::string quantity;       ///< what is computed
-    std::string error_measure;  ///< what the error is relative to
-    std::string evaluation;     ///< what one evaluation is, for the time axis
-    std::string check_text;     ///< what the reference is checked by
+    std::string id;      ///< "slider-crank"
+    Text title;          ///< "Slider-crank kinematics"
+    Text quantity;       ///< what is computed
+    Text error_measure;  ///< what the error is relative to
+    Text evaluation;     ///< what one evaluation is, for the time axis
+    Text check_text;     ///< what the reference is checked by
     double check_tolerance = 0.0;
     MethodChoice choice;
     std::vector<MethodInfo> methods;
@@ -130,8 +138,8 @@ const Kernel* find_kernel(std::string_view id);
 
 /// What became of one run.
 struct Result {
-    double error = 0.0;   ///< in the kernel's measure; meaningless where refused
-    std::string refusal;  ///< why there are no numbers; empty where there are
+    double error = 0.0;  ///< in the kernel's measure; meaningless where refused
+    Message refusal;     ///< why there are no numbers; empty where there are
     bool refused() const { return !refusal.empty(); }
 };
 

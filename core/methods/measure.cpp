@@ -171,13 +171,13 @@ StabilityMap map_stability(const Kernel& kernel, std::size_t sweep, const Measur
     return map;
 }
 
-std::string failing_text(const StabilityMap& map, const StabilityCurve& curve, double tolerance) {
+Message failing_text(const StabilityMap& map, const StabilityCurve& curve, double tolerance) {
     const auto spans = curve.failing(tolerance);
     if (spans.empty()) {
-        return "nowhere";
+        return CORE_TEXT("methods", "nowhere");
     }
     if (spans.front().first == 0 && spans.front().last + 1 == map.values.size()) {
-        return "everywhere";
+        return CORE_TEXT("methods", "everywhere");
     }
     const SweepInfo& sweep = map.kernel->sweeps[map.sweep];
     const auto number = [&](std::size_t i) {
@@ -187,25 +187,26 @@ std::string failing_text(const StabilityMap& map, const StabilityCurve& curve, d
         if (sweep.spacing == Spacing::towards_end && gap > 0.0) {
             digits += std::max(0, static_cast<int>(std::ceil(-std::log10(gap / sweep.to))) - 1);
         }
-        const bool apart = !sweep.unit.empty() && sweep.unit != "°";
-        return format_number(map.values[i], digits) + (apart ? " " : "") + sweep.unit;
+        return Number{map.values[i], sweep.unit, digits};
     };
-    std::string text;
-    constexpr std::size_t most = 3;
-    for (std::size_t k = 0; k < std::min(spans.size(), most); ++k) {
-        const auto& span = spans[k];
-        text += k == 0 ? "" : ", ";
+    const auto words = [&](const StabilityCurve::Span& span) -> Message {
         if (span.first == span.last) {
-            text += "at " + number(span.first);
-        } else if (span.last + 1 == map.values.size()) {
-            text += "from " + number(span.first);
-        } else if (span.first == 0) {
-            text += "up to " + number(span.last);
-        } else {
-            text += number(span.first) + " to " + number(span.last);
+            return {CORE_TEXT("methods", "at %1"), number(span.first)};
         }
+        if (span.last + 1 == map.values.size()) {
+            return {CORE_TEXT("methods", "from %1"), number(span.first)};
+        }
+        if (span.first == 0) {
+            return {CORE_TEXT("methods", "up to %1"), number(span.last)};
+        }
+        return {CORE_TEXT("methods", "%1 to %2"), number(span.first), number(span.last)};
+    };
+    constexpr std::size_t most = 3;
+    Message text = words(spans.front());
+    for (std::size_t k = 1; k < std::min(spans.size(), most); ++k) {
+        text = joined(std::move(text), words(spans[k]));
     }
-    return spans.size() > most ? text + " …" : text;
+    return spans.size() > most ? Message(Text{"", "%1 …"}, std::move(text)) : text;
 }
 
 }  // namespace ravnoves::methods

@@ -88,6 +88,6 @@ StabilityMap map_stability(const Kernel& kernel, std::size_t sweep,
 
 /// Where a method stops being trustworthy along a sweep, as a clause: "everywhere", "from λ = 0.2",
 /// "λ = 0.2 to 0.3" or "nowhere".
-std::string failing_text(const StabilityMap& map, const StabilityCurve& curve, double tolerance);
+Message failing_text(const StabilityMap& map, const StabilityCurve& curve, double tolerance);
 
 }  // namespace ravnoves::methods

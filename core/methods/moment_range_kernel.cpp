@@ -58,15 +58,17 @@ class Nodes {
 
 Method<RangeCase> nodes() {
     Method<RangeCase> method;
-    method.info = {"nodes",
-                   "largest and smallest node",
-                   "an extremum between the nodes is cut off, and a narrow peak is not seen at all",
-                   {{"30°", 30}, {"15°", 15}, {"5°", 5}, {"1°", 1}, {"0.1°", 0.1}},
-                   false};
+    method.info = {
+        "nodes",
+        CORE_TEXT("methods", "largest and smallest node"),
+        CORE_TEXT("methods",
+                  "an extremum between the nodes is cut off, and a narrow peak is not seen at all"),
+        {{"30°", 30}, {"15°", 15}, {"5°", 5}, {"1°", 1}, {"0.1°", 0.1}},
+        false};
     method.prepare = [](const RangeCase& cycle, const Setting& setting) -> Run {
         return [nodes = Nodes(cycle, setting.value)](std::span<double> out) {
             out[0] = nodes.range();
-            return std::string();
+            return Message();
         };
     };
     method.operations = [](const RangeCase&, const Setting& setting) {
@@ -103,11 +105,15 @@ double golden_section_maximum(const Function& f, double a, double b, double tole
 
 Method<RangeCase> golden_section() {
     Method<RangeCase> method;
-    method.info = {"golden-section",
-                   "golden section between the rows",
-                   "finds one of two extrema between two rows, which long straight pieces have",
-                   {{"to 1°", 1}, {"to 0.01°", 1e-2}, {"to 1e-6°", 1e-6}},
-                   false};
+    method.info = {
+        "golden-section",
+        CORE_TEXT("methods", "golden section between the rows"),
+        CORE_TEXT("methods",
+                  "finds one of two extrema between two rows, which long straight pieces have"),
+        {counted(CORE_TEXT("methods", "to %1°"), 1),
+         counted(CORE_TEXT("methods", "to %1°"), 1e-2),
+         {{CORE_TEXT("methods", "to %1°"), "1e-6"}, 1e-6}},
+        false};
     method.prepare = [](const RangeCase& cycle, const Setting& setting) -> Run {
         return [&cycle, moment = cycle.interpolant<double>(),
                 tolerance = setting.value](std::span<double> out) {
@@ -126,7 +132,7 @@ Method<RangeCase> golden_section() {
                     golden_section_maximum([&](double t) { return -value(t); }, 0.0, h, tolerance));
             }
             out[0] = highest + lowest;
-            return std::string();
+            return Message();
         };
     };
     method.operations = [](const RangeCase& cycle, const Setting& setting) {
@@ -140,15 +146,15 @@ Method<RangeCase> golden_section() {
 Method<RangeCase> exact() {
     Method<RangeCase> method;
     method.info = {"exact",
-                   "exact extrema of the pieces",
-                   "exact for the table as it is read",
-                   {{"pieces", 0}},
+                   CORE_TEXT("methods", "exact extrema of the pieces"),
+                   CORE_TEXT("methods", "exact for the table as it is read"),
+                   {{CORE_TEXT("methods", "pieces"), 0}},
                    false};
     method.prepare = [](const RangeCase& cycle, const Setting&) -> Run {
         return [extrema = balance_shaft::CycleExtrema(cycle.interpolant<double>(), cycle.amplitude),
                 alpha = cycle.alpha](std::span<double> out) {
             out[0] = extrema.range(alpha);
-            return std::string();
+            return Message();
         };
     };
     method.operations = [](const RangeCase& cycle, const Setting&) {
@@ -199,38 +205,39 @@ Kernel moment_range_kernel() {
     Definition<RangeCase> definition;
     Kernel& kernel = definition.kernel;
     kernel.id = "moment-range";
-    kernel.title = "Range of M_ups";
-    kernel.quantity = "ΔM_ups, largest less smallest moment over the cycle, at one α";
-    kernel.error_measure = "part of the largest torque of the table + A";
-    kernel.evaluation = "the range at one α, the table being prepared";
-    kernel.check_text = "Brent's method in every degree between the rows";
+    kernel.title = CORE_TEXT("methods", "Range of M_ups");
+    kernel.quantity =
+        CORE_TEXT("methods", "ΔM_ups, largest less smallest moment over the cycle, at one α");
+    kernel.error_measure = CORE_TEXT("methods", "part of the largest torque of the table + A");
+    kernel.evaluation = CORE_TEXT("methods", "the range at one α, the table being prepared");
+    kernel.check_text = CORE_TEXT("methods", "Brent's method in every degree between the rows");
     kernel.check_tolerance = 1e-13;
     kernel.choice = balance_shaft::moment_range_choice;
     definition.methods = {nodes(), golden_section(), exact()};
     const TorqueCycle paper = paper_cycle();
     definition.sweeps = {
-        {{"shaft-angle", "shaft angle α, the paper's engine", "°", 0.0, 360.0, Spacing::linear, 0.0,
-          0.0, 360.0, paper.alpha / degree},
+        {{"shaft-angle", CORE_TEXT("methods", "shaft angle α, the paper's engine"), units::degree,
+          0.0, 360.0, Spacing::linear, 0.0, 0.0, 360.0, paper.alpha / degree},
          [paper](double alpha) {
              RangeCase cycle{paper};
              cycle.alpha = alpha * degree;
              return cycle;
          }},
-        {{"peak-width", "width of the combustion peak", "°", 0.05, 60.0, Spacing::logarithmic, 0.0,
-          0.05, 60.0, 15.0},
+        {{"peak-width", CORE_TEXT("methods", "width of the combustion peak"), units::degree, 0.05,
+          60.0, Spacing::logarithmic, 0.0, 0.05, 60.0, 15.0},
          [](double width) { return RangeCase{peak_cycle(width)}; }},
-        {{"amplitude", "amplitude of the shaft's moment, the paper's torque", "N·m", 1.0, 1e5,
-          Spacing::logarithmic, 0.0, 1.0, 1e5, paper.amplitude},
+        {{"amplitude", CORE_TEXT("methods", "amplitude of the shaft's moment, the paper's torque"),
+          units::N_m, 1.0, 1e5, Spacing::logarithmic, 0.0, 1.0, 1e5, paper.amplitude},
          [paper](double amplitude) {
              RangeCase cycle{paper};
              cycle.amplitude = amplitude;
              return cycle;
          }},
-        {{"spline-rows", "rows of a table read by the spline", "", 8.0, 160.0, Spacing::logarithmic,
-          0.0, 8.0, 160.0, 48.0},
+        {{"spline-rows", CORE_TEXT("methods", "rows of a table read by the spline"), units::none,
+          8.0, 160.0, Spacing::logarithmic, 0.0, 8.0, 160.0, 48.0},
          [](double rows) { return RangeCase{spline_cycle(rows)}; }},
-        {{"irregular-rows", "rows of an irregular table", "", 6.0, 400.0, Spacing::logarithmic, 0.0,
-          6.0, 400.0, 48.0},
+        {{"irregular-rows", CORE_TEXT("methods", "rows of an irregular table"), units::none, 6.0,
+          400.0, Spacing::logarithmic, 0.0, 6.0, 400.0, 48.0},
          [](double rows) { return RangeCase{irregular_cycle(rows)}; }},
     };
     definition.reference = reference;

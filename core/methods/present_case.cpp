@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "balance-shaft/balance_shaft.h"
+#include "balance-shaft/scene.h"
+#include "balance-shaft/solver.h"
 #include "case-file/json.h"
-#include "elastic-hinge/case_io.h"
-#include "inertia-moments/case_io.h"
+#include "elastic-hinge/scene.h"
+#include "elastic-hinge/solver.h"
+#include "inertia-moments/scene.h"
+#include "inertia-moments/solver.h"
 #include "numerics/constants.h"
 
 namespace ravnoves::methods {

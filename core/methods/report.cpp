@@ -1,11 +1,10 @@
 #include "methods/report.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "case-file/range.h"
-#include "methods/table_text.h"
+#include "methods/plain_text.h"
 
 namespace ravnoves::methods {
 
@@ -51,12 +50,7 @@ std::string digits(double value) {
 
 /// Three digits, but "19200" and not "1.92e+04".
 std::string plain_digits(double value) {
-    constexpr double three_digits = 100.0;
-    if (!(std::abs(value) >= three_digits)) {
-        return digits(value);
-    }
-    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value) / three_digits)));
-    return format_number(std::round(value / unit) * unit);
+    return format_number(rounded_to(value, shown_digits));
 }
 
 std::string optional_number(const std::optional<double>& value) {
@@ -64,7 +58,7 @@ std::string optional_number(const std::optional<double>& value) {
 }
 
 std::string value_with_unit(const SweepInfo& sweep, double value) {
-    return digits(value) + (sweep.unit.empty() || sweep.unit == "°" ? "" : " ") + sweep.unit;
+    return Message(Number{value, sweep.unit, shown_digits}).english();
 }
 
 }  // namespace
@@ -96,45 +90,48 @@ KernelReport measure_kernel(const Kernel& kernel, const MeasureOptions& options,
 std::string choice_paragraph(const Kernel& kernel) {
     const MethodChoice& choice = kernel.choice;
     return "The scene " + std::string(choice.scene) +
-           " uses: " + kernel.methods[kernel.chosen_method()].title + " (" +
+           " uses: " + kernel.methods[kernel.chosen_method()].title.english + " (" +
            std::string(choice.setting) + "), to " + digits(choice.tolerance) + " (" +
-           kernel.error_measure + "). " + std::string(choice.reason);
+           kernel.error_measure.english + "). " + choice.reason.english;
 }
 
 std::string write_text(const KernelReport& report) {
     const Kernel& kernel = *report.kernel;
     const SweepInfo& sweep = kernel.sweeps[report.sweep];
-    TextTable table({{""},
-                     {"method"},
-                     {"setting"},
-                     {"ns", true},
-                     {"quartiles", true},
-                     {"error", true},
-                     {"order", true},
-                     {"operations", true},
-                     {"not trustworthy"}});
+    AlignedTable table({{""},
+                        {"method"},
+                        {"setting"},
+                        {"ns", true},
+                        {"quartiles", true},
+                        {"error", true},
+                        {"order", true},
+                        {"operations", true},
+                        {"not trustworthy"}});
     for (const MethodRow& row : report.rows) {
         table.add({row.in_use  ? "●"
                    : row.holds ? "+"
                                : "",
-                   row.title, row.label, plain_digits(row.timing.median),
+                   row.title.english, row.label.english(), plain_digits(row.timing.median),
                    plain_digits(row.timing.low) + "…" + plain_digits(row.timing.high),
                    row.result.refused() ? "refused" : digits(row.result.error),
                    row.order ? format_number(*row.order, 2) : "", plain_digits(row.operations),
-                   row.fails.value_or("")});
+                   row.fails.value_or(Message()).english()});
     }
     const std::string tolerance = digits(kernel.choice.tolerance);
-    std::string text = kernel.title + ": " + kernel.quantity + "\n\n";
-    text += hanging("",
-                    "Measured at " + value_with_unit(sweep, report.value) + " (" + sweep.title +
-                        "); not trustworthy: where along it the tolerance is exceeded.",
-                    text_width);
-    text += hanging("Time: ", kernel.evaluation + ".", text_width);
-    text += hanging("Error: ", kernel.error_measure + ".", text_width);
+    std::string text = std::string(kernel.title.english) + ": " + kernel.quantity.english + "\n\n";
+    text +=
+        hanging("",
+                "Measured at " + value_with_unit(sweep, report.value) + " (" + sweep.title.english +
+                    "); not trustworthy: where along it the tolerance is exceeded.",
+                text_width);
+    text += hanging("Time: ", std::string(kernel.evaluation.english) + ".", text_width);
+    text += hanging("Error: ", std::string(kernel.error_measure.english) + ".", text_width);
     text += "● in use, + within the scene's tolerance of " + tolerance + "\n\n";
     text += table.text(table_width) + "\n";
     for (const MethodInfo& method : kernel.methods) {
-        text += hanging("  ", method.title + ": " + method.limits + ".", text_width);
+        text +=
+            hanging("  ", std::string(method.title.english) + ": " + method.limits.english + ".",
+                    text_width);
     }
     return text + "\n" + hanging("", choice_paragraph(kernel), text_width);
 }
@@ -146,14 +143,16 @@ std::string write_csv(std::span<const KernelReport> reports) {
     for (const KernelReport& report : reports) {
         const Kernel& kernel = *report.kernel;
         for (const MethodRow& row : report.rows) {
-            text += csv_line({kernel.id, kernel.sweeps[report.sweep].id,
-                              format_number(report.value), kernel.methods[row.method].id, row.label,
-                              row.in_use ? "yes" : "no", format_number(kernel.choice.tolerance),
-                              format_number(row.timing.median), format_number(row.timing.low),
-                              format_number(row.timing.high), format_number(row.operations),
-                              row.result.refused() ? "" : format_number(row.result.error),
-                              optional_number(row.order), row.holds ? "yes" : "no",
-                              row.fails.value_or(""), row.result.refusal, row.limits});
+            text +=
+                csv_line({kernel.id, kernel.sweeps[report.sweep].id, format_number(report.value),
+                          kernel.methods[row.method].id, row.label.english(),
+                          row.in_use ? "yes" : "no", format_number(kernel.choice.tolerance),
+                          format_number(row.timing.median), format_number(row.timing.low),
+                          format_number(row.timing.high), format_number(row.operations),
+                          row.result.refused() ? "" : format_number(row.result.error),
+                          optional_number(row.order), row.holds ? "yes" : "no",
+                          row.fails.value_or(Message()).english(), row.result.refusal.english(),
+                          row.limits.english});
         }
     }
     return text;

@@ -14,8 +14,8 @@ namespace ravnoves::methods {
 struct MethodRow {
     std::size_t method = 0;   ///< in Kernel::methods
     std::size_t setting = 0;  ///< in MethodInfo::settings
-    std::string title;        ///< of the method
-    std::string label;        ///< of the setting
+    Text title;               ///< of the method
+    Message label;            ///< of the setting
     Timing timing;            ///< ns per evaluation
     double operations = 0.0;  ///< of one evaluation
     Result result;            ///< error at the measured value, or why there is none
@@ -25,8 +25,8 @@ struct MethodRow {
     bool holds = false;   ///< its error at the measured value is within the scene's tolerance
     /// Where it exceeds the scene's tolerance along the sweep, as failing_text(); the stability
     /// curve is that of the method's finest setting (or the one in use), so only that row has it.
-    std::optional<std::string> fails;
-    std::string limits;  ///< MethodInfo::limits: why, as a sentence
+    std::optional<Message> fails;
+    Text limits;  ///< MethodInfo::limits: why, as a sentence
 };
 
 /// A kernel as measured on this machine.

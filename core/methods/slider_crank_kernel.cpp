@@ -29,8 +29,10 @@ constexpr double both_sines = 30.0;    // a sine and a cosine
 constexpr double kept_sines = 4.0;     // a look-up
 constexpr double rotated_sines = 6.0;  // one rotation
 
-std::string refusal_of(const Turn& turn) {
-    return turn.crank.locks() ? "the mechanism locks: the crank cannot turn round" : "";
+Message refusal_of(const Turn& turn) {
+    return turn.crank.locks()
+               ? CORE_TEXT("methods", "the mechanism locks: the crank cannot turn round")
+               : Text{};
 }
 
 void put(std::span<double> out, std::size_t i, const PistonMotion<double>& motion) {
@@ -89,13 +91,17 @@ void run_recurrence(const Turn& turn, std::size_t restart, std::span<double> out
 
 Method<Turn> series() {
     Method<Turn> method;
-    method.info = {
-        "series",
-        "series in λ",
-        "the terms left out are of the order (λ(1 + K))^2n: three digits at λ = 0.5 "
-        "with 4 terms, and no convergence at locking",
-        {{"2 terms", 2}, {"3 terms", 3}, {"4 terms", 4}, {"6 terms", 6}, {"10 terms", 10}},
-        false};
+    method.info = {"series",
+                   CORE_TEXT("methods", "series in λ"),
+                   CORE_TEXT("methods",
+                             "the terms left out are of the order (λ(1 + K))^2n: three digits at λ "
+                             "= 0.5 with 4 terms, and no convergence at locking"),
+                   {{CORE_TEXT("methods", "2 terms"), 2},
+                    {CORE_TEXT("methods", "3 terms"), 3},
+                    {CORE_TEXT("methods", "4 terms"), 4},
+                    counted(CORE_TEXT("methods", "%1 terms"), 6),
+                    counted(CORE_TEXT("methods", "%1 terms"), 10)},
+                   false};
     method.prepare = [](const Turn& turn, const Setting& setting) -> Run {
         return [turn, terms = static_cast<int>(setting.value),
                 nodes = UniformTransform<double>(turn.points)](std::span<double> out) {
@@ -115,10 +121,11 @@ Method<Turn> series() {
 Method<Turn> exact() {
     Method<Turn> method;
     method.info = {"exact",
-                   "exact",
-                   "in float the angle itself has seven digits; near locking the error grows as "
-                   "the rounding divided by 1 - λ(1 + K)",
-                   {{"float", 0}, {"double", 1}},
+                   CORE_TEXT("methods", "exact"),
+                   CORE_TEXT("methods",
+                             "in float the angle itself has seven digits; near locking the error "
+                             "grows as the rounding divided by 1 - λ(1 + K)"),
+                   {{CORE_TEXT("methods", "float"), 0}, {CORE_TEXT("methods", "double"), 1}},
                    false};
     method.prepare = [](const Turn& turn, const Setting& setting) -> Run {
         return [turn, wide = setting.value > 0](std::span<double> out) {
@@ -132,14 +139,15 @@ Method<Turn> exact() {
 
 Method<Turn> exact_recurrence() {
     Method<Turn> method;
-    method.info = {"exact-recurrence",
-                   "exact, sines by recurrence",
-                   "rounding adds up over the points since the last fresh sine",
-                   {{"fresh every 16", 16},
-                    {"fresh every 256", 256},
-                    {"never fresh", 1e9},
-                    {"float, never fresh", -1e9}},
-                   false};
+    method.info = {
+        "exact-recurrence",
+        CORE_TEXT("methods", "exact, sines by recurrence"),
+        CORE_TEXT("methods", "rounding adds up over the points since the last fresh sine"),
+        {counted(CORE_TEXT("methods", "fresh every %1"), 16),
+         counted(CORE_TEXT("methods", "fresh every %1"), 256),
+         {CORE_TEXT("methods", "never fresh"), 1e9},
+         {CORE_TEXT("methods", "float, never fresh"), -1e9}},
+        false};
     method.prepare = [](const Turn& turn, const Setting& setting) -> Run {
         return [turn, value = setting.value](std::span<double> out) {
             const auto restart = static_cast<std::size_t>(std::abs(value));
@@ -170,10 +178,11 @@ Run prepare_table(const Turn& turn) {
 Method<Turn> exact_table() {
     Method<Turn> method;
     method.info = {"exact-table",
-                   "exact, sines kept",
-                   "near locking the error grows as the rounding divided by 1 - λ(1 + K): nine "
-                   "digits are left at 1 - λ(1 + K) = 1e-6",
-                   {{"float", 0}, {"double", 1}},
+                   CORE_TEXT("methods", "exact, sines kept"),
+                   CORE_TEXT("methods",
+                             "near locking the error grows as the rounding divided by 1 - λ(1 + "
+                             "K): nine digits are left at 1 - λ(1 + K) = 1e-6"),
+                   {{CORE_TEXT("methods", "float"), 0}, {CORE_TEXT("methods", "double"), 1}},
                    false};
     method.prepare = [](const Turn& turn, const Setting& setting) -> Run {
         return setting.value > 0 ? prepare_table<double>(turn) : prepare_table<float>(turn);
@@ -272,24 +281,26 @@ Kernel slider_crank_kernel() {
     Definition<Turn> definition;
     Kernel& kernel = definition.kernel;
     kernel.id = "slider-crank";
-    kernel.title = "Slider-crank kinematics";
-    kernel.quantity = "s, s′, s″ of the piston pin over one turn";
-    kernel.error_measure = "part of the largest |s|, |s′|, |s″| of the turn";
-    kernel.evaluation = "s, s′ and s″ at one crank angle";
-    kernel.check_text =
-        "the closure |crankpin - pin| = L solved by Newton's method, derivatives by differences";
+    kernel.title = CORE_TEXT("methods", "Slider-crank kinematics");
+    kernel.quantity = CORE_TEXT("methods", "s, s′, s″ of the piston pin over one turn");
+    kernel.error_measure = CORE_TEXT("methods", "part of the largest |s|, |s′|, |s″| of the turn");
+    kernel.evaluation = CORE_TEXT("methods", "s, s′ and s″ at one crank angle");
+    kernel.check_text = CORE_TEXT(
+        "methods",
+        "the closure |crankpin - pin| = L solved by Newton's method, derivatives by differences");
     kernel.check_tolerance = 1e-15;
     kernel.choice = inertia_moments::slider_crank_choice;
     definition.methods = {series(), exact(), exact_recurrence(), exact_table()};
     definition.sweeps = {
-        {{"lambda", "crank ratio λ, K = 0", "", 0.01, 1.0, Spacing::towards_end, 1e-6, 0.01,
-          1.0 - 1e-6, vr5_lambda},
+        {{"lambda", CORE_TEXT("methods", "crank ratio λ, K = 0"), units::none, 0.01, 1.0,
+          Spacing::towards_end, 1e-6, 0.01, 1.0 - 1e-6, vr5_lambda},
          [](double lambda) { return turn_of(lambda, 0.0); }},
-        {{"offset", "relative offset K at λ = 0.265", "", 0.0, 1.0 / vr5_lambda - 1.0,
-          Spacing::towards_end, 1e-6, 0.0, (1.0 / vr5_lambda - 1.0) * (1.0 - 1e-6), vr5_offset},
+        {{"offset", CORE_TEXT("methods", "relative offset K at λ = 0.265"), units::none, 0.0,
+          1.0 / vr5_lambda - 1.0, Spacing::towards_end, 1e-6, 0.0,
+          (1.0 / vr5_lambda - 1.0) * (1.0 - 1e-6), vr5_offset},
          [](double offset) { return turn_of(vr5_lambda, offset); }},
-        {{"points", "points of one turn at λ = 0.265", "", 72.0, 720'000.0, Spacing::logarithmic,
-          0.0, 72.0, 720'000.0, 720.0},
+        {{"points", CORE_TEXT("methods", "points of one turn at λ = 0.265"), units::none, 72.0,
+          720'000.0, Spacing::logarithmic, 0.0, 72.0, 720'000.0, 720.0},
          [](double points) {
              return turn_of(vr5_lambda, vr5_offset, static_cast<std::size_t>(points / 4.0) * 4);
          }},
@@ -298,7 +309,7 @@ Kernel slider_crank_kernel() {
     definition.refusal = [](const Turn& turn) {
         const auto locking = inertia_moments::find_locking(
             turn.crank.crank_radius, turn.crank.lambda(), {{0.0, 0.0, turn.crank.offset, 0.0}});
-        return locking ? inertia_moments::describe(*locking) : std::string();
+        return locking ? inertia_moments::describe(*locking) : Message();
     };
     definition.check = check;
     return make_kernel(std::move(definition));

@@ -5,8 +5,8 @@
 namespace ravnoves::methods {
 
 /// The piston's motion with the rod's root as a binomial series:
-/// √(1 − w²) ≈ 1 − w²/2 − w⁴/8 − …, w = λ (sin θ − K). Two terms are the paper's form (Chainov and
-/// Vallejo Maldonado 2020), with the constants that it leaves out of s.
+/// √(1 − w²) ≈ 1 − w²/2 − w⁴/8 − …, w = λ (sin θ − K). Two terms are the form of
+/// [chainov-vallejo-maldonado], with the constants that it leaves out of s.
 ///
 /// Converges for λ (1 + |K|) < 1, the slower the nearer; the first term left out is of the order
 /// (λ (1 + |K|))^(2 terms).

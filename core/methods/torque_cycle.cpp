@@ -4,7 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "balance-shaft/balance_shaft.h"
+#include "balance-shaft/presets.h"
+#include "balance-shaft/solver.h"
 #include "numerics/constants.h"
 
 namespace ravnoves::methods {

@@ -5,28 +5,36 @@
 #include <cmath>
 #include <cstdio>
 
+#include "bibliography/bibliography.h"
 #include "case-file/range.h"
-#include "methods/table_text.h"
+#include "methods/plain_text.h"
 #include "methods/validation/rows.h"
 
 namespace ravnoves::methods {
 
 namespace {
 
-constexpr std::array<Paper, 4> all_papers{{
-    {"balance-shaft", "Gots, Klevtsov",
-     "A. N. Gots, V. S. Klevtsov, \"Selection of the optimal scheme of stabilization of the "
-     "one-cylinder engine\""},
-    {"elastic-hinge", "Zotov, Sviridov",
-     "A. N. Zotov, A. S. Sviridov, \"Crank-and-rod mechanism with elastic hinges of given "
-     "characteristics\", 2021"},
-    {"v8-plugs", "Nazarov",
-     "A. D. Nazarov, \"Compensating the total unbalanced mass of crank-gear parts of V-8 engines "
-     "in manufacture and repair\""},
-    {"inertia-moments", "Chainov, Vallejo Maldonado",
-     "N. D. Chainov, P. R. Vallejo Maldonado, \"Balancing the moments of a VR5 engine taking into "
-     "account a desaxial crank mechanism and cylinder camber angle\", 2020"},
-}};
+Paper paper(std::string_view scene, std::string_view key) {
+    const Source& entry = source(key);
+    return {scene, entry.cited_as, citation(entry)};
+}
+
+struct VerdictWords {
+    std::string_view id;
+    Text title;
+};
+
+const VerdictWords& words_of(Verdict verdict) {
+    // In the order of the enumeration.
+    static constexpr VerdictWords words[] = {
+        {"reproduced", CORE_TEXT("methods", "reproduced")},
+        {"artefact", CORE_TEXT("methods", "artefact")},
+        {"slip", CORE_TEXT("methods", "slip")},
+        {"not-derivable", CORE_TEXT("methods", "not derivable")},
+        {"differs", CORE_TEXT("methods", "differs")},
+    };
+    return words[static_cast<std::size_t>(verdict)];
+}
 
 /// With a fixed number of decimals; what rounds to nothing has no sign.
 std::string fixed(double value, int decimals) {
@@ -69,27 +77,18 @@ std::size_t number_of(const std::string& reason, std::vector<std::string>& reaso
 }  // namespace
 
 std::string_view verdict_id(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::reproduced:
-            return "reproduced";
-        case Verdict::artefact:
-            return "artefact";
-        case Verdict::slip:
-            return "slip";
-        case Verdict::not_derivable:
-            return "not-derivable";
-        case Verdict::differs:
-            break;
-    }
-    return "differs";
+    return words_of(verdict).id;
 }
 
-std::string_view verdict_title(Verdict verdict) {
-    return verdict == Verdict::not_derivable ? "not derivable" : verdict_id(verdict);
+Text verdict_title(Verdict verdict) {
+    return words_of(verdict).title;
 }
 
 std::span<const Paper> papers() {
-    return all_papers;
+    static const std::array all{
+        paper("balance-shaft", "gots-klevtsov"), paper("elastic-hinge", "zotov-sviridov"),
+        paper("v8-plugs", "nazarov"), paper("inertia-moments", "chainov-vallejo-maldonado")};
+    return all;
 }
 
 std::optional<double> ValidationRow::relative_difference() const {
@@ -141,7 +140,7 @@ std::string ValidationReport::summary() const {
             continue;
         }
         text += (first ? "" : ", ") + std::to_string(number) + " ";
-        text += verdict_title(verdict);
+        text += verdict_title(verdict).english;
         first = false;
     }
     return text;
@@ -149,8 +148,8 @@ std::string ValidationReport::summary() const {
 
 ValidationReport validate() {
     ValidationReport report;
-    for (auto* const paper : {validate_balance_shaft, validate_elastic_hinge, validate_v8_plugs,
-                              validate_inertia_moments}) {
+    for (auto* const paper : {validate_gots_klevtsov, validate_zotov_sviridov, validate_nazarov,
+                              validate_chainov_vallejo_maldonado}) {
         for (ValidationRow& row : paper()) {
             report.rows.push_back(std::move(row));
         }
@@ -161,29 +160,29 @@ ValidationReport validate() {
 std::string write_text(const ValidationReport& report, std::size_t width) {
     std::string text = report.summary() + "\n";
     for (const Paper& paper : papers()) {
-        TextTable table({{"quantity"},
-                         {"unit"},
-                         {"printed", true},
-                         {"ours", true},
-                         {"difference", true},
-                         {"verdict"},
-                         {"why"}});
+        AlignedTable table({{"quantity"},
+                            {"unit"},
+                            {"printed", true},
+                            {"ours", true},
+                            {"difference", true},
+                            {"verdict"},
+                            {"why"}});
         std::vector<std::string> reasons;
         std::string place;
         for (const ValidationRow& row : report.rows) {
             if (row.scene != paper.scene) {
                 continue;
             }
-            if (row.place != place) {
-                place = row.place;
+            if (row.place.english() != place) {
+                place = row.place.english();
                 table.heading(place);
             }
-            const std::size_t note = number_of(row.reason, reasons);
-            table.add({"  " + row.quantity, row.unit, row.printed_text, row.ours_text(),
-                       row.difference_text(), std::string(verdict_title(row.verdict)),
+            const std::size_t note = number_of(row.reason.english(), reasons);
+            table.add({"  " + row.quantity.english(), row.unit, row.printed_text, row.ours_text(),
+                       row.difference_text(), verdict_title(row.verdict).english,
                        "[" + std::to_string(note) + "]"});
         }
-        text += "\n" + std::string(paper.citation) + "\n\n" + table.text(width) + "\n";
+        text += "\n" + paper.citation.english() + "\n\n" + table.text(width) + "\n";
         for (std::size_t i = 0; i < reasons.size(); ++i) {
             text += hanging("[" + std::to_string(i + 1) + "] ", reasons[i], width);
         }
@@ -196,10 +195,10 @@ std::string write_csv(const ValidationReport& report) {
                                  "relative_difference", "verdict", "reason"});
     for (const ValidationRow& row : report.rows) {
         const auto difference = row.relative_difference();
-        text += csv_line({row.scene, row.place, row.quantity, row.unit, format_number(row.printed),
-                          row.ours ? format_number(*row.ours) : "",
+        text += csv_line({row.scene, row.place.english(), row.quantity.english(), row.unit,
+                          format_number(row.printed), row.ours ? format_number(*row.ours) : "",
                           difference ? format_number(*difference) : "",
-                          std::string(verdict_id(row.verdict)), row.reason});
+                          std::string(verdict_id(row.verdict)), row.reason.english()});
     }
     return text;
 }

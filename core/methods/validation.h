@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "case-file/message.h"
+
 namespace ravnoves::methods {
 
 /// What became of a printed number.
@@ -22,14 +24,14 @@ enum class Verdict {
 inline constexpr Verdict all_verdicts[] = {Verdict::reproduced, Verdict::artefact, Verdict::slip,
                                            Verdict::not_derivable, Verdict::differs};
 
-std::string_view verdict_id(Verdict verdict);     ///< "not-derivable", for files
-std::string_view verdict_title(Verdict verdict);  ///< "not derivable", for people
+std::string_view verdict_id(Verdict verdict);  ///< "not-derivable", for files
+Text verdict_title(Verdict verdict);           ///< "not derivable", for people
 
 /// A paper that a scene rests on.
 struct Paper {
-    std::string_view scene;     ///< of the case files, "balance-shaft"
-    std::string_view authors;   ///< "Gots, Klevtsov"
-    std::string_view citation;  ///< authors, title, year
+    std::string_view scene;  ///< of the case files, "balance-shaft"
+    Text authors;            ///< "Gots, Klevtsov"
+    Message citation;        ///< authors, title, year
 };
 
 /// The four papers in the order of the scenes.
@@ -38,8 +40,8 @@ std::span<const Paper> papers();
 /// One printed number.
 struct ValidationRow {
     std::string scene;         ///< the paper, by its scene: Paper::scene
-    std::string place;         ///< "Table 3", "eq. (8)", "text", …
-    std::string quantity;      ///< what it is
+    Message place;             ///< "Table 3", "eq. (8)", "text", …
+    Message quantity;          ///< what it is
     std::string unit;          ///< "N·m", "°", "" for pure numbers
     std::string printed_text;  ///< as printed, with a decimal point: "430.39", "3°20′", "-0.01"
     double printed = 0.0;      ///< its value
@@ -52,7 +54,7 @@ struct ValidationRow {
     /// The number that the mistake or the way of computing gives, for slip and artefact.
     std::optional<double> by_slip;
     Verdict verdict = Verdict::differs;
-    std::string reason;  ///< one sentence: why
+    Message reason;  ///< one sentence: why
 
     /// (ours − printed) / |printed|; empty without ours or where 0 is printed.
     std::optional<double> relative_difference() const;

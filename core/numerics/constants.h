@@ -8,6 +8,6 @@ inline constexpr double pi = std::numbers::pi;
 inline constexpr double two_pi = 2.0 * pi;
 inline constexpr double degree = pi / 180.0;         ///< rad per degree
 inline constexpr double rpm = two_pi / 60.0;         ///< rad/s per revolution a minute
-inline constexpr double standard_gravity = 9.80665;  ///< m/s², ISO 80000-3
+inline constexpr double standard_gravity = 9.80665;  ///< m/s², [iso-80000-3]
 
 }  // namespace ravnoves

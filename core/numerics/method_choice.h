@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "numerics/text.h"
+
 namespace ravnoves {
 
 /// What a scene declares of one of its kernels: the method and setting that compute it and how far
@@ -13,7 +15,7 @@ struct MethodChoice {
     std::string_view method;   ///< id of the method in that kernel
     std::string_view setting;  ///< label of its setting
     double tolerance;          ///< in the kernel's measure of error
-    std::string_view reason;   ///< why this tolerance and this method: sentences for the page
+    Text reason;               ///< why this tolerance and this method: sentences for the page
 };
 
 }  // namespace ravnoves

@@ -3,11 +3,10 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
-#include <cassert>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
+#include "numerics/demand.h"
 #include "numerics/real50.h"
 
 namespace ravnoves {
@@ -45,7 +44,7 @@ struct TrigonometricMoments {
 template <typename Scalar>
 BasicPeriodicPiecewise<Scalar> BasicPeriodicPiecewise<Scalar>::linear(std::span<const Scalar> x,
                                                                       std::span<const Scalar> y) {
-    assert(x.size() == y.size() && x.size() >= 2);
+    RAVNOVES_DEMAND(x.size() == y.size() && x.size() >= 2, "as many values as knots, two at least");
     BasicPeriodicPiecewise f;
     f.knots_.assign(x.begin(), x.end());
     f.pieces_.reserve(x.size() - 1);
@@ -58,7 +57,7 @@ BasicPeriodicPiecewise<Scalar> BasicPeriodicPiecewise<Scalar>::linear(std::span<
 template <typename Scalar>
 BasicPeriodicPiecewise<Scalar> BasicPeriodicPiecewise<Scalar>::cubic(std::span<const Scalar> x,
                                                                      std::span<const Scalar> y) {
-    assert(x.size() == y.size() && x.size() >= 2);
+    RAVNOVES_DEMAND(x.size() == y.size() && x.size() >= 2, "as many values as knots, two at least");
     const std::size_t n = x.size() - 1;
     // Unknowns: the second derivatives at the knots, in the symmetric, diagonally dominant system
     // of slope continuity; row i couples to its neighbours, the last row to the first.
@@ -82,9 +81,7 @@ BasicPeriodicPiecewise<Scalar> BasicPeriodicPiecewise<Scalar>::cubic(std::span<c
     Eigen::SparseMatrix<Scalar> matrix(static_cast<Index>(n), static_cast<Index>(n));
     matrix.setFromTriplets(entries.begin(), entries.end());
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<Scalar>> solver(matrix);
-    if (solver.info() != Eigen::Success) {
-        throw std::logic_error("the periodic spline's system is singular");
-    }
+    RAVNOVES_DEMAND(solver.info() == Eigen::Success, "the periodic spline's system is regular");
     const Vector curvature = solver.solve(right);
 
     BasicPeriodicPiecewise f;
@@ -105,7 +102,7 @@ template <typename Scalar>
 BasicPeriodicPiecewise<Scalar> BasicPeriodicPiecewise<Scalar>::sum(const BasicPeriodicPiecewise& f,
                                                                    const BasicPeriodicPiecewise& g,
                                                                    const Scalar& factor) {
-    assert(f.knots_ == g.knots_);
+    RAVNOVES_DEMAND(f.knots_ == g.knots_, "both functions have the same knots");
     BasicPeriodicPiecewise result = f;
     result.linear_ = f.linear_ && g.linear_;
     for (std::size_t i = 0; i < f.pieces_.size(); ++i) {

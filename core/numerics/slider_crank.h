@@ -33,8 +33,8 @@ struct LockingAngles {
 /// Slider-crank mechanism with an offset cylinder axis.
 ///
 /// s(θ) = R cos θ + √(L² − (R sin θ − e)²), θ from the cylinder axis, positive in the direction of
-/// rotation; e is positive on the side to which the crankpin moves first. Source: Chainov and
-/// Vallejo Maldonado 2020 (exact position of the piston pin); e = 0 is the centred mechanism.
+/// rotation; e is positive on the side to which the crankpin moves first. Source:
+/// [chainov-vallejo-maldonado] (exact position of the piston pin); e = 0 is the centred mechanism.
 ///
 /// A template so that the 50-digit references run the same code. Scale-free: lengths in any one
 /// unit; SliderCrank{1, 1/λ, K} gives s/R.
@@ -54,8 +54,8 @@ struct SliderCrank {
         return !(rod_length > crank_radius + abs(offset));
     }
 
-    /// θ at top dead centre: crank and rod in line, sin θ = e/(R + L) = λK/(1 + λ). Chainov and
-    /// Vallejo Maldonado 2020. Needs |e| ≤ R + L.
+    /// θ at top dead centre: crank and rod in line, sin θ = e/(R + L) = λK/(1 + λ), by
+    /// [chainov-vallejo-maldonado]. Needs |e| ≤ R + L.
     Scalar top_dead_centre() const {
         using std::asin;
         return asin(Scalar(offset / (crank_radius + rod_length)));
@@ -162,7 +162,7 @@ struct SliderCrank {
 };
 
 /// The paper's two-term form of the piston's motion: −s″ = R(cos θ + K λ sin θ + λ cos 2θ) and its
-/// integrals, s up to the constant L. Source: Chainov and Vallejo Maldonado 2020. Good for small λ
+/// integrals, s up to the constant L. Source: [chainov-vallejo-maldonado]. Good for small λ
 /// and K; the error of s″ is of order R λ³.
 template <typename Scalar>
 struct TwoTermSliderCrank {

@@ -2,54 +2,53 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace ravnoves::v8_plugs {
 
 namespace {
 
-constexpr double gram = 1e-3;
-constexpr double gram_millimetre = 1e-6;
-
-/// A number with the given decimals, without "-0".
-std::string fixed(double value, int decimals) {
-    std::array<char, 400> text{};
-    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-    std::string written = text.data();
-    std::replace(written.begin(), written.end(), ',', '.');
-    if (written.starts_with('-') && written.find_first_not_of("-0.") == std::string::npos) {
-        written.erase(0, 1);
-    }
-    return written;
+Number grams(double mass) {
+    return {mass / units::gram, units::gram, -2};
 }
 
-std::string grams(double mass) {
-    return fixed(mass / gram, 2) + " g";
+Number gram_millimetres(double unbalance) {
+    return {unbalance / units::gram_mm, units::gram_mm, -1};
 }
 
-std::string gram_millimetres(double unbalance) {
-    return fixed(unbalance / gram_millimetre, 1) + " g·mm";
+Message two_sentences(Message first, Message second) {
+    return {Text{"", "%1 %2"}, std::move(first), std::move(second)};
 }
 
 /// The action of an option in the imperative.
-std::string action(const Option& option) {
+Message action(const Option& option) {
     // A hundredth of a gram is what the words show; less is not worth a set-up of the machine.
-    const bool machined = option.reduction >= 0.005 * gram;
-    const std::string count = std::to_string(plug_count);
+    const bool machined = option.reduction >= 0.005 * units::gram;
     if (keeps_steel_plugs(option.id)) {
-        return machined
-                   ? "Machine all " + count + " steel plugs by " + grams(option.reduction) + " each"
-                   : "Fit today's " + count + " steel plugs as they are";
+        return machined ? Message(CORE_TEXT("V8", "Machine all 8 steel plugs by %1 each."),
+                                  grams(option.reduction))
+                        : CORE_TEXT("V8", "Fit today's 8 steel plugs as they are.");
     }
-    return machined ? "Replace all " + count + " plugs by aluminium ones lightened by " +
-                          grams(option.reduction) + " each"
-                    : "Replace all " + count + " plugs by aluminium ones as they are";
+    return machined
+               ? Message(
+                     CORE_TEXT("V8", "Replace all 8 plugs by aluminium ones lightened by %1 each."),
+                     grams(option.reduction))
+               : CORE_TEXT("V8", "Replace all 8 plugs by aluminium ones as they are.");
 }
 
-std::string over_or_under(const Option& option) {
-    return option.residual_mass > 0
-               ? "leaves " + grams(option.residual_mass) + " too much on each crankpin"
-               : "over-compensates by " + grams(-option.residual_mass) + " on each crankpin";
+Message over_or_under(const Option& option) {
+    return {option.residual_mass > 0 ? CORE_TEXT("V8", "leaves %1 too much on each crankpin")
+                                     : CORE_TEXT("V8", "over-compensates by %1 on each crankpin"),
+            grams(std::abs(option.residual_mass))};
+}
+
+Message within(double unbalance, double tolerance) {
+    return {CORE_TEXT("V8", "%1, within the %2 allowed"), gram_millimetres(std::abs(unbalance)),
+            gram_millimetres(tolerance)};
+}
+
+Message against(double unbalance, double tolerance) {
+    return {CORE_TEXT("V8", "%1 against the %2 allowed"), gram_millimetres(std::abs(unbalance)),
+            gram_millimetres(tolerance)};
 }
 
 }  // namespace
@@ -96,20 +95,6 @@ std::optional<GearMasses> gear_masses(const Engine& engine) {
     }
     return GearMasses{*engine.reciprocating_mass, *engine.rotating_mass, *engine.oil_mass,
                       *engine.oil_coefficient};
-}
-
-std::string_view option_name(OptionId option) {
-    switch (option) {
-        case OptionId::steel_machined:
-            return "steel-machined";
-        case OptionId::steel_to_aluminium:
-            return "steel-to-aluminium";
-        case OptionId::new_steel_to_steel:
-            return "new-steel-to-steel";
-        case OptionId::new_steel_to_aluminium:
-            return "new-steel-to-aluminium";
-    }
-    return "";
 }
 
 bool keeps_steel_plugs(OptionId option) {
@@ -200,83 +185,70 @@ Advice advise(const PlugSet& plugs, Crankshaft crankshaft, double unbalanced_mas
     return advice;
 }
 
-std::string describe_failure(const Option& option, double tolerance) {
-    if (option.feasible) {
-        return {};
-    }
-    return over_or_under(option) + ": " + gram_millimetres(std::abs(option.residual_unbalance)) +
-           " against the " + gram_millimetres(tolerance) + " allowed";
+Message describe_failure(const Option& option, double tolerance) {
+    return option.feasible ? Message()
+                           : Message(Text{"", "%1: %2"}, over_or_under(option),
+                                     against(option.residual_unbalance, tolerance));
 }
 
-std::string describe(const Advice& advice, double unbalanced_mass, double crank_radius,
-                     double tolerance) {
-    std::string text;
+Message describe_verdict(const Option& option, double tolerance) {
+    if (!option.feasible) {
+        return describe_failure(option, tolerance);
+    }
+    return option.residual_mass == 0.0 ? Message(CORE_TEXT("V8", "works"))
+                                       : Message(CORE_TEXT("V8", "works: %1"),
+                                                 within(option.residual_unbalance, tolerance));
+}
+
+Message describe(const Advice& advice, double unbalanced_mass, double crank_radius,
+                 double tolerance) {
+    const double unbalance = unbalanced_mass * crank_radius;
+    Message text;
     switch (advice.kind) {
         case Advice::Kind::none_needed:
-            return "Leave the plugs as they are: the excess of " + grams(unbalanced_mass) +
-                   " per crankpin is " +
-                   gram_millimetres(std::abs(unbalanced_mass) * crank_radius) + ", within the " +
-                   gram_millimetres(tolerance) + " allowed.";
+            return {CORE_TEXT("V8",
+                              "Leave the plugs as they are: the excess of %1 per crankpin is %2."),
+                    grams(unbalanced_mass), within(unbalance, tolerance)};
         case Advice::Kind::option: {
             const Option& option = advice.option.value();
-            text = action(option) + ".";
-            if (option.residual_mass != 0.0) {
-                text += " This " + over_or_under(option) + ", " +
-                        gram_millimetres(std::abs(option.residual_unbalance)) + ", within the " +
-                        gram_millimetres(tolerance) + " allowed.";
-            }
-            return text;
+            return option.residual_mass == 0.0
+                       ? action(option)
+                       : two_sentences(action(option),
+                                       {CORE_TEXT("V8", "This %1: %2."), over_or_under(option),
+                                        within(option.residual_unbalance, tolerance)});
         }
         case Advice::Kind::no_new_plug_data:
-            return "The crankshaft is made for plugs of the new design; without their mass and "
-                   "radius nothing can be advised.";
+            return CORE_TEXT("V8",
+                             "The crankshaft is made for plugs of the new design; their mass and "
+                             "radius are needed.");
         case Advice::Kind::too_light:
-            text = "The parts are " + grams(-unbalanced_mass) +
-                   " per crankpin lighter than nominal (" +
-                   gram_millimetres(-unbalanced_mass * crank_radius) +
-                   "), and plugs can only be lightened: heavier parts or heavier plugs are needed.";
+            text = {CORE_TEXT("V8",
+                              "The parts are %1 per crankpin lighter than nominal (%2), and plugs "
+                              "can only be lightened: heavier parts or heavier plugs are needed."),
+                    grams(-unbalanced_mass), gram_millimetres(-unbalance)};
             break;
         case Advice::Kind::none_sufficient:
         case Advice::Kind::none_light_enough: {
             const Option& closest = advice.option.value();
-            text = advice.kind == Advice::Kind::none_sufficient
-                       ? "No plug of this crankshaft can be made light enough"
-                       : "No plug of this crankshaft has the mass that is needed";
-            text += ". The nearest is " + std::string(option_name(closest.id)) + ", which " +
-                    describe_failure(closest, tolerance) + ".";
+            text = two_sentences(
+                advice.kind == Advice::Kind::none_sufficient
+                    ? CORE_TEXT("V8", "No plug of this crankshaft can be made light enough.")
+                    : CORE_TEXT("V8", "No plug of this crankshaft has the mass that is needed."),
+                {CORE_TEXT("V8", "The nearest is “%1”, which %2: %3."),
+                 option_word(closest.id).label, over_or_under(closest),
+                 against(closest.residual_unbalance, tolerance)});
             break;
         }
     }
-    if (advice.with_other_crankshaft) {
-        text += needs_new_crankshaft(*advice.with_other_crankshaft)
-                    ? " A crankshaft made for the new plugs would do (" +
-                          std::string(option_name(*advice.with_other_crankshaft)) + ")."
-                    : " A standard crankshaft would do (" +
-                          std::string(option_name(*advice.with_other_crankshaft)) + ").";
+    if (const auto other = advice.with_other_crankshaft) {
+        return two_sentences(
+            std::move(text),
+            {needs_new_crankshaft(*other)
+                 ? CORE_TEXT("V8", "A crankshaft made for the new plugs would do: “%1”.")
+                 : CORE_TEXT("V8", "A standard crankshaft would do: “%1”."),
+             option_word(*other).label});
     }
     return text;
-}
-
-std::string_view part_name(BobWeightLine::Part part) {
-    switch (part) {
-        case BobWeightLine::Part::reciprocating:
-            return "reciprocating_mass";
-        case BobWeightLine::Part::piston:
-            return "piston";
-        case BobWeightLine::Part::repair_piston_and_rings:
-            return "repair_piston_and_rings";
-        case BobWeightLine::Part::rotating:
-            return "rotating_mass";
-        case BobWeightLine::Part::plugs:
-            return "plugs";
-        case BobWeightLine::Part::rod_big_end:
-            return "rod_big_end";
-        case BobWeightLine::Part::repair_bearing:
-            return "repair_bearing";
-        case BobWeightLine::Part::oil:
-            return "oil";
-    }
-    return "";
 }
 
 double BobWeight::sum() const {
@@ -285,6 +257,12 @@ double BobWeight::sum() const {
         total += line.product();
     }
     return total;
+}
+
+std::optional<double> BobWeight::product(BobWeightLine::Part part) const {
+    const auto found = std::find_if(lines.begin(), lines.end(),
+                                    [&](const BobWeightLine& line) { return line.part == part; });
+    return found != lines.end() ? std::optional(found->product()) : std::nullopt;
 }
 
 BobWeight bob_weight(const PlugSet& plugs, const GearMasses& gear, Process process,

@@ -11,9 +11,8 @@
 namespace ravnoves::v8_plugs {
 
 // Compensation of the excess mass of crank-gear parts by lighter plugs of the crankpins' sludge
-// traps. Source: A. D. Nazarov, "Compensating the total unbalanced mass of crank-gear parts of V-8
-// engines in manufacture and repair"; equation numbers are that paper's. Masses in kg, lengths in
-// m, unbalance in kg·m.
+// traps. Source: [nazarov] of the bibliography; equation numbers are that paper's. Masses in kg,
+// lengths in m, unbalance in kg·m.
 
 enum class Process { manufacture, repair };
 
@@ -86,7 +85,15 @@ inline constexpr std::array<OptionId, 4> all_options{
     OptionId::steel_machined, OptionId::steel_to_aluminium, OptionId::new_steel_to_steel,
     OptionId::new_steel_to_aluminium};
 
-std::string_view option_name(OptionId option);  ///< the word of the case file
+/// Names of the options, in the order of the enumeration.
+inline constexpr Word option_words[] = {
+    {"steel-machined", CORE_TEXT("V8", "Machine today's steel plugs")},
+    {"steel-to-aluminium", CORE_TEXT("V8", "Aluminium plugs")},
+    {"new-steel-to-steel", CORE_TEXT("V8", "New crankshaft, today's steel plugs")},
+    {"new-steel-to-aluminium", CORE_TEXT("V8", "New crankshaft, aluminium plugs")}};
+constexpr const Word& option_word(OptionId option) {
+    return option_words[static_cast<std::size_t>(option)];
+}
 /// True where the option keeps today's steel plugs (machined), false where it fits aluminium ones.
 bool keeps_steel_plugs(OptionId option);
 /// True where the option is for a crankshaft made for the plugs of the new design.
@@ -111,7 +118,7 @@ struct Option {
 std::optional<Option> evaluate_option(OptionId id, const PlugSet& plugs, double unbalanced_mass,
                                       double tolerance);
 
-/// What to do, as data: the sentence is made from it (describe(), or the page's translation).
+/// What to do, as data; describe() makes the sentence.
 struct Advice {
     enum class Kind {
         none_needed,        ///< the excess itself is within the tolerance
@@ -132,11 +139,13 @@ struct Advice {
 Advice advise(const PlugSet& plugs, Crankshaft crankshaft, double unbalanced_mass,
               double tolerance);
 
-/// The advice as a technician would say it, in English.
-std::string describe(const Advice& advice, double unbalanced_mass, double crank_radius,
-                     double tolerance);
-/// Why an option does not work (residual beyond the tolerance), in English; empty where it does.
-std::string describe_failure(const Option& option, double tolerance);
+/// The advice as a technician would say it.
+Message describe(const Advice& advice, double unbalanced_mass, double crank_radius,
+                 double tolerance);
+/// Why an option does not work (residual beyond the tolerance); empty where it does.
+Message describe_failure(const Option& option, double tolerance);
+/// "works", within which tolerance it does, or why it does not.
+Message describe_verdict(const Option& option, double tolerance);
 
 /// One line of a bob weight's sum.
 struct BobWeightLine {
@@ -156,12 +165,26 @@ struct BobWeightLine {
     double product() const { return factor * mass; }
 };
 
-std::string_view part_name(BobWeightLine::Part part);  ///< the words of the result file
+/// Names of the lines, in the order of the enumeration.
+inline constexpr Word bob_weight_words[] = {
+    {"reciprocating_mass", CORE_TEXT("V8", "Reciprocating mass m_j")},
+    {"piston", CORE_TEXT("V8", "Improved piston Δm_pi")},
+    {"repair_piston_and_rings", CORE_TEXT("V8", "Repair piston and rings Δm_rp")},
+    {"rotating_mass", CORE_TEXT("V8", "Rotating mass m_R")},
+    {"plugs", CORE_TEXT("V8", "Plug")},
+    {"rod_big_end", CORE_TEXT("V8", "Rod big end Δm_be")},
+    {"repair_bearing", CORE_TEXT("V8", "Repair shells Δm_sh")},
+    {"oil", CORE_TEXT("V8", "Oil m_m")}};
+constexpr const Word& bob_weight_word(BobWeightLine::Part part) {
+    return bob_weight_words[static_cast<std::size_t>(part)];
+}
 
 /// The mass to hang on a crankpin when the crankshaft is balanced, line by line.
 struct BobWeight {
     std::vector<BobWeightLine> lines;
     double sum() const;  ///< kg
+    /// The line's product, kg; nothing where the sum has no such line.
+    std::optional<double> product(BobWeightLine::Part part) const;
 };
 
 /// Bob weight of the nominal engine: no mass changes, the plugs that the crankshaft was made for.

@@ -1,15 +1,12 @@
 #include "v8-plugs/engine.h"
 
 #include <algorithm>
-#include <cassert>
-#include <cstdio>
-#include <cstdlib>
+
+#include "numerics/demand.h"
 
 namespace ravnoves::v8_plugs {
 
 namespace {
-
-constexpr double milli = 1e-3;  // mm to m, g to kg
 
 constexpr Range length_range = Range::between(1, 2000);
 constexpr Range plug_mass_range = Range::between(0.001, 10'000);
@@ -18,87 +15,80 @@ constexpr Range coefficient_range = Range::between(0, 100);
 constexpr Range oil_range = Range::between(0, 100'000);
 constexpr Range gear_mass_range = Range::between(0.001, 1'000'000);
 
+constexpr Field described(std::string_view key, Unit unit, Range range, Text label, Text hint) {
+    return {.key = key,
+            .unit = unit,
+            .range = range,
+            .label = label,
+            .hint = hint,
+            .placeholder = CORE_TEXT("V8", "needed")};
+}
+
 constexpr std::array<EngineField, 14> fields{{
-    {{"crank_radius_mm", "mm", length_range, milli}, &Engine::crank_radius, EngineGroup::basic},
-    {{"plug_radius_mm", "mm", length_range, milli}, &Engine::plug_radius, EngineGroup::basic},
-    {{"new_plug_radius_mm", "mm", length_range, milli},
-     &Engine::new_plug_radius,
-     EngineGroup::new_plug},
-    {{"steel_plug_mass_g", "g", plug_mass_range, milli},
-     &Engine::steel_plug_mass,
-     EngineGroup::basic},
-    {{"aluminium_plug_mass_g", "g", plug_mass_range, milli},
-     &Engine::aluminium_plug_mass,
-     EngineGroup::aluminium_plug},
-    {{"new_steel_plug_mass_g", "g", plug_mass_range, milli},
-     &Engine::new_steel_plug_mass,
-     EngineGroup::new_plug},
-    {{"new_aluminium_plug_mass_g", "g", plug_mass_range, milli},
-     &Engine::new_aluminium_plug_mass,
-     EngineGroup::new_plug},
-    {{"max_steel_reduction_g", "g", reduction_range, milli},
-     &Engine::max_steel_reduction,
-     EngineGroup::basic},
-    {{"max_aluminium_reduction_g", "g", reduction_range, milli},
-     &Engine::max_aluminium_reduction,
-     EngineGroup::aluminium_plug},
-    {{"rod_coefficient", "", coefficient_range, 1.0}, &Engine::rod_coefficient, EngineGroup::basic},
-    {{"oil_mass_g", "g", oil_range, milli}, &Engine::oil_mass, EngineGroup::bob_weight},
-    {{"oil_coefficient", "", coefficient_range, 1.0},
-     &Engine::oil_coefficient,
-     EngineGroup::bob_weight},
-    {{"reciprocating_mass_g", "g", gear_mass_range, milli},
-     &Engine::reciprocating_mass,
-     EngineGroup::bob_weight},
-    {{"rotating_mass_g", "g", gear_mass_range, milli},
-     &Engine::rotating_mass,
-     EngineGroup::bob_weight},
+    {described("crank_radius_mm", units::mm, length_range, CORE_TEXT("V8", "Crank radius r"),
+               CORE_TEXT("V8", "Half the stroke.")),
+     &Engine::crank_radius, EngineGroup::basic},
+    {described("plug_radius_mm", units::mm, length_range, CORE_TEXT("V8", "Plug radius r_p"),
+               CORE_TEXT("V8", "From the crank axis to the centre of mass of today's plug.")),
+     &Engine::plug_radius, EngineGroup::basic},
+    {described(
+         "new_plug_radius_mm", units::mm, length_range, CORE_TEXT("V8", "New plug radius r_pn"),
+         CORE_TEXT("V8", "From the crank axis to the centre of mass of a plug of the new design.")),
+     &Engine::new_plug_radius, EngineGroup::new_plug},
+    {described("steel_plug_mass_g", units::gram, plug_mass_range, CORE_TEXT("V8", "Steel plug m_p"),
+               CORE_TEXT("V8", "One plug as the scale says, before it is machined.")),
+     &Engine::steel_plug_mass, EngineGroup::basic},
+    {described("aluminium_plug_mass_g", units::gram, plug_mass_range,
+               CORE_TEXT("V8", "Aluminium plug m_a"),
+               CORE_TEXT("V8", "One plug as the scale says, before it is machined.")),
+     &Engine::aluminium_plug_mass, EngineGroup::aluminium_plug},
+    {described(
+         "new_steel_plug_mass_g", units::gram, plug_mass_range,
+         CORE_TEXT("V8", "New steel plug m_pn"),
+         CORE_TEXT(
+             "V8",
+             "One plug of the new design, for which the crankshaft's counterweights are made.")),
+     &Engine::new_steel_plug_mass, EngineGroup::new_plug},
+    {described(
+         "new_aluminium_plug_mass_g", units::gram, plug_mass_range,
+         CORE_TEXT("V8", "New aluminium plug m_an"),
+         CORE_TEXT(
+             "V8",
+             "One plug of the new design, for which the crankshaft's counterweights are made.")),
+     &Engine::new_aluminium_plug_mass, EngineGroup::new_plug},
+    {described(
+         "max_steel_reduction_g", units::gram, reduction_range,
+         CORE_TEXT("V8", "Most off steel plug Δm_pm"),
+         CORE_TEXT("V8", "The most that the strength of its walls allows to take off one plug.")),
+     &Engine::max_steel_reduction, EngineGroup::basic},
+    {described(
+         "max_aluminium_reduction_g", units::gram, reduction_range,
+         CORE_TEXT("V8", "Most off aluminium plug Δm_am"),
+         CORE_TEXT("V8", "The most that the strength of its walls allows to take off one plug.")),
+     &Engine::max_aluminium_reduction, EngineGroup::aluminium_plug},
+    {described(
+         "rod_coefficient", units::none, coefficient_range, CORE_TEXT("V8", "Rod coefficient k_r"),
+         CORE_TEXT("V8", "Design coefficient of the rod: a heavier big end counts (2 + k) times.")),
+     &Engine::rod_coefficient, EngineGroup::basic},
+    {described("oil_mass_g", units::gram, oil_range, CORE_TEXT("V8", "Oil in a crankpin m_m"),
+               CORE_TEXT("V8", "Oil in the sludge trap of one crankpin of a running engine.")),
+     &Engine::oil_mass, EngineGroup::bob_weight},
+    {described(
+         "oil_coefficient", units::none, coefficient_range, CORE_TEXT("V8", "Oil coefficient k_m"),
+         CORE_TEXT("V8",
+                   "What the oil counts for on the crankpin's axis, from its centre of mass.")),
+     &Engine::oil_coefficient, EngineGroup::bob_weight},
+    {described("reciprocating_mass_g", units::gram, gear_mass_range,
+               CORE_TEXT("V8", "Reciprocating mass m_j"),
+               CORE_TEXT("V8",
+                         "Nominal mass of piston, pin, rings and the small-end share of the rod, "
+                         "one cylinder.")),
+     &Engine::reciprocating_mass, EngineGroup::bob_weight},
+    {described("rotating_mass_g", units::gram, gear_mass_range,
+               CORE_TEXT("V8", "Rotating mass m_R"),
+               CORE_TEXT("V8", "Nominal mass of the rod's big end and its shells, one cylinder.")),
+     &Engine::rotating_mass, EngineGroup::bob_weight},
 }};
-
-Engine paper_engine(std::string name) {
-    Engine engine;
-    engine.name = std::move(name);
-    return engine;
-}
-
-/// Table 2 and Table 3, left columns.
-Engine engine_4_25() {
-    Engine engine = paper_engine("4.25 l");
-    engine.crank_radius = 40 * milli;
-    engine.plug_radius = 47.2 * milli;
-    engine.new_plug_radius = 49.3 * milli;
-    engine.steel_plug_mass = 2.79 * milli;
-    engine.aluminium_plug_mass = 0.954 * milli;
-    engine.new_steel_plug_mass = 3.45 * milli;
-    engine.new_aluminium_plug_mass = 1.179 * milli;
-    engine.max_steel_reduction = 1.951 * milli;
-    engine.max_aluminium_reduction = 0.684 * milli;
-    engine.rod_coefficient = 0.445;
-    return engine;
-}
-
-/// Table 1, Table 2 and Table 3, right columns: the 6 and 7 l engines share the crankshaft.
-Engine engine_6_7(std::string name) {
-    Engine engine = paper_engine(std::move(name));
-    engine.crank_radius = 47.5 * milli;
-    engine.plug_radius = 61.5 * milli;
-    engine.new_plug_radius = 63.2 * milli;
-    engine.steel_plug_mass = 4.03 * milli;
-    engine.aluminium_plug_mass = 1.377 * milli;
-    engine.new_steel_plug_mass = 5.25 * milli;
-    engine.new_aluminium_plug_mass = 1.794 * milli;
-    engine.max_steel_reduction = 2.746 * milli;
-    engine.max_aluminium_reduction = 1.013 * milli;
-    engine.rod_coefficient = 0.414;
-    return engine;
-}
-
-/// The engines of which the text gives the crank radius alone.
-Engine engine_with_radius(std::string name, double crank_radius_mm) {
-    Engine engine = paper_engine(std::move(name));
-    engine.crank_radius = crank_radius_mm * milli;
-    return engine;
-}
 
 }  // namespace
 
@@ -108,33 +98,10 @@ std::span<const EngineField> engine_fields() {
 
 const EngineField& engine_field(std::string_view key) {
     const auto found = std::find_if(fields.begin(), fields.end(), [&](const EngineField& field) {
-        return field.spec.key == key;
+        return field.field.key == key;
     });
-    assert(found != fields.end());
+    RAVNOVES_DEMAND(found != fields.end(), "the engine has a field of that key");
     return *found;
-}
-
-std::span<const Engine> engine_presets() {
-    static const std::array<Engine, 7> presets{
-        engine_4_25(),
-        engine_6_7("6 l"),
-        engine_6_7("7 l"),
-        engine_with_radius("8.32 l", 60),
-        engine_with_radius("8.74 l", 57.5),
-        engine_with_radius("10.85 l", 60),
-        engine_with_radius("14.86 l", 70),
-    };
-    return presets;
-}
-
-const Engine* find_preset(std::string_view name) {
-    for (const Engine& engine : engine_presets()) {
-        const std::string_view full = engine.name;
-        if (name == full || name == full.substr(0, full.size() - 2)) {
-            return &engine;
-        }
-    }
-    return nullptr;
 }
 
 bool is_inapplicable(const Engine& engine, EngineGroup group) {
@@ -154,30 +121,28 @@ std::vector<const EngineField*> missing_fields(const Engine& engine, bool with_b
     return missing;
 }
 
-std::vector<EngineConflict> engine_conflicts(const Engine& engine) {
-    std::vector<EngineConflict> conflicts;
-    const auto check = [&](std::string_view key, const std::optional<double>& reduction,
-                           const std::optional<double>& mass) {
-        if (reduction && mass && *reduction >= *mass) {
-            const FieldSpec& spec = engine_field(key).spec;
-            conflicts.push_back(
-                {key, "must be less than the plug's mass " + format_number(in_unit(*mass, spec)),
-                 in_unit(*reduction, spec)});
+void set_plugs(Engine& engine, EngineGroup group, bool present) {
+    (group == EngineGroup::aluminium_plug ? engine.has_aluminium_plug : engine.has_new_plug) =
+        present;
+    for (const EngineField& field : fields) {
+        if (!present && field.group == group) {
+            (engine.*field.member).reset();
         }
-    };
-    check("max_steel_reduction_g", engine.max_steel_reduction, engine.steel_plug_mass);
-    if (engine.has_aluminium_plug) {
-        check("max_aluminium_reduction_g", engine.max_aluminium_reduction,
-              engine.aluminium_plug_mass);
     }
-    return conflicts;
 }
 
-double in_unit(double si, const FieldSpec& spec) {
-    std::array<char, 40> text{};
-    const int length = std::snprintf(text.data(), text.size(), "%.15g", si / spec.to_si);
-    // The text has the separator of the C locale in force, so strtod reads what snprintf wrote.
-    return length > 0 ? std::strtod(text.data(), nullptr) : si / spec.to_si;
+std::vector<EngineConflict> engine_conflicts(const Engine& engine) {
+    std::vector<EngineConflict> conflicts;
+    const auto check = [&](std::string_view key, const std::optional<double>& mass) {
+        const EngineField& reduction = engine_field(key);
+        if (!is_inapplicable(engine, reduction.group) && mass &&
+            engine.*reduction.member >= mass) {  // nothing is less than any mass
+            conflicts.push_back({&reduction, *mass});
+        }
+    };
+    check("max_steel_reduction_g", engine.steel_plug_mass);
+    check("max_aluminium_reduction_g", engine.aluminium_plug_mass);
+    return conflicts;
 }
 
 }  // namespace ravnoves::v8_plugs

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "case-file/range.h"
+#include "case-file/field.h"
 
 namespace ravnoves::v8_plugs {
 
@@ -45,9 +45,9 @@ struct Engine {
 /// Which plugs a value of the engine belongs to.
 enum class EngineGroup { basic, aluminium_plug, new_plug, bob_weight };
 
-/// One value of the engine: its key, unit and range, and where it is kept.
+/// One value of the engine: its description, and where it is kept.
 struct EngineField {
-    FieldSpec spec;
+    Field field;
     std::optional<double> Engine::*member;
     EngineGroup group;
 };
@@ -56,31 +56,18 @@ struct EngineField {
 std::span<const EngineField> engine_fields();
 const EngineField& engine_field(std::string_view key);
 
-/// A preset: an engine of the paper. Only what the paper prints is filled in; m_j, m_R and the oil
-/// are empty everywhere. m_p of the 4.25 l engine is lost in the print: 2.79 g follows from
-/// Δm_yra and from Δm_yhr alike (Tables 2 and 3).
-std::span<const Engine> engine_presets();
-
-/// The preset of that name ("4.25 l", or short "4.25"); nullptr where there is none.
-const Engine* find_preset(std::string_view name);
-
 /// True where the engine lacks the plug that the value belongs to, so that it is not asked for.
 bool is_inapplicable(const Engine& engine, EngineGroup group);
+/// Says whether the engine has the plugs of the group; the values of those that it lacks go.
+void set_plugs(Engine& engine, EngineGroup group, bool present);
 /// The fields that the engine needs and does not have; bob-weight fields only when asked for.
 std::vector<const EngineField*> missing_fields(const Engine& engine, bool with_bob_weight);
 
-/// A rule that joins two fields and is broken.
+/// Less can be cut off a plug than it weighs: where this rule is broken.
 struct EngineConflict {
-    std::string_view key;
-    std::string allowed;  ///< "must be less than the plug's mass 2.79"
-    double found;         ///< in the field's unit
+    const EngineField* reduction;
+    double plug_mass;  ///< kg
 };
-
-/// Rules between fields: less can be cut off a plug than it weighs.
 std::vector<EngineConflict> engine_conflicts(const Engine& engine);
-
-/// The value in the field's unit with the digits that were typed: 15 significant digits, so that
-/// the rounding of the change to SI units does not show.
-double in_unit(double si, const FieldSpec& spec);
 
 }  // namespace ravnoves::v8_plugs

@@ -7,13 +7,12 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/object_reader.h"
-#include "numerics/constants.h"
+#include "numerics/units.h"
 
 namespace ravnoves::v8_plugs {
 
 namespace {
 
-constexpr double millimetre = 1e-3;
 const double root_three = std::sqrt(3.0);
 
 double disc(double diameter) {
@@ -38,8 +37,9 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-double millimetres(double length) {
-    return std::round(length / millimetre * 1e6) / 1e6;
+/// To hundredths, as one measures.
+Number millimetres(double length) {
+    return {std::round(length / units::mm * 100.0) / 100.0, units::mm};
 }
 
 }  // namespace
@@ -53,47 +53,41 @@ double Thread::root_diameter() const {
 }
 
 Thread parse_thread(std::string_view text, const std::string& where) {
-    constexpr const char* allowed = "must be a metric thread with its pitch, like M22x1.5";
-    const std::string found = show(std::string(text));
     std::string_view rest = trimmed(text);
-    if (!take(rest, {"M", "m", "М", "м"})) {
-        throw InputError(where, allowed, found);
-    }
-    std::size_t cross = std::string_view::npos;
-    std::size_t length = 0;
-    for (const std::string_view sign : {"x", "X", "×", "х", "Х", "*"}) {
-        const std::size_t at = rest.find(sign);
-        if (at != std::string_view::npos) {
-            cross = at;
-            length = sign.size();
-            break;
+    std::optional<double> diameter;
+    std::optional<double> pitch;
+    if (take(rest, {"M", "m", "М", "м"})) {
+        for (const std::string_view sign : {"x", "X", "×", "х", "Х", "*"}) {
+            const std::size_t cross = rest.find(sign);
+            if (cross != std::string_view::npos) {
+                diameter = parse_decimal(rest.substr(0, cross));
+                pitch = parse_decimal(rest.substr(cross + sign.size()));
+                break;
+            }
         }
     }
-    if (cross == std::string_view::npos) {
-        throw InputError(where, allowed, found);
-    }
-    const auto diameter = parse_decimal(rest.substr(0, cross));
-    const auto pitch = parse_decimal(rest.substr(cross + length));
     if (!diameter || !pitch) {
-        throw InputError(where, allowed, found);
+        throw InputError(
+            where, {CORE_TEXT("V8", "must be a metric thread with its pitch, like %1"), "M22x1.5"},
+            show(std::string(text)));
     }
     if (!thread_diameter_range.contains(*diameter)) {
-        throw InputError(where, "the diameter " + thread_diameter_range.describe() + " mm",
-                         format_number(*diameter));
+        throw InputError(where,
+                         {CORE_TEXT("V8", "the diameter %1 mm"), thread_diameter_range.message()},
+                         Number{*diameter});
     }
     if (!thread_pitch_range.contains(*pitch) || *pitch > *diameter / 3.0) {
-        throw InputError(
-            where, "the pitch " + thread_pitch_range.describe() + " mm and a third of the diameter",
-            format_number(*pitch));
+        throw InputError(where,
+                         {CORE_TEXT("V8", "the pitch %1 mm and a third of the diameter"),
+                          thread_pitch_range.message()},
+                         Number{*pitch});
     }
-    return {*diameter * millimetre, *pitch * millimetre};
+    return {*diameter * units::mm, *pitch * units::mm};
 }
 
 std::string thread_name(const Thread& thread) {
-    std::string name = "M";
-    name += format_number(millimetres(thread.diameter));
-    name += 'x';
-    return name + format_number(millimetres(thread.pitch));
+    return "M" + format_number(rounded_to(thread.diameter / units::mm, 9)) + "x" +
+           format_number(rounded_to(thread.pitch / units::mm, 9));
 }
 
 double PlugGeometry::volume() const {
@@ -106,14 +100,14 @@ double PlugGeometry::centre_of_mass() const {
     return (solid * height / 2.0 - bore * (height - bore_depth / 2.0)) / (solid - bore);
 }
 
-std::optional<std::string> geometry_fault(const PlugGeometry& plug) {
+std::optional<Message> geometry_fault(const PlugGeometry& plug) {
     if (plug.bore_depth > 0.0 && plug.bore_depth >= plug.height) {
-        return "the bore is as deep as the plug is high: there is no bottom";
+        return CORE_TEXT("V8", "The bore is as deep as the plug is high: there is no bottom.");
     }
     if (plug.bore_diameter >= plug.thread.root_diameter()) {
-        return "the bore is wider than the thread's root (" +
-               format_number(std::round(plug.thread.root_diameter() / millimetre * 100) / 100) +
-               " mm): there is no wall";
+        return Message(
+            CORE_TEXT("V8", "The bore is wider than the root of the thread, %1: there is no wall."),
+            millimetres(plug.thread.root_diameter()));
     }
     return std::nullopt;
 }
@@ -183,31 +177,31 @@ Boring plan_boring(const PlugGeometry& plug, const BoreLimits& limits, double re
     return boring;
 }
 
-std::string describe(const Boring& boring, const BoreLimits& limits) {
-    const auto hundredths = [](double length) {
-        return format_number(std::round(length / millimetre * 100.0) / 100.0) + " mm";
-    };
-    const std::string cutter = " with a " + hundredths(limits.cutter_diameter) + " cutter";
-    switch (boring.limit) {
-        case Boring::Limit::none:
-            break;
-        case Boring::Limit::wall:
-            return "This cannot be bored" + cutter + ": it would leave a wall of " +
-                   hundredths(boring.wall) + " under the thread, and " +
-                   hundredths(limits.minimum_wall) + " must stay.";
-        case Boring::Limit::bottom:
-            return "This cannot be bored" + cutter + ": a bore " + hundredths(boring.depth) +
-                   " deep is needed, and a bottom of " + hundredths(limits.minimum_bottom) +
-                   " must stay.";
-    }
+Message describe(const Boring& boring, const BoreLimits& limits) {
+    const Number cutter = millimetres(limits.cutter_diameter);
+    const Number depth = millimetres(boring.depth);
     if (!boring.cuts) {
         return {};
     }
-    if (boring.deeper > 0.0) {
-        return "Bore " + hundredths(boring.deeper) + " deeper" + cutter + ", " +
-               hundredths(boring.depth) + " from the face.";
+    switch (boring.limit) {
+        case Boring::Limit::wall:
+            return {CORE_TEXT("V8",
+                              "It cannot be bored with a %1 cutter: a wall of %2 would be left "
+                              "under the thread, and %3 must stay."),
+                    cutter, millimetres(boring.wall), millimetres(limits.minimum_wall)};
+        case Boring::Limit::bottom:
+            return {CORE_TEXT("V8",
+                              "It cannot be bored with a %1 cutter: a bore %2 deep is needed, and "
+                              "a bottom of %3 must stay."),
+                    cutter, depth, millimetres(limits.minimum_bottom)};
+        case Boring::Limit::none:
+            break;
     }
-    return "Bore to " + hundredths(boring.depth) + " from the face" + cutter + ".";
+    if (boring.deeper > 0.0 && boring.deeper < boring.depth) {
+        return {CORE_TEXT("V8", "Bore %1 deeper with a %2 cutter, to %3 from the face."),
+                millimetres(boring.deeper), cutter, depth};
+    }
+    return {CORE_TEXT("V8", "Bore with a %1 cutter to %2 from the face."), cutter, depth};
 }
 
 bool mass_fits(double typed_mass, double geometry_mass) {

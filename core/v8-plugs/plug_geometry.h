@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "case-file/message.h"
 #include "case-file/range.h"
 
 namespace ravnoves::v8_plugs {
@@ -11,7 +12,7 @@ namespace ravnoves::v8_plugs {
 // The plug as a body: a threaded cylinder with a flat-bottomed bore from its outer face. Lengths in
 // m, masses in kg, densities in kg/m³.
 
-/// Metric thread M d × P with the proportions of ISO 68-1 (basic profile, ISO 724).
+/// Metric thread M d × P with the proportions of [iso-68-1] (basic profile, [iso-724]).
 struct Thread {
     double diameter;  ///< d, major diameter, m
     double pitch;     ///< P, m
@@ -36,21 +37,6 @@ enum class PlugMaterial { steel, aluminium };
 inline constexpr double steel_density = 7850;      ///< kg/m³, carbon steel
 inline constexpr double aluminium_density = 2700;  ///< kg/m³, wrought alloys 2640 to 2850
 
-inline constexpr FieldSpec plug_height_field{"height_mm", "mm", Range::between(0.1, 200), 1e-3};
-inline constexpr FieldSpec bore_diameter_field{"bore_diameter_mm", "mm", Range::between(0, 200),
-                                               1e-3};
-inline constexpr FieldSpec bore_depth_field{"bore_depth_mm", "mm", Range::between(0, 200), 1e-3};
-inline constexpr FieldSpec cutter_diameter_field{"cutter_diameter_mm", "mm",
-                                                 Range::between(0.1, 200), 1e-3};
-inline constexpr FieldSpec minimum_wall_field{"minimum_wall_mm", "mm", Range::between(0, 100),
-                                              1e-3};
-inline constexpr FieldSpec minimum_bottom_field{"minimum_bottom_mm", "mm", Range::between(0, 100),
-                                                1e-3};
-inline constexpr FieldSpec steel_density_field{"steel_density_kg_m3", "kg/m³",
-                                               Range::between(1000, 25000), 1.0};
-inline constexpr FieldSpec aluminium_density_field{"aluminium_density_kg_m3", "kg/m³",
-                                                   Range::between(1000, 25000), 1.0};
-
 /// A plug's dimensions.
 struct PlugGeometry {
     Thread thread;
@@ -67,7 +53,7 @@ struct PlugGeometry {
 };
 
 /// What is wrong with the dimensions, in words; nothing where the plug can exist.
-std::optional<std::string> geometry_fault(const PlugGeometry& plug);
+std::optional<Message> geometry_fault(const PlugGeometry& plug);
 
 /// The cutter and the walls that must stay.
 struct BoreLimits {
@@ -102,9 +88,9 @@ double bored_mass(const PlugGeometry& plug, double cutter_diameter, double depth
 /// and depth is the one that would be needed.
 Boring plan_boring(const PlugGeometry& plug, const BoreLimits& limits, double reduction,
                    double density);
-/// The boring as a technician would say it, in English: "Bore 0.74 mm deeper (8.74 mm from the
-/// face) with a 20 mm cutter." Empty where nothing is to be cut.
-std::string describe(const Boring& boring, const BoreLimits& limits);
+/// The boring as a technician would say it: "Bore 0.74 mm deeper with a 20 mm cutter, to 8.74 mm
+/// from the face." Empty where nothing is to be cut.
+Message describe(const Boring& boring, const BoreLimits& limits);
 
 /// A typed mass against the mass of the dimensions: true where they differ by more than this part
 /// of the latter. Chamfers, hexagons and thread tolerances explain less.

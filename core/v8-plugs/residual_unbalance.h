@@ -3,24 +3,11 @@
 #include <array>
 #include <optional>
 
-#include "case-file/range.h"
-
 namespace ravnoves::v8_plugs {
 
-/// Balance quality grades G of ISO 21940-11, mm/s (the products e·ω).
+/// Balance quality grades G of [iso-21940-11], mm/s (the products e·ω).
 inline constexpr std::array<double, 11> balance_grades_mm_s{0.4, 1,   2.5, 6.3,  16,  40,
                                                             100, 250, 630, 1600, 4000};
-
-inline constexpr FieldSpec grade_field{"grade_mm_s", "mm/s", Range::between(0.1, 10'000), 1e-3};
-inline constexpr FieldSpec rotor_mass_field{"rotor_mass_kg", "kg", Range::between(0.1, 100'000),
-                                            1.0};
-inline constexpr FieldSpec service_speed_field{
-    "service_speed_rpm", "min⁻¹", Range::between(1, 100'000), 3.14159265358979323846 / 30.0};
-inline constexpr FieldSpec front_share_field{"front_share", "", Range::between(0.3, 0.7), 1.0};
-inline constexpr FieldSpec front_reading_field{"front_reading_g_mm", "g·mm", Range::between(0, 1e9),
-                                               1e-6};
-inline constexpr FieldSpec rear_reading_field{"rear_reading_g_mm", "g·mm", Range::between(0, 1e9),
-                                              1e-6};
 
 /// What the balancing machine has to reach, and what it reads.
 struct BalancingCheck {
@@ -47,7 +34,7 @@ struct BalancingVerdict {
     PlaneVerdict rear;
 };
 
-/// Permissible residual unbalance by ISO 21940-11, U_per = 1000 m G / ω in g·mm for m in kg and G
+/// Permissible residual unbalance by [iso-21940-11], U_per = 1000 m G / ω in g·mm for m in kg and G
 /// in mm/s, shared between the planes; and the readings against it. The standard keeps each
 /// plane's share between 0.3 and 0.7.
 BalancingVerdict judge(const BalancingCheck& check);

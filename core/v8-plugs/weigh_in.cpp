@@ -1,10 +1,11 @@
 #include "v8-plugs/weigh_in.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
+
+#include "numerics/demand.h"
 
 namespace ravnoves::v8_plugs {
 
@@ -132,24 +133,6 @@ double mean_deviation(const PartColumn& column) {
 
 }  // namespace
 
-std::string_view part_key(Part part) {
-    switch (part) {
-        case Part::piston:
-            return "piston";
-        case Part::pin:
-            return "pin";
-        case Part::rings:
-            return "rings";
-        case Part::rod_big_end:
-            return "rod_big_end";
-        case Part::rod_small_end:
-            return "rod_small_end";
-        case Part::shells:
-            return "shells";
-    }
-    return "";
-}
-
 bool PartColumn::is_empty() const {
     return std::none_of(mass.begin(), mass.end(), [](const auto& m) { return m.has_value(); });
 }
@@ -228,6 +211,11 @@ std::array<double, crankpin_count> crankpin_excess(const WeighIn& sheet, Process
     return excess;
 }
 
+double spread(const std::array<double, crankpin_count>& totals) {
+    const auto [least, most] = std::minmax_element(totals.begin(), totals.end());
+    return *most - *least;
+}
+
 double assignment_spread(const std::vector<double>& pistons, const std::vector<double>& rods,
                          const std::vector<std::array<int, 2>>& crankpins,
                          const Assignment& assignment) {
@@ -249,7 +237,9 @@ double assignment_spread(const std::vector<double>& pistons, const std::vector<d
 Assignment best_assignment(const std::vector<double>& pistons, const std::vector<double>& rods,
                            const std::vector<std::array<int, 2>>& crankpins) {
     const std::size_t m = crankpins.size();
-    assert(m >= 1 && m <= most_pairs && pistons.size() == 2 * m && rods.size() == 2 * m);
+    RAVNOVES_DEMAND(
+        m >= 1 && m <= most_pairs && pistons.size() == 2 * m && rods.size() == 2 * m,
+        "each crankpin has two pistons and two rods, and there are one to most_pairs of them");
     const std::vector<Pairing> pairings = all_pairings(static_cast<int>(2 * m));
     const std::vector<Candidate> piston_pairs = candidates(pairings, pistons, crankpins);
     const std::vector<Candidate> rod_pairs = candidates(pairings, rods, crankpins);

@@ -14,7 +14,16 @@ namespace ravnoves::v8_plugs {
 enum class Part { piston, pin, rings, rod_big_end, rod_small_end, shells };
 inline constexpr std::array<Part, 6> all_parts{
     Part::piston, Part::pin, Part::rings, Part::rod_big_end, Part::rod_small_end, Part::shells};
-std::string_view part_key(Part part);  ///< the word of the case file
+/// Names of the parts, in the order of the enumeration.
+inline constexpr Word part_words[] = {{"piston", CORE_TEXT("V8", "Piston")},
+                                      {"pin", CORE_TEXT("V8", "Pin")},
+                                      {"rings", CORE_TEXT("V8", "Rings")},
+                                      {"rod_big_end", CORE_TEXT("V8", "Rod, big end")},
+                                      {"rod_small_end", CORE_TEXT("V8", "Rod, small end")},
+                                      {"shells", CORE_TEXT("V8", "Shells")}};
+constexpr const Word& part_word(Part part) {
+    return part_words[static_cast<std::size_t>(part)];
+}
 
 /// The column of one kind of part.
 struct PartColumn {
@@ -73,6 +82,9 @@ MassChanges mass_changes(const WeighIn& sheet, Process process);
 /// unbalanced_mass() of mass_changes().
 std::array<double, crankpin_count> crankpin_excess(const WeighIn& sheet, Process process,
                                                    double rod_coefficient);
+
+/// Heaviest less lightest crankpin, kg.
+double spread(const std::array<double, crankpin_count>& totals);
 
 /// Which part goes where: element i is the cylinder (from 0) whose part goes to cylinder i.
 struct Assignment {

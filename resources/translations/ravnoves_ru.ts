@@ -237,73 +237,7 @@
     </message>
 </context>
 <context>
-    <name>TableText</name>
-    <message>
-        <source>separated by semicolons</source>
-        <translation>разделитель — точка с запятой</translation>
-    </message>
-    <message>
-        <source>separated by commas</source>
-        <translation>разделитель — запятая</translation>
-    </message>
-    <message>
-        <source>separated by tabs</source>
-        <translation>разделитель — табуляция</translation>
-    </message>
-    <message>
-        <source>separated by blanks</source>
-        <translation>разделитель — пробел</translation>
-    </message>
-    <message>
-        <source>%1 rows</source>
-        <translation>строк: %1</translation>
-    </message>
-    <message>
-        <source>decimal comma</source>
-        <translation>десятичная запятая</translation>
-    </message>
-    <message>
-        <source>angles in radians</source>
-        <translation>углы в радианах</translation>
-    </message>
-    <message>
-        <source>angles in degrees</source>
-        <translation>углы в градусах</translation>
-    </message>
-    <message>
-        <source>with a header</source>
-        <translation>с заголовком</translation>
-    </message>
-    <message>
-        <source>pressure in %1</source>
-        <translation>давление: %1</translation>
-    </message>
-    <message>
-        <source>360° repeated to 720°</source>
-        <translation>360° повторены до 720°</translation>
-    </message>
-    <message>
-        <source>end joined to the start</source>
-        <translation>конец сведён с началом</translation>
-    </message>
-</context>
-<context>
     <name>V8</name>
-    <message>
-        <source>g</source>
-        <comment>unit</comment>
-        <translation>г</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <comment>unit</comment>
-        <translation>мм</translation>
-    </message>
-    <message>
-        <source>g·mm</source>
-        <comment>unit</comment>
-        <translation>г·мм</translation>
-    </message>
     <message>
         <source>thread</source>
         <comment>drawing</comment>
@@ -414,10 +348,6 @@
         <translation>Рем. вкладыши Δm_шр</translation>
     </message>
     <message>
-        <source>Residual unbalance allowed</source>
-        <translation>Допустимый дисбаланс</translation>
-    </message>
-    <message>
         <source>Machine today&apos;s steel plugs</source>
         <translation>Облегчить стальные пробки</translation>
     </message>
@@ -494,11 +424,6 @@
         <translation>Пробки оставить без изменений: лишние %1 на шейку дают %2.</translation>
     </message>
     <message>
-        <source>This %1: %2.</source>
-        <comment>leaves …: … g·mm, within …</comment>
-        <translation>Это %1: %2.</translation>
-    </message>
-    <message>
         <source>The crankshaft is made for plugs of the new design; their mass and radius are needed.</source>
         <translation>Вал изготовлен под новые пробки: нужны их масса и радиус.</translation>
     </message>
@@ -513,11 +438,6 @@
     <message>
         <source>No plug of this crankshaft has the mass that is needed.</source>
         <translation>Ни одна пробка этого вала не даёт нужной массы.</translation>
-    </message>
-    <message>
-        <source>The nearest is “%1”, which %2: %3.</source>
-        <comment>option, leaves …, … g·mm against …</comment>
-        <translation>Ближе всего «%1»: %2, то есть %3.</translation>
     </message>
     <message>
         <source>A crankshaft made for the new plugs would do: “%1”.</source>
@@ -637,26 +557,6 @@
         <translation>Груз при ближайшем варианте: %1.</translation>
     </message>
     <message>
-        <source>kg</source>
-        <comment>unit</comment>
-        <translation>кг</translation>
-    </message>
-    <message>
-        <source>kg/m³</source>
-        <comment>unit</comment>
-        <translation>кг/м³</translation>
-    </message>
-    <message>
-        <source>mm/s</source>
-        <comment>unit</comment>
-        <translation>мм/с</translation>
-    </message>
-    <message>
-        <source>min⁻¹</source>
-        <comment>unit</comment>
-        <translation>мин⁻¹</translation>
-    </message>
-    <message>
         <source>%1 plug: solid it weighs %2, but %3 was typed. Give its bore or weigh it.</source>
         <translation>%1: сплошная пробка весит %2, а введено %3. Укажите расточку или взвесьте.</translation>
     </message>
@@ -692,24 +592,393 @@
         <source>Bored as planned here it moves by %1: %2.</source>
         <translation>При этой расточке он смещается на %1: %2.</translation>
     </message>
+    <message>
+        <source>This %1: %2.</source>
+        <translation>Это %1: %2.</translation>
+    </message>
+    <message>
+        <source>The nearest is “%1”, which %2: %3.</source>
+        <translation>Ближе всего «%1»: %2, то есть %3.</translation>
+    </message>
+    <message>
+        <source>needed</source>
+        <translation>нужно</translation>
+    </message>
+    <message>
+        <source>Half the stroke.</source>
+        <translation>Половина хода поршня.</translation>
+    </message>
+    <message>
+        <source>From the crank axis to the centre of mass of today&apos;s plug.</source>
+        <translation>От оси вала до центра масс существующей пробки.</translation>
+    </message>
+    <message>
+        <source>From the crank axis to the centre of mass of a plug of the new design.</source>
+        <translation>От оси вала до центра масс пробки новой конструкции.</translation>
+    </message>
+    <message>
+        <source>One plug as the scale says, before it is machined.</source>
+        <translation>Одна пробка по весам, до обработки.</translation>
+    </message>
+    <message>
+        <source>One plug of the new design, for which the crankshaft&apos;s counterweights are made.</source>
+        <translation>Одна пробка новой конструкции, под которую сделаны противовесы вала.</translation>
+    </message>
+    <message>
+        <source>The most that the strength of its walls allows to take off one plug.</source>
+        <translation>Сколько можно снять с одной пробки по прочности её стенок.</translation>
+    </message>
+    <message>
+        <source>Design coefficient of the rod: a heavier big end counts (2 + k) times.</source>
+        <translation>Конструктивный коэффициент шатуна: лишняя масса нижней головки учитывается (2 + k) раз.</translation>
+    </message>
+    <message>
+        <source>Oil in the sludge trap of one crankpin of a running engine.</source>
+        <translation>Масло в грязесборнике одной шатунной шейки работающего двигателя.</translation>
+    </message>
+    <message>
+        <source>What the oil counts for on the crankpin&apos;s axis, from its centre of mass.</source>
+        <translation>С каким коэффициентом масло учитывается на оси шейки, по его центру масс.</translation>
+    </message>
+    <message>
+        <source>Nominal mass of piston, pin, rings and the small-end share of the rod, one cylinder.</source>
+        <translation>Номинальная масса поршня, пальца, колец и доли шатуна у пальца, один цилиндр.</translation>
+    </message>
+    <message>
+        <source>Nominal mass of the rod&apos;s big end and its shells, one cylinder.</source>
+        <translation>Номинальная масса нижней головки шатуна с вкладышами, один цилиндр.</translation>
+    </message>
+    <message>
+        <source>must be null or left out where %1 is null</source>
+        <translation>должно быть null или отсутствовать там, где %1 — null</translation>
+    </message>
+    <message>
+        <source>must be an engine object or one of %1</source>
+        <translation>должно быть объектом двигателя или одним из %1</translation>
+    </message>
+    <message>
+        <source>is allowed only where engine is the name of a preset</source>
+        <translation>допустимо, только если engine — имя образца</translation>
+    </message>
+    <message>
+        <source>must be a list of 8 masses, one for each cylinder</source>
+        <translation>должно быть списком из 8 масс, по одной на цилиндр</translation>
+    </message>
+    <message>
+        <source>must be &quot;standard&quot; where the engine has no plug of the new design</source>
+        <translation>должно быть &quot;standard&quot;, если у двигателя нет пробки новой конструкции</translation>
+    </message>
+    <message>
+        <source>is required where mass_changes_from is &quot;weigh-in&quot;</source>
+        <translation>обязательно, если mass_changes_from — &quot;weigh-in&quot;</translation>
+    </message>
+    <message>
+        <source>is required and missing: the preset %1 does not give it</source>
+        <translation>обязательно, но отсутствует: в образце %1 его нет</translation>
+    </message>
+    <message>
+        <source>must be less than the plug&apos;s mass %1</source>
+        <translation>должно быть меньше массы пробки %1</translation>
+    </message>
+    <message>
+        <source>is required where the bore&apos;s other size is given</source>
+        <translation>обязательно, если задан другой размер полости</translation>
+    </message>
+    <message>
+        <source>must be a plug that can exist: %1</source>
+        <translation>такой пробки быть не может: %1</translation>
+    </message>
+    <message>
+        <source>1 and 5, 2 and 6, … (bank by bank)</source>
+        <translation>1 и 5, 2 и 6, … (по рядам)</translation>
+    </message>
+    <message>
+        <source>1 and 2, 3 and 4, …</source>
+        <translation>1 и 2, 3 и 4, …</translation>
+    </message>
+    <message>
+        <source>&amp;Engine</source>
+        <translation>Дви&amp;гатель</translation>
+    </message>
+    <message>
+        <source>Engines of the paper by displacement, then your own.</source>
+        <translation>Двигатели статьи по рабочему объёму, затем свои.</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>другой</translation>
+    </message>
+    <message>
+        <source>&amp;Work</source>
+        <translation>Вид &amp;работы</translation>
+    </message>
+    <message>
+        <source>In manufacture repair pistons and repair shells are not counted.</source>
+        <translation>При изготовлении ремонтные поршни и вкладыши не учитываются.</translation>
+    </message>
+    <message>
+        <source>Cran&amp;kshaft</source>
+        <translation>&amp;Коленчатый вал</translation>
+    </message>
+    <message>
+        <source>Which plugs the counterweights of the crankshaft were made for.</source>
+        <translation>Под какие пробки сделаны противовесы вала.</translation>
+    </message>
+    <message>
+        <source>Source of the mass changes</source>
+        <translation>Источник изменений масс</translation>
+    </message>
+    <message>
+        <source>Off: the changes typed on the sheet “Job” count.</source>
+        <translation>Выключено: действуют изменения, введённые на листе «Работа».</translation>
+    </message>
+    <message>
+        <source>Residual unbalance &amp;allowed</source>
+        <translation>Допустимый дис&amp;баланс</translation>
+    </message>
+    <message>
+        <source>In each correction plane. The paper accepts 5 g·mm.</source>
+        <translation>В каждой плоскости коррекции. В статье 5 г·мм.</translation>
+    </message>
+    <message>
+        <source>C&amp;ylinders of a crankpin</source>
+        <translation>&amp;Цилиндры одной шейки</translation>
+    </message>
+    <message>
+        <source>Which two cylinders share a crankpin.</source>
+        <translation>Какие два цилиндра сидят на одной шатунной шейке.</translation>
+    </message>
+    <message>
+        <source>&amp;Thread</source>
+        <translation>&amp;Резьба</translation>
+    </message>
+    <message>
+        <source>Metric thread with its pitch, like M22x1.5.</source>
+        <translation>Метрическая резьба с шагом, например M22x1.5.</translation>
+    </message>
+    <message>
+        <source>&amp;Height h</source>
+        <translation>&amp;Высота h</translation>
+    </message>
+    <message>
+        <source>Of the whole plug.</source>
+        <translation>Всей пробки.</translation>
+    </message>
+    <message>
+        <source>&amp;Bore diameter</source>
+        <translation>&amp;Диаметр полости</translation>
+    </message>
+    <message>
+        <source>Of the bore that is there. Empty: a solid plug.</source>
+        <translation>Имеющейся полости. Пусто: сплошная пробка.</translation>
+    </message>
+    <message>
+        <source>Bore de&amp;pth</source>
+        <translation>&amp;Глубина полости</translation>
+    </message>
+    <message>
+        <source>From the outer face. Empty: a solid plug.</source>
+        <translation>От наружного торца. Пусто: сплошная пробка.</translation>
+    </message>
+    <message>
+        <source>&amp;Cutter diameter</source>
+        <translation>Диаметр &amp;фрезы</translation>
+    </message>
+    <message>
+        <source>Empty: no boring is planned.</source>
+        <translation>Пусто: расточка не считается.</translation>
+    </message>
+    <message>
+        <source>&amp;Wall that must stay</source>
+        <translation>&amp;Стенка не меньше</translation>
+    </message>
+    <message>
+        <source>Between the bore and the root of the thread. Empty: no limit.</source>
+        <translation>Между полостью и впадиной резьбы. Пусто: без предела.</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom that must stay</source>
+        <translation>Д&amp;но не меньше</translation>
+    </message>
+    <message>
+        <source>Between the bore and the inner face. Empty: no limit.</source>
+        <translation>Между полостью и внутренним торцом. Пусто: без предела.</translation>
+    </message>
+    <message>
+        <source>&amp;Steel</source>
+        <translation>С&amp;таль</translation>
+    </message>
+    <message>
+        <source>Carbon steel 7850 kg/m³.</source>
+        <translation>Углеродистая сталь 7850 кг/м³.</translation>
+    </message>
+    <message>
+        <source>&amp;Aluminium</source>
+        <translation>&amp;Алюминий</translation>
+    </message>
+    <message>
+        <source>Wrought alloys 2640 to 2850 kg/m³.</source>
+        <translation>Деформируемые сплавы 2640–2850 кг/м³.</translation>
+    </message>
+    <message>
+        <source>&amp;Grade G</source>
+        <translation>&amp;Класс G</translation>
+    </message>
+    <message>
+        <source>Balance quality grade. The standard&apos;s table has 0.4, 1, 2.5, 6.3, 16, 40, 100, 250, 630, 1600, 4000 mm/s; crankshaft drives of car, truck and locomotive engines G 100, inherently balanced crankshafts better.</source>
+        <translation>Класс точности балансировки. В стандарте 0,4; 1; 2,5; 6,3; 16; 40; 100; 250; 630; 1600; 4000 мм/с; для кривошипных механизмов автомобильных и тепловозных двигателей G 100, для уравновешенных валов точнее.</translation>
+    </message>
+    <message>
+        <source>&amp;Mass of the crankshaft</source>
+        <translation>&amp;Масса вала</translation>
+    </message>
+    <message>
+        <source>As it lies on the machine, with the bob weights.</source>
+        <translation>Как лежит на станке, с грузами.</translation>
+    </message>
+    <message>
+        <source>Service s&amp;peed</source>
+        <translation>&amp;Частота вращения</translation>
+    </message>
+    <message>
+        <source>The highest speed in service, not that of the machine.</source>
+        <translation>Наибольшая рабочая, а не станка.</translation>
+    </message>
+    <message>
+        <source>&amp;Share of the front plane</source>
+        <translation>&amp;Доля передней плоскости</translation>
+    </message>
+    <message>
+        <source>Half for a crankshaft whose mass lies midway between the planes; the standard allows 0.3 to 0.7.</source>
+        <translation>Половина, если центр масс посередине между плоскостями; стандарт допускает 0,3–0,7.</translation>
+    </message>
+    <message>
+        <source>&amp;Front plane (pulley)</source>
+        <translation>&amp;Передняя плоскость (шкив)</translation>
+    </message>
+    <message>
+        <source>Residual unbalance after correction.</source>
+        <translation>Остаточный дисбаланс после исправления.</translation>
+    </message>
+    <message>
+        <source>&amp;Rear plane (flywheel)</source>
+        <translation>&amp;Задняя плоскость (маховик)</translation>
+    </message>
+    <message>
+        <source>Engine &amp;number</source>
+        <translation>&amp;Номер двигателя</translation>
+    </message>
+    <message>
+        <source>The journal finds the job by it.</source>
+        <translation>По нему журнал находит работу.</translation>
+    </message>
+    <message>
+        <source>Crankshaft num&amp;ber</source>
+        <translation>Номер &amp;вала</translation>
+    </message>
+    <message>
+        <source>As stamped on the crankshaft.</source>
+        <translation>Как выбито на валу.</translation>
+    </message>
+    <message>
+        <source>C&amp;ustomer</source>
+        <translation>&amp;Заказчик</translation>
+    </message>
+    <message>
+        <source>Who brought the engine; the journal finds the job by it.</source>
+        <translation>Кто привёз двигатель; по нему журнал находит работу.</translation>
+    </message>
+    <message>
+        <source>&amp;Date</source>
+        <translation>&amp;Дата</translation>
+    </message>
+    <message>
+        <source>Year-month-day or day.month.year.</source>
+        <translation>Год-месяц-день или день.месяц.год.</translation>
+    </message>
+    <message>
+        <source>&amp;Technician</source>
+        <translation>&amp;Исполнитель</translation>
+    </message>
+    <message>
+        <source>Who does the work.</source>
+        <translation>Кто выполняет работу.</translation>
+    </message>
+    <message>
+        <source>&amp;Notes</source>
+        <translation>П&amp;римечания</translation>
+    </message>
+    <message>
+        <source>Printed on the job card.</source>
+        <translation>Печатается на карте.</translation>
+    </message>
+    <message>
+        <source>Δm_pi: one piston against nominal.</source>
+        <translation>Δm_п: один поршень против номинала.</translation>
+    </message>
+    <message>
+        <source>Δm_be: one big end against nominal.</source>
+        <translation>Δm_шк: одна нижняя головка против номинала.</translation>
+    </message>
+    <message>
+        <source>Δm_rp: one repair piston with its rings against nominal.</source>
+        <translation>Δm_рп: один ремонтный поршень с кольцами против номинала.</translation>
+    </message>
+    <message>
+        <source>Δm_sh: the repair shells of one crankpin against nominal.</source>
+        <translation>Δm_шр: ремонтные вкладыши одной шейки против номинала.</translation>
+    </message>
+    <message>
+        <source>must be a metric thread with its pitch, like %1</source>
+        <translation>должно быть метрической резьбой с шагом, например %1</translation>
+    </message>
+    <message>
+        <source>the diameter %1 mm</source>
+        <translation>диаметр %1 мм</translation>
+    </message>
+    <message>
+        <source>the pitch %1 mm and a third of the diameter</source>
+        <translation>шаг %1 мм и трети диаметра</translation>
+    </message>
 </context>
 <context>
-    <name>ravnoves::AnswerView</name>
+    <name>balance-shaft</name>
     <message>
-        <source>The four options</source>
-        <translation>Четыре варианта</translation>
+        <source>must be at least %1, what the cycle gives without heat</source>
+        <translation>должно быть не меньше %1: столько цикл даёт без теплоты</translation>
     </message>
     <message>
-        <source>Bob weight on each crankpin</source>
-        <translation>Балансировочный груз на шейку</translation>
+        <source>must hold one of: crank_angle_deg with torque_Nm, csv, pressure, cycle</source>
+        <translation>должно содержать одно из: crank_angle_deg с torque_Nm, csv, pressure, cycle</translation>
     </message>
     <message>
-        <source>Bob weight on each crankpin, line by line</source>
-        <translation>Балансировочный груз на шейку по строкам</translation>
+        <source>none of them</source>
+        <translation>ни одного</translation>
     </message>
-</context>
-<context>
-    <name>ravnoves::BalanceShaftPage</name>
+    <message>
+        <source>more than one of them</source>
+        <translation>больше одного</translation>
+    </message>
+    <message>
+        <source>must be left out where the torque&apos;s own object gives it</source>
+        <translation>не должно стоять там, где это задано в самом объекте момента</translation>
+    </message>
+    <message>
+        <source>&amp;Speed n</source>
+        <translation>&amp;Частота вращения n</translation>
+    </message>
+    <message>
+        <source>Crankshaft speed. TMZ-650D: 3600 min⁻¹ (the paper prints ω = 376.8 rad/s, with π ≈ 3.14).</source>
+        <translation>Частота вращения коленчатого вала. ТМЗ-650Д: 3600 мин⁻¹ (в статье ω = 376,8 рад/с при π ≈ 3,14).</translation>
+    </message>
+    <message>
+        <source>&amp;Crank radius r</source>
+        <translation>Радиус кр&amp;ивошипа r</translation>
+    </message>
+    <message>
+        <source>Half the stroke. TMZ-650D: 46 mm (stroke 92 mm).</source>
+        <translation>Половина хода поршня. ТМЗ-650Д: 46 мм (ход 92 мм).</translation>
+    </message>
     <message>
         <source>&amp;Piston</source>
         <translation>Порше&amp;нь</translation>
@@ -743,106 +1012,6 @@
         <translation>Часть массы шатуна, отнесённая к оси поршневого пальца. ТМЗ-650Д: 0,33 кг из 0,950 кг. Источник: табл. 1.</translation>
     </message>
     <message>
-        <source>&amp;Play</source>
-        <translation>&amp;Пуск</translation>
-    </message>
-    <message>
-        <source>Turn the crank</source>
-        <translation>Вращать кривошип</translation>
-    </message>
-    <message>
-        <source>Go to the α of the least &amp;range</source>
-        <translation>К α наименьшего &amp;размаха</translation>
-    </message>
-    <message>
-        <source>Go to the α of the least R&amp;MS</source>
-        <translation>К α наименьшего &amp;СКЗ</translation>
-    </message>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>&amp;Пауза</translation>
-    </message>
-    <message>
-        <source>Pause (Space)</source>
-        <translation>Пауза (пробел)</translation>
-    </message>
-    <message>
-        <source>Play (Space)</source>
-        <translation>Пуск (пробел)</translation>
-    </message>
-    <message>
-        <source>Engine</source>
-        <translation>Двигатель</translation>
-    </message>
-    <message>
-        <source>Own values</source>
-        <translation>Свои значения</translation>
-    </message>
-    <message>
-        <source>P&amp;reset</source>
-        <translation>Обра&amp;зец</translation>
-    </message>
-    <message>
-        <source>TMZ-650D: the single-cylinder diesel of Gots and Klevtsov, Tables 1 and 2</source>
-        <translation>ТМЗ-650Д: одноцилиндровый дизель из статьи Гоца и Клевцова, табл. 1 и 2</translation>
-    </message>
-    <message>
-        <source>Preset TMZ-650D</source>
-        <translation>Образец ТМЗ-650Д</translation>
-    </message>
-    <message>
-        <source>&amp;Speed n</source>
-        <translation>&amp;Частота вращения n</translation>
-    </message>
-    <message>
-        <source>Crankshaft speed. TMZ-650D: 3600 min⁻¹ (the paper prints ω = 376.8 rad/s, with π ≈ 3.14).</source>
-        <translation>Частота вращения коленчатого вала. ТМЗ-650Д: 3600 мин⁻¹ (в статье ω = 376,8 рад/с при π ≈ 3,14).</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Частота</translation>
-    </message>
-    <message>
-        <source>ω</source>
-        <translation>ω</translation>
-    </message>
-    <message>
-        <source>Angular speed, n π / 30</source>
-        <translation>Угловая скорость, n π / 30</translation>
-    </message>
-    <message>
-        <source>&amp;Crank radius r</source>
-        <translation>Радиус кр&amp;ивошипа r</translation>
-    </message>
-    <message>
-        <source>Half the stroke. TMZ-650D: 46 mm (stroke 92 mm).</source>
-        <translation>Половина хода поршня. ТМЗ-650Д: 46 мм (ход 92 мм).</translation>
-    </message>
-    <message>
-        <source>Crank radius</source>
-        <translation>Радиус кривошипа</translation>
-    </message>
-    <message>
-        <source>Rod lengt&amp;h L</source>
-        <translation>Д&amp;лина шатуна L</translation>
-    </message>
-    <message>
-        <source>Between the centres of the rod&apos;s eyes; only the picture uses it. Empty: r / 0.3.</source>
-        <translation>Между центрами головок шатуна; нужна только для рисунка. Пусто: r / 0,3.</translation>
-    </message>
-    <message>
-        <source>auto</source>
-        <translation>авто</translation>
-    </message>
-    <message>
-        <source>Rod length</source>
-        <translation>Длина шатуна</translation>
-    </message>
-    <message>
-        <source>Reciprocating masses</source>
-        <translation>Поступательные массы</translation>
-    </message>
-    <message>
         <source>Whole rod with she&amp;lls</source>
         <translation>Шатун с вклад&amp;ышами</translation>
     </message>
@@ -855,32 +1024,12 @@
         <translation>любая</translation>
     </message>
     <message>
-        <source>Rod mass</source>
-        <translation>Масса шатуна</translation>
-    </message>
-    <message>
-        <source>Sum mⱼ</source>
-        <translation>Сумма mⱼ</translation>
-    </message>
-    <message>
-        <source>Reciprocating mass: the sum of the parts. TMZ-650D: 1.316 kg.</source>
-        <translation>Возвратно-поступательно движущаяся масса: сумма частей. ТМЗ-650Д: 1,316 кг.</translation>
-    </message>
-    <message>
-        <source>Counterweights and shaft</source>
-        <translation>Противовесы и вал</translation>
-    </message>
-    <message>
         <source>Coun&amp;terweight radius ρ₁</source>
         <translation>Радиус про&amp;тивовеса ρ₁</translation>
     </message>
     <message>
         <source>From the axis to the centre of mass of each of the two equal counterweights. TMZ-650D: 46 mm.</source>
         <translation>От оси до центра масс каждого из двух одинаковых противовесов. ТМЗ-650Д: 46 мм.</translation>
-    </message>
-    <message>
-        <source>Counterweight radius</source>
-        <translation>Радиус противовеса</translation>
     </message>
     <message>
         <source>Counterweight &amp;mass m₁</source>
@@ -895,10 +1044,6 @@
         <translation>по (1)</translation>
     </message>
     <message>
-        <source>Counterweight mass</source>
-        <translation>Масса противовеса</translation>
-    </message>
-    <message>
         <source>Centre &amp;distance l</source>
         <translation>Ме&amp;жосевое расстояние l</translation>
     </message>
@@ -907,12 +1052,40 @@
         <translation>От оси коленчатого вала до оси балансирного. В статье не напечатано; 100,15 мм следует из напечатанной амплитуды 430,39 Н·м.</translation>
     </message>
     <message>
-        <source>Centre distance</source>
-        <translation>Межосевое расстояние</translation>
+        <source>straight lines</source>
+        <translation>отрезки прямых</translation>
     </message>
     <message>
-        <source>Sizes for picture and envelope</source>
-        <translation>Размеры для рисунка и габарита</translation>
+        <source>periodic cubic spline</source>
+        <translation>кубический сплайн</translation>
+    </message>
+    <message>
+        <source>I&amp;nterpolation</source>
+        <translation>Интерпол&amp;яция</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s table has a row every 15°; criteria are those of the curve between the rows, not of the rows alone.</source>
+        <translation>В таблице статьи строка через 15°; критерии относятся к кривой между строками, а не к одним строкам.</translation>
+    </message>
+    <message>
+        <source>Rod lengt&amp;h L</source>
+        <translation>Д&amp;лина шатуна L</translation>
+    </message>
+    <message>
+        <source>Between the centres of the rod&apos;s eyes; only the picture uses it. Empty: r / 0.3.</source>
+        <translation>Между центрами головок шатуна; нужна только для рисунка. Пусто: r / 0,3.</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>авто</translation>
+    </message>
+    <message>
+        <source>Share &amp;κ</source>
+        <translation>Доля &amp;κ</translation>
+    </message>
+    <message>
+        <source>Part of mⱼ r balanced on the crank alone, without a shaft. The force then runs on an ellipse: a line at 0 and 1, a circle at ½.</source>
+        <translation>Часть mⱼ r, уравновешенная на самом коленчатом валу, без балансирного. Сила тогда описывает эллипс: отрезок при 0 и 1, окружность при ½.</translation>
     </message>
     <message>
         <source>Cylinder &amp;bore</source>
@@ -955,32 +1128,3272 @@
         <translation>Добавляются вокруг каждой окружности.</translation>
     </message>
     <message>
-        <source>Wall</source>
-        <translation>Стенка</translation>
+        <source>Teeth of each of the two equal gears.</source>
+        <translation>Зубья каждой из двух одинаковых шестерён.</translation>
     </message>
     <message>
-        <source>straight lines</source>
-        <translation>отрезки прямых</translation>
+        <source>The shaft is assembled k teeth ahead of its right place: a phase error of 360° k / z.</source>
+        <translation>Вал собран на k зубьев вперёд от верного места: ошибка фазы 360° k / z.</translation>
     </message>
     <message>
-        <source>periodic cubic spline</source>
-        <translation>кубический сплайн</translation>
+        <source>Circumferential play at the pitch circle, whose radius is l/2.</source>
+        <translation>Окружной зазор на делительной окружности радиусом l/2.</translation>
+    </message>
+    <message>
+        <source>&amp;Bore</source>
+        <translation>Диаметр &amp;цилиндра</translation>
+    </message>
+    <message>
+        <source>Diameter of the cylinder. TMZ-650D: 95.5 mm.</source>
+        <translation>Диаметр цилиндра. ТМЗ-650Д: 95,5 мм.</translation>
+    </message>
+    <message>
+        <source>O&amp;ffset e</source>
+        <translation>Дезакса&amp;ж e</translation>
+    </message>
+    <message>
+        <source>Distance of the cylinder axis from the crank axis, positive on the side to which the crankpin moves first.</source>
+        <translation>Расстояние оси цилиндра от оси вала, положительное в ту сторону, куда шатунная шейка движется сначала.</translation>
+    </message>
+    <message>
+        <source>Crankcase &amp;pressure</source>
+        <translation>Давление в &amp;картере</translation>
+    </message>
+    <message>
+        <source>Absolute pressure under the piston, p₀.</source>
+        <translation>Абсолютное давление под поршнем, p₀.</translation>
+    </message>
+    <message>
+        <source>Compression &amp;ratio ε</source>
+        <translation>Степень сжатия &amp;ε</translation>
+    </message>
+    <message>
+        <source>Largest over smallest volume.</source>
+        <translation>Наибольший объём к наименьшему.</translation>
+    </message>
+    <message>
+        <source>&amp;Intake pressure</source>
+        <translation>Давление вп&amp;уска</translation>
+    </message>
+    <message>
+        <source>Absolute, constant over intake.</source>
+        <translation>Абсолютное, постоянное на впуске.</translation>
+    </message>
+    <message>
+        <source>E&amp;xhaust pressure</source>
+        <translation>Давление в&amp;ыпуска</translation>
+    </message>
+    <message>
+        <source>Absolute, constant over exhaust.</source>
+        <translation>Абсолютное, постоянное на выпуске.</translation>
+    </message>
+    <message>
+        <source>Exponent, &amp;compression</source>
+        <translation>Показатель сж&amp;атия</translation>
+    </message>
+    <message>
+        <source>Polytropic exponent until combustion begins; about 1.32 to 1.38.</source>
+        <translation>Показатель политропы до начала сгорания, около 1,32–1,38.</translation>
+    </message>
+    <message>
+        <source>Exponent, ex&amp;pansion</source>
+        <translation>Показатель рас&amp;ширения</translation>
+    </message>
+    <message>
+        <source>Polytropic exponent of combustion and expansion; about 1.22 to 1.32.</source>
+        <translation>Показатель политропы сгорания и расширения, около 1,22–1,32.</translation>
+    </message>
+    <message>
+        <source>&amp;Heat</source>
+        <translation>&amp;Теплота</translation>
+    </message>
+    <message>
+        <source>Heat released per cycle; instead of the IMEP.</source>
+        <translation>Теплота, выделенная за цикл; вместо p_i.</translation>
+    </message>
+    <message>
+        <source>from the other</source>
+        <translation>из другого</translation>
+    </message>
+    <message>
+        <source>I&amp;MEP</source>
+        <translation>Давл&amp;ение p_i</translation>
+    </message>
+    <message>
+        <source>Indicated mean effective pressure over 720°; the heat that gives it is found.</source>
+        <translation>Среднее индикаторное давление за 720°; теплота, которая его даёт, находится.</translation>
+    </message>
+    <message>
+        <source>&amp;Start of combustion</source>
+        <translation>&amp;Начало сгорания</translation>
+    </message>
+    <message>
+        <source>Crank angle; 360° is the firing top dead centre.</source>
+        <translation>Угол поворота кривошипа; 360° — верхняя мёртвая точка сгорания.</translation>
+    </message>
+    <message>
+        <source>&amp;Duration</source>
+        <translation>Продо&amp;лжительность</translation>
+    </message>
+    <message>
+        <source>Crank angle from the start to the end of heat release.</source>
+        <translation>Угол поворота от начала до конца тепловыделения.</translation>
+    </message>
+    <message>
+        <source>&amp;Wiebe exponent m</source>
+        <translation>Показатель Ви&amp;бе m</translation>
+    </message>
+    <message>
+        <source>Form exponent of Wiebe&apos;s law; 0.5 to 1.5 for diesels, 2 to 4 for petrol engines.</source>
+        <translation>Показатель характера сгорания по Вибе; 0,5–1,5 для дизелей, 2–4 для бензиновых двигателей.</translation>
+    </message>
+    <message>
+        <source>&amp;Diameter D</source>
+        <translation>&amp;Диаметр D</translation>
+    </message>
+    <message>
+        <source>Of the round bar; also the circle that the shaft sweeps.</source>
+        <translation>Круглого прутка; это и окружность, которую описывает вал.</translation>
+    </message>
+    <message>
+        <source>Depth &amp;h</source>
+        <translation>&amp;Глубина h</translation>
+    </message>
+    <message>
+        <source>Of the segment that is milled away, from the bar&apos;s surface.</source>
+        <translation>Снятого сегмента, от поверхности прутка.</translation>
+    </message>
+    <message>
+        <source>&amp;Length b</source>
+        <translation>Длин&amp;а b</translation>
+    </message>
+    <message>
+        <source>Over which the segment is milled away.</source>
+        <translation>На которой снят сегмент.</translation>
+    </message>
+    <message>
+        <source>Densit&amp;y</source>
+        <translation>Плотно&amp;сть</translation>
+    </message>
+    <message>
+        <source>Of the bar. Steel 7850, cast iron 7200, tungsten alloy 17500.</source>
+        <translation>Прутка. Сталь 7850, чугун 7200, вольфрамовый сплав 17500.</translation>
+    </message>
+    <message>
+        <source>&amp;Elastic modulus</source>
+        <translation>&amp;Модуль упругости</translation>
+    </message>
+    <message>
+        <source>For the sag under the shaft&apos;s own centrifugal load. Steel 210, cast iron 170, tungsten alloy 360.</source>
+        <translation>Для прогиба под собственной центробежной нагрузкой. Сталь 210, чугун 170, вольфрамовый сплав 360.</translation>
+    </message>
+    <message>
+        <source>The torque on the gas-exchange strokes does not look like the inertia torque of a slider-crank, so it cannot be compared with the masses and the speed entered.</source>
+        <translation>Момент на тактах газообмена не похож на инерционный момент кривошипно-шатунного механизма, поэтому сверить его с введёнными массами и частотой нельзя.</translation>
+    </message>
+    <message>
+        <source>The torque on the gas-exchange stroke holds an inertia torque of m_j r² ω² = %1 N·m (r/L = %2); the masses and the speed entered give %3 N·m. They belong together.</source>
+        <translation>На такте газообмена в моменте содержится инерционный момент mⱼ r² ω² = %1 Н·м (r/L = %2); введённые массы и частота дают %3 Н·м. Они соответствуют друг другу.</translation>
+    </message>
+    <message>
+        <source>The torque on the gas-exchange stroke holds an inertia torque of m_j r² ω² = %1 N·m (r/L = %2); the masses and the speed entered give %3 N·m. They do not belong together: the torque fits these masses at %4 min⁻¹, or %5 kg at this speed. The best angle found below is that of no real engine until they agree.</source>
+        <translation>На такте газообмена в моменте содержится инерционный момент mⱼ r² ω² = %1 Н·м (r/L = %2); введённые массы и частота дают %3 Н·м. Они не соответствуют друг другу: момент подходит этим массам при %4 мин⁻¹ или массе %5 кг при этой частоте. Пока это не согласовано, найденный лучший угол не относится ни к одному настоящему двигателю.</translation>
+    </message>
+    <message>
+        <source>must add up to more than 0 and to a finite mass</source>
+        <translation>в сумме должна получиться конечная масса больше 0</translation>
+    </message>
+    <message>
+        <source>must be at most rod_mass_kg, %1</source>
+        <translation>должно быть не больше rod_mass_kg, %1</translation>
+    </message>
+    <message>
+        <source>must hold either heat_J or indicated_mean_effective_pressure_bar</source>
+        <translation>должно содержать либо heat_J, либо indicated_mean_effective_pressure_bar</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>оба</translation>
+    </message>
+    <message>
+        <source>neither</source>
+        <translation>ни одного</translation>
+    </message>
+    <message>
+        <source>must end the combustion before the bottom dead centre at %1</source>
+        <translation>сгорание должно закончиться до нижней мёртвой точки, %1</translation>
+    </message>
+    <message>
+        <source>must be greater than the crank radius and twice the offset together, %1</source>
+        <translation>должно быть больше радиуса кривошипа вместе с удвоенным дезаксажем, %1</translation>
+    </message>
+    <message>
+        <source>must make a displacement from 1e-6 cm³ to 1e9 cm³</source>
+        <translation>должно давать рабочий объём от 1e-6 см³ до 1e9 см³</translation>
+    </message>
+    <message>
+        <source>the mechanism</source>
+        <translation>механизм</translation>
+    </message>
+    <message>
+        <source>the cylinder</source>
+        <translation>цилиндр</translation>
+    </message>
+    <message>
+        <source>the envelope</source>
+        <translation>габарит</translation>
+    </message>
+    <message>
+        <source>the square of the speed</source>
+        <translation>квадрат скорости</translation>
+    </message>
+    <message>
+        <source>the inertia force</source>
+        <translation>сила инерции</translation>
+    </message>
+    <message>
+        <source>the counterweight&apos;s mass</source>
+        <translation>масса противовеса</translation>
+    </message>
+    <message>
+        <source>the counterweight&apos;s force</source>
+        <translation>сила противовеса</translation>
+    </message>
+    <message>
+        <source>the shaft&apos;s moment</source>
+        <translation>момент вала</translation>
+    </message>
+    <message>
+        <source>the inertia torque</source>
+        <translation>момент сил инерции</translation>
+    </message>
+    <message>
+        <source>makes %1 larger than this program can work with (%2) together with the other inputs</source>
+        <translation>вместе с остальными данными: %1 больше того, с чем может работать программа (%2)</translation>
+    </message>
+    <message>
+        <source>must be at least from_rpm, %1</source>
+        <translation>должно быть не меньше from_rpm, %1</translation>
+    </message>
+    <message>
+        <source>must be less than the teeth, which must be from %1 to %2</source>
+        <translation>должно быть меньше числа зубьев, а оно — от %1 до %2</translation>
+    </message>
+    <message>
+        <source>must be greater than the crank radius, %1</source>
+        <translation>должно быть больше радиуса кривошипа, %1</translation>
+    </message>
+    <message>
+        <source>must hold two of diameter_mm, depth_mm and length_mm</source>
+        <translation>должно содержать два из diameter_mm, depth_mm и length_mm</translation>
+    </message>
+    <message>
+        <source>must be less than the diameter, %1</source>
+        <translation>должно быть меньше диаметра, %1</translation>
+    </message>
+    <message>
+        <source>No unbalance is needed, so there is nothing to mill away.</source>
+        <translation>Дисбаланс не нужен, снимать нечего.</translation>
+    </message>
+    <message>
+        <source>The bar is too thin: over a length of %1 its diameter must be at least %2; with this diameter the relieved length must be at least %3.</source>
+        <translation>Пруток слишком тонок: при длине %1 нужен диаметр не меньше %2, при этом диаметре — длина проточки не меньше %3.</translation>
+    </message>
+    <message>
+        <source>The unbalance needed is beyond any shaft of such sizes.</source>
+        <translation>Нужный дисбаланс недостижим ни для какого вала таких размеров.</translation>
+    </message>
+    <message>
+        <source>These sizes give %1 % of the unbalance that is needed.</source>
+        <translation>Эти размеры дают %1 % нужного дисбаланса.</translation>
+    </message>
+    <message>
+        <source>More than half of the bar is milled away: the depth %1 gives the same unbalance and a stiffer shaft.</source>
+        <translation>Снято больше половины прутка: глубина %1 даёт тот же дисбаланс и более жёсткий вал.</translation>
+    </message>
+    <message>
+        <source>there is no shaft to draw: %1</source>
+        <translation>чертить нечего: %1</translation>
+    </message>
+    <message>
+        <source>The shaft makes no moment, so its angle changes nothing.</source>
+        <translation>Вал не создаёт момента, его угол ничего не меняет.</translation>
+    </message>
+    <message>
+        <source>The range is the same at every angle of the shaft.</source>
+        <translation>Размах одинаков при любом угле вала.</translation>
+    </message>
+    <message>
+        <source>The tipping moment has no first order, so the RMS is the same at every angle of the shaft.</source>
+        <translation>В опрокидывающем моменте нет первого порядка, поэтому СКЗ одинаково при любом угле вала.</translation>
+    </message>
+    <message>
+        <source>No angle of the shaft makes the range smaller than without a shaft: at best %1 N·m against %2 N·m.</source>
+        <translation>Ни при каком угле вала размах не меньше, чем без вала: в лучшем случае %1 Н·м против %2 Н·м.</translation>
+    </message>
+    <message>
+        <source>No angle of the shaft makes the RMS smaller than without a shaft: at best %1 N·m against %2 N·m.</source>
+        <translation>Ни при каком угле вала СКЗ не меньше, чем без вала: в лучшем случае %1 Н·м против %2 Н·м.</translation>
+    </message>
+    <message>
+        <source>The counterweight given balances %1 % of the first-order inertia force; equation (1) asks for %2 kg.</source>
+        <translation>Заданный противовес уравновешивает %1 % силы инерции первого порядка; по формуле (1) нужно %2 кг.</translation>
+    </message>
+    <message>
+        <source>The torque does not belong to the masses and the speed entered, so it cannot be taken to other speeds. %1</source>
+        <translation>Момент не соответствует введённым массам и частоте, поэтому перенести его на другие частоты нельзя. %1</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>момент</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>давление</translation>
+    </message>
+    <message>
+        <source>crank angle</source>
+        <translation>угол поворота</translation>
+    </message>
+    <message>
+        <source>must not repeat the angle of the row before, %1</source>
+        <translation>не должно повторять угол предыдущей строки, %1</translation>
+    </message>
+    <message>
+        <source>must be greater than the angle of the row before, %1</source>
+        <translation>должно быть больше угла предыдущей строки, %1</translation>
+    </message>
+    <message>
+        <source>must equal the first %1, %2, since the cycle repeats</source>
+        <translation>последнее значение (%1) должно равняться первому, %2: цикл повторяется</translation>
+    </message>
+    <message>
+        <source>%1 rows</source>
+        <translation>строк: %1</translation>
+    </message>
+    <message>
+        <source>separated by semicolons</source>
+        <translation>разделитель — точка с запятой</translation>
+    </message>
+    <message>
+        <source>separated by commas</source>
+        <translation>разделитель — запятая</translation>
+    </message>
+    <message>
+        <source>separated by tabs</source>
+        <translation>разделитель — табуляция</translation>
+    </message>
+    <message>
+        <source>separated by blanks</source>
+        <translation>разделитель — пробел</translation>
+    </message>
+    <message>
+        <source>decimal comma</source>
+        <translation>десятичная запятая</translation>
+    </message>
+    <message>
+        <source>angles in radians</source>
+        <translation>углы в радианах</translation>
+    </message>
+    <message>
+        <source>angles in degrees</source>
+        <translation>углы в градусах</translation>
+    </message>
+    <message>
+        <source>with a header</source>
+        <translation>с заголовком</translation>
+    </message>
+    <message>
+        <source>pressure in %1</source>
+        <translation>давление: %1</translation>
+    </message>
+    <message>
+        <source>360° repeated to 720°</source>
+        <translation>360° повторены до 720°</translation>
+    </message>
+    <message>
+        <source>end joined to the start</source>
+        <translation>конец сведён с началом</translation>
+    </message>
+    <message>
+        <source>the %1 table must have at least 3 rows</source>
+        <translation>в таблице (%1) должно быть хотя бы 3 строки</translation>
+    </message>
+    <message>
+        <source>the angles must span 720° (or 360°, or 4π or 2π in radians), the last row repeating the first</source>
+        <translation>углы должны охватывать 720° (или 360°, в радианах 4π или 2π), последняя строка повторяет первую</translation>
+    </message>
+    <message>
+        <source>the table of 720° must have at most %1 rows</source>
+        <translation>в таблице на 720° должно быть не больше %1 строк</translation>
+    </message>
+    <message>
+        <source>the angles of neighbouring rows are too close together</source>
+        <translation>углы соседних строк слишком близки</translation>
+    </message>
+    <message>
+        <source>must hold as many numbers as crank_angle_deg, %1</source>
+        <translation>чисел должно быть столько же, сколько в crank_angle_deg, %1</translation>
+    </message>
+    <message>
+        <source>must hold at least 3 numbers</source>
+        <translation>должно быть хотя бы 3 числа</translation>
+    </message>
+    <message>
+        <source>must hold at most %1 numbers</source>
+        <translation>должно быть не больше %1 чисел</translation>
+    </message>
+    <message>
+        <source>must be at least %1 more than the angle of the row before, %2</source>
+        <translation>должно быть больше угла предыдущей строки, %2, не меньше чем на %1</translation>
+    </message>
+    <message>
+        <source>must span 720°, the last row repeating the first</source>
+        <translation>углы должны охватывать 720°, последняя строка повторяет первую</translation>
+    </message>
+</context>
+<context>
+    <name>core</name>
+    <message>
+        <source>is required and missing</source>
+        <translation>обязательно, но отсутствует</translation>
+    </message>
+    <message>
+        <source>must be at most %1</source>
+        <translation>должно быть не больше %1</translation>
+    </message>
+    <message>
+        <source>must be a file name</source>
+        <translation>должно быть именем файла</translation>
+    </message>
+    <message>
+        <source>Gots, Klevtsov</source>
+        <translation>Гоц, Клевцов</translation>
+    </message>
+    <message>
+        <source>A. N. Gots, V. S. Klevtsov</source>
+        <translation>А. Н. Гоц, В. С. Клевцов</translation>
+    </message>
+    <message>
+        <source>Selection of the optimal scheme of stabilization of the one-cylinder engine</source>
+        <translation>Выбор рациональной схемы уравновешивания одноцилиндрового двигателя</translation>
+    </message>
+    <message>
+        <source>Zotov, Sviridov</source>
+        <translation>Зотов, Свиридов</translation>
+    </message>
+    <message>
+        <source>A. N. Zotov, A. S. Sviridov</source>
+        <translation>А. Н. Зотов, А. С. Свиридов</translation>
+    </message>
+    <message>
+        <source>Crank-and-rod mechanism with elastic hinges of given characteristics</source>
+        <translation>Кривошипно-шатунный механизм с упругими шарнирами, имеющими заданные характеристики</translation>
+    </message>
+    <message>
+        <source>Nazarov</source>
+        <translation>Назаров</translation>
+    </message>
+    <message>
+        <source>A. D. Nazarov</source>
+        <translation>А. Д. Назаров</translation>
+    </message>
+    <message>
+        <source>Compensating the total unbalanced mass of crank-gear parts of V-8 engines in manufacture and repair</source>
+        <translation>Способ компенсации суммарной неуравновешенной массы деталей КШМ двигателей V-8 при их изготовлении и ремонте</translation>
+    </message>
+    <message>
+        <source>Chainov, Vallejo Maldonado</source>
+        <translation>Чайнов, Вальехо Мальдонадо</translation>
+    </message>
+    <message>
+        <source>N. D. Chainov, P. R. Vallejo Maldonado</source>
+        <translation>Н. Д. Чайнов, П. Р. Вальехо Мальдонадо</translation>
+    </message>
+    <message>
+        <source>Balancing the moments of a VR5 engine taking into account a desaxial crank mechanism and cylinder camber angle</source>
+        <translation>Уравновешивание моментов двигателя VR5 с учётом дезаксажа и угла развала цилиндров</translation>
+    </message>
+    <message>
+        <source>%1, &quot;%2&quot;</source>
+        <translation>%1, «%2»</translation>
+    </message>
+    <message>
+        <source>%1, &quot;%2&quot;, %3</source>
+        <translation>%1, «%2», %3</translation>
+    </message>
+    <message>
+        <source>is nested more than %1 levels deep</source>
+        <translation>вложено глубже %1 уровней</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>пусто</translation>
+    </message>
+    <message>
+        <source>is not valid JSON</source>
+        <translation>это не JSON</translation>
+    </message>
+    <message>
+        <source>holds a number that is too large for this program</source>
+        <translation>содержит число, слишком большое для программы</translation>
+    </message>
+    <message>
+        <source>must be at most %1 (a newer program wrote this case; update to open it)</source>
+        <translation>должно быть не больше %1 (задача записана более новой программой; обновите программу)</translation>
+    </message>
+    <message>
+        <source>must be one of %1 (the nearest is %2)</source>
+        <translation>допустимо одно из: %1 (ближайшее — %2)</translation>
+    </message>
+    <message>
+        <source>must be one of %1</source>
+        <translation>допустимо одно из: %1</translation>
+    </message>
+    <message>
+        <source>must be an object</source>
+        <translation>должно быть объектом</translation>
+    </message>
+    <message>
+        <source>must be a number or %1</source>
+        <translation>должно быть числом или %1</translation>
+    </message>
+    <message>
+        <source>must be left out where %1 is given</source>
+        <translation>не должно стоять там, где задано %1</translation>
+    </message>
+    <message>
+        <source>is required and missing (or %1)</source>
+        <translation>обязательно, но отсутствует (или %1)</translation>
+    </message>
+    <message>
+        <source>%1, got %2</source>
+        <translation>%1, получено %2</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>строка %1</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>строка %1, столбец %2</translation>
+    </message>
+    <message>
+        <source>must be a number</source>
+        <translation>должно быть числом</translation>
+    </message>
+    <message>
+        <source>must be a list</source>
+        <translation>должно быть списком</translation>
+    </message>
+    <message>
+        <source>must be true or false</source>
+        <translation>должно быть true или false</translation>
+    </message>
+    <message>
+        <source>must be a text</source>
+        <translation>должно быть текстом</translation>
+    </message>
+    <message>
+        <source>is not a known key; the nearest is %1</source>
+        <translation>неизвестный ключ; ближайший — %1</translation>
+    </message>
+    <message>
+        <source>is not a known key</source>
+        <translation>неизвестный ключ</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2</source>
+        <translation>должно быть от %1 до %2</translation>
+    </message>
+    <message>
+        <source>must be greater than %1 and less than %2</source>
+        <translation>должно быть больше %1 и меньше %2</translation>
+    </message>
+    <message>
+        <source>must be greater than %1 and at most %2</source>
+        <translation>должно быть больше %1 и не больше %2</translation>
+    </message>
+    <message>
+        <source>must be at least %1 and less than %2</source>
+        <translation>должно быть не меньше %1 и меньше %2</translation>
+    </message>
+    <message>
+        <source>must be greater than %1</source>
+        <translation>должно быть больше %1</translation>
+    </message>
+    <message>
+        <source>must be at least %1</source>
+        <translation>должно быть не меньше %1</translation>
+    </message>
+    <message>
+        <source>must be less than %1</source>
+        <translation>должно быть меньше %1</translation>
+    </message>
+    <message>
+        <source>must be a finite number</source>
+        <translation>должно быть конечным числом</translation>
+    </message>
+    <message>
+        <source>must be a whole number from %1 to %2</source>
+        <translation>должно быть целым числом от %1 до %2</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>не удалось записать: %1</translation>
+    </message>
+    <message>
+        <source>must be a file, not a folder</source>
+        <translation>должно быть файлом, а не папкой</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>не читается: %1</translation>
+    </message>
+    <message>
+        <source>must be at most 64 MiB</source>
+        <translation>должно быть не больше 64 МиБ</translation>
+    </message>
+    <message>
+        <source>cannot be read to its end</source>
+        <translation>не читается до конца</translation>
+    </message>
+    <message>
+        <source>must not separate columns by commas and use decimal commas at once; separate the columns by semicolons</source>
+        <translation>запятая не может и разделять столбцы, и отделять дробную часть; разделите столбцы точкой с запятой</translation>
+    </message>
+    <message>
+        <source>must be text; this looks like a binary file</source>
+        <translation>должен быть текст, а это похоже на двоичный файл</translation>
+    </message>
+    <message>
+        <source>must hold two columns, %1 and %2</source>
+        <translation>должно быть два столбца: %1 и %2</translation>
+    </message>
+    <message>
+        <source>%1 columns</source>
+        <translation>столбцов: %1</translation>
+    </message>
+    <message>
+        <source>the table must have at most %1 rows</source>
+        <translation>в таблице должно быть не больше %1 строк</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>м</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>мм</translation>
+    </message>
+    <message>
+        <source>µm</source>
+        <translation>мкм</translation>
+    </message>
+    <message>
+        <source>l</source>
+        <translation>л</translation>
+    </message>
+    <message>
+        <source>cm³</source>
+        <translation>см³</translation>
+    </message>
+    <message>
+        <source>kg</source>
+        <translation>кг</translation>
+    </message>
+    <message>
+        <source>g</source>
+        <translation>г</translation>
+    </message>
+    <message>
+        <source>kg·m</source>
+        <translation>кг·м</translation>
+    </message>
+    <message>
+        <source>g·mm</source>
+        <translation>г·мм</translation>
+    </message>
+    <message>
+        <source>kg·m²</source>
+        <translation>кг·м²</translation>
+    </message>
+    <message>
+        <source>kg/m³</source>
+        <translation>кг/м³</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>Н</translation>
+    </message>
+    <message>
+        <source>kN</source>
+        <translation>кН</translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation>Н·м</translation>
+    </message>
+    <message>
+        <source>N/m</source>
+        <translation>Н/м</translation>
+    </message>
+    <message>
+        <source>kN/m</source>
+        <translation>кН/м</translation>
+    </message>
+    <message>
+        <source>J</source>
+        <translation>Дж</translation>
+    </message>
+    <message>
+        <source>kW</source>
+        <translation>кВт</translation>
+    </message>
+    <message>
+        <source>Pa</source>
+        <translation>Па</translation>
+    </message>
+    <message>
+        <source>kPa</source>
+        <translation>кПа</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>бар</translation>
+    </message>
+    <message>
+        <source>MPa</source>
+        <translation>МПа</translation>
+    </message>
+    <message>
+        <source>GPa</source>
+        <translation>ГПа</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>с</translation>
+    </message>
+    <message>
+        <source>mm/s</source>
+        <translation>мм/с</translation>
+    </message>
+    <message>
+        <source>m/s²</source>
+        <translation>м/с²</translation>
+    </message>
+    <message>
+        <source>rad</source>
+        <translation>рад</translation>
+    </message>
+    <message>
+        <source>rad/s</source>
+        <translation>рад/с</translation>
+    </message>
+    <message>
+        <source>min⁻¹</source>
+        <translation>мин⁻¹</translation>
+    </message>
+    <message>
+        <source>must be a known scene</source>
+        <translation>раздел неизвестен</translation>
+    </message>
+    <message>
+        <source>is nothing that this page can be told; it knows kernel, sweep, value</source>
+        <translation>этой странице сообщить нельзя; она знает kernel, sweep, value</translation>
+    </message>
+</context>
+<context>
+    <name>elastic-hinge</name>
+    <message>
+        <source>Given &amp;as</source>
+        <translation>З&amp;аданы</translation>
+    </message>
+    <message>
+        <source>The paper gives weights. With masses gravity may be 0: a mechanism that lies flat.</source>
+        <translation>В статье даны веса. С массами ускорение может быть 0: механизм лежит горизонтально.</translation>
+    </message>
+    <message>
+        <source>The crank is a uniform bar of length r. Paper: 5 N.</source>
+        <translation>Кривошип — однородный стержень длины r. В статье 5 Н.</translation>
+    </message>
+    <message>
+        <source>The rod is a uniform bar of length r/λ. Paper: 6.5 N.</source>
+        <translation>Шатун — однородный стержень длины r/λ. В статье 6,5 Н.</translation>
+    </message>
+    <message>
+        <source>Paper: 6 N.</source>
+        <translation>В статье 6 Н.</translation>
+    </message>
+    <message>
+        <source>C&amp;rank P₁</source>
+        <translation>Кр&amp;ивошип P₁</translation>
+    </message>
+    <message>
+        <source>Ro&amp;d P₂</source>
+        <translation>&amp;Шатун P₂</translation>
+    </message>
+    <message>
+        <source>S&amp;lider P₃</source>
+        <translation>П&amp;олзун P₃</translation>
+    </message>
+    <message>
+        <source>C&amp;rank m₁</source>
+        <translation>Кр&amp;ивошип m₁</translation>
+    </message>
+    <message>
+        <source>Ro&amp;d m₂</source>
+        <translation>&amp;Шатун m₂</translation>
+    </message>
+    <message>
+        <source>S&amp;lider m₃</source>
+        <translation>П&amp;олзун m₃</translation>
+    </message>
+    <message>
+        <source>&amp;Gravity g</source>
+        <translation>Ускорение &amp;g</translation>
+    </message>
+    <message>
+        <source>The paper takes 9.82 m/s²; the standard value is 9.80665 m/s².</source>
+        <translation>В статье 9,82 м/с²; стандартное значение 9,80665 м/с².</translation>
+    </message>
+    <message>
+        <source>&amp;Crank radius r</source>
+        <translation>Радиус &amp;кривошипа r</translation>
+    </message>
+    <message>
+        <source>From the crank&apos;s axis to the crankpin; the rod is r/λ long. Paper: 50 mm.</source>
+        <translation>От оси кривошипа до шатунной шейки; длина шатуна r/λ. В статье 50 мм.</translation>
+    </message>
+    <message>
+        <source>Ratio λ</source>
+        <translation>Отношение λ</translation>
+    </message>
+    <message>
+        <source>Crank radius to rod length. Paper: 0.3. Below 1; λ = 1 can be drawn with the series only.</source>
+        <translation>Радиус кривошипа к длине шатуна. В статье 0,3. Меньше 1; λ = 1 можно начертить только с рядом.</translation>
+    </message>
+    <message>
+        <source>Crank speed</source>
+        <translation>Угловая скорость</translation>
+    </message>
+    <message>
+        <source>Crank speed that the hinges are designed for. Paper: 100, 300 and 500 rad/s.</source>
+        <translation>Угловая скорость кривошипа, на которую рассчитаны шарниры. В статье 100, 300 и 500 рад/с.</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>точная</translation>
+    </message>
+    <message>
+        <source>paper&apos;s series</source>
+        <translation>ряд статьи</translation>
+    </message>
+    <message>
+        <source>&amp;Kinematics of M₁₂</source>
+        <translation>Кинема&amp;тика M₁₂</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s series for cos ψ is good for small λ only; the exact one needs λ &lt; 1. M and the crank&apos;s guide are always exact.</source>
+        <translation>Ряд статьи для cos ψ годится лишь при малых λ; точная требует λ &lt; 1. M и направляющая кривошипа всегда точные.</translation>
+    </message>
+    <message>
+        <source>keeps the energy</source>
+        <translation>хранит энергию</translation>
+    </message>
+    <message>
+        <source>as printed (1)</source>
+        <translation>как в (1)</translation>
+    </message>
+    <message>
+        <source>Sign of the g&amp;uide</source>
+        <translation>&amp;Знак направляющей</translation>
+    </message>
+    <message>
+        <source>A spring that keeps the crank&apos;s speed gives out what the mechanism takes up: Π = const − (T + V). Equation (1) as printed has a plus.</source>
+        <translation>Пружина, сохраняющая скорость кривошипа, отдаёт то, что поглощает механизм: Π = const − (T + V). В напечатанной формуле (1) стоит плюс.</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Жёсткость</translation>
+    </message>
+    <message>
+        <source>Stiffness of the spring of the crank&apos;s hinge. Paper: 20 000 kN/m. A softer spring gives more relief.</source>
+        <translation>Жёсткость пружины шарнира кривошипа. В статье 20 000 кН/м. У более мягкой пружины перепад больше.</translation>
+    </message>
+    <message>
+        <source>&amp;Free length ℓ₀</source>
+        <translation>Свобо&amp;дная длина ℓ₀</translation>
+    </message>
+    <message>
+        <source>Length of the unloaded spring of the crank&apos;s hinge. Paper: 200 mm.</source>
+        <translation>Длина ненапряжённой пружины шарнира кривошипа. В статье 200 мм.</translation>
+    </message>
+    <message>
+        <source>Guide radius ρ₀</source>
+        <translation>Радиус направляющей ρ₀</translation>
+    </message>
+    <message>
+        <source>Radius of the guide at φ = 0. Below ℓ₀/2 the spring is compressed, above it is stretched. Paper: 90 mm.</source>
+        <translation>Радиус направляющей при φ = 0. Меньше ℓ₀/2 — пружина сжата, больше — растянута. В статье 90 мм.</translation>
+    </message>
+    <message>
+        <source>Own spring for the rod&apos;s &amp;hinge</source>
+        <translation>Своя пр&amp;ужина у шатуна</translation>
+    </message>
+    <message>
+        <source>Else the rod&apos;s hinge has the same spring as the crank&apos;s</source>
+        <translation>Иначе у шарнира шатуна такая же пружина, как у кривошипа</translation>
+    </message>
+    <message>
+        <source>Its &amp;stiffness c</source>
+        <translation>Её &amp;жёсткость c</translation>
+    </message>
+    <message>
+        <source>Of the rod hinge&apos;s own spring</source>
+        <translation>Собственной пружины шарнира шатуна</translation>
+    </message>
+    <message>
+        <source>Its free length &amp;ℓ₀</source>
+        <translation>Её своб. длина &amp;ℓ₀</translation>
+    </message>
+    <message>
+        <source>Its radius ρ&amp;₀</source>
+        <translation>Её радиус ρ&amp;₀</translation>
+    </message>
+    <message>
+        <source>Of the rod hinge&apos;s own guide at θ = 0</source>
+        <translation>Направляющей самого шарнира шатуна при θ = 0</translation>
+    </message>
+    <message>
+        <source>Counter&amp;weight beyond the crankpin</source>
+        <translation>Противовес за ше&amp;йкой</translation>
+    </message>
+    <message>
+        <source>At the distance ℓ₂ beyond the crankpin (slider above). With the weight of (10) the rod&apos;s hinge makes the side force zero.</source>
+        <translation>На расстоянии ℓ₂ за шатунной шейкой (ползунок выше). С весом по (10) шарнир шатуна обращает боковую силу в нуль.</translation>
+    </message>
+    <message>
+        <source>Counterweight&apos;s distance</source>
+        <translation>Расстояние противовеса</translation>
+    </message>
+    <message>
+        <source>From the crankpin to the counterweight on the rod. Paper: 50, 100 and 150 mm.</source>
+        <translation>От шатунной шейки до противовеса на шатуне. В статье 50, 100 и 150 мм.</translation>
+    </message>
+    <message>
+        <source>Weight P&amp;₄</source>
+        <translation>Вес P&amp;₄</translation>
+    </message>
+    <message>
+        <source>Empty: solved from (10), P₄ ℓ₂ = (P₃ + P₂/2) ℓ, so that M₁₂ has no mean.</source>
+        <translation>Пусто: находится из (10), P₄ ℓ₂ = (P₃ + P₂/2) ℓ, чтобы у M₁₂ не было среднего.</translation>
+    </message>
+    <message>
+        <source>by (10)</source>
+        <translation>по (10)</translation>
+    </message>
+    <message>
+        <source>Mass m&amp;₄</source>
+        <translation>Масса m&amp;₄</translation>
+    </message>
+    <message>
+        <source>as printed (9)</source>
+        <translation>как в (9)</translation>
+    </message>
+    <message>
+        <source>Newton–Euler</source>
+        <translation>Ньютон–Эйлер</translation>
+    </message>
+    <message>
+        <source>&amp;Inertia in M₁₂</source>
+        <translation>Инерци&amp;я в M₁₂</translation>
+    </message>
+    <message>
+        <source>Equation (9) as printed has the wrong sign at the counterweight&apos;s inertia forces; with moments about A the side force vanishes.</source>
+        <translation>В напечатанной формуле (9) неверен знак сил инерции противовеса; если взять моменты относительно A, боковая сила исчезает.</translation>
+    </message>
+    <message>
+        <source>Roller radi&amp;us</source>
+        <translation>Радиус ро&amp;лика</translation>
+    </message>
+    <message>
+        <source>ρ is the path of the roller&apos;s centre; the profile is offset from it by the roller&apos;s radius. The paper takes 0.</source>
+        <translation>ρ — путь центра ролика; профиль отстоит от него на радиус ролика. В статье 0.</translation>
+    </message>
+    <message>
+        <source>Profile error</source>
+        <translation>Погрешность профиля</translation>
+    </message>
+    <message>
+        <source>Amplitude of the waves on the guide&apos;s profile as it is made. Good grinding leaves a few micrometres.</source>
+        <translation>Амплитуда волн на профиле изготовленной направляющей. После хорошего шлифования — несколько микрометров.</translation>
+    </message>
+    <message>
+        <source>Error &amp;waves</source>
+        <translation>Вол&amp;н погрешности</translation>
+    </message>
+    <message>
+        <source>The profile&apos;s error is taken as so many waves in one turn: 1 is a guide out of centre, 2 an oval one. A whole number.</source>
+        <translation>Погрешность профиля — столько волн за оборот: 1 — эксцентричность, 2 — овальность. Целое число.</translation>
+    </message>
+    <message>
+        <source>R&amp;elief</source>
+        <translation>Пере&amp;пад</translation>
+    </message>
+    <message>
+        <source>Difference between the guide&apos;s largest and least radius</source>
+        <translation>Разность наибольшего и наименьшего радиусов направляющей</translation>
+    </message>
+    <message>
+        <source>&amp;Outer diameter</source>
+        <translation>&amp;Наружный диаметр</translation>
+    </message>
+    <message>
+        <source>Guide and rollers must fit in it</source>
+        <translation>В него должны поместиться направляющая и ролики</translation>
+    </message>
+    <message>
+        <source>&amp;Shortest spring</source>
+        <translation>&amp;Кратчайшая пружина</translation>
+    </message>
+    <message>
+        <source>The spring gets no shorter than that (its solid length). Empty: 0.4 ℓ₀.</source>
+        <translation>Короче пружина не бывает (витки сомкнуты). Пусто: 0,4 ℓ₀.</translation>
+    </message>
+    <message>
+        <source>0.4 ℓ₀</source>
+        <translation>0,4 ℓ₀</translation>
+    </message>
+    <message>
+        <source>Tur&amp;ns</source>
+        <translation>О&amp;бороты</translation>
+    </message>
+    <message>
+        <source>Turns of the crank to compute</source>
+        <translation>Сколько оборотов кривошипа рассчитать</translation>
+    </message>
+    <message>
+        <source>Off-design sp&amp;eed</source>
+        <translation>Нерасчётная &amp;ω</translation>
+    </message>
+    <message>
+        <source>A start away from the design speed ω, for comparison: the hinge is exact at one speed only. Empty: 1.2 ω.</source>
+        <translation>Пуск с другой скорости, для сравнения: шарнир точен только при одной скорости. Пусто: 1,2 ω.</translation>
+    </message>
+    <message>
+        <source>1.2 ω</source>
+        <translation>1,2 ω</translation>
+    </message>
+    <message>
+        <source>S&amp;tart angle</source>
+        <translation>На&amp;чальный угол</translation>
+    </message>
+    <message>
+        <source>Crank angle at which the motion starts</source>
+        <translation>Угол кривошипа, с которого начинается движение</translation>
+    </message>
+    <message>
+        <source>&amp;Moment on the crank</source>
+        <translation>&amp;Момент на кривошипе</translation>
+    </message>
+    <message>
+        <source>A constant moment that drives the crank; negative brakes it</source>
+        <translation>Постоянный момент, вращающий кривошип; отрицательный — тормозит</translation>
+    </message>
+    <message>
+        <source>With the profile &amp;error</source>
+        <translation>С погр&amp;ешностью профиля</translation>
+    </message>
+    <message>
+        <source>The crank&apos;s guide as it was made, with the waves of the profile error: the crank&apos;s speed then follows them</source>
+        <translation>Направляющая кривошипа как изготовлена, с волнами погрешности профиля: скорость кривошипа следует за ними</translation>
+    </message>
+    <message>
+        <source>Chord to&amp;lerance</source>
+        <translation>До&amp;пуск хорды</translation>
+    </message>
+    <message>
+        <source>DXF: the polyline leaves the curve by no more than that</source>
+        <translation>DXF: ломаная отходит от кривой не дальше</translation>
+    </message>
+    <message>
+        <source>S&amp;tep of the table</source>
+        <translation>Ша&amp;г таблицы</translation>
+    </message>
+    <message>
+        <source>CSV: step of the crank angle</source>
+        <translation>CSV: шаг угла кривошипа</translation>
+    </message>
+    <message>
+        <source>the crank&apos;s hinge</source>
+        <translation>шарнир кривошипа</translation>
+    </message>
+    <message>
+        <source>the crank&apos;s hinge beside the rod&apos;s</source>
+        <translation>шарнир кривошипа рядом с шарниром шатуна</translation>
+    </message>
+    <message>
+        <source>the rod&apos;s hinge</source>
+        <translation>шарнир шатуна</translation>
+    </message>
+    <message>
+        <source>at λ = 1 the mechanism locks at a crank angle of 90°: there is no guide and no motion; the series still draws M₁₂ and the side force</source>
+        <translation>при λ = 1 механизм заклинивает при угле кривошипа 90°: нет ни направляющей, ни движения; ряд ещё даёт M₁₂ и боковую силу</translation>
+    </message>
+    <message>
+        <source>no spring is given for %1</source>
+        <translation>не задана пружина, %1</translation>
+    </message>
+    <message>
+        <source>from a crank angle of %1 the spring would have to give out more energy than it stores (most at %2): the preload |ℓ₀/2 − ρ₀| is %3 and must be at least %4</source>
+        <translation>начиная с угла кривошипа %1 пружина должна отдать больше энергии, чем запасла (больше всего при %2): преднатяг |ℓ₀/2 − ρ₀| равен %3, а нужно не меньше %4</translation>
+    </message>
+    <message>
+        <source>%1, or the stiffness at least %2 with this preload</source>
+        <translation>%1, или при этом преднатяге жёсткость не меньше %2</translation>
+    </message>
+    <message>
+        <source>the spring would have to be compressed by %1, its whole free length of %2 or more</source>
+        <translation>пружину пришлось бы сжать на %1, то есть на всю её свободную длину %2 или больше</translation>
+    </message>
+    <message>
+        <source>there is no guide to export</source>
+        <translation>записывать нечего: направляющей нет</translation>
+    </message>
+    <message>
+        <source>there is no guide to export: %1</source>
+        <translation>записывать нечего: %1</translation>
+    </message>
+    <message>
+        <source>chord tolerance</source>
+        <translation>допуск хорды</translation>
+    </message>
+    <message>
+        <source>roller radius</source>
+        <translation>радиус ролика</translation>
+    </message>
+    <message>
+        <source>must be less than %1, else the profile is undercut</source>
+        <translation>должен быть меньше %1, иначе профиль подрезается</translation>
+    </message>
+    <message>
+        <source>is too small for this guide: it would take more than %1 points</source>
+        <translation>слишком мало для этой направляющей: понадобилось бы больше %1 точек</translation>
+    </message>
+    <message>
+        <source>at λ = 1 the mechanism locks: there is no guide</source>
+        <translation>при λ = 1 механизм заклинивает: направляющей нет</translation>
+    </message>
+    <message>
+        <source>the hinge has no energy to give out: its guide is a circle</source>
+        <translation>шарниру нечего отдавать: его направляющая — окружность</translation>
+    </message>
+    <message>
+        <source>a spring of %1 that gets no shorter than %2 leaves no room for a relief of %3; it must be at least %4 long</source>
+        <translation>пружина %1, которая не сжимается короче %2, не оставляет места для перепада %3; она должна быть не короче %4</translation>
+    </message>
+    <message>
+        <source>a compressed spring of %1 that gets no shorter than %2 needs an outer diameter of at least %3 for a relief of %4</source>
+        <translation>сжатой пружине %1, которая не сжимается короче %2, для перепада %4 нужен наружный диаметр не меньше %3</translation>
+    </message>
+    <message>
+        <source>a stretched spring of %1 with a relief of %2 needs an outer diameter of at least %3</source>
+        <translation>растянутой пружине %1 с перепадом %2 нужен наружный диаметр не меньше %3</translation>
+    </message>
+    <message>
+        <source>a roller of radius %1 undercuts every guide with a relief of %2; a smaller roller or less relief is needed</source>
+        <translation>ролик радиусом %1 подрезает любую направляющую с перепадом %2; нужен меньший ролик или меньший перепад</translation>
+    </message>
+    <message>
+        <source>the stiffness that would be needed, %1, is out of range</source>
+        <translation>нужная жёсткость %1 вне допустимых пределов</translation>
+    </message>
+    <message>
+        <source>must together be more than 0</source>
+        <translation>в сумме должно быть больше 0</translation>
+    </message>
+    <message>
+        <source>must be less than 1 for the exact kinematics (a rod no longer than the crank locks the mechanism at a crank angle of 90°; &quot;kinematics&quot;: &quot;series&quot; still draws the paper&apos;s curves)</source>
+        <translation>для точной кинематики должно быть меньше 1 (шатун не длиннее кривошипа заклинивает механизм при угле 90°; кривые статьи чертит &quot;kinematics&quot;: &quot;series&quot;)</translation>
+    </message>
+    <message>
+        <source>must be less than 1 for a motion: the mechanism locks</source>
+        <translation>для движения должно быть меньше 1: механизм заклинивает</translation>
+    </message>
+    <message>
+        <source>must make a guide that exists for this motion</source>
+        <translation>для этого движения направляющая должна существовать</translation>
+    </message>
+    <message>
+        <source>must make a guide that exists for this motion: %1</source>
+        <translation>для этого движения направляющая должна существовать: %1</translation>
+    </message>
+    <message>
+        <source>must give the crank and the rod together some mass for a motion</source>
+        <translation>для движения у кривошипа с шатуном должна быть масса</translation>
+    </message>
+    <message>
+        <source>the crank stops after %1 turns and would turn back</source>
+        <translation>через %1 оборота кривошип останавливается и пошёл бы назад</translation>
+    </message>
+    <message>
+        <source>the crank made only %1 turns in %2</source>
+        <translation>кривошип сделал только %1 оборота за %2</translation>
+    </message>
+    <message>
+        <source>cancelled after %1 turns</source>
+        <translation>прервано после %1 оборота</translation>
+    </message>
+    <message>
+        <source>holds values so far apart that the result leaves the range of numbers; bring them nearer to those of a machine</source>
+        <translation>значения так далеки друг от друга, что результат выходит за пределы чисел; приблизьте их к значениям настоящей машины</translation>
+    </message>
+    <message>
+        <source>The series is off by %1 in cos ψ at φ = %2°; use the exact kinematics for a design.</source>
+        <translation>Ряд ошибается в cos ψ на %1 при φ = %2°; для проекта берите точную кинематику.</translation>
+    </message>
+    <message>
+        <source>The guide&apos;s sign is that printed in the paper: such a guide drives the crank&apos;s speed away from the design speed; the energy sign keeps it.</source>
+        <translation>Знак направляющей — как напечатан в статье: такая направляющая уводит скорость кривошипа от расчётной; знак, сохраняющий энергию, её держит.</translation>
+    </message>
+    <message>
+        <source>Equation (9) as printed has the wrong sign at the counterweight&apos;s inertia: the slider would still bear up to %1 N. Newton–Euler makes the side force zero.</source>
+        <translation>В напечатанной формуле (9) неверен знак инерции противовеса: ползун нёс бы ещё до %1 Н. По Ньютону–Эйлеру боковая сила равна нулю.</translation>
+    </message>
+    <message>
+        <source>The crank&apos;s guide has a relief of only %1: a profile error of %2 changes its moment by up to %3; a softer spring gives more relief.</source>
+        <translation>Перепад направляющей кривошипа всего %1: погрешность профиля %2 меняет её момент на величину до %3; более мягкая пружина даёт больший перепад.</translation>
+    </message>
+    <message>
+        <source>must be numbers with blanks between them</source>
+        <translation>должны быть числа через пробел</translation>
+    </message>
+    <message>
+        <source>no spring is given: its free length is needed</source>
+        <translation>пружина не задана: нужна её свободная длина</translation>
+    </message>
+</context>
+<context>
+    <name>inertia-moments</name>
+    <message>
+        <source>order %1 force</source>
+        <translation>порядок %1, сила</translation>
+    </message>
+    <message>
+        <source>order %1 moment</source>
+        <translation>порядок %1, момент</translation>
+    </message>
+    <message>
+        <source>order %1 roll moment</source>
+        <translation>порядок %1, опрокидывающий момент</translation>
+    </message>
+    <message>
+        <source>%1, horizontal plane</source>
+        <translation>%1, горизонтальная плоскость</translation>
+    </message>
+    <message>
+        <source>%1, vertical plane</source>
+        <translation>%1, вертикальная плоскость</translation>
+    </message>
+    <message>
+        <source>%1: the two-term form leaves it out, %2 % of the largest order</source>
+        <translation>%1: двучленная формула отбрасывает его, %2 % наибольшего порядка</translation>
+    </message>
+    <message>
+        <source>%1: the two-term form is %2 % off</source>
+        <translation>%1: двучленная формула ошибается на %2 %</translation>
+    </message>
+    <message>
+        <source>the mechanism of cylinder %1 cannot be joined: the rod reaches the piston at no crank angle</source>
+        <translation>механизм цилиндра %1 собрать нельзя: шатун не достаёт до поршня ни при каком угле кривошипа</translation>
+    </message>
+    <message>
+        <source>the mechanism of cylinder %1 locks with the crank at %2 turning forward and at %3 turning back, measured from the cylinder&apos;s axis</source>
+        <translation>механизм цилиндра %1 заклинивает при угле кривошипа %2 при вращении вперёд и %3 назад, от оси цилиндра</translation>
+    </message>
+    <message>
+        <source>must be a layout of the library (the nearest is %1)</source>
+        <translation>должно быть компоновкой из списка (ближайшая — %1)</translation>
+    </message>
+    <message>
+        <source>must be a layout of the library</source>
+        <translation>должно быть компоновкой из списка</translation>
+    </message>
+    <message>
+        <source>&amp;Crank radius R</source>
+        <translation>Радиус кривошип&amp;а R</translation>
+    </message>
+    <message>
+        <source>Half the stroke (a little less with offset). Volkswagen VR5: 45 mm.</source>
+        <translation>Половина хода (с дезаксажем чуть меньше). Volkswagen VR5: 45 мм.</translation>
+    </message>
+    <message>
+        <source>&amp;λ = R / L</source>
+        <translation>&amp;λ = R / L</translation>
+    </message>
+    <message>
+        <source>Crank radius over rod length. Volkswagen VR5: 0.265. The crank turns where λ (1 + |e|/R) &lt; 1.</source>
+        <translation>Радиус кривошипа к длине шатуна. Volkswagen VR5: 0,265. Вал проворачивается, если λ (1 + |e|/R) &lt; 1.</translation>
+    </message>
+    <message>
+        <source>Speed &amp;n</source>
+        <translation>&amp;Частота n</translation>
+    </message>
+    <message>
+        <source>Crankshaft speed; forces and moments grow with its square.</source>
+        <translation>Частота вращения; силы и моменты растут как её квадрат.</translation>
+    </message>
+    <message>
+        <source>Re&amp;ciprocating mass</source>
+        <translation>Поступательная &amp;масса</translation>
+    </message>
+    <message>
+        <source>Of one cylinder: piston with pin and rings, and the rod&apos;s share unless the rod is a rigid body below. Volkswagen VR5: 0.622 kg.</source>
+        <translation>Одного цилиндра: поршень с пальцем и кольцами и доля шатуна, если шатун ниже не задан твёрдым телом. Volkswagen VR5: 0,622 кг.</translation>
+    </message>
+    <message>
+        <source>R&amp;otating mass</source>
+        <translation>Вра&amp;щающаяся масса</translation>
+    </message>
+    <message>
+        <source>Of one throw, reduced to the crank radius: unbalanced part of the throw and the rod&apos;s share unless the rod is a rigid body.</source>
+        <translation>Одного колена, приведённая к радиусу кривошипа: неуравновешенная часть колена и доля шатуна, если шатун не задан твёрдым телом.</translation>
+    </message>
+    <message>
+        <source>Centre of mass &amp;z</source>
+        <translation>&amp;Центр масс z</translation>
+    </message>
+    <message>
+        <source>Axial position of the point that moments refer to, in the coordinates of the cylinders; positive towards cylinder 1.</source>
+        <translation>Положение вдоль вала точки, относительно которой берутся моменты, в координатах цилиндров; положительное в сторону цилиндра 1.</translation>
+    </message>
+    <message>
+        <source>&amp;Firing order</source>
+        <translation>Порядок ра&amp;боты</translation>
+    </message>
+    <message>
+        <source>Numbers of the cylinders, for example 1-2-4-5-3. Layouts with crankpins for even firing follow it.</source>
+        <translation>Номера цилиндров, например 1-2-4-5-3. Компоновки с шейками для равномерного чередования вспышек следуют ему.</translation>
+    </message>
+    <message>
+        <source>Axial position, positive towards cylinder 1</source>
+        <translation>Положение вдоль вала, положительное в сторону цилиндра 1</translation>
+    </message>
+    <message>
+        <source>Direction of the cylinder&apos;s axis, counter-clockwise from up</source>
+        <translation>Направление оси цилиндра, против часовой стрелки от вертикали</translation>
+    </message>
+    <message>
+        <source>Distance of the cylinder&apos;s axis from the crank axis, positive on the counter-clockwise side</source>
+        <translation>Дезаксаж: расстояние оси цилиндра от оси вала, положительное в сторону против часовой стрелки</translation>
+    </message>
+    <message>
+        <source>Crankpin, counter-clockwise from crankpin 1</source>
+        <translation>Шатунная шейка, против часовой стрелки от шейки 1</translation>
+    </message>
+    <message>
+        <source>Bank an&amp;gle γ</source>
+        <translation>Угол развала &amp;γ</translation>
+    </message>
+    <message>
+        <source>Between the banks, 0 to 180°. Crankpins for even firing follow it; those of a table stay, and its bank angles are scaled.</source>
+        <translation>Между рядами, от 0 до 180°. Шейки для равномерного чередования вспышек следуют ему; шейки таблицы остаются, а её углы рядов меняются пропорционально.</translation>
+    </message>
+    <message>
+        <source>O&amp;ffset e</source>
+        <translation>Дезакса&amp;ж e</translation>
+    </message>
+    <message>
+        <source>Distance of the cylinder axes from the crank axis, as far as the mechanism does not lock. Of a table: the largest; the others are scaled with it.</source>
+        <translation>Расстояние осей цилиндров от оси вала, пока механизм не заклинивает. В таблице — наибольшее; остальные меняются пропорционально.</translation>
+    </message>
+    <message>
+        <source>&amp;Spacing a</source>
+        <translation>&amp;Шаг a</translation>
+    </message>
+    <message>
+        <source>Between neighbouring crankpins (in V engines: throws) along the crank. Volkswagen VR5: 63 mm.</source>
+        <translation>Между соседними шатунными шейками (в V-образных — коленами) вдоль вала. Volkswagen VR5: 63 мм.</translation>
+    </message>
+    <message>
+        <source>Sta&amp;gger</source>
+        <translation>Смещение ря&amp;дов</translation>
+    </message>
+    <message>
+        <source>From bank 1&apos;s cylinder to bank 2&apos;s at the same throw, along the crank. 0 where the rods are forked.</source>
+        <translation>От цилиндра ряда 1 до цилиндра ряда 2 на том же колене, вдоль вала. 0 при вильчатых шатунах.</translation>
+    </message>
+    <message>
+        <source>&amp;Position of cylinder 1</source>
+        <translation>П&amp;оложение цилиндра 1</translation>
+    </message>
+    <message>
+        <source>Axial position z of cylinder 1. Volkswagen VR5: 3 a + l_cm = 204.8 mm, with the centre of mass at z = 0.</source>
+        <translation>Положение z цилиндра 1 вдоль вала. Volkswagen VR5: 3 a + l_цм = 204,8 мм, центр масс при z = 0.</translation>
+    </message>
+    <message>
+        <source>Rod &amp;mass</source>
+        <translation>Масса шат&amp;уна</translation>
+    </message>
+    <message>
+        <source>Whole rod</source>
+        <translation>Всего шатуна</translation>
+    </message>
+    <message>
+        <source>Centre from &amp;big end</source>
+        <translation>Центр от &amp;нижней головки</translation>
+    </message>
+    <message>
+        <source>Centre of mass, from the big end towards the small end</source>
+        <translation>Центр масс, от нижней (кривошипной) головки к верхней</translation>
+    </message>
+    <message>
+        <source>&amp;Inertia</source>
+        <translation>Момент &amp;инерции</translation>
+    </message>
+    <message>
+        <source>About its centre of mass</source>
+        <translation>Относительно центра масс</translation>
+    </message>
+    <message>
+        <source>exact orders</source>
+        <translation>точные порядки</translation>
+    </message>
+    <message>
+        <source>two-term form</source>
+        <translation>два члена</translation>
+    </message>
+    <message>
+        <source>+kω</source>
+        <translation>+kω</translation>
+    </message>
+    <message>
+        <source>−kω</source>
+        <translation>−kω</translation>
+    </message>
+    <message>
+        <source>moment</source>
+        <translation>момент</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>сила</translation>
+    </message>
+    <message>
+        <source>&amp;Designed for</source>
+        <translation>Рассчитаны &amp;для</translation>
+    </message>
+    <message>
+        <source>The paper designs its shafts for the two-term form; what they leave of the exact order is then what the two-term form leaves out.</source>
+        <translation>В статье валы рассчитаны по двучленной формуле; их остаток от точного порядка — то, что двучленная формула отбрасывает.</translation>
+    </message>
+    <message>
+        <source>Order of the shaft</source>
+        <translation>Порядок вала</translation>
+    </message>
+    <message>
+        <source>Order that the shaft cancels; it turns k times as fast as the crank. 1 to 12.</source>
+        <translation>Порядок, который гасит вал; он вращается в k раз быстрее коленчатого. От 1 до 12.</translation>
+    </message>
+    <message>
+        <source>Direction of the shaft</source>
+        <translation>Направление вала</translation>
+    </message>
+    <message>
+        <source>With the crank (+kω) or against it (−kω)</source>
+        <translation>По вращению коленчатого вала (+kω) или против (−kω)</translation>
+    </message>
+    <message>
+        <source>Task of the shaft</source>
+        <translation>Задача вала</translation>
+    </message>
+    <message>
+        <source>Two opposite weights against a moment, one against a force</source>
+        <translation>Два противоположных груза против момента, один против силы</translation>
+    </message>
+    <message>
+        <source>Distance of the shaft&apos;s weights</source>
+        <translation>Расстояние между грузами вала</translation>
+    </message>
+    <message>
+        <source>Distance between the two weights along the shaft</source>
+        <translation>Расстояние между двумя грузами вдоль вала</translation>
+    </message>
+    <message>
+        <source>Place of the shaft</source>
+        <translation>Место вала</translation>
+    </message>
+    <message>
+        <source>Axial position of the weight; empty: at the point that moments refer to</source>
+        <translation>Положение груза вдоль вала; пусто: в точке, относительно которой берутся моменты</translation>
+    </message>
+    <message>
+        <source>c. m.</source>
+        <translation>ц. м.</translation>
+    </message>
+    <message>
+        <source>Radius of the shaft&apos;s weights</source>
+        <translation>Радиус грузов вала</translation>
+    </message>
+    <message>
+        <source>Radius of the weights&apos; centres of mass; gives their mass. Empty: only mρ is given.</source>
+        <translation>Радиус центров масс грузов; даёт их массу. Пусто: известно только mρ.</translation>
+    </message>
+    <message>
+        <source>Phase of the shaft</source>
+        <translation>Фаза вала</translation>
+    </message>
+    <message>
+        <source>Error of the shaft&apos;s phase, ahead in its own direction: 0 when it is timed right.</source>
+        <translation>Ошибка фазы вала, вперёд по его вращению: 0, если он установлен верно.</translation>
+    </message>
+    <message>
+        <source>Shaft on</source>
+        <translation>Вал включён</translation>
+    </message>
+    <message>
+        <source>Switched on, the shaft counts in what is left over.</source>
+        <translation>Включённый вал учитывается в остатке.</translation>
+    </message>
+    <message>
+        <source>&amp;Front web at z</source>
+        <translation>Передняя щека, &amp;z</translation>
+    </message>
+    <message>
+        <source>Axial position of the front weight</source>
+        <translation>Положение переднего груза вдоль вала</translation>
+    </message>
+    <message>
+        <source>R&amp;ear web at z</source>
+        <translation>&amp;Задняя щека, z</translation>
+    </message>
+    <message>
+        <source>Axial position of the rear weight</source>
+        <translation>Положение заднего груза вдоль вала</translation>
+    </message>
+    <message>
+        <source>Front &amp;radius ρ</source>
+        <translation>П&amp;ередний радиус ρ</translation>
+    </message>
+    <message>
+        <source>Of the front weight&apos;s centre of mass</source>
+        <translation>Центра масс переднего груза</translation>
+    </message>
+    <message>
+        <source>Rear ra&amp;dius ρ</source>
+        <translation>З&amp;адний радиус ρ</translation>
+    </message>
+    <message>
+        <source>Of the rear weight&apos;s centre of mass</source>
+        <translation>Центра масс заднего груза</translation>
+    </message>
+    <message>
+        <source>&amp;Share of order 1</source>
+        <translation>Дол&amp;я 1-го порядка</translation>
+    </message>
+    <message>
+        <source>Of the forward part of the reciprocating first order; 1 in a cross-plane V8 cancels it wholly, in a single it is the balance for half the reciprocating mass.</source>
+        <translation>Прямой части первого порядка поступательных масс; 1 в V8 с крестообразным валом гасит её целиком, в одноцилиндровом уравновешивает половину поступательной массы.</translation>
+    </message>
+    <message>
+        <source>must list from 1 to %1 cylinders</source>
+        <translation>цилиндров должно быть от 1 до %1</translation>
+    </message>
+    <message>
+        <source>must be less than 1; %1</source>
+        <translation>должно быть меньше 1; %1</translation>
+    </message>
+    <message>
+        <source>must be less than %1 in size (rod length less crank radius); %2</source>
+        <translation>по величине должно быть меньше %1 (длина шатуна минус радиус кривошипа); %2</translation>
+    </message>
+    <message>
+        <source>must differ from front_position_mm by more than %1</source>
+        <translation>должно отличаться от front_position_mm больше чем на %1</translation>
+    </message>
+    <message>
+        <source>must leave both ends of the rod a mass that is not negative</source>
+        <translation>массы обеих головок шатуна должны остаться неотрицательными</translation>
+    </message>
+    <message>
+        <source>sizes, masses and speed together must keep forces and moments under 1e200 N and N·m</source>
+        <translation>размеры, массы и частота вращения вместе должны давать силы и моменты меньше 1e200 Н и Н·м</translation>
+    </message>
+    <message>
+        <source>sizes, masses and speed together must keep m R ω² over 1e-200 N</source>
+        <translation>размеры, массы и частота вращения вместе должны давать m R ω² больше 1e-200 Н</translation>
+    </message>
+    <message>
+        <source>must list at most %1 shafts</source>
+        <translation>валов должно быть не больше %1</translation>
+    </message>
+    <message>
+        <source>Single</source>
+        <translation>Одноцилиндровый</translation>
+    </message>
+    <message>
+        <source>In-line 2, 180°</source>
+        <translation>Рядный 2, 180°</translation>
+    </message>
+    <message>
+        <source>In-line 2, 360°</source>
+        <translation>Рядный 2, 360°</translation>
+    </message>
+    <message>
+        <source>In-line 3</source>
+        <translation>Рядный 3</translation>
+    </message>
+    <message>
+        <source>In-line 4</source>
+        <translation>Рядный 4</translation>
+    </message>
+    <message>
+        <source>In-line 5</source>
+        <translation>Рядный 5</translation>
+    </message>
+    <message>
+        <source>In-line 6</source>
+        <translation>Рядный 6</translation>
+    </message>
+    <message>
+        <source>V-twin 45°</source>
+        <translation>V2 45°</translation>
+    </message>
+    <message>
+        <source>V-twin 60°</source>
+        <translation>V2 60°</translation>
+    </message>
+    <message>
+        <source>V-twin 90°</source>
+        <translation>V2 90°</translation>
+    </message>
+    <message>
+        <source>V6 60°, split pins</source>
+        <translation>V6 60°, смещённые шейки</translation>
+    </message>
+    <message>
+        <source>V6 90°, split pins</source>
+        <translation>V6 90°, смещённые шейки</translation>
+    </message>
+    <message>
+        <source>V8, cross-plane</source>
+        <translation>V8, крестообразный вал</translation>
+    </message>
+    <message>
+        <source>V8, flat-plane</source>
+        <translation>V8, плоский вал</translation>
+    </message>
+    <message>
+        <source>Flat twin</source>
+        <translation>Оппозитный 2</translation>
+    </message>
+    <message>
+        <source>Flat 4</source>
+        <translation>Оппозитный 4</translation>
+    </message>
+    <message>
+        <source>Flat 6</source>
+        <translation>Оппозитный 6</translation>
+    </message>
+    <message>
+        <source>VR5</source>
+        <translation>VR5</translation>
+    </message>
+    <message>
+        <source>VR6</source>
+        <translation>VR6</translation>
+    </message>
+    <message>
+        <source>W12</source>
+        <translation>W12</translation>
+    </message>
+    <message>
+        <source>must name each cylinder from 1 to %1 once</source>
+        <translation>должно назвать каждый цилиндр от 1 до %1 один раз</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>ничего</translation>
+    </message>
+    <message>
+        <source>a mechanism is so near locking that the exact orders are less accurate than usual</source>
+        <translation>механизм так близок к заклиниванию, что точные порядки менее точны, чем обычно</translation>
+    </message>
+    <message>
+        <source>sizes, masses and speed together must keep the balancing masses in the range of numbers</source>
+        <translation>размеры, массы и частота вращения вместе должны держать уравновешивающие массы в пределах чисел</translation>
+    </message>
+</context>
+<context>
+    <name>methods</name>
+    <message>
+        <source>The paper&apos;s conclusions rest on a mean, so it has to be that of the cycle and not of a choice of nodes: nine digits for any table, however uneven its rows. The pieces between the rows are integrated exactly; after that every angle of the shaft costs three multiplications.</source>
+        <translation>Выводы статьи опираются на среднее, поэтому оно должно быть средним за цикл, а не следствием выбора узлов: девять знаков для любой таблицы, как бы неравномерны ни были её строки. Участки между строками интегрируются точно; после этого каждый угол вала стоит трёх умножений.</translation>
+    </message>
+    <message>
+        <source>The best angle is found from differences of ranges, so nine digits. Nodes miss a peak between them; the extremum of a line plus a sine is known in closed form, and only the few intervals that can hold it are solved.</source>
+        <translation>Наилучший угол находится по разностям размахов, поэтому девять знаков. Узлы пропускают пик между ними; экстремум суммы прямой и синуса известен в замкнутом виде, и решаются лишь те немногие интервалы, где он может быть.</translation>
+    </message>
+    <message>
+        <source>The range is the largest of many sinusoids: it has kinks at its minima and several of them. Sinusoids that bound it from below tell where no better angle can be, so the best one is found and not just a good one, with fewer evaluations than a scan of 5°.</source>
+        <translation>Размах — наибольшая из многих синусоид: в минимумах у него изломы, и минимумов несколько. Синусоиды, ограничивающие его снизу, показывают, где лучшего угла быть не может; поэтому находится наилучший угол, а не просто хороший, и за меньшее число вычислений, чем при переборе через 5°.</translation>
+    </message>
+    <message>
+        <source>What a guide does lies in its relief, which may be a few micrometres on a radius of a hundred millimetres: seven digits of the relief. The closed form needs no step and no start; written without a difference of nearly equal squares it keeps its digits down to the point where the spring gives out all that it stores.</source>
+        <translation>Действие направляющей заключено в её перепаде, а это могут быть микрометры на радиусе в сто миллиметров: нужны семь знаков перепада. Замкнутой форме не нужны ни шаг, ни начальная точка; записанная без разности почти равных квадратов, она сохраняет знаки вплоть до точки, где пружина отдаёт всё, что накопила.</translation>
+    </message>
+    <message>
+        <source>Ripple and energy drift are read off to parts of a million, after up to a thousand turns: so an error of 1e-7 a turn. Step control finds the few steep places of a turn by itself; a fixed step that held at λ = 0.95 would be wasted everywhere else.</source>
+        <translation>Неравномерность хода и уход энергии отсчитываются до миллионных долей после тысячи оборотов: поэтому погрешность 10⁻⁷ на оборот. Управление шагом само находит немногие крутые места оборота; постоянный шаг, достаточный при λ = 0,95, во всех остальных местах был бы лишним.</translation>
+    </message>
+    <message>
+        <source>Reports print six digits and layouts in balance must come out as zero, which is a difference of large forces: so nine digits. The exact form needs one square root; a series of the same cost has three digits at λ = 0.5 and none near locking. The sines of the nodes are kept, because every cylinder and every turn needs the same ones.</source>
+        <translation>В отчётах печатаются шесть знаков, а уравновешенная схема должна давать нуль, то есть разность больших сил: поэтому девять знаков. Точной форме нужен один квадратный корень; ряд той же стоимости даёт три знака при λ = 0,5 и ни одного вблизи заклинивания. Синусы узлов хранятся, так как каждому цилиндру и каждому обороту нужны одни и те же.</translation>
+    </message>
+    <message>
+        <source>A balanced layout is a sum of orders that cancel; what is left must be rounding, so eleven digits. No fixed number of points holds that for every λ and K: the order&apos;s decay is known in closed form, and the number of points follows from it.</source>
+        <translation>Уравновешенная схема — сумма порядков, которые гасят друг друга; остаться должно лишь округление, поэтому одиннадцать знаков. Никакое постоянное число точек не держит этого при всех λ и K: убывание порядков известно в замкнутом виде, и число точек следует из него.</translation>
+    </message>
+    <message>
+        <source>Best shaft angle</source>
+        <translation>Наилучший угол вала</translation>
+    </message>
+    <message>
+        <source>the α with the least range of M_ups</source>
+        <translation>угол α с наименьшим размахом M_ups</translation>
+    </message>
+    <message>
+        <source>range there less the least range, part of the largest torque + A</source>
+        <translation>размах при нём минус наименьший размах, доля наибольшего момента плюс A</translation>
+    </message>
+    <message>
+        <source>one search over all α, the table being prepared</source>
+        <translation>один поиск по всем α, таблица подготовлена</translation>
+    </message>
+    <message>
+        <source>a scan of sampled moments, refined by Brent&apos;s method</source>
+        <translation>перебор по отсчётам момента, уточнённый методом Брента</translation>
+    </message>
+    <message>
+        <source>scan</source>
+        <translation>перебор</translation>
+    </message>
+    <message>
+        <source>as good as its step, whatever the table</source>
+        <translation>хорош настолько, насколько мал шаг, при любой таблице</translation>
+    </message>
+    <message>
+        <source>Brent&apos;s method</source>
+        <translation>метод Брента</translation>
+    </message>
+    <message>
+        <source>finds one of several minima, and on a kink its parabolas do not help</source>
+        <translation>находит один из нескольких минимумов, а на изломе его параболы не помогают</translation>
+    </message>
+    <message>
+        <source>one start</source>
+        <translation>одно начало</translation>
+    </message>
+    <message>
+        <source>from a scan of %1°</source>
+        <translation>после перебора через %1°</translation>
+    </message>
+    <message>
+        <source>steepest descent from a scan of 30°</source>
+        <translation>наискорейший спуск после перебора через 30°</translation>
+    </message>
+    <message>
+        <source>stalls at a kink, where the slope does not go to zero but changes sign</source>
+        <translation>застревает на изломе, где наклон не стремится к нулю, а меняет знак</translation>
+    </message>
+    <message>
+        <source>%1 steps</source>
+        <translation>%1 шагов</translation>
+    </message>
+    <message>
+        <source>cutting planes</source>
+        <translation>отсекающие плоскости</translation>
+    </message>
+    <message>
+        <source>exact: the bounds prove that no angle is better</source>
+        <translation>точен: границы доказывают, что лучшего угла нет</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>точная форма</translation>
+    </message>
+    <message>
+        <source>amplitude of the shaft&apos;s moment, the paper&apos;s torque</source>
+        <translation>амплитуда момента вала, момент из статьи</translation>
+    </message>
+    <message>
+        <source>how much better the best of two minima is</source>
+        <translation>насколько один из двух минимумов лучше</translation>
+    </message>
+    <message>
+        <source>width of the combustion peak</source>
+        <translation>ширина пика сгорания</translation>
+    </message>
+    <message>
+        <source>rows of a table read by the spline</source>
+        <translation>строк таблицы, читаемой сплайном</translation>
+    </message>
+    <message>
+        <source>rows of an irregular table</source>
+        <translation>строк неравномерной таблицы</translation>
+    </message>
+    <message>
+        <source>24 steps</source>
+        <translation>24 шага</translation>
+    </message>
+    <message>
+        <source>144 steps</source>
+        <translation>144 шага</translation>
+    </message>
+    <message>
+        <source>Gauss-Legendre, 10 points a panel</source>
+        <translation>Гаусс–Лежандр, 10 точек на участок</translation>
+    </message>
+    <message>
+        <source>converges slowly over the kinks at the rows; a peak inside one panel is lost</source>
+        <translation>медленно сходится на изломах у строк; пик внутри одного участка теряется</translation>
+    </message>
+    <message>
+        <source>1 panel</source>
+        <translation>1 участок</translation>
+    </message>
+    <message>
+        <source>4 panels</source>
+        <translation>4 участка</translation>
+    </message>
+    <message>
+        <source>%1 panels</source>
+        <translation>%1 участков</translation>
+    </message>
+    <message>
+        <source>72 panels</source>
+        <translation>72 участка</translation>
+    </message>
+    <message>
+        <source>exact integral of the interpolant</source>
+        <translation>точный интеграл интерполянта</translation>
+    </message>
+    <message>
+        <source>exact for the table as it is read; what the engine did between the rows is not in the table</source>
+        <translation>точен для таблицы в том виде, как она читается; чего не было в строках, нет и в таблице</translation>
+    </message>
+    <message>
+        <source>pieces</source>
+        <translation>участки</translation>
+    </message>
+    <message>
+        <source>Cycle mean and RMS</source>
+        <translation>Среднее за цикл и СКЗ</translation>
+    </message>
+    <message>
+        <source>mean of M_ups and its RMS about the mean</source>
+        <translation>среднее M_ups и его СКЗ относительно среднего</translation>
+    </message>
+    <message>
+        <source>part of the largest torque of the table + A</source>
+        <translation>доля наибольшего момента таблицы плюс A</translation>
+    </message>
+    <message>
+        <source>both numbers, from the table</source>
+        <translation>оба числа, начиная с таблицы</translation>
+    </message>
+    <message>
+        <source>adaptive Gauss-Kronrod quadrature from row to row</source>
+        <translation>адаптивная квадратура Гаусса–Кронрода от строки к строке</translation>
+    </message>
+    <message>
+        <source>node mean, end counted twice</source>
+        <translation>среднее по узлам, конец учтён дважды</translation>
+    </message>
+    <message>
+        <source>never: 720° is 0° once more, so a pure sine gets a mean of A sin α / nodes (17.2 N·m in the paper)</source>
+        <translation>нигде: 720° — это снова 0°, и чистый синус получает среднее A sin α / число узлов (17,2 Н·м в статье)</translation>
+    </message>
+    <message>
+        <source>trapezoid rule</source>
+        <translation>формула трапеций</translation>
+    </message>
+    <message>
+        <source>a peak narrower than the step is seen or missed by chance; the kinks at the rows leave order 2</source>
+        <translation>пик уже шага попадает в узел или пропадает случайно; изломы на строках оставляют порядок 2</translation>
+    </message>
+    <message>
+        <source>Simpson&apos;s rule</source>
+        <translation>формула Симпсона</translation>
+    </message>
+    <message>
+        <source>on a periodic function its alternate weights make it a trapezoid rule of half the nodes and worse</source>
+        <translation>на периодической функции чередующиеся веса превращают её в формулу трапеций с половиной узлов, и хуже</translation>
+    </message>
+    <message>
+        <source>shaft angle α, the paper&apos;s engine</source>
+        <translation>угол вала α, двигатель статьи</translation>
+    </message>
+    <message>
+        <source>shaft angle α, no torque but the shaft&apos;s</source>
+        <translation>угол вала α, кроме момента вала ничего</translation>
+    </message>
+    <message>
+        <source>the spring would have to give out more energy than it stores</source>
+        <translation>пружине пришлось бы отдать больше энергии, чем она накопила</translation>
+    </message>
+    <message>
+        <source>runs into the spring&apos;s free length, where the equation is singular</source>
+        <translation>доходит до свободной длины пружины, где уравнение имеет особенность</translation>
+    </message>
+    <message>
+        <source>Guide of the elastic hinge</source>
+        <translation>Направляющая шарнира</translation>
+    </message>
+    <message>
+        <source>radius ρ(φ) of the crank&apos;s guide over one turn</source>
+        <translation>радиус ρ(φ) направляющей кривошипа за оборот</translation>
+    </message>
+    <message>
+        <source>part of the guide&apos;s relief</source>
+        <translation>доля перепада направляющей</translation>
+    </message>
+    <message>
+        <source>ρ at one crank angle</source>
+        <translation>ρ при одном угле кривошипа</translation>
+    </message>
+    <message>
+        <source>energy of the spring against that of the bars, speeds by differences of positions</source>
+        <translation>энергия пружины против энергии звеньев, скорости — разностями положений</translation>
+    </message>
+    <message>
+        <source>closed form as printed</source>
+        <translation>замкнутая форма, как напечатано</translation>
+    </message>
+    <message>
+        <source>a difference of nearly equal squares: it loses the digits of a small relief or a small preload</source>
+        <translation>разность почти равных квадратов: теряет знаки при малом перепаде или малом преднатяге</translation>
+    </message>
+    <message>
+        <source>closed form</source>
+        <translation>замкнутая форма</translation>
+    </message>
+    <message>
+        <source>half of the digits are left where the spring gives out all that it stores; beyond there is no guide</source>
+        <translation>половина знаков остаётся там, где пружина отдаёт всё, что накопила; дальше направляющей нет</translation>
+    </message>
+    <message>
+        <source>free of cancellation</source>
+        <translation>без потери знаков</translation>
+    </message>
+    <message>
+        <source>Euler&apos;s method</source>
+        <translation>метод Эйлера</translation>
+    </message>
+    <message>
+        <source>order 1: the guide does not close after a turn</source>
+        <translation>порядок 1: направляющая не замыкается за оборот</translation>
+    </message>
+    <message>
+        <source>Runge-Kutta of order 4</source>
+        <translation>Рунге–Кутта 4-го порядка</translation>
+    </message>
+    <message>
+        <source>loses its order where ρ comes near ℓ₀/2: the slope is infinite there</source>
+        <translation>теряет порядок там, где ρ подходит к ℓ₀/2: наклон там бесконечен</translation>
+    </message>
+    <message>
+        <source>Dormand-Prince with step control</source>
+        <translation>Дорман–Принс с управлением шагом</translation>
+    </message>
+    <message>
+        <source>its steps shrink to nothing where ρ comes near ℓ₀/2</source>
+        <translation>шаги сжимаются до нуля там, где ρ подходит к ℓ₀/2</translation>
+    </message>
+    <message>
+        <source>Rosenbrock 4, implicit, with step control</source>
+        <translation>Розенброк 4, неявный, с управлением шагом</translation>
+    </message>
+    <message>
+        <source>the same place stops it: what is singular is not stiff</source>
+        <translation>останавливается там же: особенность — это не жёсткость</translation>
+    </message>
+    <message>
+        <source>preload above the least one, part of it</source>
+        <translation>преднатяг сверх наименьшего, его доля</translation>
+    </message>
+    <message>
+        <source>stiffness c of the spring</source>
+        <translation>жёсткость c пружины</translation>
+    </message>
+    <message>
+        <source>stiffness c, preload 1.1 times the least</source>
+        <translation>жёсткость c, преднатяг 1,1 от наименьшего</translation>
+    </message>
+    <message>
+        <source>crank speed ω</source>
+        <translation>угловая скорость кривошипа ω</translation>
+    </message>
+    <message>
+        <source>crank ratio λ</source>
+        <translation>отношение λ</translation>
+    </message>
+    <message>
+        <source>there is no guide</source>
+        <translation>направляющей нет</translation>
+    </message>
+    <message>
+        <source>at this speed the turns take no time that a number can hold</source>
+        <translation>при этой скорости время оборотов не выразить числом</translation>
+    </message>
+    <message>
+        <source>%1 steps a turn</source>
+        <translation>%1 шагов на оборот</translation>
+    </message>
+    <message>
+        <source>the energy drifts by about the tolerance at every turn: a little less than its tolerance promises, but without end</source>
+        <translation>энергия уходит примерно на допуск за каждый оборот: чуть меньше, чем обещает допуск, но без конца</translation>
+    </message>
+    <message>
+        <source>Motion with a hinge</source>
+        <translation>Движение с шарниром</translation>
+    </message>
+    <message>
+        <source>crank angle and speed after whole turns off the design speed</source>
+        <translation>угол и скорость кривошипа после целого числа оборотов не на расчётной скорости</translation>
+    </message>
+    <message>
+        <source>rad, or part of the speed, for each turn made</source>
+        <translation>рад или доля скорости на каждый оборот</translation>
+    </message>
+    <message>
+        <source>one turn of motion</source>
+        <translation>один оборот движения</translation>
+    </message>
+    <message>
+        <source>speeds by the energy of bars and spring, from differences of positions</source>
+        <translation>скорости по энергии звеньев и пружины, из разностей положений</translation>
+    </message>
+    <message>
+        <source>Runge-Kutta of order 4, fixed step</source>
+        <translation>Рунге–Кутта 4-го порядка, постоянный шаг</translation>
+    </message>
+    <message>
+        <source>its energy drifts steadily: with 90 steps a turn it is wrong after thousands of turns, and near λ = 1 at once</source>
+        <translation>энергия уходит неуклонно: с 90 шагами на оборот он неверен через тысячи оборотов, а вблизи λ = 1 — сразу</translation>
+    </message>
+    <message>
+        <source>Störmer-Verlet, symplectic</source>
+        <translation>Штёрмер–Верле, симплектический</translation>
+    </message>
+    <message>
+        <source>its energy never drifts, but order 2 leaves it behind in time</source>
+        <translation>энергия не уходит никогда, но порядок 2 отстаёт по времени</translation>
+    </message>
+    <message>
+        <source>crank ratio λ, 5 turns</source>
+        <translation>отношение λ, 5 оборотов</translation>
+    </message>
+    <message>
+        <source>start speed, part of the design speed</source>
+        <translation>начальная скорость, доля расчётной</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation>обороты</translation>
+    </message>
+    <message>
+        <source>the mechanism locks: the crank cannot turn round</source>
+        <translation>механизм заклинивает: кривошип не проворачивается</translation>
+    </message>
+    <message>
+        <source>two-term closed form</source>
+        <translation>замкнутая форма, два члена</translation>
+    </message>
+    <message>
+        <source>leaves λ³/4 in order 2 and all of the higher orders: three digits at λ = 0.25</source>
+        <translation>оставляет λ³/4 во 2-м порядке и все высшие порядки: три знака при λ = 0,25</translation>
+    </message>
+    <message>
+        <source>discrete Fourier transform</source>
+        <translation>дискретное преобразование Фурье</translation>
+    </message>
+    <message>
+        <source>orders above half the points fold onto the low ones: with large λ or K a short transform is wrong</source>
+        <translation>порядки выше половины числа точек накладываются на низшие: при больших λ или K короткое преобразование неверно</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 точек</translation>
+    </message>
+    <message>
+        <source>32 points</source>
+        <translation>32 точки</translation>
+    </message>
+    <message>
+        <source>64 points</source>
+        <translation>64 точки</translation>
+    </message>
+    <message>
+        <source>Fourier transform as long as needed</source>
+        <translation>преобразование Фурье нужной длины</translation>
+    </message>
+    <message>
+        <source>the number of points grows as 1/√(1 - λ(1 + K)); beyond 65536 points it says that the accuracy is not reached</source>
+        <translation>число точек растёт как 1/√(1 − λ(1 + K)); свыше 65536 точек он сообщает, что точность не достигнута</translation>
+    </message>
+    <message>
+        <source>the mechanism is too near locking for the accuracy asked</source>
+        <translation>механизм слишком близок к заклиниванию для заданной точности</translation>
+    </message>
+    <message>
+        <source>exact series</source>
+        <translation>точный ряд</translation>
+    </message>
+    <message>
+        <source>terms fall as (λ(1 + K))^2n only: near locking thousands are needed, and their number grows into the square of the cost</source>
+        <translation>члены убывают лишь как (λ(1 + K))^2n: вблизи заклинивания их нужны тысячи, а стоимость растёт как квадрат их числа</translation>
+    </message>
+    <message>
+        <source>2 terms</source>
+        <translation>2 члена</translation>
+    </message>
+    <message>
+        <source>4 terms</source>
+        <translation>4 члена</translation>
+    </message>
+    <message>
+        <source>%1 terms</source>
+        <translation>%1 членов</translation>
+    </message>
+    <message>
+        <source>32 terms</source>
+        <translation>32 члена</translation>
+    </message>
+    <message>
+        <source>64 terms</source>
+        <translation>64 члена</translation>
+    </message>
+    <message>
+        <source>Inertia orders</source>
+        <translation>Порядки сил инерции</translation>
+    </message>
+    <message>
+        <source>orders 0 to 12 of force and torque of one cylinder</source>
+        <translation>порядки силы и момента одного цилиндра от 0 до 12</translation>
+    </message>
+    <message>
+        <source>part of the largest order, or of m R ω² and m R² ω²</source>
+        <translation>доля наибольшего порядка либо m R ω² и m R² ω²</translation>
+    </message>
+    <message>
+        <source>all the orders of one cylinder</source>
+        <translation>все порядки одного цилиндра</translation>
+    </message>
+    <message>
+        <source>the binomial series of the rod&apos;s root, term by term</source>
+        <translation>биномиальный ряд корня шатуна, член за членом</translation>
+    </message>
+    <message>
+        <source>crank ratio λ, K = 0</source>
+        <translation>отношение λ, K = 0</translation>
+    </message>
+    <message>
+        <source>relative offset K at λ = 0.265</source>
+        <translation>относительное смещение K при λ = 0,265</translation>
+    </message>
+    <message>
+        <source>gives no finite number</source>
+        <translation>не даёт конечного числа</translation>
+    </message>
+    <message>
+        <source>is off by more than numbers can say</source>
+        <translation>ошибается сильнее, чем можно выразить числом</translation>
+    </message>
+    <message>
+        <source>nowhere</source>
+        <translation>нигде</translation>
+    </message>
+    <message>
+        <source>everywhere</source>
+        <translation>везде</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>при %1</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>от %1</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>до %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>от %1 до %2</translation>
+    </message>
+    <message>
+        <source>largest and smallest node</source>
+        <translation>наибольший и наименьший узел</translation>
+    </message>
+    <message>
+        <source>an extremum between the nodes is cut off, and a narrow peak is not seen at all</source>
+        <translation>экстремум между узлами срезается, а узкий пик не виден вовсе</translation>
+    </message>
+    <message>
+        <source>golden section between the rows</source>
+        <translation>золотое сечение между строками</translation>
+    </message>
+    <message>
+        <source>finds one of two extrema between two rows, which long straight pieces have</source>
+        <translation>находит один из двух экстремумов между строками, какие бывают на длинных прямых участках</translation>
+    </message>
+    <message>
+        <source>to %1°</source>
+        <translation>до %1°</translation>
+    </message>
+    <message>
+        <source>exact extrema of the pieces</source>
+        <translation>точные экстремумы участков</translation>
+    </message>
+    <message>
+        <source>exact for the table as it is read</source>
+        <translation>точен для таблицы в том виде, как она читается</translation>
+    </message>
+    <message>
+        <source>Range of M_ups</source>
+        <translation>Размах M_ups</translation>
+    </message>
+    <message>
+        <source>ΔM_ups, largest less smallest moment over the cycle, at one α</source>
+        <translation>ΔM_ups, наибольший момент за цикл минус наименьший, при одном α</translation>
+    </message>
+    <message>
+        <source>the range at one α, the table being prepared</source>
+        <translation>размах при одном α, таблица подготовлена</translation>
+    </message>
+    <message>
+        <source>Brent&apos;s method in every degree between the rows</source>
+        <translation>метод Брента на каждом градусе между строками</translation>
+    </message>
+    <message>
+        <source>series in λ</source>
+        <translation>ряд по λ</translation>
+    </message>
+    <message>
+        <source>the terms left out are of the order (λ(1 + K))^2n: three digits at λ = 0.5 with 4 terms, and no convergence at locking</source>
+        <translation>отброшенные члены порядка (λ(1 + K))^2n: три знака при λ = 0,5 с 4 членами, а при заклинивании ряд не сходится</translation>
+    </message>
+    <message>
+        <source>3 terms</source>
+        <translation>3 члена</translation>
+    </message>
+    <message>
+        <source>in float the angle itself has seven digits; near locking the error grows as the rounding divided by 1 - λ(1 + K)</source>
+        <translation>в float сам угол имеет семь знаков; вблизи заклинивания погрешность растёт как округление, делённое на 1 − λ(1 + K)</translation>
+    </message>
+    <message>
+        <source>float</source>
+        <translation>float</translation>
+    </message>
+    <message>
+        <source>double</source>
+        <translation>double</translation>
+    </message>
+    <message>
+        <source>exact, sines by recurrence</source>
+        <translation>точная, синусы по рекурсии</translation>
+    </message>
+    <message>
+        <source>rounding adds up over the points since the last fresh sine</source>
+        <translation>округления накапливаются по точкам с последнего заново вычисленного синуса</translation>
+    </message>
+    <message>
+        <source>fresh every %1</source>
+        <translation>заново каждые %1</translation>
+    </message>
+    <message>
+        <source>never fresh</source>
+        <translation>без обновления</translation>
+    </message>
+    <message>
+        <source>float, never fresh</source>
+        <translation>float, без обновления</translation>
+    </message>
+    <message>
+        <source>exact, sines kept</source>
+        <translation>точная, синусы хранятся</translation>
+    </message>
+    <message>
+        <source>near locking the error grows as the rounding divided by 1 - λ(1 + K): nine digits are left at 1 - λ(1 + K) = 1e-6</source>
+        <translation>вблизи заклинивания погрешность растёт как округление, делённое на 1 − λ(1 + K): при 1 − λ(1 + K) = 10⁻⁶ остаётся девять знаков</translation>
+    </message>
+    <message>
+        <source>Slider-crank kinematics</source>
+        <translation>Кинематика КШМ</translation>
+    </message>
+    <message>
+        <source>s, s′, s″ of the piston pin over one turn</source>
+        <translation>s, s′, s″ поршневого пальца за оборот</translation>
+    </message>
+    <message>
+        <source>part of the largest |s|, |s′|, |s″| of the turn</source>
+        <translation>доля наибольших |s|, |s′|, |s″| за оборот</translation>
+    </message>
+    <message>
+        <source>s, s′ and s″ at one crank angle</source>
+        <translation>s, s′ и s″ при одном угле кривошипа</translation>
+    </message>
+    <message>
+        <source>the closure |crankpin - pin| = L solved by Newton&apos;s method, derivatives by differences</source>
+        <translation>условие замыкания |шатунная шейка − палец| = L, решённое методом Ньютона, производные — разностями</translation>
+    </message>
+    <message>
+        <source>points of one turn at λ = 0.265</source>
+        <translation>точек на оборот при λ = 0,265</translation>
+    </message>
+    <message>
+        <source>reproduced</source>
+        <translation>воспроизведено</translation>
+    </message>
+    <message>
+        <source>artefact</source>
+        <translation>артефакт</translation>
+    </message>
+    <message>
+        <source>slip</source>
+        <translation>опечатка</translation>
+    </message>
+    <message>
+        <source>not derivable</source>
+        <translation>не выводится</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>расходится</translation>
+    </message>
+    <message>
+        <source>introduction</source>
+        <translation>введение</translation>
+    </message>
+    <message>
+        <source>Quoted from other papers.</source>
+        <translation>Приведено по другим работам.</translation>
+    </message>
+    <message>
+        <source>displacement of five-cylinder engines</source>
+        <translation>рабочий объём пятицилиндровых двигателей</translation>
+    </message>
+    <message>
+        <source>angle between the banks of VR engines</source>
+        <translation>угол развала двигателей VR</translation>
+    </message>
+    <message>
+        <source>parameters of the engine</source>
+        <translation>параметры двигателя</translation>
+    </message>
+    <message>
+        <source>offset e</source>
+        <translation>смещение e</translation>
+    </message>
+    <message>
+        <source>K R.</source>
+        <translation>K R.</translation>
+    </message>
+    <message>
+        <source>relative offset K</source>
+        <translation>относительное смещение K</translation>
+    </message>
+    <message>
+        <source>e / R.</source>
+        <translation>e / R.</translation>
+    </message>
+    <message>
+        <source>crank angle at top dead centre</source>
+        <translation>угол кривошипа в верхней мёртвой точке</translation>
+    </message>
+    <message>
+        <source>arcsin(λK / (1 + λ)).</source>
+        <translation>arcsin(λK / (1 + λ)).</translation>
+    </message>
+    <message>
+        <source>shift of the crankpins of bank 2</source>
+        <translation>смещение шатунных шеек ряда 2</translation>
+    </message>
+    <message>
+        <source>To 1′, from the exact top dead centre. It is γ + 2 φ: the formula beside it, γ + φ, has lost the 2 and would give 18°20′.</source>
+        <translation>До 1′, по точной верхней мёртвой точке. Это γ + 2 φ: формула рядом, γ + φ, потеряла двойку и дала бы 18°20′.</translation>
+    </message>
+    <message>
+        <source>To 1′: the paper adds up angles rounded to minutes.</source>
+        <translation>До 1′: статья складывает углы, округлённые до минут.</translation>
+    </message>
+    <message>
+        <source>Fig. 2a</source>
+        <translation>рис. 2а</translation>
+    </message>
+    <message>
+        <source>angle from crankpin %1 to %2</source>
+        <translation>угол от шейки %1 до %2</translation>
+    </message>
+    <message>
+        <source>Fig. 2b</source>
+        <translation>рис. 2б</translation>
+    </message>
+    <message>
+        <source>coefficient of a cos φ</source>
+        <translation>коэффициент при a cos φ</translation>
+    </message>
+    <message>
+        <source>coefficient of l cos φ</source>
+        <translation>коэффициент при l cos φ</translation>
+    </message>
+    <message>
+        <source>coefficient of a sin φ</source>
+        <translation>коэффициент при a sin φ</translation>
+    </message>
+    <message>
+        <source>coefficient of l sin φ</source>
+        <translation>коэффициент при l sin φ</translation>
+    </message>
+    <message>
+        <source>coefficient of a cos 2φ</source>
+        <translation>коэффициент при a cos 2φ</translation>
+    </message>
+    <message>
+        <source>coefficient of l cos 2φ</source>
+        <translation>коэффициент при l cos 2φ</translation>
+    </message>
+    <message>
+        <source>coefficient of a sin 2φ</source>
+        <translation>коэффициент при a sin 2φ</translation>
+    </message>
+    <message>
+        <source>coefficient of l sin 2φ</source>
+        <translation>коэффициент при l sin 2φ</translation>
+    </message>
+    <message>
+        <source>To one unit of the last digit: the paper adds up sines of angles rounded to minutes. l counts from crankpin 4.</source>
+        <translation>До единицы последнего знака: статья складывает синусы углов, округлённых до минут. l отсчитывается от шейки 4.</translation>
+    </message>
+    <message>
+        <source>To 1′, from the two-term orders: the paper computes on with rounded coefficients.</source>
+        <translation>До 1′, по двучленным порядкам: статья считает дальше с округлёнными коэффициентами.</translation>
+    </message>
+    <message>
+        <source>Fig. 7a</source>
+        <translation>рис. 7а</translation>
+    </message>
+    <message>
+        <source>plane of the moment of the shaft at +ω</source>
+        <translation>плоскость момента вала с +ω</translation>
+    </message>
+    <message>
+        <source>from the x axis</source>
+        <translation>от оси x</translation>
+    </message>
+    <message>
+        <source>Fig. 7b</source>
+        <translation>рис. 7б</translation>
+    </message>
+    <message>
+        <source>plane of the moment of the shaft at −ω</source>
+        <translation>плоскость момента вала с −ω</translation>
+    </message>
+    <message>
+        <source>from the y axis</source>
+        <translation>от оси y</translation>
+    </message>
+    <message>
+        <source>Fig. 8a</source>
+        <translation>рис. 8а</translation>
+    </message>
+    <message>
+        <source>plane of the moment of the shaft at +2ω</source>
+        <translation>плоскость момента вала с +2ω</translation>
+    </message>
+    <message>
+        <source>Fig. 8b</source>
+        <translation>рис. 8б</translation>
+    </message>
+    <message>
+        <source>plane of the moment of the shaft at −2ω</source>
+        <translation>плоскость момента вала с −2ω</translation>
+    </message>
+    <message>
+        <source>Found from the crank with its shift γ_ш varied.</source>
+        <translation>Найдено по валу с изменяемым смещением γ_ш.</translation>
+    </message>
+    <message>
+        <source>coefficient of sin γ_ш</source>
+        <translation>коэффициент при sin γ_ш</translation>
+    </message>
+    <message>
+        <source>coefficient of sin²(γ_ш/2)</source>
+        <translation>коэффициент при sin²(γ_ш/2)</translation>
+    </message>
+    <message>
+        <source>constant part</source>
+        <translation>постоянная часть</translation>
+    </message>
+    <message>
+        <source>coefficient of cos γ_ш</source>
+        <translation>коэффициент при cos γ_ш</translation>
+    </message>
+    <message>
+        <source>The sign is lost: only a plus gives the angle 75°43′ that the paper prints below.</source>
+        <translation>Потерян знак: только плюс даёт угол 75°43′, напечатанный ниже.</translation>
+    </message>
+    <message>
+        <source>To 1′: the paper computes with 21°40′.</source>
+        <translation>До 1′: статья считает с 21°40′.</translation>
+    </message>
+    <message>
+        <source>after ΣM_c</source>
+        <translation>после ΣM_c</translation>
+    </message>
+    <message>
+        <source>counterweight against the force</source>
+        <translation>противовес от силы</translation>
+    </message>
+    <message>
+        <source>lag behind crankpin 1</source>
+        <translation>отставание от шейки 1</translation>
+    </message>
+    <message>
+        <source>counterweight against the moment</source>
+        <translation>противовес от момента</translation>
+    </message>
+    <message>
+        <source>plane of ΣM_c against crankpin 1</source>
+        <translation>плоскость ΣM_c относительно шейки 1</translation>
+    </message>
+    <message>
+        <source>dynamic calculation</source>
+        <translation>динамический расчёт</translation>
+    </message>
+    <message>
+        <source>angular speed ω at %1 min⁻¹</source>
+        <translation>угловая скорость ω при %1 мин⁻¹</translation>
+    </message>
+    <message>
+        <source>π is rounded to 3.14.</source>
+        <translation>π округлено до 3,14.</translation>
+    </message>
+    <message>
+        <source>crank radius r</source>
+        <translation>радиус кривошипа r</translation>
+    </message>
+    <message>
+        <source>Half the stroke of 9.2 cm in the engine&apos;s type.</source>
+        <translation>Половина хода 9,2 см из обозначения двигателя.</translation>
+    </message>
+    <message>
+        <source>reciprocating mass m_j</source>
+        <translation>возвратно-поступательная масса m_j</translation>
+    </message>
+    <message>
+        <source>The sum of Table 1 with the heavier piston.</source>
+        <translation>Сумма по табл. 1 с более тяжёлым поршнем.</translation>
+    </message>
+    <message>
+        <source>first-order inertia force P_j1 max</source>
+        <translation>сила инерции первого порядка P_j1 max</translation>
+    </message>
+    <message>
+        <source>m_j r ω² at the printed 376.8 rad/s.</source>
+        <translation>m_j r ω² при напечатанных 376,8 рад/с.</translation>
+    </message>
+    <message>
+        <source>counterweight m₁</source>
+        <translation>противовес m₁</translation>
+    </message>
+    <message>
+        <source>Equation (1).</source>
+        <translation>Формула (1).</translation>
+    </message>
+    <message>
+        <source>counterweight&apos;s force P₁</source>
+        <translation>сила противовеса P₁</translation>
+    </message>
+    <message>
+        <source>m₁ ρ₁ ω².</source>
+        <translation>m₁ ρ₁ ω².</translation>
+    </message>
+    <message>
+        <source>rated power</source>
+        <translation>номинальная мощность</translation>
+    </message>
+    <message>
+        <source>The friction losses are not printed; ours is the indicated power of Table 2 at the printed speed.</source>
+        <translation>Потери на трение не напечатаны; наше число — индикаторная мощность по табл. 2 при напечатанной скорости.</translation>
+    </message>
+    <message>
+        <source>speed of Table 2</source>
+        <translation>частота вращения табл. 2</translation>
+    </message>
+    <message>
+        <source>The program that made Table 2 is not published; ours is the speed at which the inertia torque within it belongs to the masses of Table 1.</source>
+        <translation>Программа, давшая табл. 2, не опубликована; наше число — скорость, при которой инерционный момент в ней отвечает массам табл. 1.</translation>
+    </message>
+    <message>
+        <source>M_up = −M_id.</source>
+        <translation>M_up = −M_id.</translation>
+    </message>
+    <message>
+        <source>The mean of the 49 rows counts the end of the cycle, 720° = 0°, twice; ours is the cycle integral.</source>
+        <translation>Среднее 49 строк учитывает конец цикла, 720° = 0°, дважды; наше число — интеграл за цикл.</translation>
+    </message>
+    <message>
+        <source>mean of M_id</source>
+        <translation>среднее M_id</translation>
+    </message>
+    <message>
+        <source>mean of M_up</source>
+        <translation>среднее M_up</translation>
+    </message>
+    <message>
+        <source>To 0.01 N·m: l is not printed, ours follows from the largest entry and is rounded to 0.01 mm, and equal entries scatter by 0.01 in print.</source>
+        <translation>До 0,01 Н·м: l не напечатано, наше следует из наибольшего числа и округлено до 0,01 мм, а равные числа в печати расходятся на 0,01.</translation>
+    </message>
+    <message>
+        <source>last column</source>
+        <translation>последний столбец</translation>
+    </message>
+    <message>
+        <source>The column is headed M_up but holds M_s of α = 330°.</source>
+        <translation>Столбец озаглавлен M_up, но содержит M_s при α = 330°.</translation>
+    </message>
+    <message>
+        <source>mean M_sm(α = %1°)</source>
+        <translation>среднее M_sm(α = %1°)</translation>
+    </message>
+    <message>
+        <source>The mean of the 25 rows counts the end of the cycle twice; the cycle mean of a sine is 0 for every α.</source>
+        <translation>Среднее 25 строк учитывает конец цикла дважды; среднее синуса за цикл равно 0 при любом α.</translation>
+    </message>
+    <message>
+        <source>mean under the last column</source>
+        <translation>среднее под последним столбцом</translation>
+    </message>
+    <message>
+        <source>The mean of the 49 rows of Table 2, not of the 25 values above it; the end of the cycle is counted twice.</source>
+        <translation>Среднее 49 строк табл. 2, а не 25 чисел над ним; конец цикла учтён дважды.</translation>
+    </message>
+    <message>
+        <source>before Table %1</source>
+        <translation>перед табл. %1</translation>
+    </message>
+    <message>
+        <source>step of the means M_sm in Table 3</source>
+        <translation>шаг средних M_sm в табл. 3</translation>
+    </message>
+    <message>
+        <source>Only the 25 printed rows give the printed means; rows every 5° would give a sixth of them.</source>
+        <translation>Напечатанные средние дают только 25 напечатанных строк; строки через 5° дали бы их шестую часть.</translation>
+    </message>
+    <message>
+        <source>results</source>
+        <translation>результаты</translation>
+    </message>
+    <message>
+        <source>α at which M_s is a cosine</source>
+        <translation>α, при котором M_s — косинус</translation>
+    </message>
+    <message>
+        <source>At 180° the mean of the nodes is 0 as well, but there M_s is a sine; it is a cosine at 90°.</source>
+        <translation>При 180° среднее по узлам тоже 0, но там M_s — синус; косинус она при 90°.</translation>
+    </message>
+    <message>
+        <source>upper end of the α that lower the mean</source>
+        <translation>верхняя граница α, снижающих среднее</translation>
+    </message>
+    <message>
+        <source>The mean of the nodes is positive up to there; the cycle mean of M_s is 0 for every α.</source>
+        <translation>Среднее по узлам положительно до этого угла; среднее M_s за цикл равно 0 при любом α.</translation>
+    </message>
+    <message>
+        <source>upper end of the α with M_sm &lt; 0</source>
+        <translation>верхняя граница α с M_sm &lt; 0</translation>
+    </message>
+    <message>
+        <source>360 without its first digit: M_sm of the nodes is negative from 180° to 360°.</source>
+        <translation>360 без первой цифры: M_sm по узлам отрицательно от 180° до 360°.</translation>
+    </message>
+    <message>
+        <source>α from which M_sm changes its sign</source>
+        <translation>α, с которого M_sm меняет знак</translation>
+    </message>
+    <message>
+        <source>So do the nodes; the cycle mean of M_s is 0 for every α.</source>
+        <translation>Так ведут себя узлы; среднее M_s за цикл равно 0 при любом α.</translation>
+    </message>
+    <message>
+        <source>α from which M_sm is negative</source>
+        <translation>α, с которого M_sm отрицательно</translation>
+    </message>
+    <message>
+        <source>abstract</source>
+        <translation>аннотация</translation>
+    </message>
+    <message>
+        <source>The mean of the 49 rows falls by that at α = 30° and at the 45° of Fig. 2, because the end of the cycle is counted twice; no shaft changes the cycle mean.</source>
+        <translation>На столько падает среднее 49 строк при α = 30° и при 45° рис. 2, потому что конец цикла учтён дважды; среднего за цикл никакой вал не меняет.</translation>
+    </message>
+    <message>
+        <source>cut of the mean moment</source>
+        <translation>снижение среднего момента</translation>
+    </message>
+    <message>
+        <source>α of the largest ΔM_ups</source>
+        <translation>α наибольшего ΔM_ups</translation>
+    </message>
+    <message>
+        <source>The largest of the sweep over α.</source>
+        <translation>Наибольшее при переборе по α.</translation>
+    </message>
+    <message>
+        <source>largest ΔM_ups</source>
+        <translation>наибольшее ΔM_ups</translation>
+    </message>
+    <message>
+        <source>It was read from a torque table of 5° that is not printed; ours is of the 15° table.</source>
+        <translation>Взято из таблицы моментов через 5°, которая не напечатана; наше — по таблице через 15°.</translation>
+    </message>
+    <message>
+        <source>rational α</source>
+        <translation>рациональный α</translation>
+    </message>
+    <message>
+        <source>No criterion is printed from which it follows; ours is where the range begins to be smaller than without a shaft.</source>
+        <translation>Критерий, из которого это следует, не напечатан; наше число — где размах становится меньше, чем без вала.</translation>
+    </message>
+    <message>
+        <source>Beyond it the range is larger than without a shaft.</source>
+        <translation>За ним размах больше, чем без вала.</translation>
+    </message>
+    <message>
+        <source>α below which the overall size shrinks</source>
+        <translation>α, ниже которого габарит уменьшается</translation>
+    </message>
+    <message>
+        <source>No sizes of the engine are printed.</source>
+        <translation>Размеры двигателя не напечатаны.</translation>
+    </message>
+    <message>
+        <source>largest α advised</source>
+        <translation>наибольший рекомендуемый α</translation>
+    </message>
+    <message>
+        <source>conclusions</source>
+        <translation>выводы</translation>
+    </message>
+    <message>
+        <source>advised α</source>
+        <translation>рекомендуемый α</translation>
+    </message>
+    <message>
+        <source>%1 l</source>
+        <translation>%1 л</translation>
+    </message>
+    <message>
+        <source>%1 and %2 l</source>
+        <translation>%1 и %2 л</translation>
+    </message>
+    <message>
+        <source>r_p / r.</source>
+        <translation>r_p / r.</translation>
+    </message>
+    <message>
+        <source>2 r_p / r, eq. (11).</source>
+        <translation>2 r_p / r, ф-ла (11).</translation>
+    </message>
+    <message>
+        <source>m_pн with the ratio of aluminium to steel of today&apos;s plugs of the 6 and 7 l engines.</source>
+        <translation>m_pн с отношением алюминия к стали по нынешним пробкам двигателей 6 и 7 л.</translation>
+    </message>
+    <message>
+        <source>From k_y and k_yн as Table 2 prints them; unrounded ones move it by up to 0.003 g.</source>
+        <translation>По k_y и k_yн, как они напечатаны в табл. 2; неокруглённые сдвигают его не более чем на 0,003 г.</translation>
+    </message>
+    <message>
+        <source>From k_y and the constant part as the tables print them; unrounded ones move it by up to 0.003 g.</source>
+        <translation>По k_y и постоянной части, как они напечатаны в таблицах; неокруглённые сдвигают его не более чем на 0,003 г.</translation>
+    </message>
+    <message>
+        <source>slope d(Δm_yk)/d(Δm) (24)</source>
+        <translation>наклон d(Δm_yk)/d(Δm) (24)</translation>
+    </message>
+    <message>
+        <source>k_y.</source>
+        <translation>k_y.</translation>
+    </message>
+    <message>
+        <source>The lightening of a steel plug that the printed maximum (22) asks for.</source>
+        <translation>Облегчение стальной пробки, которого требует напечатанный максимум (22).</translation>
+    </message>
+    <message>
+        <source>What the printed maximum (19) leaves for the lightening.</source>
+        <translation>То, что напечатанный максимум (19) оставляет на облегчение.</translation>
+    </message>
+    <message>
+        <source>Equation (18) solved for Δm.</source>
+        <translation>Формула (18), решённая относительно Δm.</translation>
+    </message>
+    <message>
+        <source>excess that today&apos;s steel plugs compensate</source>
+        <translation>избыток, компенсируемый нынешними стальными пробками</translation>
+    </message>
+    <message>
+        <source>Equation (22).</source>
+        <translation>Формула (22).</translation>
+    </message>
+    <message>
+        <source>lightening of a steel plug that takes</source>
+        <translation>нужное для этого облегчение стальной пробки</translation>
+    </message>
+    <message>
+        <source>excess that aluminium plugs compensate</source>
+        <translation>избыток, компенсируемый алюминиевыми пробками</translation>
+    </message>
+    <message>
+        <source>Equation (19) from the printed constant part.</source>
+        <translation>Формула (19) с напечатанной постоянной частью.</translation>
+    </message>
+    <message>
+        <source>lightening of a steel plug equivalent to that</source>
+        <translation>равносильное этому облегчение стальной пробки</translation>
+    </message>
+    <message>
+        <source>largest Δk</source>
+        <translation>наибольшее Δk</translation>
+    </message>
+    <message>
+        <source>Δr / r, eq. (1).</source>
+        <translation>Δr / r, ф-ла (1).</translation>
+    </message>
+    <message>
+        <source>largest shift Δr</source>
+        <translation>наибольшее смещение Δr</translation>
+    </message>
+    <message>
+        <source>From the printed Δk of the 4.25 l engine.</source>
+        <translation>По напечатанному Δk двигателя 4,25 л.</translation>
+    </message>
+    <message>
+        <source>The machined shapes that it belongs to are not printed.</source>
+        <translation>Обработанные формы, к которым оно относится, не напечатаны.</translation>
+    </message>
+    <message>
+        <source>mass m_p of the plug</source>
+        <translation>масса m_p пробки</translation>
+    </message>
+    <message>
+        <source>The drawing is not dimensioned in full; a steel cup of the printed thread and height, bored 25 mm wide and 8 mm deep, weighs ours.</source>
+        <translation>На чертеже проставлены не все размеры; наше число — масса стального стакана с напечатанными резьбой и высотой и расточкой диаметром 25 мм на глубину 8 мм.</translation>
+    </message>
+    <message>
+        <source>excess that an M27×1.5 aluminium plug compensates</source>
+        <translation>избыток, компенсируемый алюминиевой пробкой M27×1,5</translation>
+    </message>
+    <message>
+        <source>The mass and the place of such a plug are not printed.</source>
+        <translation>Масса и место такой пробки не напечатаны.</translation>
+    </message>
+    <message>
+        <source>experiments</source>
+        <translation>эксперименты</translation>
+    </message>
+    <message>
+        <source>residual unbalance in each correction plane</source>
+        <translation>остаточный дисбаланс в каждой плоскости коррекции</translation>
+    </message>
+    <message>
+        <source>A limit that was set, not computed.</source>
+        <translation>Заданный предел, он не вычислялся.</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>текст</translation>
+    </message>
+    <message>
+        <source>Table %1</source>
+        <translation>табл. %1</translation>
+    </message>
+    <message>
+        <source>Fig. %1</source>
+        <translation>рис. %1</translation>
+    </message>
+    <message>
+        <source>eq. (%1)</source>
+        <translation>ф-ла (%1)</translation>
+    </message>
+    <message>
+        <source>after eq. (%1)</source>
+        <translation>после ф-лы (%1)</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>от</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>до</translation>
+    </message>
+    <message>
+        <source>∮ M₁₂ dφ at ω = %1 s⁻¹</source>
+        <translation>∮ M₁₂ dφ при ω = %1 с⁻¹</translation>
+    </message>
+    <message>
+        <source>With the paper&apos;s series for cos ψ; the inertia part is odd in φ and drops out at every speed.</source>
+        <translation>С рядом статьи для cos ψ; инерционная часть нечётна по φ и выпадает при любой скорости.</translation>
+    </message>
+    <message>
+        <source>To rounding, 1e-9 of the integral of its size.</source>
+        <translation>До округления, 10⁻⁹ интеграла модуля.</translation>
+    </message>
+    <message>
+        <source>potential part</source>
+        <translation>потенциальная часть</translation>
+    </message>
+    <message>
+        <source>To rounding, with M₁₂ outside the factor 0.5 of (8), where it belongs.</source>
+        <translation>До округления, с M₁₂ вне множителя 0,5 в (8), где ей и место.</translation>
+    </message>
+    <message>
+        <source>To rounding, with the counterweight that (10) asks for.</source>
+        <translation>До округления, с противовесом, которого требует (10).</translation>
+    </message>
+    <message>
+        <source>To rounding, with M₁₂* outside the factor 0.5 of (11), where it belongs.</source>
+        <translation>До округления, с M₁₂* вне множителя 0,5 в (11), где ей и место.</translation>
+    </message>
+    <message>
+        <source>factor of M₁₂ (1 + λ cos φ / cos ψ)</source>
+        <translation>множитель при M₁₂ (1 + λ cos φ / cos ψ)</translation>
+    </message>
+    <message>
+        <source>The bracket of 0.5 closes after M₁₂ in the place of before it; the moment balance about the crank axis gives ours.</source>
+        <translation>Скобка множителя 0,5 закрыта после M₁₂, а не перед ней; наше число даёт равновесие моментов относительно оси кривошипа.</translation>
+    </message>
+    <message>
+        <source>divisor of r² (P₁ + P₂) / g in I_pr(0)</source>
+        <translation>делитель r² (P₁ + P₂) / g в I_пр(0)</translation>
+    </message>
+    <message>
+        <source>From the mechanism&apos;s reduced inertia.</source>
+        <translation>Из приведённого момента инерции механизма.</translation>
+    </message>
+    <message>
+        <source>ρ₀ of guides 1, ℓ₀/2: largest that has a guide</source>
+        <translation>ρ₀ направляющих 1, ℓ₀/2: наибольшее, при котором направляющая есть</translation>
+    </message>
+    <message>
+        <source>To 0.01 mm, and only with the sign of (1), by which the spring takes up energy when the mechanism does; to keep ω constant it must give it out.</source>
+        <translation>До 0,01 мм и лишь со знаком (1), по которому пружина запасает энергию вместе с механизмом; чтобы держать ω постоянной, она должна её отдавать.</translation>
+    </message>
+    <message>
+        <source>P₄ ℓ₂ = (P₃ + P₂/2) ℓ, at any speed.</source>
+        <translation>P₄ ℓ₂ = (P₃ + P₂/2) ℓ при любой скорости.</translation>
+    </message>
+    <message>
+        <source>P₄ at ℓ₂ = %1 m</source>
+        <translation>P₄ при ℓ₂ = %1 м</translation>
+    </message>
+    <message>
+        <source>Fig. 6a</source>
+        <translation>рис. 6а</translation>
+    </message>
+    <message>
+        <source>Fig. 6b</source>
+        <translation>рис. 6б</translation>
+    </message>
+    <message>
+        <source>The value rounded to three decimals, with a zero added.</source>
+        <translation>Значение, округлённое до трёх знаков, с приписанным нулём.</translation>
+    </message>
+    <message>
+        <source>Fig. 6c</source>
+        <translation>рис. 6в</translation>
+    </message>
+    <message>
+        <source>flywheel&apos;s part of an engine&apos;s inertia</source>
+        <translation>доля маховика в моменте инерции двигателя</translation>
+    </message>
+    <message>
+        <source>Quoted from another paper.</source>
+        <translation>Приведено по другой работе.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::AnswerView</name>
+    <message>
+        <source>The four options</source>
+        <translation>Четыре варианта</translation>
+    </message>
+    <message>
+        <source>Bob weight on each crankpin</source>
+        <translation>Балансировочный груз на шейку</translation>
+    </message>
+    <message>
+        <source>Bob weight on each crankpin, line by line</source>
+        <translation>Балансировочный груз на шейку по строкам</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::BackgroundJob</name>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Для этого не хватает памяти.</translation>
+    </message>
+    <message>
+        <source>The computation failed.</source>
+        <translation>Вычисление не удалось.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::BalanceShaftModel</name>
+    <message>
+        <source>Torque source</source>
+        <translation>Источник момента</translation>
+    </message>
+    <message>
+        <source>Pressure trace</source>
+        <translation>Индикаторная диаграмма</translation>
+    </message>
+    <message>
+        <source>Move shaft</source>
+        <translation>Поворот вала</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Частота вращения</translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation>Н·м</translation>
+    </message>
+    <message>
+        <source>Mᵤₚ</source>
+        <translation>Mᵤₚ</translation>
+    </message>
+    <message>
+        <source>Mₛ</source>
+        <translation>Mₛ</translation>
+    </message>
+    <message>
+        <source>Mᵤₚₛ</source>
+        <translation>Mᵤₚₛ</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>измен.</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>размах</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>СКЗ</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>среднее</translation>
+    </message>
+    <message>
+        <source>nodes</source>
+        <translation>по узлам</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>макс.</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>мин.</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Величина</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Значение</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Ед.</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>Н</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>мм</translation>
+    </message>
+    <message>
+        <source>Inertia force Pⱼ₁, max</source>
+        <translation>Сила инерции Pⱼ₁, макс.</translation>
+    </message>
+    <message>
+        <source>Counterweight m₁</source>
+        <translation>Противовес m₁</translation>
+    </message>
+    <message>
+        <source>kg</source>
+        <translation>кг</translation>
+    </message>
+    <message>
+        <source>Counterweight force P₁</source>
+        <translation>Сила противовеса P₁</translation>
+    </message>
+    <message>
+        <source>Amplitude of Mₛ, P₁ l</source>
+        <translation>Амплитуда Mₛ, P₁ l</translation>
+    </message>
+    <message>
+        <source>First order&apos;s share of Mᵤₚ</source>
+        <translation>Доля 1-го порядка в Mᵤₚ</translation>
+    </message>
+    <message>
+        <source>Envelope, width × height</source>
+        <translation>Габарит, ширина × высота</translation>
+    </message>
+    <message>
+        <source>Indicated mean effective pressure</source>
+        <translation>Среднее индикаторное давление</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>бар</translation>
+    </message>
+    <message>
+        <source>Indicated work per cycle</source>
+        <translation>Индикаторная работа за цикл</translation>
+    </message>
+    <message>
+        <source>J</source>
+        <translation>Дж</translation>
+    </message>
+    <message>
+        <source>Indicated power</source>
+        <translation>Индикаторная мощность</translation>
+    </message>
+    <message>
+        <source>kW</source>
+        <translation>кВт</translation>
+    </message>
+    <message>
+        <source>Mean torque</source>
+        <translation>Средний крутящий момент</translation>
+    </message>
+    <message>
+        <source>Peak pressure</source>
+        <translation>Наибольшее давление</translation>
+    </message>
+    <message>
+        <source>at crank angle</source>
+        <translation>при угле поворота</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Рабочий объём</translation>
+    </message>
+    <message>
+        <source>cm³</source>
+        <translation>см³</translation>
+    </message>
+    <message>
+        <source>Clearance volume</source>
+        <translation>Объём камеры сгорания</translation>
+    </message>
+    <message>
+        <source>Heat per cycle</source>
+        <translation>Теплота за цикл</translation>
+    </message>
+    <message>
+        <source>Every α is as good as any other.</source>
+        <translation>Все α одинаково хороши.</translation>
+    </message>
+    <message>
+        <source>Least range %2 N·m at %1°</source>
+        <translation>Наименьший размах %2 Н·м при %1°</translation>
+    </message>
+    <message>
+        <source>Least RMS %2 N·m at %1°</source>
+        <translation>Наименьшее СКЗ %2 Н·м при %1°</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::BalanceShaftPage</name>
+    <message>
+        <source>Go to the α of the least &amp;range</source>
+        <translation>К α наименьшего &amp;размаха</translation>
+    </message>
+    <message>
+        <source>Go to the α of the least R&amp;MS</source>
+        <translation>К α наименьшего &amp;СКЗ</translation>
+    </message>
+    <message>
+        <source>Engine</source>
+        <translation>Двигатель</translation>
+    </message>
+    <message>
+        <source>Own values</source>
+        <translation>Свои значения</translation>
+    </message>
+    <message>
+        <source>P&amp;reset</source>
+        <translation>Обра&amp;зец</translation>
+    </message>
+    <message>
+        <source>TMZ-650D: the single-cylinder diesel of Gots and Klevtsov, Tables 1 and 2</source>
+        <translation>ТМЗ-650Д: одноцилиндровый дизель из статьи Гоца и Клевцова, табл. 1 и 2</translation>
+    </message>
+    <message>
+        <source>Preset TMZ-650D</source>
+        <translation>Образец ТМЗ-650Д</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Частота</translation>
+    </message>
+    <message>
+        <source>ω</source>
+        <translation>ω</translation>
+    </message>
+    <message>
+        <source>Angular speed, n π / 30</source>
+        <translation>Угловая скорость, n π / 30</translation>
+    </message>
+    <message>
+        <source>Reciprocating masses</source>
+        <translation>Поступательные массы</translation>
+    </message>
+    <message>
+        <source>Sum mⱼ</source>
+        <translation>Сумма mⱼ</translation>
+    </message>
+    <message>
+        <source>Reciprocating mass: the sum of the parts. TMZ-650D: 1.316 kg.</source>
+        <translation>Возвратно-поступательно движущаяся масса: сумма частей. ТМЗ-650Д: 1,316 кг.</translation>
+    </message>
+    <message>
+        <source>Counterweights and shaft</source>
+        <translation>Противовесы и вал</translation>
+    </message>
+    <message>
+        <source>Sizes for picture and envelope</source>
+        <translation>Размеры для рисунка и габарита</translation>
     </message>
     <message>
         <source>Torque between the rows of its table</source>
         <translation>Момент между строками таблицы</translation>
-    </message>
-    <message>
-        <source>I&amp;nterpolation</source>
-        <translation>Интерпол&amp;яция</translation>
-    </message>
-    <message>
-        <source>The paper&apos;s table has a row every 15°; criteria are those of the curve between the rows, not of the rows alone.</source>
-        <translation>В таблице статьи строка через 15°; критерии относятся к кривой между строками, а не к одним строкам.</translation>
-    </message>
-    <message>
-        <source>Interpolation</source>
-        <translation>Интерполяция</translation>
     </message>
     <message>
         <source>Inputs</source>
@@ -1135,14 +4548,6 @@
         <translation>Среднее Mᵤₚ по узлам плюс среднее Mₛ</translation>
     </message>
     <message>
-        <source>Play or pause the picture</source>
-        <translation>Пуск или пауза рисунка</translation>
-    </message>
-    <message>
-        <source>&amp;φ</source>
-        <translation>&amp;φ</translation>
-    </message>
-    <message>
         <source>Crank angle of the picture; 0 is top dead centre</source>
         <translation>Угол поворота кривошипа на рисунке; 0 — верхняя мёртвая точка</translation>
     </message>
@@ -1192,202 +4597,30 @@
     </message>
 </context>
 <context>
-    <name>ravnoves::BalanceShaftViewModel</name>
+    <name>ravnoves::BalancingForm</name>
     <message>
-        <source>Every α is as good as any other.</source>
-        <translation>Все α одинаково хороши.</translation>
+        <source>Balance shafts</source>
+        <translation>Балансирные валы</translation>
     </message>
     <message>
-        <source>Open case</source>
-        <translation>Открытие задачи</translation>
+        <source>k order, L distance of the weights (mm), ρ their radius (mm), δ error of phase (°)</source>
+        <translation>k — порядок, L — расстояние между грузами (мм), ρ — их радиус (мм), δ — ошибка фазы (°)</translation>
     </message>
     <message>
-        <source>New case</source>
-        <translation>Новая задача</translation>
+        <source>&amp;Add shaft</source>
+        <translation>До&amp;бавить вал</translation>
     </message>
     <message>
-        <source>Torque source</source>
-        <translation>Источник момента</translation>
+        <source>&amp;Counterweights on the end webs</source>
+        <translation>Противовесы на крайних &amp;щеках</translation>
     </message>
     <message>
-        <source>Pressure trace</source>
-        <translation>Индикаторная диаграмма</translation>
+        <source>Two weights that cancel force and moment of the rotating masses, and a share of the forward part of the first order</source>
+        <translation>Два груза, гасящие силу и момент вращающихся масс и долю прямой части первого порядка</translation>
     </message>
     <message>
-        <source>Move shaft</source>
-        <translation>Поворот вала</translation>
-    </message>
-    <message>
-        <source>N·m</source>
-        <translation>Н·м</translation>
-    </message>
-    <message>
-        <source>Mᵤₚ</source>
-        <translation>Mᵤₚ</translation>
-    </message>
-    <message>
-        <source>Mₛ</source>
-        <translation>Mₛ</translation>
-    </message>
-    <message>
-        <source>Mᵤₚₛ</source>
-        <translation>Mᵤₚₛ</translation>
-    </message>
-    <message>
-        <source>change</source>
-        <translation>измен.</translation>
-    </message>
-    <message>
-        <source>range</source>
-        <translation>размах</translation>
-    </message>
-    <message>
-        <source>RMS</source>
-        <translation>СКЗ</translation>
-    </message>
-    <message>
-        <source>mean</source>
-        <translation>среднее</translation>
-    </message>
-    <message>
-        <source>nodes</source>
-        <translation>по узлам</translation>
-    </message>
-    <message>
-        <source>max</source>
-        <translation>макс.</translation>
-    </message>
-    <message>
-        <source>min</source>
-        <translation>мин.</translation>
-    </message>
-    <message>
-        <source>Quantity</source>
-        <translation>Величина</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Значение</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Ед.</translation>
-    </message>
-    <message>
-        <source>N</source>
-        <translation>Н</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>мм</translation>
-    </message>
-    <message>
-        <source>Inertia force Pⱼ₁, max</source>
-        <translation>Сила инерции Pⱼ₁, макс.</translation>
-    </message>
-    <message>
-        <source>Counterweight m₁</source>
-        <translation>Противовес m₁</translation>
-    </message>
-    <message>
-        <source>kg</source>
-        <translation>кг</translation>
-    </message>
-    <message>
-        <source>Counterweight force P₁</source>
-        <translation>Сила противовеса P₁</translation>
-    </message>
-    <message>
-        <source>Amplitude of Mₛ, P₁ l</source>
-        <translation>Амплитуда Mₛ, P₁ l</translation>
-    </message>
-    <message>
-        <source>First order&apos;s share of Mᵤₚ</source>
-        <translation>Доля 1-го порядка в Mᵤₚ</translation>
-    </message>
-    <message>
-        <source>Envelope, width × height</source>
-        <translation>Габарит, ширина × высота</translation>
-    </message>
-    <message>
-        <source>Indicated mean effective pressure</source>
-        <translation>Среднее индикаторное давление</translation>
-    </message>
-    <message>
-        <source>bar</source>
-        <translation>бар</translation>
-    </message>
-    <message>
-        <source>Indicated work per cycle</source>
-        <translation>Индикаторная работа за цикл</translation>
-    </message>
-    <message>
-        <source>J</source>
-        <translation>Дж</translation>
-    </message>
-    <message>
-        <source>Indicated power</source>
-        <translation>Индикаторная мощность</translation>
-    </message>
-    <message>
-        <source>kW</source>
-        <translation>кВт</translation>
-    </message>
-    <message>
-        <source>Mean torque</source>
-        <translation>Средний крутящий момент</translation>
-    </message>
-    <message>
-        <source>Peak pressure</source>
-        <translation>Наибольшее давление</translation>
-    </message>
-    <message>
-        <source>at crank angle</source>
-        <translation>при угле поворота</translation>
-    </message>
-    <message>
-        <source>Displacement</source>
-        <translation>Рабочий объём</translation>
-    </message>
-    <message>
-        <source>cm³</source>
-        <translation>см³</translation>
-    </message>
-    <message>
-        <source>Clearance volume</source>
-        <translation>Объём камеры сгорания</translation>
-    </message>
-    <message>
-        <source>Heat per cycle</source>
-        <translation>Теплота за цикл</translation>
-    </message>
-    <message>
-        <source>Least range %2 N·m at %1°</source>
-        <translation>Наименьший размах %2 Н·м при %1°</translation>
-    </message>
-    <message>
-        <source>Least RMS %2 N·m at %1°</source>
-        <translation>Наименьшее СКЗ %2 Н·м при %1°</translation>
-    </message>
-    <message>
-        <source>The shaft makes no moment, so its angle changes nothing.</source>
-        <translation>Вал не создаёт момента, его угол ничего не меняет.</translation>
-    </message>
-    <message>
-        <source>No α makes the range smaller than without a shaft: at best %1 N·m against %2 N·m.</source>
-        <translation>Ни при каком α размах не меньше, чем без вала: в лучшем случае %1 Н·м против %2 Н·м.</translation>
-    </message>
-    <message>
-        <source>No α makes the RMS smaller than without a shaft: at best %1 N·m against %2 N·m.</source>
-        <translation>Ни при каком α СКЗ не меньше, чем без вала: в лучшем случае %1 Н·м против %2 Н·м.</translation>
-    </message>
-    <message>
-        <source>The counterweight given balances %1 % of the first-order inertia force; equation (1) asks for %2 kg.</source>
-        <translation>Заданный противовес уравновешивает %1 % силы инерции первого порядка; по формуле (1) нужно %2 кг.</translation>
-    </message>
-    <message>
-        <source>The torque holds an inertia torque of mⱼ r² ω² = %1 N·m; the masses and the speed entered give %2 N·m. It fits these masses at %3 min⁻¹, or %4 kg at this speed.</source>
-        <translation>В крутящем моменте содержится момент сил инерции mⱼ r² ω² = %1 Н·м, а введённые массы и частота вращения дают %2 Н·м. Он соответствует этим массам при %3 мин⁻¹ или %4 кг при этой частоте.</translation>
+        <source>Counterweights</source>
+        <translation>Противовесы</translation>
     </message>
 </context>
 <context>
@@ -1548,10 +4781,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Удалить выбранные цилиндры</translation>
     </message>
     <message>
-        <source>Copy (Ctrl+C)</source>
-        <translation>Копировать (Ctrl+C)</translation>
-    </message>
-    <message>
         <source>E&amp;ven firing</source>
         <translation>Равном. &amp;чередование</translation>
     </message>
@@ -1583,38 +4812,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Цилиндр %1</translation>
     </message>
     <message>
-        <source>z, mm</source>
-        <translation>z, мм</translation>
-    </message>
-    <message>
-        <source>β, °</source>
-        <translation>β, °</translation>
-    </message>
-    <message>
-        <source>e, mm</source>
-        <translation>e, мм</translation>
-    </message>
-    <message>
-        <source>κ, °</source>
-        <translation>κ, °</translation>
-    </message>
-    <message>
-        <source>Axial position, positive towards cylinder 1</source>
-        <translation>Положение вдоль вала, положительное в сторону цилиндра 1</translation>
-    </message>
-    <message>
-        <source>Direction of the cylinder&apos;s axis, counter-clockwise from up</source>
-        <translation>Направление оси цилиндра, против часовой стрелки от вертикали</translation>
-    </message>
-    <message>
-        <source>Distance of the cylinder&apos;s axis from the crank axis, positive on the counter-clockwise side</source>
-        <translation>Дезаксаж: расстояние оси цилиндра от оси вала, положительное в сторону против часовой стрелки</translation>
-    </message>
-    <message>
-        <source>Crankpin, counter-clockwise from crankpin 1</source>
-        <translation>Шатунная шейка, против часовой стрелки от шейки 1</translation>
-    </message>
-    <message>
         <source>Add cylinder</source>
         <translation>Добавление цилиндра</translation>
     </message>
@@ -1635,226 +4832,19 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Строка %1, столбец %2: %3 — не число или сюда не подходит.</translation>
     </message>
     <message>
-        <source>The clipboard holds no numbers.</source>
-        <translation>В буфере обмена нет чисел.</translation>
-    </message>
-    <message>
         <source>Paste cylinders</source>
         <translation>Вставка цилиндров</translation>
     </message>
 </context>
 <context>
-    <name>ravnoves::ElasticHingePage</name>
-    <message>
-        <source>&amp;Play</source>
-        <translation>&amp;Пуск</translation>
-    </message>
-    <message>
-        <source>Play the computed motion in slow motion</source>
-        <translation>Показать рассчитанное движение замедленно</translation>
-    </message>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>&amp;Пауза</translation>
-    </message>
-    <message>
-        <source>Pause (Space)</source>
-        <translation>Пауза (пробел)</translation>
-    </message>
-    <message>
-        <source>Play (Space)</source>
-        <translation>Пуск (пробел)</translation>
-    </message>
-    <message>
-        <source>&amp;ω</source>
-        <translation>&amp;ω</translation>
-    </message>
-    <message>
-        <source>rad/s</source>
-        <translation>рад/с</translation>
-    </message>
-    <message>
-        <source>Crank speed</source>
-        <translation>Угловая скорость</translation>
-    </message>
-    <message>
-        <source>Crank speed that the hinges are designed for. Paper: 100, 300 and 500 rad/s.</source>
-        <translation>Угловая скорость кривошипа, на которую рассчитаны шарниры. В статье 100, 300 и 500 рад/с.</translation>
-    </message>
-    <message>
-        <source>&amp;λ</source>
-        <translation>&amp;λ</translation>
-    </message>
-    <message>
-        <source>Ratio λ</source>
-        <translation>Отношение λ</translation>
-    </message>
-    <message>
-        <source>Crank radius to rod length. Paper: 0.3. Below 1; λ = 1 can be drawn with the series only.</source>
-        <translation>Радиус кривошипа к длине шатуна. В статье 0,3. Меньше 1; λ = 1 можно начертить только с рядом.</translation>
-    </message>
-    <message>
-        <source>&amp;c</source>
-        <translation>&amp;c</translation>
-    </message>
-    <message>
-        <source>kN/m</source>
-        <translation>кН/м</translation>
-    </message>
-    <message>
-        <source>Stiffness</source>
-        <translation>Жёсткость</translation>
-    </message>
-    <message>
-        <source>Stiffness of the spring of the crank&apos;s hinge. Paper: 20 000 kN/m. A softer spring gives more relief.</source>
-        <translation>Жёсткость пружины шарнира кривошипа. В статье 20 000 кН/м. У более мягкой пружины перепад больше.</translation>
-    </message>
-    <message>
-        <source>&amp;ρ₀</source>
-        <translation>&amp;ρ₀</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>мм</translation>
-    </message>
-    <message>
-        <source>Guide radius ρ₀</source>
-        <translation>Радиус направляющей ρ₀</translation>
-    </message>
-    <message>
-        <source>Radius of the guide at φ = 0. Below ℓ₀/2 the spring is compressed, above it is stretched. Paper: 90 mm.</source>
-        <translation>Радиус направляющей при φ = 0. Меньше ℓ₀/2 — пружина сжата, больше — растянута. В статье 90 мм.</translation>
-    </message>
-    <message>
-        <source>ℓ&amp;₂</source>
-        <translation>ℓ&amp;₂</translation>
-    </message>
-    <message>
-        <source>Counterweight&apos;s distance</source>
-        <translation>Вынос противовеса</translation>
-    </message>
-    <message>
-        <source>From the crankpin to the counterweight on the rod. Paper: 50, 100 and 150 mm.</source>
-        <translation>От шатунной шейки до противовеса на шатуне. В статье 50, 100 и 150 мм.</translation>
-    </message>
-    <message>
-        <source>&amp;error</source>
-        <translation>по&amp;гр.</translation>
-    </message>
-    <message>
-        <source>µm</source>
-        <translation>мкм</translation>
-    </message>
-    <message>
-        <source>Profile error</source>
-        <translation>Погрешность профиля</translation>
-    </message>
-    <message>
-        <source>Amplitude of the waves on the guide&apos;s profile as it is made. Good grinding leaves a few micrometres.</source>
-        <translation>Амплитуда волн на профиле изготовленной направляющей. После хорошего шлифования — несколько микрометров.</translation>
-    </message>
-    <message>
-        <source>Inputs</source>
-        <translation>Данные</translation>
-    </message>
-    <message>
-        <source>Search</source>
-        <translation>Подбор</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Чертёж</translation>
-    </message>
-    <message>
-        <source>Play or pause the motion</source>
-        <translation>Пуск или пауза движения</translation>
-    </message>
-    <message>
-        <source>without hinge</source>
-        <translation>без шарнира</translation>
-    </message>
-    <message>
-        <source>crank hinge</source>
-        <translation>у кривошипа</translation>
-    </message>
-    <message>
-        <source>both hinges</source>
-        <translation>оба шарнира</translation>
-    </message>
-    <message>
-        <source>off design</source>
-        <translation>вне расчёта</translation>
-    </message>
-    <message>
-        <source>Which motion is played</source>
-        <translation>Какое движение показано</translation>
-    </message>
-    <message>
-        <source>Which of the computed motions the picture plays</source>
-        <translation>Какое из рассчитанных движений показывает рисунок</translation>
-    </message>
-    <message>
-        <source>&amp;φ</source>
-        <translation>&amp;φ</translation>
-    </message>
-    <message>
-        <source>Crank angle of the picture, counter-clockwise from the slider line</source>
-        <translation>Угол кривошипа на рисунке, против часовой стрелки от линии ползуна</translation>
-    </message>
-    <message>
-        <source>Take this pre&amp;load</source>
-        <translation>Взять &amp;этот преднатяг</translation>
-    </message>
-    <message>
-        <source>Take this sti&amp;ffness</source>
-        <translation>Взять эту жёсткост&amp;ь</translation>
-    </message>
-    <message>
-        <source>What the design gives</source>
-        <translation>Что даёт конструкция</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::ElasticHingeViewModel</name>
+    <name>ravnoves::ElasticHingeModel</name>
     <message>
         <source>Zotov and Sviridov 2021</source>
         <translation>Зотов и Свиридов 2021</translation>
     </message>
     <message>
-        <source>Open case</source>
-        <translation>Открытие задачи</translation>
-    </message>
-    <message>
-        <source>New case</source>
-        <translation>Новая задача</translation>
-    </message>
-    <message>
-        <source>No spring is given.</source>
-        <translation>Пружина не задана.</translation>
-    </message>
-    <message>
-        <source>None: at λ = 1 the mechanism locks.</source>
-        <translation>Нет: при λ = 1 механизм заклинивает.</translation>
-    </message>
-    <message>
-        <source>None: the hinge has no energy to give out, its guide is a circle.</source>
-        <translation>Нет: шарниру нечего отдавать, его направляющая — окружность.</translation>
-    </message>
-    <message>
-        <source>None: a spring of %1 mm that gets no shorter than %2 mm leaves no room for this relief.</source>
-        <translation>Нет: пружина %1 мм, которая не сжимается короче %2 мм, не оставляет места для такого перепада.</translation>
-    </message>
-    <message>
-        <source>None: with a spring of %1 mm this relief needs an outer diameter of at least %2 mm.</source>
-        <translation>Нет: при пружине %1 мм для такого перепада нужен наружный диаметр не меньше %2 мм.</translation>
-    </message>
-    <message>
-        <source>None: the roller of radius %1 mm undercuts every guide with this relief.</source>
-        <translation>Нет: ролик радиусом %1 мм подрезает любую направляющую с таким перепадом.</translation>
-    </message>
-    <message>
-        <source>None: the stiffness that would be needed is out of range.</source>
-        <translation>Нет: нужная жёсткость вне допустимых пределов.</translation>
+        <source>None: %1.</source>
+        <translation>Нет: %1.</translation>
     </message>
     <message>
         <source>c = %1 kN/m, ρ₀ = %2 mm: relief %3 mm within %4 mm; the spring is at least %5 mm long, bears up to %6 kN and stores up to %7 J.</source>
@@ -1873,24 +4863,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Нужная жёсткость</translation>
     </message>
     <message>
-        <source>At λ = 1 the mechanism locks: there is no guide and no motion. The series still draws M₁₂ and the side force.</source>
-        <translation>При λ = 1 механизм заклинивает: нет ни направляющей, ни движения. Ряд по-прежнему даёт M₁₂ и боковую силу.</translation>
-    </message>
-    <message>
-        <source>No spring is given, so there is no guide.</source>
-        <translation>Пружина не задана, направляющей нет.</translation>
-    </message>
-    <message>
-        <source>No guide: the spring would have to be compressed by %1 mm of its %2 mm.</source>
-        <translation>Направляющей нет: пружину пришлось бы сжать на %1 мм из её %2 мм.</translation>
-    </message>
-    <message>
-        <source>No guide: from φ = %1° on the spring would have to give out more than it stores (most at %2°). It needs a preload |ℓ₀/2 − ρ₀| of %3 mm and has %4 mm</source>
-        <translation>Направляющей нет: начиная с φ = %1° пружина должна отдать больше, чем запасла (больше всего при %2°). Нужен преднатяг |ℓ₀/2 − ρ₀| %3 мм, а есть %4 мм</translation>
-    </message>
-    <message>
-        <source>, or with this preload a stiffness of %1 kN/m</source>
-        <translation>, или при этом преднатяге жёсткость %1 кН/м</translation>
+        <source>No guide: %1.</source>
+        <translation>Направляющей нет: %1.</translation>
     </message>
     <message>
         <source>The roller of radius %1 mm undercuts the guide: at most %2 mm follow it.</source>
@@ -1966,7 +4940,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>any</source>
-        <translation>любой</translation>
+        <translation>любая</translation>
     </message>
     <message>
         <source>∮ M₁₂ dφ</source>
@@ -2009,24 +4983,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Неравном. от %1 рад/с</translation>
     </message>
     <message>
-        <source>The series is off by %1 in cos ψ at φ = %2°; use the exact kinematics for a design.</source>
-        <translation>Ряд ошибается в cos ψ на %1 при φ = %2°; для проекта берите точную кинематику.</translation>
-    </message>
-    <message>
-        <source>Equation (9) as printed has the wrong sign at the counterweight&apos;s inertia: the slider would still bear up to %1 N. Newton–Euler makes the side force zero.</source>
-        <translation>В напечатанной формуле (9) неверен знак инерции противовеса: ползун нёс бы ещё до %1 Н. По Ньютону–Эйлеру боковая сила равна нулю.</translation>
-    </message>
-    <message>
         <source>%1: %2…%3 rad/s, drift %4</source>
         <translation>%1: %2…%3 рад/с, уход %4</translation>
-    </message>
-    <message>
-        <source>%1: the crank stops after %2 turns and would turn back</source>
-        <translation>%1: через %2 оборота кривошип останавливается и пошёл бы назад</translation>
-    </message>
-    <message>
-        <source>%1: only %2 turns in %3 s</source>
-        <translation>%1: только %2 оборота за %3 с</translation>
     </message>
     <message>
         <source>without hinge</source>
@@ -2043,6 +5001,140 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>from %1 rad/s</source>
         <translation>от %1 рад/с</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ElasticHingePage</name>
+    <message>
+        <source>Play the computed motion in slow motion</source>
+        <translation>Показать рассчитанное движение замедленно</translation>
+    </message>
+    <message>
+        <source>&amp;ω</source>
+        <translation>&amp;ω</translation>
+    </message>
+    <message>
+        <source>&amp;λ</source>
+        <translation>&amp;λ</translation>
+    </message>
+    <message>
+        <source>&amp;c</source>
+        <translation>&amp;c</translation>
+    </message>
+    <message>
+        <source>&amp;ρ₀</source>
+        <translation>&amp;ρ₀</translation>
+    </message>
+    <message>
+        <source>ℓ&amp;₂</source>
+        <translation>ℓ&amp;₂</translation>
+    </message>
+    <message>
+        <source>&amp;error</source>
+        <translation>по&amp;гр.</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Данные</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Подбор</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Чертёж</translation>
+    </message>
+    <message>
+        <source>without hinge</source>
+        <translation>без шарнира</translation>
+    </message>
+    <message>
+        <source>crank hinge</source>
+        <translation>у кривошипа</translation>
+    </message>
+    <message>
+        <source>both hinges</source>
+        <translation>оба шарнира</translation>
+    </message>
+    <message>
+        <source>off design</source>
+        <translation>вне расчёта</translation>
+    </message>
+    <message>
+        <source>Which motion is played</source>
+        <translation>Какое движение показано</translation>
+    </message>
+    <message>
+        <source>Which of the computed motions the picture plays</source>
+        <translation>Какое из рассчитанных движений показывает рисунок</translation>
+    </message>
+    <message>
+        <source>Crank angle of the picture, counter-clockwise from the slider line</source>
+        <translation>Угол кривошипа на рисунке, против часовой стрелки от линии ползуна</translation>
+    </message>
+    <message>
+        <source>Take this pre&amp;load</source>
+        <translation>Взять &amp;этот преднатяг</translation>
+    </message>
+    <message>
+        <source>Take this sti&amp;ffness</source>
+        <translation>Взять эту жёсткост&amp;ь</translation>
+    </message>
+    <message>
+        <source>What the design gives</source>
+        <translation>Что даёт конструкция</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::EngineForm</name>
+    <message>
+        <source>Layout</source>
+        <translation>Компоновка</translation>
+    </message>
+    <message>
+        <source>Crank gear</source>
+        <translation>Кривошипно-шатунный механизм</translation>
+    </message>
+    <message>
+        <source>Rod length L</source>
+        <translation>Длина шатуна L</translation>
+    </message>
+    <message>
+        <source>R / λ</source>
+        <translation>R / λ</translation>
+    </message>
+    <message>
+        <source>φ at TDC</source>
+        <translation>φ в ВМТ</translation>
+    </message>
+    <message>
+        <source>Top dead centre: arcsin(λK/(1 + λ)), from the cylinder&apos;s axis on the side of its offset. Volkswagen VR5: 3°20′.</source>
+        <translation>Верхняя мёртвая точка: arcsin(λK/(1 + λ)), от оси цилиндра в сторону её смещения. Volkswagen VR5: 3°20′.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> мм</translation>
+    </message>
+    <message>
+        <source>Cylinder la&amp;yout</source>
+        <translation>&amp;Компоновка</translation>
+    </message>
+    <message>
+        <source>A layout of the library, the paper&apos;s engine, or your own table</source>
+        <translation>Компоновка из списка, двигатель статьи или ваша таблица</translation>
+    </message>
+    <message>
+        <source>&amp;Rod as a rigid body</source>
+        <translation>Шатун — &amp;твёрдое тело</translation>
+    </message>
+    <message>
+        <source>Off: the rod&apos;s two shares are in the masses above. On: mass, centre and inertia are given; its shares are added, and what its inertia differs from two masses acts on roll moment and torque.</source>
+        <translation>Выкл.: обе доли шатуна входят в массы выше. Вкл.: заданы масса, центр и момент инерции; доли добавляются, а отличие момента инерции от двух масс действует на опрокидывающий и крутящий моменты.</translation>
+    </message>
+    <message>
+        <source>Rigid rod</source>
+        <translation>Шатун — твёрдое тело</translation>
     </message>
 </context>
 <context>
@@ -2074,10 +5166,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Nominal masses, for the bob weight</source>
         <translation>Номинальные массы, для груза</translation>
-    </message>
-    <message>
-        <source>needed</source>
-        <translation>нужно</translation>
     </message>
     <message>
         <source>Name of the engine:</source>
@@ -2118,50 +5206,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Engine %1 removed.</source>
         <translation>Двигатель %1 удалён.</translation>
-    </message>
-    <message>
-        <source>Half the stroke.</source>
-        <translation>Половина хода поршня.</translation>
-    </message>
-    <message>
-        <source>From the crank axis to the centre of mass of today&apos;s plug.</source>
-        <translation>От оси вала до центра масс существующей пробки.</translation>
-    </message>
-    <message>
-        <source>From the crank axis to the centre of mass of a plug of the new design.</source>
-        <translation>От оси вала до центра масс пробки новой конструкции.</translation>
-    </message>
-    <message>
-        <source>One plug as the scale says, before it is machined.</source>
-        <translation>Одна пробка по весам, до обработки.</translation>
-    </message>
-    <message>
-        <source>One plug of the new design, for which the crankshaft&apos;s counterweights are made.</source>
-        <translation>Одна пробка новой конструкции, под которую сделаны противовесы вала.</translation>
-    </message>
-    <message>
-        <source>The most that the strength of its walls allows to take off one plug.</source>
-        <translation>Сколько можно снять с одной пробки по прочности её стенок.</translation>
-    </message>
-    <message>
-        <source>Design coefficient of the rod: a heavier big end counts (2 + k) times.</source>
-        <translation>Конструктивный коэффициент шатуна: лишняя масса нижней головки учитывается (2 + k) раз.</translation>
-    </message>
-    <message>
-        <source>Oil in the sludge trap of one crankpin of a running engine.</source>
-        <translation>Масло в грязесборнике одной шатунной шейки работающего двигателя.</translation>
-    </message>
-    <message>
-        <source>What the oil counts for on the crankpin&apos;s axis, from its centre of mass.</source>
-        <translation>С каким коэффициентом масло учитывается на оси шейки, по его центру масс.</translation>
-    </message>
-    <message>
-        <source>Nominal mass of piston, pin, rings and the small-end share of the rod, one cylinder.</source>
-        <translation>Номинальная масса поршня, пальца, колец и доли шатуна у пальца, один цилиндр.</translation>
-    </message>
-    <message>
-        <source>Nominal mass of the rod&apos;s big end and its shells, one cylinder.</source>
-        <translation>Номинальная масса нижней головки шатуна с вкладышами, один цилиндр.</translation>
     </message>
 </context>
 <context>
@@ -2264,18 +5308,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::ForcesView</name>
     <message>
-        <source>Share &amp;κ</source>
-        <translation>Доля &amp;κ</translation>
-    </message>
-    <message>
-        <source>Part of mⱼ r balanced on the crank alone, without a shaft. The force then runs on an ellipse: a line at 0 and 1, a circle at ½.</source>
-        <translation>Часть mⱼ r, уравновешенная на самом коленчатом валу, без балансирного. Сила тогда описывает эллипс: отрезок при 0 и 1, окружность при ½.</translation>
-    </message>
-    <message>
-        <source>Share κ</source>
-        <translation>Доля κ</translation>
-    </message>
-    <message>
         <source>Force on the engine</source>
         <translation>Сила на двигатель</translation>
     </message>
@@ -2332,24 +5364,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Число зубьев z шестерни</translation>
     </message>
     <message>
-        <source>Teeth of each of the two equal gears.</source>
-        <translation>Зубья каждой из двух одинаковых шестерён.</translation>
-    </message>
-    <message>
         <source>Teeth k by which the shaft is out</source>
         <translation>Вал смещён на k зубьев</translation>
     </message>
     <message>
-        <source>The shaft is assembled k teeth ahead of its right place: a phase error of 360° k / z.</source>
-        <translation>Вал собран на k зубьев вперёд от верного места: ошибка фазы 360° k / z.</translation>
-    </message>
-    <message>
         <source>Backlash, mm</source>
         <translation>Боковой зазор, мм</translation>
-    </message>
-    <message>
-        <source>Circumferential play at the pitch circle, whose radius is l/2.</source>
-        <translation>Окружной зазор на делительной окружности радиусом l/2.</translation>
     </message>
     <message>
         <source>&amp;z</source>
@@ -2587,22 +5607,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>В статье направляющая вращается с кривошипом, а пружина неподвижна: ролик тогда бежит в осях направляющей назад, и чертёж зеркален графику</translation>
     </message>
     <message>
-        <source>Chord to&amp;lerance</source>
-        <translation>До&amp;пуск хорды</translation>
-    </message>
-    <message>
-        <source>DXF: the polyline leaves the curve by no more than that</source>
-        <translation>DXF: ломаная отходит от кривой не дальше</translation>
-    </message>
-    <message>
-        <source>S&amp;tep of the table</source>
-        <translation>Ша&amp;г таблицы</translation>
-    </message>
-    <message>
-        <source>CSV: step of the crank angle</source>
-        <translation>CSV: шаг угла кривошипа</translation>
-    </message>
-    <message>
         <source>Write D&amp;XF…</source>
         <translation>Записать D&amp;XF…</translation>
     </message>
@@ -2658,34 +5662,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Требуется</translation>
     </message>
     <message>
-        <source>R&amp;elief</source>
-        <translation>Пере&amp;пад</translation>
-    </message>
-    <message>
-        <source>Difference between the guide&apos;s largest and least radius</source>
-        <translation>Разность наибольшего и наименьшего радиусов направляющей</translation>
-    </message>
-    <message>
-        <source>&amp;Outer diameter</source>
-        <translation>&amp;Наружный диаметр</translation>
-    </message>
-    <message>
-        <source>Guide and rollers must fit in it</source>
-        <translation>В него должны поместиться направляющая и ролики</translation>
-    </message>
-    <message>
-        <source>&amp;Shortest spring</source>
-        <translation>&amp;Кратчайшая пружина</translation>
-    </message>
-    <message>
-        <source>The spring gets no shorter than that (its solid length). Empty: 0.4 ℓ₀.</source>
-        <translation>Короче пружина не бывает (витки сомкнуты). Пусто: 0,4 ℓ₀.</translation>
-    </message>
-    <message>
-        <source>0.4 ℓ₀</source>
-        <translation>0,4 ℓ₀</translation>
-    </message>
-    <message>
         <source>Found</source>
         <translation>Найдено</translation>
     </message>
@@ -2696,18 +5672,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Sets c and ρ₀ to the values found</source>
         <translation>Задаёт найденные c и ρ₀</translation>
-    </message>
-    <message>
-        <source>Wanted relief</source>
-        <translation>Требуемый перепад</translation>
-    </message>
-    <message>
-        <source>Outer diameter</source>
-        <translation>Наружный диаметр</translation>
-    </message>
-    <message>
-        <source>Shortest spring</source>
-        <translation>Кратчайшая пружина</translation>
     </message>
 </context>
 <context>
@@ -2752,316 +5716,24 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>массы, кг</translation>
     </message>
     <message>
-        <source>Given &amp;as</source>
-        <translation>З&amp;аданы</translation>
-    </message>
-    <message>
-        <source>The paper gives weights. With masses gravity may be 0: a mechanism that lies flat.</source>
-        <translation>В статье даны веса. С массами ускорение может быть 0: механизм лежит горизонтально.</translation>
-    </message>
-    <message>
         <source>Weights or masses</source>
         <translation>Веса или массы</translation>
-    </message>
-    <message>
-        <source>&amp;Crank radius r</source>
-        <translation>Радиус &amp;кривошипа r</translation>
-    </message>
-    <message>
-        <source>From the crank&apos;s axis to the crankpin; the rod is r/λ long. Paper: 50 mm.</source>
-        <translation>От оси кривошипа до шатунной шейки; длина шатуна r/λ. В статье 50 мм.</translation>
-    </message>
-    <message>
-        <source>Crank radius</source>
-        <translation>Радиус кривошипа</translation>
-    </message>
-    <message>
-        <source>exact</source>
-        <translation>точная</translation>
-    </message>
-    <message>
-        <source>paper&apos;s series</source>
-        <translation>ряд статьи</translation>
-    </message>
-    <message>
-        <source>&amp;Kinematics of M₁₂</source>
-        <translation>Кинема&amp;тика M₁₂</translation>
-    </message>
-    <message>
-        <source>The paper&apos;s series for cos ψ is good for small λ only; the exact one needs λ &lt; 1. M and the crank&apos;s guide are always exact.</source>
-        <translation>Ряд статьи для cos ψ годится лишь при малых λ; точная требует λ &lt; 1. M и направляющая кривошипа всегда точные.</translation>
-    </message>
-    <message>
-        <source>Kinematics</source>
-        <translation>Кинематика</translation>
-    </message>
-    <message>
-        <source>C&amp;rank P₁</source>
-        <translation>Кр&amp;ивошип P₁</translation>
-    </message>
-    <message>
-        <source>C&amp;rank m₁</source>
-        <translation>Кр&amp;ивошип m₁</translation>
-    </message>
-    <message>
-        <source>The crank is a uniform bar of length r. Paper: 5 N.</source>
-        <translation>Кривошип — однородный стержень длины r. В статье 5 Н.</translation>
-    </message>
-    <message>
-        <source>Ro&amp;d P₂</source>
-        <translation>&amp;Шатун P₂</translation>
-    </message>
-    <message>
-        <source>Ro&amp;d m₂</source>
-        <translation>&amp;Шатун m₂</translation>
-    </message>
-    <message>
-        <source>The rod is a uniform bar of length r/λ. Paper: 6.5 N.</source>
-        <translation>Шатун — однородный стержень длины r/λ. В статье 6,5 Н.</translation>
-    </message>
-    <message>
-        <source>S&amp;lider P₃</source>
-        <translation>П&amp;олзун P₃</translation>
-    </message>
-    <message>
-        <source>S&amp;lider m₃</source>
-        <translation>П&amp;олзун m₃</translation>
-    </message>
-    <message>
-        <source>Paper: 6 N.</source>
-        <translation>В статье 6 Н.</translation>
-    </message>
-    <message>
-        <source>&amp;Gravity g</source>
-        <translation>Ускорение &amp;g</translation>
-    </message>
-    <message>
-        <source>The paper takes 9.82 m/s²; the standard value is 9.80665 m/s².</source>
-        <translation>В статье 9,82 м/с²; стандартное значение 9,80665 м/с².</translation>
-    </message>
-    <message>
-        <source>Gravity</source>
-        <translation>Ускорение свободного падения</translation>
     </message>
     <message>
         <source>Springs and guides</source>
         <translation>Пружины и направляющие</translation>
     </message>
     <message>
-        <source>&amp;Free length ℓ₀</source>
-        <translation>Свобо&amp;дная длина ℓ₀</translation>
-    </message>
-    <message>
-        <source>Length of the unloaded spring of the crank&apos;s hinge. Paper: 200 mm.</source>
-        <translation>Длина ненапряжённой пружины шарнира кривошипа. В статье 200 мм.</translation>
-    </message>
-    <message>
-        <source>Free length</source>
-        <translation>Свободная длина</translation>
-    </message>
-    <message>
-        <source>keeps the energy</source>
-        <translation>хранит энергию</translation>
-    </message>
-    <message>
-        <source>as printed (1)</source>
-        <translation>как в (1)</translation>
-    </message>
-    <message>
-        <source>Sign of the g&amp;uide</source>
-        <translation>&amp;Знак направляющей</translation>
-    </message>
-    <message>
-        <source>A spring that keeps the crank&apos;s speed gives out what the mechanism takes up: Π = const − (T + V). Equation (1) as printed has a plus.</source>
-        <translation>Пружина, сохраняющая скорость кривошипа, отдаёт то, что поглощает механизм: Π = const − (T + V). В напечатанной формуле (1) стоит плюс.</translation>
-    </message>
-    <message>
-        <source>Sign of the guide</source>
-        <translation>Знак направляющей</translation>
-    </message>
-    <message>
-        <source>Own spring for the rod&apos;s &amp;hinge</source>
-        <translation>Своя пр&amp;ужина у шатуна</translation>
-    </message>
-    <message>
-        <source>Else the rod&apos;s hinge has the same spring as the crank&apos;s</source>
-        <translation>Иначе у шарнира шатуна такая же пружина, как у кривошипа</translation>
-    </message>
-    <message>
-        <source>Spring of the rod&apos;s hinge</source>
-        <translation>Пружина шарнира шатуна</translation>
-    </message>
-    <message>
-        <source>Its &amp;stiffness c</source>
-        <translation>Её &amp;жёсткость c</translation>
-    </message>
-    <message>
-        <source>Of the rod hinge&apos;s own spring</source>
-        <translation>Собственной пружины шарнира шатуна</translation>
-    </message>
-    <message>
-        <source>Its free length &amp;ℓ₀</source>
-        <translation>Её своб. длина &amp;ℓ₀</translation>
-    </message>
-    <message>
-        <source>Its radius ρ&amp;₀</source>
-        <translation>Её радиус ρ&amp;₀</translation>
-    </message>
-    <message>
-        <source>Of the rod hinge&apos;s own guide at θ = 0</source>
-        <translation>Направляющей самого шарнира шатуна при θ = 0</translation>
-    </message>
-    <message>
         <source>Counterweight on the rod</source>
         <translation>Противовес на шатуне</translation>
-    </message>
-    <message>
-        <source>Counter&amp;weight beyond the crankpin</source>
-        <translation>Противовес за ше&amp;йкой</translation>
-    </message>
-    <message>
-        <source>At the distance ℓ₂ beyond the crankpin (slider above). With the weight of (10) the rod&apos;s hinge makes the side force zero.</source>
-        <translation>На расстоянии ℓ₂ за шатунной шейкой (ползунок выше). С весом по (10) шарнир шатуна обращает боковую силу в нуль.</translation>
-    </message>
-    <message>
-        <source>Counterweight</source>
-        <translation>Противовес</translation>
-    </message>
-    <message>
-        <source>Weight P&amp;₄</source>
-        <translation>Вес P&amp;₄</translation>
-    </message>
-    <message>
-        <source>Mass m&amp;₄</source>
-        <translation>Масса m&amp;₄</translation>
-    </message>
-    <message>
-        <source>Empty: solved from (10), P₄ ℓ₂ = (P₃ + P₂/2) ℓ, so that M₁₂ has no mean.</source>
-        <translation>Пусто: находится из (10), P₄ ℓ₂ = (P₃ + P₂/2) ℓ, чтобы у M₁₂ не было среднего.</translation>
-    </message>
-    <message>
-        <source>by (10)</source>
-        <translation>по (10)</translation>
-    </message>
-    <message>
-        <source>Counterweight P₄</source>
-        <translation>Противовес P₄</translation>
-    </message>
-    <message>
-        <source>as printed (9)</source>
-        <translation>как в (9)</translation>
-    </message>
-    <message>
-        <source>Newton–Euler</source>
-        <translation>Ньютон–Эйлер</translation>
-    </message>
-    <message>
-        <source>&amp;Inertia in M₁₂</source>
-        <translation>Инерци&amp;я в M₁₂</translation>
-    </message>
-    <message>
-        <source>Equation (9) as printed has the wrong sign at the counterweight&apos;s inertia forces; with moments about A the side force vanishes.</source>
-        <translation>В напечатанной формуле (9) неверен знак сил инерции противовеса; если взять моменты относительно A, боковая сила исчезает.</translation>
-    </message>
-    <message>
-        <source>Counterweight&apos;s inertia</source>
-        <translation>Инерция противовеса</translation>
     </message>
     <message>
         <source>Making the guide</source>
         <translation>Изготовление направляющей</translation>
     </message>
     <message>
-        <source>Roller radi&amp;us</source>
-        <translation>Радиус ро&amp;лика</translation>
-    </message>
-    <message>
-        <source>ρ is the path of the roller&apos;s centre; the profile is offset from it by the roller&apos;s radius. The paper takes 0.</source>
-        <translation>ρ — путь центра ролика; профиль отстоит от него на радиус ролика. В статье 0.</translation>
-    </message>
-    <message>
-        <source>Roller radius</source>
-        <translation>Радиус ролика</translation>
-    </message>
-    <message>
-        <source>Error &amp;waves</source>
-        <translation>Вол&amp;н погрешности</translation>
-    </message>
-    <message>
-        <source>The profile&apos;s error is taken as so many waves in one turn: 1 is a guide out of centre, 2 an oval one. A whole number.</source>
-        <translation>Погрешность профиля — столько волн за оборот: 1 — эксцентричность, 2 — овальность. Целое число.</translation>
-    </message>
-    <message>
-        <source>Error waves</source>
-        <translation>Волны погрешности</translation>
-    </message>
-    <message>
         <source>Motion</source>
         <translation>Движение</translation>
-    </message>
-    <message>
-        <source>Tur&amp;ns</source>
-        <translation>О&amp;бороты</translation>
-    </message>
-    <message>
-        <source>Turns of the crank to compute</source>
-        <translation>Сколько оборотов кривошипа рассчитать</translation>
-    </message>
-    <message>
-        <source>Turns</source>
-        <translation>Обороты</translation>
-    </message>
-    <message>
-        <source>Off-design sp&amp;eed</source>
-        <translation>Нерасчётная &amp;ω</translation>
-    </message>
-    <message>
-        <source>A start away from the design speed ω, for comparison: the hinge is exact at one speed only. Empty: 1.2 ω.</source>
-        <translation>Пуск с другой скорости, для сравнения: шарнир точен только при одной скорости. Пусто: 1,2 ω.</translation>
-    </message>
-    <message>
-        <source>1.2 ω</source>
-        <translation>1,2 ω</translation>
-    </message>
-    <message>
-        <source>Off-design speed</source>
-        <translation>Нерасчётная скорость</translation>
-    </message>
-    <message>
-        <source>S&amp;tart angle</source>
-        <translation>На&amp;чальный угол</translation>
-    </message>
-    <message>
-        <source>Crank angle at which the motion starts</source>
-        <translation>Угол кривошипа, с которого начинается движение</translation>
-    </message>
-    <message>
-        <source>Start angle</source>
-        <translation>Начальный угол</translation>
-    </message>
-    <message>
-        <source>&amp;Moment on the crank</source>
-        <translation>&amp;Момент на кривошипе</translation>
-    </message>
-    <message>
-        <source>A constant moment that drives the crank; negative brakes it</source>
-        <translation>Постоянный момент, вращающий кривошип; отрицательный — тормозит</translation>
-    </message>
-    <message>
-        <source>Moment on the crank</source>
-        <translation>Момент на кривошипе</translation>
-    </message>
-    <message>
-        <source>With the profile &amp;error</source>
-        <translation>С погр&amp;ешностью профиля</translation>
-    </message>
-    <message>
-        <source>The crank&apos;s guide as it was made, with the waves of the profile error: the crank&apos;s speed then follows them</source>
-        <translation>Направляющая кривошипа как изготовлена, с волнами погрешности профиля: скорость кривошипа следует за ними</translation>
-    </message>
-    <message>
-        <source>Profile error in the motion</source>
-        <translation>Погрешность профиля в движении</translation>
     </message>
     <message>
         <source>Families of curves</source>
@@ -3395,342 +6067,65 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
-    <name>ravnoves::InertiaMomentsPage</name>
+    <name>ravnoves::InertiaMomentsAnswer</name>
     <message>
-        <source>&amp;Play</source>
-        <translation>&amp;Пуск</translation>
+        <source>Crank angle of the picture, from cylinder 1&apos;s axis</source>
+        <translation>Угол кривошипа на рисунке, от оси цилиндра 1</translation>
     </message>
     <message>
-        <source>Turn the crank</source>
-        <translation>Вращать вал</translation>
+        <source>Orders</source>
+        <translation>Порядки</translation>
     </message>
     <message>
-        <source>&amp;Shafts on or off</source>
-        <translation>&amp;Валы вкл/выкл</translation>
+        <source>Amplitudes and phases by order and plane</source>
+        <translation>Амплитуды и фазы по порядкам и плоскостям</translation>
     </message>
     <message>
-        <source>Switch all balance shafts on, or off when all are on</source>
-        <translation>Включить все балансирные валы или выключить, когда все включены</translation>
+        <source>±kω</source>
+        <translation>±kω</translation>
     </message>
     <message>
-        <source>All shafts off</source>
-        <translation>Все валы выключены</translation>
+        <source>Forward and backward rotating parts by order</source>
+        <translation>Прямые и обратные вращающиеся части по порядкам</translation>
     </message>
     <message>
-        <source>All shafts on</source>
-        <translation>Все валы включены</translation>
-    </message>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>&amp;Пауза</translation>
-    </message>
-    <message>
-        <source>Pause (Space)</source>
-        <translation>Пауза (пробел)</translation>
-    </message>
-    <message>
-        <source>Play (Space)</source>
-        <translation>Пуск (пробел)</translation>
-    </message>
-    <message>
-        <source>Engine</source>
-        <translation>Двигатель</translation>
-    </message>
-    <message>
-        <source>Cylinders</source>
-        <translation>Цилиндры</translation>
-    </message>
-    <message>
-        <source>Balancing</source>
-        <translation>Баланс</translation>
-    </message>
-    <message>
-        <source>Layout</source>
-        <translation>Компоновка</translation>
-    </message>
-    <message>
-        <source>Cylinder la&amp;yout</source>
-        <translation>&amp;Компоновка</translation>
-    </message>
-    <message>
-        <source>A layout of the library, the paper&apos;s engine, or your own table</source>
-        <translation>Компоновка из списка, двигатель статьи или ваша таблица</translation>
-    </message>
-    <message>
-        <source>&amp;Firing order</source>
-        <translation>Порядок ра&amp;боты</translation>
-    </message>
-    <message>
-        <source>Numbers of the cylinders, for example 1-2-4-5-3. Layouts with crankpins for even firing follow it.</source>
-        <translation>Номера цилиндров, например 1-2-4-5-3. Компоновки с шейками для равномерного чередования вспышек следуют ему.</translation>
-    </message>
-    <message>
-        <source>&amp;Spacing a</source>
-        <translation>&amp;Шаг a</translation>
-    </message>
-    <message>
-        <source>Between neighbouring crankpins (in V engines: throws) along the crank. Volkswagen VR5: 63 mm.</source>
-        <translation>Между соседними шатунными шейками (в V-образных — коленами) вдоль вала. Volkswagen VR5: 63 мм.</translation>
-    </message>
-    <message>
-        <source>Spacing</source>
-        <translation>Шаг</translation>
-    </message>
-    <message>
-        <source>Sta&amp;gger</source>
-        <translation>Смещение ря&amp;дов</translation>
-    </message>
-    <message>
-        <source>From bank 1&apos;s cylinder to bank 2&apos;s at the same throw, along the crank. 0 where the rods are forked.</source>
-        <translation>От цилиндра ряда 1 до цилиндра ряда 2 на том же колене, вдоль вала. 0 при вильчатых шатунах.</translation>
-    </message>
-    <message>
-        <source>Stagger</source>
-        <translation>Смещение рядов</translation>
-    </message>
-    <message>
-        <source>&amp;Position of cylinder 1</source>
-        <translation>П&amp;оложение цилиндра 1</translation>
-    </message>
-    <message>
-        <source>Axial position z of cylinder 1. Volkswagen VR5: 3 a + l_cm = 204.8 mm, with the centre of mass at z = 0.</source>
-        <translation>Положение z цилиндра 1 вдоль вала. Volkswagen VR5: 3 a + l_цм = 204,8 мм, центр масс при z = 0.</translation>
-    </message>
-    <message>
-        <source>Position of cylinder 1</source>
-        <translation>Положение цилиндра 1</translation>
-    </message>
-    <message>
-        <source>Crank gear</source>
-        <translation>Кривошипно-шатунный механизм</translation>
-    </message>
-    <message>
-        <source>&amp;Crank radius R</source>
-        <translation>Радиус кривошип&amp;а R</translation>
-    </message>
-    <message>
-        <source>Half the stroke (a little less with offset). Volkswagen VR5: 45 mm.</source>
-        <translation>Половина хода (с дезаксажем чуть меньше). Volkswagen VR5: 45 мм.</translation>
-    </message>
-    <message>
-        <source>Crank radius</source>
-        <translation>Радиус кривошипа</translation>
-    </message>
-    <message>
-        <source>&amp;λ = R / L</source>
-        <translation>&amp;λ = R / L</translation>
-    </message>
-    <message>
-        <source>Crank radius over rod length. Volkswagen VR5: 0.265. The crank turns where λ (1 + |e|/R) &lt; 1.</source>
-        <translation>Радиус кривошипа к длине шатуна. Volkswagen VR5: 0,265. Вал проворачивается, если λ (1 + |e|/R) &lt; 1.</translation>
-    </message>
-    <message>
-        <source>λ</source>
-        <translation>λ</translation>
-    </message>
-    <message>
-        <source>Rod length L</source>
-        <translation>Длина шатуна L</translation>
-    </message>
-    <message>
-        <source>R / λ</source>
-        <translation>R / λ</translation>
-    </message>
-    <message>
-        <source>φ at TDC</source>
-        <translation>φ в ВМТ</translation>
-    </message>
-    <message>
-        <source>Top dead centre: arcsin(λK/(1 + λ)), from the cylinder&apos;s axis on the side of its offset. Volkswagen VR5: 3°20′.</source>
-        <translation>Верхняя мёртвая точка: arcsin(λK/(1 + λ)), от оси цилиндра в сторону её смещения. Volkswagen VR5: 3°20′.</translation>
-    </message>
-    <message>
-        <source>Re&amp;ciprocating mass</source>
-        <translation>Поступательная &amp;масса</translation>
-    </message>
-    <message>
-        <source>Of one cylinder: piston with pin and rings, and the rod&apos;s share unless the rod is a rigid body below. Volkswagen VR5: 0.622 kg.</source>
-        <translation>Одного цилиндра: поршень с пальцем и кольцами и доля шатуна, если шатун ниже не задан твёрдым телом. Volkswagen VR5: 0,622 кг.</translation>
-    </message>
-    <message>
-        <source>Reciprocating mass</source>
-        <translation>Поступательная масса</translation>
-    </message>
-    <message>
-        <source>R&amp;otating mass</source>
-        <translation>Вра&amp;щающаяся масса</translation>
-    </message>
-    <message>
-        <source>Of one throw, reduced to the crank radius: unbalanced part of the throw and the rod&apos;s share unless the rod is a rigid body.</source>
-        <translation>Одного колена, приведённая к радиусу кривошипа: неуравновешенная часть колена и доля шатуна, если шатун не задан твёрдым телом.</translation>
-    </message>
-    <message>
-        <source>Rotating mass</source>
-        <translation>Вращающаяся масса</translation>
-    </message>
-    <message>
-        <source>&amp;Rod as a rigid body</source>
-        <translation>Шатун — &amp;твёрдое тело</translation>
-    </message>
-    <message>
-        <source>Off: the rod&apos;s two shares are in the masses above. On: mass, centre and inertia are given; its shares are added, and what its inertia differs from two masses acts on roll moment and torque.</source>
-        <translation>Выкл.: обе доли шатуна входят в массы выше. Вкл.: заданы масса, центр и момент инерции; доли добавляются, а отличие момента инерции от двух масс действует на опрокидывающий и крутящий моменты.</translation>
-    </message>
-    <message>
-        <source>Rigid rod</source>
-        <translation>Шатун — твёрдое тело</translation>
-    </message>
-    <message>
-        <source>Rod</source>
-        <translation>Шатун</translation>
-    </message>
-    <message>
-        <source>Rod &amp;mass</source>
-        <translation>Масса шат&amp;уна</translation>
-    </message>
-    <message>
-        <source>Whole rod</source>
-        <translation>Всего шатуна</translation>
-    </message>
-    <message>
-        <source>Centre from &amp;big end</source>
-        <translation>Центр от &amp;нижней головки</translation>
-    </message>
-    <message>
-        <source>Centre of mass, from the big end towards the small end</source>
-        <translation>Центр масс, от нижней (кривошипной) головки к верхней</translation>
-    </message>
-    <message>
-        <source>&amp;Inertia</source>
-        <translation>Момент &amp;инерции</translation>
-    </message>
-    <message>
-        <source>About its centre of mass</source>
-        <translation>Относительно центра масс</translation>
+        <source>Shafts</source>
+        <translation>Валы</translation>
     </message>
     <message>
         <source>Balance shafts</source>
         <translation>Балансирные валы</translation>
     </message>
     <message>
-        <source>exact orders</source>
-        <translation>точные порядки</translation>
+        <source>Weights</source>
+        <translation>Грузы</translation>
     </message>
     <message>
-        <source>two-term form</source>
-        <translation>два члена</translation>
+        <source>Rotating masses and counterweights</source>
+        <translation>Вращающиеся массы и противовесы</translation>
     </message>
     <message>
-        <source>&amp;Designed for</source>
-        <translation>Рассчитаны &amp;для</translation>
+        <source>Left</source>
+        <translation>Остаток</translation>
     </message>
     <message>
-        <source>The paper designs its shafts for the two-term form; what they leave of the exact order is then what the two-term form leaves out.</source>
-        <translation>В статье валы рассчитаны по двучленной формуле; их остаток от точного порядка — то, что двучленная формула отбрасывает.</translation>
+        <source>What is left over, by order</source>
+        <translation>Что остаётся, по порядкам</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::InertiaMomentsCharts</name>
+    <message>
+        <source>Shafts</source>
+        <translation>Валы</translation>
     </message>
     <message>
-        <source>Design of the shafts</source>
-        <translation>Расчёт валов</translation>
+        <source>Weights</source>
+        <translation>Грузы</translation>
     </message>
     <message>
-        <source>k order, L distance of the weights (mm), ρ their radius (mm), δ error of phase (°)</source>
-        <translation>k — порядок, L — расстояние между грузами (мм), ρ — их радиус (мм), δ — ошибка фазы (°)</translation>
-    </message>
-    <message>
-        <source>&amp;Add shaft</source>
-        <translation>До&amp;бавить вал</translation>
-    </message>
-    <message>
-        <source>&amp;Counterweights on the end webs</source>
-        <translation>Противовесы на крайних &amp;щеках</translation>
-    </message>
-    <message>
-        <source>Two weights that cancel force and moment of the rotating masses, and a share of the forward part of the first order</source>
-        <translation>Два груза, гасящие силу и момент вращающихся масс и долю прямой части первого порядка</translation>
-    </message>
-    <message>
-        <source>Counterweights</source>
-        <translation>Противовесы</translation>
-    </message>
-    <message>
-        <source>&amp;Front web at z</source>
-        <translation>Передняя щека, &amp;z</translation>
-    </message>
-    <message>
-        <source>Axial position of the front weight</source>
-        <translation>Положение переднего груза вдоль вала</translation>
-    </message>
-    <message>
-        <source>Front &amp;radius ρ</source>
-        <translation>П&amp;ередний радиус ρ</translation>
-    </message>
-    <message>
-        <source>Of the front weight&apos;s centre of mass</source>
-        <translation>Центра масс переднего груза</translation>
-    </message>
-    <message>
-        <source>R&amp;ear web at z</source>
-        <translation>&amp;Задняя щека, z</translation>
-    </message>
-    <message>
-        <source>Axial position of the rear weight</source>
-        <translation>Положение заднего груза вдоль вала</translation>
-    </message>
-    <message>
-        <source>Rear ra&amp;dius ρ</source>
-        <translation>З&amp;адний радиус ρ</translation>
-    </message>
-    <message>
-        <source>Of the rear weight&apos;s centre of mass</source>
-        <translation>Центра масс заднего груза</translation>
-    </message>
-    <message>
-        <source>&amp;Share of order 1</source>
-        <translation>Дол&amp;я 1-го порядка</translation>
-    </message>
-    <message>
-        <source>Of the forward part of the reciprocating first order; 1 in a cross-plane V8 cancels it wholly, in a single it is the balance for half the reciprocating mass.</source>
-        <translation>Прямой части первого порядка поступательных масс; 1 в V8 с крестообразным валом гасит её целиком, в одноцилиндровом уравновешивает половину поступательной массы.</translation>
-    </message>
-    <message>
-        <source>Bank an&amp;gle γ</source>
-        <translation>Угол развала &amp;γ</translation>
-    </message>
-    <message>
-        <source>Between the banks, 0 to 180°. Crankpins for even firing follow it; those of a table stay, and its bank angles are scaled.</source>
-        <translation>Между рядами, от 0 до 180°. Шейки для равномерного чередования вспышек следуют ему; шейки таблицы остаются, а её углы рядов меняются пропорционально.</translation>
-    </message>
-    <message>
-        <source>O&amp;ffset e</source>
-        <translation>Дезакса&amp;ж e</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>мм</translation>
-    </message>
-    <message>
-        <source>Distance of the cylinder axes from the crank axis, as far as the mechanism does not lock. Of a table: the largest; the others are scaled with it.</source>
-        <translation>Расстояние осей цилиндров от оси вала, пока механизм не заклинивает. В таблице — наибольшее; остальные меняются пропорционально.</translation>
-    </message>
-    <message>
-        <source>Speed &amp;n</source>
-        <translation>&amp;Частота n</translation>
-    </message>
-    <message>
-        <source>min⁻¹</source>
-        <translation>мин⁻¹</translation>
-    </message>
-    <message>
-        <source>Crankshaft speed; forces and moments grow with its square.</source>
-        <translation>Частота вращения; силы и моменты растут как её квадрат.</translation>
-    </message>
-    <message>
-        <source>Centre of mass &amp;z</source>
-        <translation>&amp;Центр масс z</translation>
-    </message>
-    <message>
-        <source>Axial position of the point that moments refer to, in the coordinates of the cylinders; positive towards cylinder 1.</source>
-        <translation>Положение вдоль вала точки, относительно которой берутся моменты, в координатах цилиндров; положительное в сторону цилиндра 1.</translation>
+        <source>Firing</source>
+        <translation>Вспышки</translation>
     </message>
     <message>
         <source>Order 1</source>
@@ -3904,156 +6299,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Roll</source>
         <translation>Опрокид.</translation>
     </message>
-    <message>
-        <source>Shafts</source>
-        <translation>Валы</translation>
-    </message>
-    <message>
-        <source>Firing</source>
-        <translation>Вспышки</translation>
-    </message>
-    <message>
-        <source>Play or pause the picture</source>
-        <translation>Пуск или пауза рисунка</translation>
-    </message>
-    <message>
-        <source>&amp;φ</source>
-        <translation>&amp;φ</translation>
-    </message>
-    <message>
-        <source>Crank angle of the picture, from cylinder 1&apos;s axis</source>
-        <translation>Угол кривошипа на рисунке, от оси цилиндра 1</translation>
-    </message>
-    <message>
-        <source>Amplitudes and phases by order and plane</source>
-        <translation>Амплитуды и фазы по порядкам и плоскостям</translation>
-    </message>
-    <message>
-        <source>±kω</source>
-        <translation>±kω</translation>
-    </message>
-    <message>
-        <source>Forward and backward rotating parts by order</source>
-        <translation>Прямые и обратные вращающиеся части по порядкам</translation>
-    </message>
-    <message>
-        <source>Weights</source>
-        <translation>Грузы</translation>
-    </message>
-    <message>
-        <source>Rotating masses and counterweights</source>
-        <translation>Вращающиеся массы и противовесы</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>Остаток</translation>
-    </message>
-    <message>
-        <source>What is left over, by order</source>
-        <translation>Что остаётся, по порядкам</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> мм</translation>
-    </message>
 </context>
 <context>
-    <name>ravnoves::InertiaMomentsViewModel</name>
+    <name>ravnoves::InertiaMomentsModel</name>
     <message>
-        <source>Single</source>
-        <translation>Одноцилиндровый</translation>
-    </message>
-    <message>
-        <source>In-line 2, 180°</source>
-        <translation>Рядный 2, 180°</translation>
-    </message>
-    <message>
-        <source>In-line 2, 360°</source>
-        <translation>Рядный 2, 360°</translation>
-    </message>
-    <message>
-        <source>In-line 3</source>
-        <translation>Рядный 3</translation>
-    </message>
-    <message>
-        <source>In-line 4</source>
-        <translation>Рядный 4</translation>
-    </message>
-    <message>
-        <source>In-line 5</source>
-        <translation>Рядный 5</translation>
-    </message>
-    <message>
-        <source>In-line 6</source>
-        <translation>Рядный 6</translation>
-    </message>
-    <message>
-        <source>V-twin 45°</source>
-        <translation>V2 45°</translation>
-    </message>
-    <message>
-        <source>V-twin 60°</source>
-        <translation>V2 60°</translation>
-    </message>
-    <message>
-        <source>V-twin 90°</source>
-        <translation>V2 90°</translation>
-    </message>
-    <message>
-        <source>V6 60°, split pins</source>
-        <translation>V6 60°, смещённые шейки</translation>
-    </message>
-    <message>
-        <source>V6 90°, split pins</source>
-        <translation>V6 90°, смещённые шейки</translation>
-    </message>
-    <message>
-        <source>V8, cross-plane</source>
-        <translation>V8, крестообразный вал</translation>
-    </message>
-    <message>
-        <source>V8, flat-plane</source>
-        <translation>V8, плоский вал</translation>
-    </message>
-    <message>
-        <source>Flat twin</source>
-        <translation>Оппозитный 2</translation>
-    </message>
-    <message>
-        <source>Flat 4</source>
-        <translation>Оппозитный 4</translation>
-    </message>
-    <message>
-        <source>Flat 6</source>
-        <translation>Оппозитный 6</translation>
-    </message>
-    <message>
-        <source>VR5</source>
-        <translation>VR5</translation>
-    </message>
-    <message>
-        <source>VR6</source>
-        <translation>VR6</translation>
-    </message>
-    <message>
-        <source>W12</source>
-        <translation>W12</translation>
-    </message>
-    <message>
-        <source>Open case</source>
-        <translation>Открытие задачи</translation>
-    </message>
-    <message>
-        <source>New case</source>
-        <translation>Новая задача</translation>
-    </message>
-    <message>
-        <source>Cylinder %1 cannot be joined: its rod reaches the piston at no crank angle.</source>
-        <translation>Цилиндр %1 собрать нельзя: его шатун не достаёт до поршня ни при каком угле кривошипа.</translation>
-    </message>
-    <message>
-        <source>The mechanism of cylinder %1 locks with its crank at %2° turning forward and at %3° turning back, from the cylinder&apos;s axis.</source>
-        <translation>Механизм цилиндра %1 заклинивает при угле кривошипа %2° при вращении вперёд и %3° назад, от оси цилиндра.</translation>
+        <source>VW VR5 (paper)</source>
+        <translation>VW VR5 (статья)</translation>
     </message>
     <message>
         <source>Own table</source>
@@ -4074,14 +6325,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Even firing</source>
         <translation>Равномерное чередование</translation>
-    </message>
-    <message>
-        <source>The firing order must name each cylinder from 1 to %1 once.</source>
-        <translation>Порядок работы должен назвать каждый цилиндр от 1 до %1 один раз.</translation>
-    </message>
-    <message>
-        <source>Firing order</source>
-        <translation>Порядок работы</translation>
     </message>
     <message>
         <source>Bank angle</source>
@@ -4227,10 +6470,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>left, %</source>
         <translation>ост., %</translation>
     </message>
-    <message>
-        <source>A mechanism is so near locking that the exact orders are less accurate than usual.</source>
-        <translation>Механизм так близок к заклиниванию, что точные порядки менее точны, чем обычно.</translation>
-    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <translation>
@@ -4251,588 +6490,36 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Two-term is not enough: order %1.</source>
         <translation>Двух членов мало: порядок %1.</translation>
     </message>
-    <message>
-        <source>VW VR5 (paper)</source>
-        <translation>VW VR5 (статья)</translation>
-    </message>
 </context>
 <context>
-    <name>ravnoves::InputError</name>
+    <name>ravnoves::InertiaMomentsPage</name>
     <message>
-        <source>must be from %1 to %2</source>
-        <translation>должно быть от %1 до %2</translation>
+        <source>&amp;Shafts on or off</source>
+        <translation>&amp;Валы вкл/выкл</translation>
     </message>
     <message>
-        <source>must be greater than %1 and less than %2</source>
-        <translation>должно быть больше %1 и меньше %2</translation>
+        <source>Switch all balance shafts on, or off when all are on</source>
+        <translation>Включить все балансирные валы или выключить, когда все включены</translation>
     </message>
     <message>
-        <source>must be greater than %1 and at most %2</source>
-        <translation>должно быть больше %1 и не больше %2</translation>
+        <source>All shafts off</source>
+        <translation>Все валы выключены</translation>
     </message>
     <message>
-        <source>must be at least %1 and less than %2</source>
-        <translation>должно быть не меньше %1 и меньше %2</translation>
+        <source>All shafts on</source>
+        <translation>Все валы включены</translation>
     </message>
     <message>
-        <source>must be greater than %1</source>
-        <translation>должно быть больше %1</translation>
+        <source>Engine</source>
+        <translation>Двигатель</translation>
     </message>
     <message>
-        <source>must be at least %1</source>
-        <translation>должно быть не меньше %1</translation>
+        <source>Cylinders</source>
+        <translation>Цилиндры</translation>
     </message>
     <message>
-        <source>must be less than %1</source>
-        <translation>должно быть меньше %1</translation>
-    </message>
-    <message>
-        <source>must be at most %1</source>
-        <translation>должно быть не больше %1</translation>
-    </message>
-    <message>
-        <source>must be a finite number</source>
-        <translation>должно быть конечным числом</translation>
-    </message>
-    <message>
-        <source>must be a number</source>
-        <translation>должно быть числом</translation>
-    </message>
-    <message>
-        <source>must be a number or &quot;solve&quot;</source>
-        <translation>должно быть числом или &quot;solve&quot;</translation>
-    </message>
-    <message>
-        <source>must be a whole number from %1 to %2</source>
-        <translation>должно быть целым числом от %1 до %2</translation>
-    </message>
-    <message>
-        <source>must be a list</source>
-        <translation>должно быть списком</translation>
-    </message>
-    <message>
-        <source>must be an object</source>
-        <translation>должно быть объектом</translation>
-    </message>
-    <message>
-        <source>must be a text</source>
-        <translation>должно быть текстом</translation>
-    </message>
-    <message>
-        <source>must be true or false</source>
-        <translation>должно быть true или false</translation>
-    </message>
-    <message>
-        <source>must be a file name</source>
-        <translation>должно быть именем файла</translation>
-    </message>
-    <message>
-        <source>must be a file, not a folder</source>
-        <translation>должно быть файлом, а не папкой</translation>
-    </message>
-    <message>
-        <source>must be one of %1</source>
-        <translation>допустимо одно из: %1</translation>
-    </message>
-    <message>
-        <source>must be one of %1 (the nearest is %2)</source>
-        <translation>допустимо одно из: %1 (ближайшее — %2)</translation>
-    </message>
-    <message>
-        <source>is required and missing</source>
-        <translation>обязательно, но отсутствует</translation>
-    </message>
-    <message>
-        <source>is required and missing (or %1)</source>
-        <translation>обязательно, но отсутствует (или %1)</translation>
-    </message>
-    <message>
-        <source>is required and missing (or &quot;layout&quot; instead)</source>
-        <translation>обязательно, но отсутствует (вместо него годится &quot;layout&quot;)</translation>
-    </message>
-    <message>
-        <source>is required and missing: the preset %1 does not give it</source>
-        <translation>обязательно, но отсутствует: в образце %1 его нет</translation>
-    </message>
-    <message>
-        <source>is not a known key</source>
-        <translation>неизвестный ключ</translation>
-    </message>
-    <message>
-        <source>is not a known key; the nearest is %1</source>
-        <translation>неизвестный ключ; ближайший — %1</translation>
-    </message>
-    <message>
-        <source>is nested more than %1 levels deep</source>
-        <translation>вложено глубже %1 уровней</translation>
-    </message>
-    <message>
-        <source>is empty</source>
-        <translation>пусто</translation>
-    </message>
-    <message>
-        <source>is not valid JSON</source>
-        <translation>это не JSON</translation>
-    </message>
-    <message>
-        <source>holds a number that is too large for this program</source>
-        <translation>содержит число, слишком большое для программы</translation>
-    </message>
-    <message>
-        <source>must be at most %1 (a newer program wrote this case; update to open it)</source>
-        <translation>должно быть не больше %1 (задача записана более новой программой; обновите программу)</translation>
-    </message>
-    <message>
-        <source>must be a known scene</source>
-        <translation>раздел неизвестен</translation>
-    </message>
-    <message>
-        <source>must be at most 64 MiB</source>
-        <translation>должно быть не больше 64 МиБ</translation>
-    </message>
-    <message>
-        <source>cannot be read to its end</source>
-        <translation>не читается до конца</translation>
-    </message>
-    <message>
-        <source>cannot be read: %1</source>
-        <translation>не читается: %1</translation>
-    </message>
-    <message>
-        <source>cannot be written: %1</source>
-        <translation>не удалось записать: %1</translation>
-    </message>
-    <message>
-        <source>must be left out where %1 is given</source>
-        <translation>не должно стоять там, где задано %1</translation>
-    </message>
-    <message>
-        <source>must be left out where the torque&apos;s own object gives it</source>
-        <translation>не должно стоять там, где это задано в самом объекте момента</translation>
-    </message>
-    <message>
-        <source>must hold either heat_J or indicated_mean_effective_pressure_bar</source>
-        <translation>должно содержать либо heat_J, либо indicated_mean_effective_pressure_bar</translation>
-    </message>
-    <message>
-        <source>must hold one of: crank_angle_deg with torque_Nm, csv, pressure, cycle</source>
-        <translation>должно содержать одно из: crank_angle_deg с torque_Nm, csv, pressure, cycle</translation>
-    </message>
-    <message>
-        <source>must be at least %1, what the cycle gives without heat</source>
-        <translation>должно быть не меньше %1: столько цикл даёт без теплоты</translation>
-    </message>
-    <message>
-        <source>must be greater than the crank radius and twice the offset together, %1</source>
-        <translation>должно быть больше радиуса кривошипа вместе с удвоенным дезаксажем, %1</translation>
-    </message>
-    <message>
-        <source>must be greater than the crank radius, %1</source>
-        <translation>должно быть больше радиуса кривошипа, %1</translation>
-    </message>
-    <message>
-        <source>must make a displacement from %1 to %2</source>
-        <translation>должно давать рабочий объём от %1 до %2</translation>
-    </message>
-    <message>
-        <source>must end the combustion before the bottom dead centre at %1</source>
-        <translation>сгорание должно закончиться до нижней мёртвой точки, %1</translation>
-    </message>
-    <message>
-        <source>must be at least from_rpm, %1</source>
-        <translation>должно быть не меньше from_rpm, %1</translation>
-    </message>
-    <message>
-        <source>must add up to more than 0 and to a finite mass</source>
-        <translation>в сумме должна получиться конечная масса больше 0</translation>
-    </message>
-    <message>
-        <source>must be less than the teeth, which must be from %1 to %2</source>
-        <translation>должно быть меньше числа зубьев, а оно — от %1 до %2</translation>
-    </message>
-    <message>
-        <source>must be at most rod_mass_kg, %1</source>
-        <translation>должно быть не больше rod_mass_kg, %1</translation>
-    </message>
-    <message>
-        <source>makes %1 larger than this program can work with (%2) together with the other inputs</source>
-        <translation>вместе с остальными данными: %1 больше того, с чем может работать программа (%2)</translation>
-    </message>
-    <message>
-        <source>the square of the speed</source>
-        <translation>квадрат скорости</translation>
-    </message>
-    <message>
-        <source>the mechanism</source>
-        <translation>механизм</translation>
-    </message>
-    <message>
-        <source>the inertia force</source>
-        <translation>сила инерции</translation>
-    </message>
-    <message>
-        <source>the inertia torque</source>
-        <translation>момент сил инерции</translation>
-    </message>
-    <message>
-        <source>the counterweight&apos;s mass</source>
-        <translation>масса противовеса</translation>
-    </message>
-    <message>
-        <source>the counterweight&apos;s force</source>
-        <translation>сила противовеса</translation>
-    </message>
-    <message>
-        <source>the shaft&apos;s moment</source>
-        <translation>момент вала</translation>
-    </message>
-    <message>
-        <source>the cylinder</source>
-        <translation>цилиндр</translation>
-    </message>
-    <message>
-        <source>the envelope</source>
-        <translation>габарит</translation>
-    </message>
-    <message>
-        <source>must hold two of diameter_mm, depth_mm and length_mm</source>
-        <translation>должно содержать два из diameter_mm, depth_mm и length_mm</translation>
-    </message>
-    <message>
-        <source>must be less than the diameter, %1</source>
-        <translation>должно быть меньше диаметра, %1</translation>
-    </message>
-    <message>
-        <source>there is no shaft to draw: %1</source>
-        <translation>чертить нечего: %1</translation>
-    </message>
-    <message>
-        <source>No unbalance is needed, so there is nothing to mill away.</source>
-        <translation>Дисбаланс не нужен, снимать нечего.</translation>
-    </message>
-    <message>
-        <source>The bar is too thin: over a length of %1 its diameter must be at least %2; with this diameter the relieved length must be at least %3.</source>
-        <translation>Пруток слишком тонок: при длине %1 нужен диаметр не меньше %2, при этом диаметре — длина проточки не меньше %3.</translation>
-    </message>
-    <message>
-        <source>The unbalance needed is beyond any shaft of such sizes.</source>
-        <translation>Нужный дисбаланс недостижим ни для какого вала таких размеров.</translation>
-    </message>
-    <message>
-        <source>These sizes give %1 % of the unbalance that is needed.</source>
-        <translation>Эти размеры дают %1 % нужного дисбаланса.</translation>
-    </message>
-    <message>
-        <source>line %1, column %2</source>
-        <translation>строка %1, столбец %2</translation>
-    </message>
-    <message>
-        <source>line %1</source>
-        <translation>строка %1</translation>
-    </message>
-    <message>
-        <source>must not separate columns by commas and use decimal commas at once; separate the columns by semicolons</source>
-        <translation>запятая не может и разделять столбцы, и отделять дробную часть; разделите столбцы точкой с запятой</translation>
-    </message>
-    <message>
-        <source>must not repeat the angle of the row before, %1</source>
-        <translation>не должно повторять угол предыдущей строки, %1</translation>
-    </message>
-    <message>
-        <source>must be greater than the angle of the row before, %1</source>
-        <translation>должно быть больше угла предыдущей строки, %1</translation>
-    </message>
-    <message>
-        <source>must be at least %1 more than the angle of the row before, %2</source>
-        <translation>должно быть больше угла предыдущей строки, %2, не меньше чем на %1</translation>
-    </message>
-    <message>
-        <source>must equal the first %1, %2, since the cycle repeats</source>
-        <translation>последнее значение (%1) должно равняться первому, %2: цикл повторяется</translation>
-    </message>
-    <message>
-        <source>torque</source>
-        <translation>момент</translation>
-    </message>
-    <message>
-        <source>pressure</source>
-        <translation>давление</translation>
-    </message>
-    <message>
-        <source>must be text; this looks like a binary file</source>
-        <translation>должен быть текст, а это похоже на двоичный файл</translation>
-    </message>
-    <message>
-        <source>must hold two columns, crank angle and %1</source>
-        <translation>должно быть два столбца: угол поворота и %1</translation>
-    </message>
-    <message>
-        <source>%1 columns</source>
-        <translation>столбцов: %1</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>точек: %1</translation>
-    </message>
-    <message>
-        <source>the table must have at most %1 rows</source>
-        <translation>в таблице должно быть не больше %1 строк</translation>
-    </message>
-    <message>
-        <source>the %1 table must have at least 3 rows</source>
-        <translation>в таблице (%1) должно быть хотя бы 3 строки</translation>
-    </message>
-    <message>
-        <source>the table of 720° must have at most %1 rows</source>
-        <translation>в таблице на 720° должно быть не больше %1 строк</translation>
-    </message>
-    <message>
-        <source>the angles must span 720° (or 360°, or 4π or 2π in radians), the last row repeating the first</source>
-        <translation>углы должны охватывать 720° (или 360°, в радианах 4π или 2π), последняя строка повторяет первую</translation>
-    </message>
-    <message>
-        <source>the angles of neighbouring rows are too close together</source>
-        <translation>углы соседних строк слишком близки</translation>
-    </message>
-    <message>
-        <source>must hold as many numbers as crank_angle_deg, %1</source>
-        <translation>чисел должно быть столько же, сколько в crank_angle_deg, %1</translation>
-    </message>
-    <message>
-        <source>must hold at least 3 numbers</source>
-        <translation>должно быть хотя бы 3 числа</translation>
-    </message>
-    <message>
-        <source>must hold at most %1 numbers</source>
-        <translation>должно быть не больше %1 чисел</translation>
-    </message>
-    <message>
-        <source>must span 720°, the last row repeating the first</source>
-        <translation>углы должны охватывать 720°, последняя строка повторяет первую</translation>
-    </message>
-    <message>
-        <source>must not stand beside weights_N: give the one or the other</source>
-        <translation>не должно стоять рядом с weights_N: задайте одно из двух</translation>
-    </message>
-    <message>
-        <source>there is no guide to export</source>
-        <translation>записывать нечего: направляющей нет</translation>
-    </message>
-    <message>
-        <source>there is no guide to export: %1</source>
-        <translation>записывать нечего: %1</translation>
-    </message>
-    <message>
-        <source>no spring is given for %1</source>
-        <translation>не задана пружина, %1</translation>
-    </message>
-    <message>
-        <source>the crank&apos;s hinge</source>
-        <translation>шарнир кривошипа</translation>
-    </message>
-    <message>
-        <source>the crank&apos;s hinge beside the rod&apos;s</source>
-        <translation>шарнир кривошипа рядом с шарниром шатуна</translation>
-    </message>
-    <message>
-        <source>the rod&apos;s hinge</source>
-        <translation>шарнир шатуна</translation>
-    </message>
-    <message>
-        <source>from a crank angle of %1 the spring would have to give out more energy than it stores (most at %2): the preload |l0/2 - rho0| is %3 mm and must be at least %4 mm</source>
-        <translation>начиная с угла %1 пружина должна отдать больше энергии, чем запасла (больше всего при %2): преднатяг |l0/2 - rho0| равен %3 мм, а нужно не меньше %4 мм</translation>
-    </message>
-    <message>
-        <source>the spring would have to be compressed by %1 mm, its whole free length of %2 mm or more</source>
-        <translation>пружину пришлось бы сжать на %1 мм при её свободной длине %2 мм</translation>
-    </message>
-    <message>
-        <source>chord tolerance</source>
-        <translation>допуск хорды</translation>
-    </message>
-    <message>
-        <source>roller radius</source>
-        <translation>радиус ролика</translation>
-    </message>
-    <message>
-        <source>step</source>
-        <translation>шаг</translation>
-    </message>
-    <message>
-        <source>must be less than %1 mm, else the profile is undercut</source>
-        <translation>должно быть меньше %1 мм, иначе профиль подрезается</translation>
-    </message>
-    <message>
-        <source>is too small for this guide: it would take more than %1 points</source>
-        <translation>слишком мало для этой направляющей: понадобилось бы больше %1 точек</translation>
-    </message>
-    <message>
-        <source>must together be more than 0</source>
-        <translation>в сумме должно быть больше 0</translation>
-    </message>
-    <message>
-        <source>must be less than 1 for the exact kinematics (a rod no longer than the crank locks the mechanism at a crank angle of 90°; &quot;kinematics&quot;: &quot;series&quot; still draws the paper&apos;s curves)</source>
-        <translation>для точной кинематики должно быть меньше 1 (шатун не длиннее кривошипа заклинивает механизм при угле 90°; кривые статьи чертит &quot;kinematics&quot;: &quot;series&quot;)</translation>
-    </message>
-    <message>
-        <source>must be less than 1 for a motion: the mechanism locks</source>
-        <translation>для движения должно быть меньше 1: механизм заклинивает</translation>
-    </message>
-    <message>
-        <source>must make a guide that exists for this motion</source>
-        <translation>для этого движения направляющая должна существовать</translation>
-    </message>
-    <message>
-        <source>must make a guide that exists for this motion: %1</source>
-        <translation>для этого движения направляющая должна существовать: %1</translation>
-    </message>
-    <message>
-        <source>must give the crank and the rod together some mass for a motion</source>
-        <translation>для движения у кривошипа с шатуном должна быть масса</translation>
-    </message>
-    <message>
-        <source>holds values so far apart that the result leaves the range of numbers; bring them nearer to those of a machine</source>
-        <translation>значения так далеки друг от друга, что результат выходит за пределы чисел; приблизьте их к значениям настоящей машины</translation>
-    </message>
-    <message>
-        <source>must be a layout of the library</source>
-        <translation>должно быть компоновкой из списка</translation>
-    </message>
-    <message>
-        <source>must be a layout of the library (the nearest is %1)</source>
-        <translation>должно быть компоновкой из списка (ближайшая — %1)</translation>
-    </message>
-    <message>
-        <source>must not stand beside &quot;layout&quot;: one of the two</source>
-        <translation>не должно стоять рядом с &quot;layout&quot;: одно из двух</translation>
-    </message>
-    <message>
-        <source>must name each cylinder from 1 to %1 once</source>
-        <translation>должно назвать каждый цилиндр от 1 до %1 один раз</translation>
-    </message>
-    <message>
-        <source>nothing</source>
-        <translation>ничего</translation>
-    </message>
-    <message>
-        <source>must list from 1 to %1 cylinders</source>
-        <translation>цилиндров должно быть от 1 до %1</translation>
-    </message>
-    <message>
-        <source>must be less than 1; %1</source>
-        <translation>должно быть меньше 1; %1</translation>
-    </message>
-    <message>
-        <source>must be less than %1 in size (rod length less crank radius); %2</source>
-        <translation>по величине должно быть меньше %1 (длина шатуна минус радиус кривошипа); %2</translation>
-    </message>
-    <message>
-        <source>the mechanism of cylinder %1 cannot be joined: the rod reaches the piston at no crank angle</source>
-        <translation>механизм цилиндра %1 собрать нельзя: шатун не достаёт до поршня ни при каком угле кривошипа</translation>
-    </message>
-    <message>
-        <source>the mechanism of cylinder %1 locks with the crank at %2 turning forward and at %3 turning back, measured from the cylinder&apos;s axis</source>
-        <translation>механизм цилиндра %1 заклинивает при угле кривошипа %2 при вращении вперёд и %3 назад, от оси цилиндра</translation>
-    </message>
-    <message>
-        <source>must list at most %1 shafts</source>
-        <translation>валов должно быть не больше %1</translation>
-    </message>
-    <message>
-        <source>must differ from front_position_mm by more than %1</source>
-        <translation>должно отличаться от front_position_mm больше чем на %1</translation>
-    </message>
-    <message>
-        <source>must leave both ends of the rod a mass that is not negative</source>
-        <translation>массы обеих головок шатуна должны остаться неотрицательными</translation>
-    </message>
-    <message>
-        <source>sizes, masses and speed together must keep forces and moments under 1e200 N and N·m</source>
-        <translation>размеры, массы и частота вращения вместе должны давать силы и моменты меньше 1e200 Н и Н·м</translation>
-    </message>
-    <message>
-        <source>sizes, masses and speed together must keep m R ω² over 1e-200 N</source>
-        <translation>размеры, массы и частота вращения вместе должны давать m R ω² больше 1e-200 Н</translation>
-    </message>
-    <message>
-        <source>sizes, masses and speed together must keep the balancing masses in the range of numbers</source>
-        <translation>размеры, массы и частота вращения вместе должны держать уравновешивающие массы в пределах чисел</translation>
-    </message>
-    <message>
-        <source>must be null or left out where %1 is null</source>
-        <translation>должно быть null или отсутствовать там, где %1 — null</translation>
-    </message>
-    <message>
-        <source>must be less than the plug&apos;s mass %1</source>
-        <translation>должно быть меньше массы пробки %1</translation>
-    </message>
-    <message>
-        <source>must be an engine object or one of %1</source>
-        <translation>должно быть объектом двигателя или одним из %1</translation>
-    </message>
-    <message>
-        <source>is allowed only where engine is the name of a preset</source>
-        <translation>допустимо, только если engine — имя образца</translation>
-    </message>
-    <message>
-        <source>must be a list of 8 masses, one for each cylinder</source>
-        <translation>должно быть списком из 8 масс, по одной на цилиндр</translation>
-    </message>
-    <message>
-        <source>is required where the bore&apos;s other size is given</source>
-        <translation>обязательно, если задан другой размер полости</translation>
-    </message>
-    <message>
-        <source>must be a plug that can exist: %1</source>
-        <translation>такой пробки быть не может: %1</translation>
-    </message>
-    <message>
-        <source>the bore is as deep as the plug is high: there is no bottom</source>
-        <translation>полость глубиной с пробку: дна нет</translation>
-    </message>
-    <message>
-        <source>the bore is wider than the thread&apos;s root (%1): there is no wall</source>
-        <translation>полость шире впадины резьбы (%1): стенки нет</translation>
-    </message>
-    <message>
-        <source>must be &quot;standard&quot; where the engine has no plug of the new design</source>
-        <translation>должно быть &quot;standard&quot;, если у двигателя нет пробки новой конструкции</translation>
-    </message>
-    <message>
-        <source>is required where mass_changes_from is &quot;weigh-in&quot;</source>
-        <translation>обязательно, если mass_changes_from — &quot;weigh-in&quot;</translation>
-    </message>
-    <message>
-        <source>must be a metric thread with its pitch, like %1</source>
-        <translation>должно быть метрической резьбой с шагом, например %1</translation>
-    </message>
-    <message>
-        <source>the diameter %1 mm</source>
-        <translation>диаметр %1 мм</translation>
-    </message>
-    <message>
-        <source>the pitch %1 mm and a third of the diameter</source>
-        <translation>шаг %1 мм и трети диаметра</translation>
-    </message>
-    <message>
-        <source>both</source>
-        <translation>оба</translation>
-    </message>
-    <message>
-        <source>neither</source>
-        <translation>ни одного</translation>
-    </message>
-    <message>
-        <source>none of them</source>
-        <translation>ни одного</translation>
-    </message>
-    <message>
-        <source>more than one of them</source>
-        <translation>больше одного</translation>
-    </message>
-    <message>
-        <source>, got %1</source>
-        <translation>, получено %1</translation>
+        <source>Balancing</source>
+        <translation>Баланс</translation>
     </message>
 </context>
 <context>
@@ -4842,132 +6529,16 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Работа</translation>
     </message>
     <message>
-        <source>Engine &amp;number</source>
-        <translation>&amp;Номер двигателя</translation>
-    </message>
-    <message>
-        <source>The journal finds the job by it.</source>
-        <translation>По нему журнал находит работу.</translation>
-    </message>
-    <message>
-        <source>Crankshaft num&amp;ber</source>
-        <translation>Номер &amp;вала</translation>
-    </message>
-    <message>
-        <source>As stamped on the crankshaft.</source>
-        <translation>Как выбито на валу.</translation>
-    </message>
-    <message>
-        <source>C&amp;ustomer</source>
-        <translation>&amp;Заказчик</translation>
-    </message>
-    <message>
-        <source>Who brought the engine; the journal finds the job by it.</source>
-        <translation>Кто привёз двигатель; по нему журнал находит работу.</translation>
-    </message>
-    <message>
-        <source>&amp;Date</source>
-        <translation>&amp;Дата</translation>
-    </message>
-    <message>
-        <source>Year-month-day or day.month.year.</source>
-        <translation>Год-месяц-день или день.месяц.год.</translation>
-    </message>
-    <message>
-        <source>“%1” is no date; write it like 2024-05-31.</source>
-        <translation>«%1» — не дата; пишите так: 2024-05-31.</translation>
-    </message>
-    <message>
-        <source>&amp;Technician</source>
-        <translation>&amp;Исполнитель</translation>
-    </message>
-    <message>
-        <source>Who does the work.</source>
-        <translation>Кто выполняет работу.</translation>
-    </message>
-    <message>
         <source>Work</source>
         <translation>Вид работы</translation>
-    </message>
-    <message>
-        <source>&amp;Engine</source>
-        <translation>Дви&amp;гатель</translation>
-    </message>
-    <message>
-        <source>Engines of the paper by displacement, then your own.</source>
-        <translation>Двигатели статьи по рабочему объёму, затем свои.</translation>
-    </message>
-    <message>
-        <source>other</source>
-        <translation>другой</translation>
-    </message>
-    <message>
-        <source>&amp;Work</source>
-        <translation>Вид &amp;работы</translation>
-    </message>
-    <message>
-        <source>In manufacture repair pistons and repair shells are not counted.</source>
-        <translation>При изготовлении ремонтные поршни и вкладыши не учитываются.</translation>
-    </message>
-    <message>
-        <source>Cran&amp;kshaft</source>
-        <translation>&amp;Коленчатый вал</translation>
-    </message>
-    <message>
-        <source>Which plugs the counterweights of the crankshaft were made for.</source>
-        <translation>Под какие пробки сделаны противовесы вала.</translation>
-    </message>
-    <message>
-        <source>Crankshaft</source>
-        <translation>Коленчатый вал</translation>
     </message>
     <message>
         <source>Heavier than nominal by (negative: lighter)</source>
         <translation>Тяжелее номинала на (минус: легче)</translation>
     </message>
     <message>
-        <source>&amp;Improved piston</source>
-        <translation>&amp;Поршень</translation>
-    </message>
-    <message>
-        <source>&amp;Rod big end</source>
-        <translation>Н&amp;ижняя головка шатуна</translation>
-    </message>
-    <message>
-        <source>Re&amp;pair piston and rings</source>
-        <translation>Рем. пор&amp;шень с кольцами</translation>
-    </message>
-    <message>
-        <source>Repair &amp;shells</source>
-        <translation>Рем. вкл&amp;адыши</translation>
-    </message>
-    <message>
-        <source>Δm_pi: one piston against nominal.</source>
-        <translation>Δm_п: один поршень против номинала.</translation>
-    </message>
-    <message>
-        <source>Δm_be: one big end against nominal.</source>
-        <translation>Δm_шк: одна нижняя головка против номинала.</translation>
-    </message>
-    <message>
-        <source>Δm_rp: one repair piston with its rings against nominal.</source>
-        <translation>Δm_рп: один ремонтный поршень с кольцами против номинала.</translation>
-    </message>
-    <message>
-        <source>Δm_sh: the repair shells of one crankpin against nominal.</source>
-        <translation>Δm_шр: ремонтные вкладыши одной шейки против номинала.</translation>
-    </message>
-    <message>
         <source>Taken from the weigh-in sheet.</source>
         <translation>Взято с листа взвешивания.</translation>
-    </message>
-    <message>
-        <source>Residual unbalance &amp;allowed</source>
-        <translation>Допустимый дис&amp;баланс</translation>
-    </message>
-    <message>
-        <source>In each correction plane. The paper accepts 5 g·mm.</source>
-        <translation>В каждой плоскости коррекции. В статье 5 г·мм.</translation>
     </message>
 </context>
 <context>
@@ -5206,52 +6777,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Допустимый остаточный дисбаланс, ИСО 21940-11</translation>
     </message>
     <message>
-        <source>&amp;Grade G</source>
-        <translation>&amp;Класс G</translation>
-    </message>
-    <message>
-        <source>Balance quality grade. The standard&apos;s table has 0.4, 1, 2.5, 6.3, 16, 40, 100, 250, 630, 1600, 4000 mm/s; crankshaft drives of car, truck and locomotive engines G 100, inherently balanced crankshafts better.</source>
-        <translation>Класс точности балансировки. В стандарте 0,4; 1; 2,5; 6,3; 16; 40; 100; 250; 630; 1600; 4000 мм/с; для кривошипных механизмов автомобильных и тепловозных двигателей G 100, для уравновешенных валов точнее.</translation>
-    </message>
-    <message>
-        <source>&amp;Mass of the crankshaft</source>
-        <translation>&amp;Масса вала</translation>
-    </message>
-    <message>
-        <source>As it lies on the machine, with the bob weights.</source>
-        <translation>Как лежит на станке, с грузами.</translation>
-    </message>
-    <message>
-        <source>Service s&amp;peed</source>
-        <translation>&amp;Частота вращения</translation>
-    </message>
-    <message>
-        <source>The highest speed in service, not that of the machine.</source>
-        <translation>Наибольшая рабочая, а не станка.</translation>
-    </message>
-    <message>
-        <source>&amp;Share of the front plane</source>
-        <translation>&amp;Доля передней плоскости</translation>
-    </message>
-    <message>
-        <source>Half for a crankshaft whose mass lies midway between the planes; the standard allows 0.3 to 0.7.</source>
-        <translation>Половина, если центр масс посередине между плоскостями; стандарт допускает 0,3–0,7.</translation>
-    </message>
-    <message>
         <source>What the machine reads</source>
         <translation>Показания станка</translation>
-    </message>
-    <message>
-        <source>&amp;Front plane (pulley)</source>
-        <translation>&amp;Передняя плоскость (шкив)</translation>
-    </message>
-    <message>
-        <source>Residual unbalance after correction.</source>
-        <translation>Остаточный дисбаланс после исправления.</translation>
-    </message>
-    <message>
-        <source>&amp;Rear plane (flywheel)</source>
-        <translation>&amp;Задняя плоскость (маховик)</translation>
     </message>
     <message>
         <source>Correction planes</source>
@@ -5260,14 +6787,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Notes on the job card</source>
         <translation>Примечания для карты</translation>
-    </message>
-    <message>
-        <source>&amp;Notes</source>
-        <translation>П&amp;римечания</translation>
-    </message>
-    <message>
-        <source>Printed on the job card.</source>
-        <translation>Печатается на карте.</translation>
     </message>
 </context>
 <context>
@@ -5580,649 +7099,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
-    <name>ravnoves::MethodTexts</name>
-    <message>
-        <source>Slider-crank kinematics</source>
-        <translation>Кинематика КШМ</translation>
-    </message>
-    <message>
-        <source>s, s′, s″ of the piston pin over one turn</source>
-        <translation>s, s′, s″ поршневого пальца за оборот</translation>
-    </message>
-    <message>
-        <source>part of the largest |s|, |s′|, |s″| of the turn</source>
-        <translation>доля наибольших |s|, |s′|, |s″| за оборот</translation>
-    </message>
-    <message>
-        <source>s, s′ and s″ at one crank angle</source>
-        <translation>s, s′ и s″ при одном угле кривошипа</translation>
-    </message>
-    <message>
-        <source>the closure |crankpin - pin| = L solved by Newton&apos;s method, derivatives by differences</source>
-        <translation>условие замыкания |шатунная шейка − палец| = L, решённое методом Ньютона, производные — разностями</translation>
-    </message>
-    <message>
-        <source>Cycle mean and RMS</source>
-        <translation>Среднее за цикл и СКЗ</translation>
-    </message>
-    <message>
-        <source>mean of M_ups and its RMS about the mean</source>
-        <translation>среднее M_ups и его СКЗ относительно среднего</translation>
-    </message>
-    <message>
-        <source>part of the largest torque of the table + A</source>
-        <translation>доля наибольшего момента таблицы плюс A</translation>
-    </message>
-    <message>
-        <source>both numbers, from the table</source>
-        <translation>оба числа, начиная с таблицы</translation>
-    </message>
-    <message>
-        <source>adaptive Gauss-Kronrod quadrature from row to row</source>
-        <translation>адаптивная квадратура Гаусса–Кронрода от строки к строке</translation>
-    </message>
-    <message>
-        <source>Range of M_ups</source>
-        <translation>Размах M_ups</translation>
-    </message>
-    <message>
-        <source>ΔM_ups, largest less smallest moment over the cycle, at one α</source>
-        <translation>ΔM_ups, наибольший момент за цикл минус наименьший, при одном α</translation>
-    </message>
-    <message>
-        <source>the range at one α, the table being prepared</source>
-        <translation>размах при одном α, таблица подготовлена</translation>
-    </message>
-    <message>
-        <source>Brent&apos;s method in every degree between the rows</source>
-        <translation>метод Брента на каждом градусе между строками</translation>
-    </message>
-    <message>
-        <source>Best shaft angle</source>
-        <translation>Наилучший угол вала</translation>
-    </message>
-    <message>
-        <source>the α with the least range of M_ups</source>
-        <translation>угол α с наименьшим размахом M_ups</translation>
-    </message>
-    <message>
-        <source>range there less the least range, part of the largest torque + A</source>
-        <translation>размах при нём минус наименьший размах, доля наибольшего момента плюс A</translation>
-    </message>
-    <message>
-        <source>one search over all α, the table being prepared</source>
-        <translation>один поиск по всем α, таблица подготовлена</translation>
-    </message>
-    <message>
-        <source>a scan of sampled moments, refined by Brent&apos;s method</source>
-        <translation>перебор по отсчётам момента, уточнённый методом Брента</translation>
-    </message>
-    <message>
-        <source>Guide of the elastic hinge</source>
-        <translation>Направляющая шарнира</translation>
-    </message>
-    <message>
-        <source>radius ρ(φ) of the crank&apos;s guide over one turn</source>
-        <translation>радиус ρ(φ) направляющей кривошипа за оборот</translation>
-    </message>
-    <message>
-        <source>part of the guide&apos;s relief</source>
-        <translation>доля перепада направляющей</translation>
-    </message>
-    <message>
-        <source>ρ at one crank angle</source>
-        <translation>ρ при одном угле кривошипа</translation>
-    </message>
-    <message>
-        <source>energy of the spring against that of the bars, speeds by differences of positions</source>
-        <translation>энергия пружины против энергии звеньев, скорости — разностями положений</translation>
-    </message>
-    <message>
-        <source>Inertia orders</source>
-        <translation>Порядки сил инерции</translation>
-    </message>
-    <message>
-        <source>orders 0 to 12 of force and torque of one cylinder</source>
-        <translation>порядки силы и момента одного цилиндра от 0 до 12</translation>
-    </message>
-    <message>
-        <source>part of the largest order, or of m R ω² and m R² ω²</source>
-        <translation>доля наибольшего порядка либо m R ω² и m R² ω²</translation>
-    </message>
-    <message>
-        <source>all the orders of one cylinder</source>
-        <translation>все порядки одного цилиндра</translation>
-    </message>
-    <message>
-        <source>the binomial series of the rod&apos;s root, term by term</source>
-        <translation>биномиальный ряд корня шатуна, член за членом</translation>
-    </message>
-    <message>
-        <source>Motion with a hinge</source>
-        <translation>Движение с шарниром</translation>
-    </message>
-    <message>
-        <source>crank angle and speed after whole turns off the design speed</source>
-        <translation>угол и скорость кривошипа после целого числа оборотов не на расчётной скорости</translation>
-    </message>
-    <message>
-        <source>rad, or part of the speed, for each turn made</source>
-        <translation>рад или доля скорости на каждый оборот</translation>
-    </message>
-    <message>
-        <source>one turn of motion</source>
-        <translation>один оборот движения</translation>
-    </message>
-    <message>
-        <source>speeds by the energy of bars and spring, from differences of positions</source>
-        <translation>скорости по энергии звеньев и пружины, из разностей положений</translation>
-    </message>
-    <message>
-        <source>Reports print six digits and layouts in balance must come out as zero, which is a difference of large forces: so nine digits. The exact form needs one square root; a series of the same cost has three digits at λ = 0.5 and none near locking. The sines of the nodes are kept, because every cylinder and every turn needs the same ones.</source>
-        <translation>В отчётах печатаются шесть знаков, а уравновешенная схема должна давать нуль, то есть разность больших сил: поэтому девять знаков. Точной форме нужен один квадратный корень; ряд той же стоимости даёт три знака при λ = 0,5 и ни одного вблизи заклинивания. Синусы узлов хранятся, так как каждому цилиндру и каждому обороту нужны одни и те же.</translation>
-    </message>
-    <message>
-        <source>The paper&apos;s conclusions rest on a mean, so it has to be that of the cycle and not of a choice of nodes: nine digits for any table, however uneven its rows. The pieces between the rows are integrated exactly; after that every angle of the shaft costs three multiplications.</source>
-        <translation>Выводы статьи опираются на среднее, поэтому оно должно быть средним за цикл, а не следствием выбора узлов: девять знаков для любой таблицы, как бы неравномерны ни были её строки. Участки между строками интегрируются точно; после этого каждый угол вала стоит трёх умножений.</translation>
-    </message>
-    <message>
-        <source>The best angle is found from differences of ranges, so nine digits. Nodes miss a peak between them; the extremum of a line plus a sine is known in closed form, and only the few intervals that can hold it are solved.</source>
-        <translation>Наилучший угол находится по разностям размахов, поэтому девять знаков. Узлы пропускают пик между ними; экстремум суммы прямой и синуса известен в замкнутом виде, и решаются лишь те немногие интервалы, где он может быть.</translation>
-    </message>
-    <message>
-        <source>The range is the largest of many sinusoids: it has kinks at its minima and several of them. Sinusoids that bound it from below tell where no better angle can be, so the best one is found and not just a good one, with fewer evaluations than a scan of 5°.</source>
-        <translation>Размах — наибольшая из многих синусоид: в минимумах у него изломы, и минимумов несколько. Синусоиды, ограничивающие его снизу, показывают, где лучшего угла быть не может; поэтому находится наилучший угол, а не просто хороший, и за меньшее число вычислений, чем при переборе через 5°.</translation>
-    </message>
-    <message>
-        <source>What a guide does lies in its relief, which may be a few micrometres on a radius of a hundred millimetres: seven digits of the relief. The closed form needs no step and no start; written without a difference of nearly equal squares it keeps its digits down to the point where the spring gives out all that it stores.</source>
-        <translation>Действие направляющей заключено в её перепаде, а это могут быть микрометры на радиусе в сто миллиметров: нужны семь знаков перепада. Замкнутой форме не нужны ни шаг, ни начальная точка; записанная без разности почти равных квадратов, она сохраняет знаки вплоть до точки, где пружина отдаёт всё, что накопила.</translation>
-    </message>
-    <message>
-        <source>Ripple and energy drift are read off to parts of a million, after up to a thousand turns: so an error of 1e-7 a turn. Step control finds the few steep places of a turn by itself; a fixed step that held at λ = 0.95 would be wasted everywhere else.</source>
-        <translation>Неравномерность хода и уход энергии отсчитываются до миллионных долей после тысячи оборотов: поэтому погрешность 10⁻⁷ на оборот. Управление шагом само находит немногие крутые места оборота; постоянный шаг, достаточный при λ = 0,95, во всех остальных местах был бы лишним.</translation>
-    </message>
-    <message>
-        <source>A balanced layout is a sum of orders that cancel; what is left must be rounding, so eleven digits. No fixed number of points holds that for every λ and K: the order&apos;s decay is known in closed form, and the number of points follows from it.</source>
-        <translation>Уравновешенная схема — сумма порядков, которые гасят друг друга; остаться должно лишь округление, поэтому одиннадцать знаков. Никакое постоянное число точек не держит этого при всех λ и K: убывание порядков известно в замкнутом виде, и число точек следует из него.</translation>
-    </message>
-    <message>
-        <source>series in λ</source>
-        <translation>ряд по λ</translation>
-    </message>
-    <message>
-        <source>exact</source>
-        <translation>точная форма</translation>
-    </message>
-    <message>
-        <source>exact, sines by recurrence</source>
-        <translation>точная, синусы по рекурсии</translation>
-    </message>
-    <message>
-        <source>exact, sines kept</source>
-        <translation>точная, синусы хранятся</translation>
-    </message>
-    <message>
-        <source>node mean, end counted twice</source>
-        <translation>среднее по узлам, конец учтён дважды</translation>
-    </message>
-    <message>
-        <source>trapezoid rule</source>
-        <translation>формула трапеций</translation>
-    </message>
-    <message>
-        <source>Simpson&apos;s rule</source>
-        <translation>формула Симпсона</translation>
-    </message>
-    <message>
-        <source>Gauss-Legendre, 10 points a panel</source>
-        <translation>Гаусс–Лежандр, 10 точек на участок</translation>
-    </message>
-    <message>
-        <source>exact integral of the interpolant</source>
-        <translation>точный интеграл интерполянта</translation>
-    </message>
-    <message>
-        <source>largest and smallest node</source>
-        <translation>наибольший и наименьший узел</translation>
-    </message>
-    <message>
-        <source>golden section between the rows</source>
-        <translation>золотое сечение между строками</translation>
-    </message>
-    <message>
-        <source>exact extrema of the pieces</source>
-        <translation>точные экстремумы участков</translation>
-    </message>
-    <message>
-        <source>scan</source>
-        <translation>перебор</translation>
-    </message>
-    <message>
-        <source>Brent&apos;s method</source>
-        <translation>метод Брента</translation>
-    </message>
-    <message>
-        <source>steepest descent from a scan of 30°</source>
-        <translation>наискорейший спуск после перебора через 30°</translation>
-    </message>
-    <message>
-        <source>cutting planes</source>
-        <translation>отсекающие плоскости</translation>
-    </message>
-    <message>
-        <source>closed form as printed</source>
-        <translation>замкнутая форма, как напечатано</translation>
-    </message>
-    <message>
-        <source>closed form</source>
-        <translation>замкнутая форма</translation>
-    </message>
-    <message>
-        <source>Euler&apos;s method</source>
-        <translation>метод Эйлера</translation>
-    </message>
-    <message>
-        <source>Runge-Kutta of order 4</source>
-        <translation>Рунге–Кутта 4-го порядка</translation>
-    </message>
-    <message>
-        <source>Dormand-Prince with step control</source>
-        <translation>Дорман–Принс с управлением шагом</translation>
-    </message>
-    <message>
-        <source>Rosenbrock 4, implicit, with step control</source>
-        <translation>Розенброк 4, неявный, с управлением шагом</translation>
-    </message>
-    <message>
-        <source>two-term closed form</source>
-        <translation>замкнутая форма, два члена</translation>
-    </message>
-    <message>
-        <source>discrete Fourier transform</source>
-        <translation>дискретное преобразование Фурье</translation>
-    </message>
-    <message>
-        <source>Fourier transform as long as needed</source>
-        <translation>преобразование Фурье нужной длины</translation>
-    </message>
-    <message>
-        <source>exact series</source>
-        <translation>точный ряд</translation>
-    </message>
-    <message>
-        <source>Runge-Kutta of order 4, fixed step</source>
-        <translation>Рунге–Кутта 4-го порядка, постоянный шаг</translation>
-    </message>
-    <message>
-        <source>Störmer-Verlet, symplectic</source>
-        <translation>Штёрмер–Верле, симплектический</translation>
-    </message>
-    <message>
-        <source>the terms left out are of the order (λ(1 + K))^2n: three digits at λ = 0.5 with 4 terms, and no convergence at locking</source>
-        <translation>отброшенные члены порядка (λ(1 + K))^2n: три знака при λ = 0,5 с 4 членами, а при заклинивании ряд не сходится</translation>
-    </message>
-    <message>
-        <source>in float the angle itself has seven digits; near locking the error grows as the rounding divided by 1 - λ(1 + K)</source>
-        <translation>в float сам угол имеет семь знаков; вблизи заклинивания погрешность растёт как округление, делённое на 1 − λ(1 + K)</translation>
-    </message>
-    <message>
-        <source>rounding adds up over the points since the last fresh sine</source>
-        <translation>округления накапливаются по точкам с последнего заново вычисленного синуса</translation>
-    </message>
-    <message>
-        <source>near locking the error grows as the rounding divided by 1 - λ(1 + K): nine digits are left at 1 - λ(1 + K) = 1e-6</source>
-        <translation>вблизи заклинивания погрешность растёт как округление, делённое на 1 − λ(1 + K): при 1 − λ(1 + K) = 10⁻⁶ остаётся девять знаков</translation>
-    </message>
-    <message>
-        <source>never: 720° is 0° once more, so a pure sine gets a mean of A sin α / nodes (17.2 N·m in the paper)</source>
-        <translation>нигде: 720° — это снова 0°, и чистый синус получает среднее A sin α / число узлов (17,2 Н·м в статье)</translation>
-    </message>
-    <message>
-        <source>a peak narrower than the step is seen or missed by chance; the kinks at the rows leave order 2</source>
-        <translation>пик уже шага попадает в узел или пропадает случайно; изломы на строках оставляют порядок 2</translation>
-    </message>
-    <message>
-        <source>on a periodic function its alternate weights make it a trapezoid rule of half the nodes and worse</source>
-        <translation>на периодической функции чередующиеся веса превращают её в формулу трапеций с половиной узлов, и хуже</translation>
-    </message>
-    <message>
-        <source>converges slowly over the kinks at the rows; a peak inside one panel is lost</source>
-        <translation>медленно сходится на изломах у строк; пик внутри одного участка теряется</translation>
-    </message>
-    <message>
-        <source>exact for the table as it is read; what the engine did between the rows is not in the table</source>
-        <translation>точен для таблицы в том виде, как она читается; чего не было в строках, нет и в таблице</translation>
-    </message>
-    <message>
-        <source>an extremum between the nodes is cut off, and a narrow peak is not seen at all</source>
-        <translation>экстремум между узлами срезается, а узкий пик не виден вовсе</translation>
-    </message>
-    <message>
-        <source>finds one of two extrema between two rows, which long straight pieces have</source>
-        <translation>находит один из двух экстремумов между строками, какие бывают на длинных прямых участках</translation>
-    </message>
-    <message>
-        <source>exact for the table as it is read</source>
-        <translation>точен для таблицы в том виде, как она читается</translation>
-    </message>
-    <message>
-        <source>as good as its step, whatever the table</source>
-        <translation>хорош настолько, насколько мал шаг, при любой таблице</translation>
-    </message>
-    <message>
-        <source>finds one of several minima, and on a kink its parabolas do not help</source>
-        <translation>находит один из нескольких минимумов, а на изломе его параболы не помогают</translation>
-    </message>
-    <message>
-        <source>stalls at a kink, where the slope does not go to zero but changes sign</source>
-        <translation>застревает на изломе, где наклон не стремится к нулю, а меняет знак</translation>
-    </message>
-    <message>
-        <source>exact: the bounds prove that no angle is better</source>
-        <translation>точен: границы доказывают, что лучшего угла нет</translation>
-    </message>
-    <message>
-        <source>a difference of nearly equal squares: it loses the digits of a small relief or a small preload</source>
-        <translation>разность почти равных квадратов: теряет знаки при малом перепаде или малом преднатяге</translation>
-    </message>
-    <message>
-        <source>half of the digits are left where the spring gives out all that it stores; beyond there is no guide</source>
-        <translation>половина знаков остаётся там, где пружина отдаёт всё, что накопила; дальше направляющей нет</translation>
-    </message>
-    <message>
-        <source>order 1: the guide does not close after a turn</source>
-        <translation>порядок 1: направляющая не замыкается за оборот</translation>
-    </message>
-    <message>
-        <source>loses its order where ρ comes near ℓ₀/2: the slope is infinite there</source>
-        <translation>теряет порядок там, где ρ подходит к ℓ₀/2: наклон там бесконечен</translation>
-    </message>
-    <message>
-        <source>its steps shrink to nothing where ρ comes near ℓ₀/2</source>
-        <translation>шаги сжимаются до нуля там, где ρ подходит к ℓ₀/2</translation>
-    </message>
-    <message>
-        <source>the same place stops it: what is singular is not stiff</source>
-        <translation>останавливается там же: особенность — это не жёсткость</translation>
-    </message>
-    <message>
-        <source>leaves λ³/4 in order 2 and all of the higher orders: three digits at λ = 0.25</source>
-        <translation>оставляет λ³/4 во 2-м порядке и все высшие порядки: три знака при λ = 0,25</translation>
-    </message>
-    <message>
-        <source>orders above half the points fold onto the low ones: with large λ or K a short transform is wrong</source>
-        <translation>порядки выше половины числа точек накладываются на низшие: при больших λ или K короткое преобразование неверно</translation>
-    </message>
-    <message>
-        <source>the number of points grows as 1/√(1 - λ(1 + K)); beyond 65536 points it says that the accuracy is not reached</source>
-        <translation>число точек растёт как 1/√(1 − λ(1 + K)); свыше 65536 точек он сообщает, что точность не достигнута</translation>
-    </message>
-    <message>
-        <source>terms fall as (λ(1 + K))^2n only: near locking thousands are needed, and their number grows into the square of the cost</source>
-        <translation>члены убывают лишь как (λ(1 + K))^2n: вблизи заклинивания их нужны тысячи, а стоимость растёт как квадрат их числа</translation>
-    </message>
-    <message>
-        <source>its energy drifts steadily: with 90 steps a turn it is wrong after thousands of turns, and near λ = 1 at once</source>
-        <translation>энергия уходит неуклонно: с 90 шагами на оборот он неверен через тысячи оборотов, а вблизи λ = 1 — сразу</translation>
-    </message>
-    <message>
-        <source>its energy never drifts, but order 2 leaves it behind in time</source>
-        <translation>энергия не уходит никогда, но порядок 2 отстаёт по времени</translation>
-    </message>
-    <message>
-        <source>the energy drifts by about the tolerance at every turn: a little less than its tolerance promises, but without end</source>
-        <translation>энергия уходит примерно на допуск за каждый оборот: чуть меньше, чем обещает допуск, но без конца</translation>
-    </message>
-    <message>
-        <source>float</source>
-        <translation>float</translation>
-    </message>
-    <message>
-        <source>double</source>
-        <translation>double</translation>
-    </message>
-    <message>
-        <source>%1 terms</source>
-        <translation>%1 членов</translation>
-    </message>
-    <message>
-        <source>2 terms</source>
-        <translation>2 члена</translation>
-    </message>
-    <message>
-        <source>3 terms</source>
-        <translation>3 члена</translation>
-    </message>
-    <message>
-        <source>4 terms</source>
-        <translation>4 члена</translation>
-    </message>
-    <message>
-        <source>32 terms</source>
-        <translation>32 члена</translation>
-    </message>
-    <message>
-        <source>64 terms</source>
-        <translation>64 члена</translation>
-    </message>
-    <message>
-        <source>fresh every %1</source>
-        <translation>заново каждые %1</translation>
-    </message>
-    <message>
-        <source>never fresh</source>
-        <translation>без обновления</translation>
-    </message>
-    <message>
-        <source>float, never fresh</source>
-        <translation>float, без обновления</translation>
-    </message>
-    <message>
-        <source>%1 steps</source>
-        <translation>%1 шагов</translation>
-    </message>
-    <message>
-        <source>24 steps</source>
-        <translation>24 шага</translation>
-    </message>
-    <message>
-        <source>144 steps</source>
-        <translation>144 шага</translation>
-    </message>
-    <message>
-        <source>%1 panels</source>
-        <translation>%1 участков</translation>
-    </message>
-    <message>
-        <source>1 panel</source>
-        <translation>1 участок</translation>
-    </message>
-    <message>
-        <source>4 panels</source>
-        <translation>4 участка</translation>
-    </message>
-    <message>
-        <source>72 panels</source>
-        <translation>72 участка</translation>
-    </message>
-    <message>
-        <source>pieces</source>
-        <translation>участки</translation>
-    </message>
-    <message>
-        <source>to %1°</source>
-        <translation>до %1°</translation>
-    </message>
-    <message>
-        <source>one start</source>
-        <translation>одно начало</translation>
-    </message>
-    <message>
-        <source>from a scan of %1°</source>
-        <translation>после перебора через %1°</translation>
-    </message>
-    <message>
-        <source>free of cancellation</source>
-        <translation>без потери знаков</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 точек</translation>
-    </message>
-    <message>
-        <source>32 points</source>
-        <translation>32 точки</translation>
-    </message>
-    <message>
-        <source>64 points</source>
-        <translation>64 точки</translation>
-    </message>
-    <message>
-        <source>%1 steps a turn</source>
-        <translation>%1 шагов на оборот</translation>
-    </message>
-    <message>
-        <source>crank ratio λ, K = 0</source>
-        <translation>отношение λ, K = 0</translation>
-    </message>
-    <message>
-        <source>relative offset K at λ = 0.265</source>
-        <translation>относительное смещение K при λ = 0,265</translation>
-    </message>
-    <message>
-        <source>points of one turn at λ = 0.265</source>
-        <translation>точек на оборот при λ = 0,265</translation>
-    </message>
-    <message>
-        <source>shaft angle α, the paper&apos;s engine</source>
-        <translation>угол вала α, двигатель статьи</translation>
-    </message>
-    <message>
-        <source>shaft angle α, no torque but the shaft&apos;s</source>
-        <translation>угол вала α, кроме момента вала ничего</translation>
-    </message>
-    <message>
-        <source>width of the combustion peak</source>
-        <translation>ширина пика сгорания</translation>
-    </message>
-    <message>
-        <source>rows of a table read by the spline</source>
-        <translation>строк таблицы, читаемой сплайном</translation>
-    </message>
-    <message>
-        <source>rows of an irregular table</source>
-        <translation>строк неравномерной таблицы</translation>
-    </message>
-    <message>
-        <source>amplitude of the shaft&apos;s moment, the paper&apos;s torque</source>
-        <translation>амплитуда момента вала, момент из статьи</translation>
-    </message>
-    <message>
-        <source>how much better the best of two minima is</source>
-        <translation>насколько один из двух минимумов лучше</translation>
-    </message>
-    <message>
-        <source>preload above the least one, part of it</source>
-        <translation>преднатяг сверх наименьшего, его доля</translation>
-    </message>
-    <message>
-        <source>stiffness c of the spring</source>
-        <translation>жёсткость c пружины</translation>
-    </message>
-    <message>
-        <source>stiffness c, preload 1.1 times the least</source>
-        <translation>жёсткость c, преднатяг 1,1 от наименьшего</translation>
-    </message>
-    <message>
-        <source>crank speed ω</source>
-        <translation>угловая скорость кривошипа ω</translation>
-    </message>
-    <message>
-        <source>crank ratio λ</source>
-        <translation>отношение λ</translation>
-    </message>
-    <message>
-        <source>crank ratio λ, 5 turns</source>
-        <translation>отношение λ, 5 оборотов</translation>
-    </message>
-    <message>
-        <source>start speed, part of the design speed</source>
-        <translation>начальная скорость, доля расчётной</translation>
-    </message>
-    <message>
-        <source>turns</source>
-        <translation>обороты</translation>
-    </message>
-    <message>
-        <source>N·m</source>
-        <translation>Н·м</translation>
-    </message>
-    <message>
-        <source>N/m</source>
-        <translation>Н/м</translation>
-    </message>
-    <message>
-        <source>rad/s</source>
-        <translation>рад/с</translation>
-    </message>
-    <message>
-        <source>the mechanism locks: the crank cannot turn round</source>
-        <translation>механизм заклинивает: кривошип не проворачивается</translation>
-    </message>
-    <message>
-        <source>the mechanism is too near locking for the accuracy asked</source>
-        <translation>механизм слишком близок к заклиниванию для заданной точности</translation>
-    </message>
-    <message>
-        <source>gives no finite number</source>
-        <translation>не даёт конечного числа</translation>
-    </message>
-    <message>
-        <source>is off by more than numbers can say</source>
-        <translation>ошибается сильнее, чем можно выразить числом</translation>
-    </message>
-    <message>
-        <source>there is no guide</source>
-        <translation>направляющей нет</translation>
-    </message>
-    <message>
-        <source>the spring would have to give out more energy than it stores</source>
-        <translation>пружине пришлось бы отдать больше энергии, чем она накопила</translation>
-    </message>
-    <message>
-        <source>at this speed the turns take no time that a number can hold</source>
-        <translation>при этой скорости время оборотов не выразить числом</translation>
-    </message>
-    <message>
-        <source>runs into the spring&apos;s free length, where the equation is singular</source>
-        <translation>доходит до свободной длины пружины, где уравнение имеет особенность</translation>
-    </message>
-    <message>
-        <source>nowhere</source>
-        <translation>нигде</translation>
-    </message>
-    <message>
-        <source>everywhere</source>
-        <translation>везде</translation>
-    </message>
-    <message>
-        <source>from %1</source>
-        <translation>от %1</translation>
-    </message>
-    <message>
-        <source>up to %1</source>
-        <translation>до %1</translation>
-    </message>
-    <message>
-        <source>at %1</source>
-        <translation>при %1</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>от %1 до %2</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::MethodWords</name>
     <message>
         <source>s</source>
@@ -6466,6 +7342,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Value %1.</source>
         <translation>Значение %1.</translation>
     </message>
+    <message>
+        <source>The value must be a whole number.</source>
+        <translation>Значение должно быть целым числом.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::NumberListField</name>
@@ -6581,6 +7461,37 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::PicturePanel</name>
+    <message>
+        <source>Play or pause the picture</source>
+        <translation>Пуск или пауза рисунка</translation>
+    </message>
+    <message>
+        <source>&amp;φ</source>
+        <translation>&amp;φ</translation>
+    </message>
+    <message>
+        <source>Turn the crank</source>
+        <translation>Вращать кривошип</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Пауза</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Пуск</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>Пауза (пробел)</translation>
+    </message>
+    <message>
+        <source>Play (Space)</source>
+        <translation>Пуск (пробел)</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::PlotView</name>
     <message>
         <source>Show %1</source>
@@ -6626,84 +7537,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Пробка</translation>
     </message>
     <message>
-        <source>&amp;Height h</source>
-        <translation>&amp;Высота h</translation>
-    </message>
-    <message>
-        <source>Of the whole plug.</source>
-        <translation>Всей пробки.</translation>
-    </message>
-    <message>
-        <source>&amp;Bore diameter</source>
-        <translation>&amp;Диаметр полости</translation>
-    </message>
-    <message>
-        <source>Of the bore that is there. Empty: a solid plug.</source>
-        <translation>Имеющейся полости. Пусто: сплошная пробка.</translation>
-    </message>
-    <message>
-        <source>Bore de&amp;pth</source>
-        <translation>&amp;Глубина полости</translation>
-    </message>
-    <message>
-        <source>From the outer face. Empty: a solid plug.</source>
-        <translation>От наружного торца. Пусто: сплошная пробка.</translation>
-    </message>
-    <message>
         <source>Boring</source>
         <translation>Расточка</translation>
     </message>
     <message>
-        <source>&amp;Cutter diameter</source>
-        <translation>Диаметр &amp;фрезы</translation>
-    </message>
-    <message>
-        <source>Empty: no boring is planned.</source>
-        <translation>Пусто: расточка не считается.</translation>
-    </message>
-    <message>
-        <source>&amp;Wall that must stay</source>
-        <translation>&amp;Стенка не меньше</translation>
-    </message>
-    <message>
-        <source>Between the bore and the root of the thread. Empty: no limit.</source>
-        <translation>Между полостью и впадиной резьбы. Пусто: без предела.</translation>
-    </message>
-    <message>
-        <source>B&amp;ottom that must stay</source>
-        <translation>Д&amp;но не меньше</translation>
-    </message>
-    <message>
-        <source>Between the bore and the inner face. Empty: no limit.</source>
-        <translation>Между полостью и внутренним торцом. Пусто: без предела.</translation>
-    </message>
-    <message>
         <source>Density</source>
         <translation>Плотность</translation>
-    </message>
-    <message>
-        <source>&amp;Steel</source>
-        <translation>С&amp;таль</translation>
-    </message>
-    <message>
-        <source>Carbon steel 7850 kg/m³.</source>
-        <translation>Углеродистая сталь 7850 кг/м³.</translation>
-    </message>
-    <message>
-        <source>&amp;Aluminium</source>
-        <translation>&amp;Алюминий</translation>
-    </message>
-    <message>
-        <source>Wrought alloys 2640 to 2850 kg/m³.</source>
-        <translation>Деформируемые сплавы 2640–2850 кг/м³.</translation>
-    </message>
-    <message>
-        <source>&amp;Thread</source>
-        <translation>&amp;Резьба</translation>
-    </message>
-    <message>
-        <source>Metric thread with its pitch, like M22x1.5.</source>
-        <translation>Метрическая резьба с шагом, например M22x1.5.</translation>
     </message>
     <message>
         <source>“%1” is no metric thread with its pitch, like M22x1.5.</source>
@@ -6723,45 +7562,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>not to scale: sizes on the sheet “Plug”</source>
         <translation>без масштаба: размеры — на листе «Пробка»</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::Range</name>
-    <message>
-        <source>must be greater than %1 and less than %2</source>
-        <translation>должно быть больше %1 и меньше %2</translation>
-    </message>
-    <message>
-        <source>must be greater than %1 and at most %2</source>
-        <translation>должно быть больше %1 и не больше %2</translation>
-    </message>
-    <message>
-        <source>must be at least %1 and less than %2</source>
-        <translation>должно быть не меньше %1 и меньше %2</translation>
-    </message>
-    <message>
-        <source>must be greater than %1</source>
-        <translation>должно быть больше %1</translation>
-    </message>
-    <message>
-        <source>must be at least %1</source>
-        <translation>должно быть не меньше %1</translation>
-    </message>
-    <message>
-        <source>must be less than %1</source>
-        <translation>должно быть меньше %1</translation>
-    </message>
-    <message>
-        <source>must be at most %1</source>
-        <translation>должно быть не больше %1</translation>
-    </message>
-    <message>
-        <source>must be from %1 to %2</source>
-        <translation>должно быть от %1 до %2</translation>
-    </message>
-    <message>
-        <source>must be a number</source>
-        <translation>должно быть числом</translation>
     </message>
 </context>
 <context>
@@ -6810,54 +7610,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Два размера заданы, третий следует из дисбаланса m₁ ρ₁.</translation>
     </message>
     <message>
-        <source>&amp;Diameter D</source>
-        <translation>&amp;Диаметр D</translation>
-    </message>
-    <message>
-        <source>Of the round bar; also the circle that the shaft sweeps.</source>
-        <translation>Круглого прутка; это и окружность, которую описывает вал.</translation>
-    </message>
-    <message>
-        <source>Depth &amp;h</source>
-        <translation>&amp;Глубина h</translation>
-    </message>
-    <message>
-        <source>Of the segment that is milled away, from the bar&apos;s surface.</source>
-        <translation>Снятого сегмента, от поверхности прутка.</translation>
-    </message>
-    <message>
-        <source>&amp;Length b</source>
-        <translation>Длин&amp;а b</translation>
-    </message>
-    <message>
-        <source>Over which the segment is milled away.</source>
-        <translation>На которой снят сегмент.</translation>
-    </message>
-    <message>
-        <source>Densit&amp;y</source>
-        <translation>Плотно&amp;сть</translation>
-    </message>
-    <message>
-        <source>Of the bar. Steel 7850, cast iron 7200, tungsten alloy 17500.</source>
-        <translation>Прутка. Сталь 7850, чугун 7200, вольфрамовый сплав 17500.</translation>
-    </message>
-    <message>
-        <source>Density</source>
-        <translation>Плотность</translation>
-    </message>
-    <message>
-        <source>&amp;Elastic modulus</source>
-        <translation>&amp;Модуль упругости</translation>
-    </message>
-    <message>
-        <source>For the sag under the shaft&apos;s own centrifugal load. Steel 210, cast iron 170, tungsten alloy 360.</source>
-        <translation>Для прогиба под собственной центробежной нагрузкой. Сталь 210, чугун 170, вольфрамовый сплав 360.</translation>
-    </message>
-    <message>
-        <source>Elastic modulus</source>
-        <translation>Модуль упругости</translation>
-    </message>
-    <message>
         <source>E&amp;xport drawing (DXF)…</source>
         <translation>&amp;Чертёж (DXF)…</translation>
     </message>
@@ -6880,10 +7632,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Unit</source>
         <translation>Ед.</translation>
-    </message>
-    <message>
-        <source>Relieved shaft</source>
-        <translation>Вал с проточкой</translation>
     </message>
     <message>
         <source>Size to find</source>
@@ -6958,24 +7706,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Части с проточкой на двух опорах под собственной центробежной нагрузкой</translation>
     </message>
     <message>
-        <source>Feasible, but more than half of the bar is milled away: a depth of %1 mm gives the same unbalance and a stiffer shaft.</source>
-        <translation>Осуществимо, но снято больше половины прутка: глубина %1 мм даёт тот же дисбаланс и более жёсткий вал.</translation>
-    </message>
-    <message>
         <source>Feasible.</source>
         <translation>Осуществимо.</translation>
-    </message>
-    <message>
-        <source>These sizes give %1 % of the unbalance that is needed.</source>
-        <translation>Эти размеры дают %1 % нужного дисбаланса.</translation>
-    </message>
-    <message>
-        <source>The bar is too thin: its diameter must be at least %1 mm, or the relieved length at least %2 mm.</source>
-        <translation>Пруток слишком тонок: нужен диаметр не меньше %1 мм или длина проточки не меньше %2 мм.</translation>
-    </message>
-    <message>
-        <source>There is no such shaft: no unbalance is needed, or it is beyond these sizes.</source>
-        <translation>Такого вала нет: дисбаланс не нужен или недостижим при этих размерах.</translation>
     </message>
     <message>
         <source>Export drawing</source>
@@ -7045,74 +7777,25 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::SceneModel</name>
+    <message>
+        <source>Open case</source>
+        <translation>Открытие задачи</translation>
+    </message>
+    <message>
+        <source>New case</source>
+        <translation>Новая задача</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::ShaftRow</name>
     <message>
         <source>Shaft %1</source>
         <translation>Вал %1</translation>
     </message>
     <message>
-        <source>%1 is on</source>
-        <translation>%1 включён</translation>
-    </message>
-    <message>
-        <source>Switched on, the shaft counts in what is left over.</source>
-        <translation>Включённый вал учитывается в остатке.</translation>
-    </message>
-    <message>
         <source>k </source>
         <translation>k </translation>
-    </message>
-    <message>
-        <source>Order of %1</source>
-        <translation>Порядок: %1</translation>
-    </message>
-    <message>
-        <source>Order that the shaft cancels; it turns k times as fast as the crank. 1 to %1.</source>
-        <translation>Порядок, который гасит вал; он вращается в k раз быстрее коленчатого. От 1 до %1.</translation>
-    </message>
-    <message>
-        <source>Order of the shaft</source>
-        <translation>Порядок вала</translation>
-    </message>
-    <message>
-        <source>+kω</source>
-        <translation>+kω</translation>
-    </message>
-    <message>
-        <source>−kω</source>
-        <translation>−kω</translation>
-    </message>
-    <message>
-        <source>Direction of %1</source>
-        <translation>Направление: %1</translation>
-    </message>
-    <message>
-        <source>With the crank (+kω) or against it (−kω)</source>
-        <translation>По вращению коленчатого вала (+kω) или против (−kω)</translation>
-    </message>
-    <message>
-        <source>Direction of the shaft</source>
-        <translation>Направление вала</translation>
-    </message>
-    <message>
-        <source>moment</source>
-        <translation>момент</translation>
-    </message>
-    <message>
-        <source>force</source>
-        <translation>сила</translation>
-    </message>
-    <message>
-        <source>Task of %1</source>
-        <translation>Задача: %1</translation>
-    </message>
-    <message>
-        <source>Two opposite weights against a moment, one against a force</source>
-        <translation>Два противоположных груза против момента, один против силы</translation>
-    </message>
-    <message>
-        <source>Task of the shaft</source>
-        <translation>Задача вала</translation>
     </message>
     <message>
         <source>Remove this shaft</source>
@@ -7123,64 +7806,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Удалить: %1</translation>
     </message>
     <message>
-        <source>&amp;L</source>
-        <translation>&amp;L</translation>
-    </message>
-    <message>
-        <source>Distance of the weights of %1</source>
-        <translation>Расстояние между грузами: %1</translation>
-    </message>
-    <message>
-        <source>&amp;ρ</source>
-        <translation>&amp;ρ</translation>
-    </message>
-    <message>
-        <source>Radius of the weights of %1</source>
-        <translation>Радиус грузов: %1</translation>
-    </message>
-    <message>
-        <source>Radius of the weights&apos; centres of mass; gives their mass. Empty: only mρ is given.</source>
-        <translation>Радиус центров масс грузов; даёт их массу. Пусто: известно только mρ.</translation>
-    </message>
-    <message>
-        <source>&amp;δ</source>
-        <translation>&amp;δ</translation>
-    </message>
-    <message>
-        <source>Error of phase of %1</source>
-        <translation>Ошибка фазы: %1</translation>
-    </message>
-    <message>
-        <source>Error of the shaft&apos;s phase, ahead in its own direction: 0 when it is timed right.</source>
-        <translation>Ошибка фазы вала, вперёд по его вращению: 0, если он установлен верно.</translation>
-    </message>
-    <message>
-        <source>Place of the shaft</source>
-        <translation>Место вала</translation>
-    </message>
-    <message>
-        <source>Radius of the shaft&apos;s weights</source>
-        <translation>Радиус грузов вала</translation>
-    </message>
-    <message>
-        <source>Phase of the shaft</source>
-        <translation>Фаза вала</translation>
-    </message>
-    <message>
-        <source>&amp;z</source>
-        <translation>&amp;z</translation>
-    </message>
-    <message>
-        <source>c. m.</source>
-        <translation>ц. м.</translation>
-    </message>
-    <message>
-        <source>Distance between the two weights along the shaft</source>
-        <translation>Расстояние между двумя грузами вдоль вала</translation>
-    </message>
-    <message>
-        <source>Axial position of the weight; empty: at the point that moments refer to</source>
-        <translation>Положение груза вдоль вала; пусто: в точке, относительно которой берутся моменты</translation>
+        <source>Shaft %1: %2</source>
+        <translation>Вал %1: %2</translation>
     </message>
 </context>
 <context>
@@ -7274,10 +7901,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Speed of the engine; the inertia torque of a computed torque follows it.</source>
         <translation>Частота вращения двигателя; за ней следует инерционная часть рассчитанного момента.</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Частота вращения</translation>
     </message>
     <message>
         <source>&amp;Load, IMEP</source>
@@ -7380,10 +8003,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Нагрузку можно менять, когда момент — расчётный цикл (вкладка «Момент»).</translation>
     </message>
     <message>
-        <source>The shaft cannot be studied over speed with this torque: it is a table that does not belong to the masses and speed entered, so the part that follows the speed is not known. Rebuild it (Torque tab) or choose a pressure trace or a computed cycle.</source>
-        <translation>По частоте вращения вал с этим моментом исследовать нельзя: это таблица, не соответствующая введённым массам и частоте, и та часть, что следует за частотой, неизвестна. Пересоберите её (вкладка «Момент») или возьмите давление или расчётный цикл.</translation>
-    </message>
-    <message>
         <source>least bad %1°</source>
         <translation>наименее плох %1°</translation>
     </message>
@@ -7411,6 +8030,21 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>The criterion with the shaft over that without it at the same speed; dark is small, light is large. Click to set α and, with a computed torque, the speed.</source>
         <translation>Критерий с валом, делённый на критерий без вала при той же частоте; тёмное — мало, светлое — много. Щелчок задаёт α и, при рассчитанном моменте, частоту.</translation>
     </message>
+    <message>
+        <source>Rebuild the torque (Torque tab) or choose a pressure trace or a computed cycle.</source>
+        <translation>Пересоберите момент (вкладка «Момент») или возьмите давление или расчётный цикл.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::TableEditor</name>
+    <message>
+        <source>Copy (Ctrl+C)</source>
+        <translation>Копировать (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no numbers.</source>
+        <translation>В буфере обмена нет чисел.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::TorqueSourceEditor</name>
@@ -7435,30 +8069,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Таблица берётся как есть. По давлению или расчётному циклу момент — это газы плюс инерция введённых масс при введённой частоте, так что он следует за обоими.</translation>
     </message>
     <message>
-        <source>&amp;Bore</source>
-        <translation>Диаметр &amp;цилиндра</translation>
-    </message>
-    <message>
-        <source>Diameter of the cylinder. TMZ-650D: 95.5 mm.</source>
-        <translation>Диаметр цилиндра. ТМЗ-650Д: 95,5 мм.</translation>
-    </message>
-    <message>
-        <source>O&amp;ffset e</source>
-        <translation>Дезакса&amp;ж e</translation>
-    </message>
-    <message>
-        <source>Distance of the cylinder axis from the crank axis, positive on the side to which the crankpin moves first.</source>
-        <translation>Расстояние оси цилиндра от оси вала, положительное в ту сторону, куда шатунная шейка движется сначала.</translation>
-    </message>
-    <message>
-        <source>Crankcase &amp;pressure</source>
-        <translation>Давление в &amp;картере</translation>
-    </message>
-    <message>
-        <source>Absolute pressure under the piston, p₀.</source>
-        <translation>Абсолютное давление под поршнем, p₀.</translation>
-    </message>
-    <message>
         <source>Use its speed</source>
         <translation>Взять её частоту</translation>
     </message>
@@ -7477,18 +8087,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Use the torque&apos;s speed</source>
         <translation>Взять частоту момента</translation>
-    </message>
-    <message>
-        <source>No inertia torque can be read off this table, so it cannot be checked against the masses and speed.</source>
-        <translation>Инерционный момент из этой таблицы не читается, поэтому сверить её с массами и частотой нельзя.</translation>
-    </message>
-    <message>
-        <source>This torque does not belong to the masses and speed entered. On its gas-exchange stroke it holds mⱼ r² ω² = %1 N·m (λ %2); entered are %3 N·m. It would fit %4 min⁻¹ with these masses, or %5 kg at this speed.</source>
-        <translation>Этот момент не соответствует введённым массам и частоте. На такте газообмена в нём mⱼ r² ω² = %1 Н·м (λ %2); введено %3 Н·м. Он соответствовал бы %4 мин⁻¹ с этими массами или %5 кг при этой частоте.</translation>
-    </message>
-    <message>
-        <source>The inertia torque in this table fits the masses and speed: mⱼ r² ω² = %1 N·m against %2 N·m entered.</source>
-        <translation>Инерционный момент в этой таблице соответствует массам и частоте: mⱼ r² ω² = %1 Н·м против введённых %2 Н·м.</translation>
     </message>
     <message>
         <source>Measured cylinder pressure over 720° as a CSV file: crank angle from top dead centre before intake, absolute pressure (bar unless the heading says kPa, MPa, Pa or psi).</source>
@@ -7523,92 +8121,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Газообмен и сжатие</translation>
     </message>
     <message>
-        <source>Compression &amp;ratio ε</source>
-        <translation>Степень сжатия &amp;ε</translation>
-    </message>
-    <message>
-        <source>Largest over smallest volume.</source>
-        <translation>Наибольший объём к наименьшему.</translation>
-    </message>
-    <message>
-        <source>&amp;Intake pressure</source>
-        <translation>Давление вп&amp;уска</translation>
-    </message>
-    <message>
-        <source>Absolute, constant over intake.</source>
-        <translation>Абсолютное, постоянное на впуске.</translation>
-    </message>
-    <message>
-        <source>E&amp;xhaust pressure</source>
-        <translation>Давление в&amp;ыпуска</translation>
-    </message>
-    <message>
-        <source>Absolute, constant over exhaust.</source>
-        <translation>Абсолютное, постоянное на выпуске.</translation>
-    </message>
-    <message>
-        <source>Exponent, &amp;compression</source>
-        <translation>Показатель сж&amp;атия</translation>
-    </message>
-    <message>
-        <source>Polytropic exponent until combustion begins; about 1.32 to 1.38.</source>
-        <translation>Показатель политропы до начала сгорания, около 1,32–1,38.</translation>
-    </message>
-    <message>
-        <source>Exponent, ex&amp;pansion</source>
-        <translation>Показатель рас&amp;ширения</translation>
-    </message>
-    <message>
-        <source>Polytropic exponent of combustion and expansion; about 1.22 to 1.32.</source>
-        <translation>Показатель политропы сгорания и расширения, около 1,22–1,32.</translation>
-    </message>
-    <message>
         <source>Combustion</source>
         <translation>Сгорание</translation>
-    </message>
-    <message>
-        <source>from the other</source>
-        <translation>из другого</translation>
-    </message>
-    <message>
-        <source>I&amp;MEP</source>
-        <translation>Давл&amp;ение p_i</translation>
-    </message>
-    <message>
-        <source>Indicated mean effective pressure over 720°; the heat that gives it is found.</source>
-        <translation>Среднее индикаторное давление за 720°; теплота, которая его даёт, находится.</translation>
-    </message>
-    <message>
-        <source>&amp;Heat</source>
-        <translation>&amp;Теплота</translation>
-    </message>
-    <message>
-        <source>Heat released per cycle; instead of the IMEP.</source>
-        <translation>Теплота, выделенная за цикл; вместо p_i.</translation>
-    </message>
-    <message>
-        <source>&amp;Start of combustion</source>
-        <translation>&amp;Начало сгорания</translation>
-    </message>
-    <message>
-        <source>Crank angle; 360° is the firing top dead centre.</source>
-        <translation>Угол поворота кривошипа; 360° — верхняя мёртвая точка сгорания.</translation>
-    </message>
-    <message>
-        <source>&amp;Duration</source>
-        <translation>Продо&amp;лжительность</translation>
-    </message>
-    <message>
-        <source>Crank angle from the start to the end of heat release.</source>
-        <translation>Угол поворота от начала до конца тепловыделения.</translation>
-    </message>
-    <message>
-        <source>&amp;Wiebe exponent m</source>
-        <translation>Показатель Ви&amp;бе m</translation>
-    </message>
-    <message>
-        <source>Form exponent of Wiebe&apos;s law; 0.5 to 1.5 for diesels, 2 to 4 for petrol engines.</source>
-        <translation>Показатель характера сгорания по Вибе; 0,5–1,5 для дизелей, 2–4 для бензиновых двигателей.</translation>
     </message>
     <message>
         <source>%1: %2.</source>
@@ -7646,10 +8160,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Таблицы CSV (*.csv)</translation>
     </message>
     <message>
-        <source>Copy (Ctrl+C)</source>
-        <translation>Копировать (Ctrl+C)</translation>
-    </message>
-    <message>
         <source>Insert a row below</source>
         <translation>Вставить строку ниже</translation>
     </message>
@@ -7672,10 +8182,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Read %1.</source>
         <translation>Прочитано: %1.</translation>
-    </message>
-    <message>
-        <source>The clipboard holds no table.</source>
-        <translation>В буфере обмена нет таблицы.</translation>
     </message>
     <message>
         <source>Not pasted: %1</source>
@@ -7702,102 +8208,230 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
-    <name>ravnoves::Unit</name>
+    <name>ravnoves::V8PlugsModel</name>
     <message>
-        <source>mm</source>
-        <translation>мм</translation>
+        <source>Engine</source>
+        <translation>Двигатель</translation>
     </message>
     <message>
-        <source>kg</source>
-        <translation>кг</translation>
+        <source>The values kept for the engine “%1” cannot be read: %2</source>
+        <translation>Сохранённые данные двигателя «%1» не читаются: %2</translation>
     </message>
     <message>
-        <source>g</source>
-        <translation>г</translation>
+        <source>The engine needs a name.</source>
+        <translation>Двигателю нужно название.</translation>
     </message>
     <message>
-        <source>g·mm</source>
-        <translation>г·мм</translation>
+        <source>“%1” is the name of a preset; choose another.</source>
+        <translation>«%1» — название встроенного двигателя; выберите другое.</translation>
     </message>
     <message>
-        <source>N</source>
-        <translation>Н</translation>
+        <source>Save engine</source>
+        <translation>Запомнить двигатель</translation>
     </message>
     <message>
-        <source>N/m</source>
-        <translation>Н/м</translation>
+        <source>“%1” is the name of another engine of your own; choose another.</source>
+        <translation>Имя «%1» уже носит другой ваш двигатель; выберите иное.</translation>
     </message>
     <message>
-        <source>N·m</source>
-        <translation>Н·м</translation>
+        <source>Rename engine</source>
+        <translation>Переименование двигателя</translation>
     </message>
     <message>
-        <source>kN/m</source>
-        <translation>кН/м</translation>
+        <source>The values differ from those kept under this name; “Keep as own engine” keeps these.</source>
+        <translation>Данные отличаются от сохранённых под этим именем; «Запомнить двигатель» сохранит эти.</translation>
     </message>
     <message>
-        <source>J</source>
-        <translation>Дж</translation>
+        <source>The paper gives only the crank radius of this engine; the rest has to be measured.</source>
+        <translation>Для этого двигателя статья даёт только радиус кривошипа; остальное нужно измерить.</translation>
     </message>
     <message>
-        <source>bar</source>
-        <translation>бар</translation>
+        <source>Plug masses as the paper prints them. They look too small for the threads it prints: weigh the plugs and type what the scale says.</source>
+        <translation>Массы пробок — как напечатано в статье. Для напечатанных резьб они слишком малы: взвесьте пробки и введите показания весов.</translation>
     </message>
     <message>
-        <source>kPa</source>
-        <translation>кПа</translation>
+        <source>The values do not go together.</source>
+        <translation>Значения не согласуются.</translation>
     </message>
     <message>
-        <source>MPa</source>
-        <translation>МПа</translation>
+        <source>Still needed: %1.</source>
+        <translation>Ещё нужны: %1.</translation>
     </message>
     <message>
-        <source>GPa</source>
-        <translation>ГПа</translation>
+        <source>Excess Δm_y: not known yet</source>
+        <translation>Δm_у: пока неизвестна</translation>
     </message>
     <message>
-        <source>Pa</source>
-        <translation>Па</translation>
+        <source>Excess Δm_y: %1, %2</source>
+        <translation>Δm_у: %1, %2</translation>
     </message>
     <message>
-        <source>kg/m³</source>
-        <translation>кг/м³</translation>
+        <source>The bob weight still needs: %1.</source>
+        <translation>Для груза ещё нужны: %1.</translation>
     </message>
     <message>
-        <source>kg·m²</source>
-        <translation>кг·м²</translation>
+        <source>ISO 21940-11 needs grade, mass and speed.</source>
+        <translation>Для ИСО 21940-11 нужны класс, масса и частота вращения.</translation>
     </message>
     <message>
-        <source>m/s²</source>
-        <translation>м/с²</translation>
+        <source>ISO 21940-11: U_per = 1000 m G / ω = %1 for the whole crankshaft; the method&apos;s own limit is %2 in each plane.</source>
+        <translation>ИСО 21940-11: U_доп = 1000 m G / ω = %1 на весь вал; предел самого метода — %2 в каждой плоскости.</translation>
     </message>
     <message>
-        <source>mm/s</source>
-        <translation>мм/с</translation>
+        <source>With thread and height the sheet says what the plug would weigh.</source>
+        <translation>По резьбе и высоте лист скажет, сколько весила бы пробка.</translation>
     </message>
     <message>
-        <source>min⁻¹</source>
-        <translation>мин⁻¹</translation>
+        <source>A plug of these dimensions weighs %1 in steel, %2 in aluminium.</source>
+        <translation>Пробка таких размеров весит %1 из стали, %2 из алюминия.</translation>
     </message>
     <message>
-        <source>rad/s</source>
-        <translation>рад/с</translation>
+        <source>Option</source>
+        <translation>Вариант</translation>
     </message>
     <message>
-        <source>rad</source>
-        <translation>рад</translation>
+        <source>const., g</source>
+        <translation>пост., г</translation>
     </message>
     <message>
-        <source>µm</source>
-        <translation>мкм</translation>
+        <source>slope</source>
+        <translation>наклон</translation>
     </message>
     <message>
-        <source>s</source>
-        <translation>с</translation>
+        <source>reach, g</source>
+        <translation>предел, г</translation>
     </message>
     <message>
-        <source>cm³</source>
-        <translation>см³</translation>
+        <source>needed, g</source>
+        <translation>снять, г</translation>
+    </message>
+    <message>
+        <source>left, g</source>
+        <translation>ост., г</translation>
+    </message>
+    <message>
+        <source>left, g·mm</source>
+        <translation>ост., г·мм</translation>
+    </message>
+    <message>
+        <source>The engine has no such plug, or its data are missing.</source>
+        <translation>Такой пробки у двигателя нет или нет её данных.</translation>
+    </message>
+    <message>
+        <source>For the other crankshaft.</source>
+        <translation>Для другого вала.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>At most %1 may come off a plug; slope k_y = %2, %3°.</source>
+        <translation>С пробки можно снять не больше %1; наклон k_у = %2, %3°.</translation>
+    </message>
+    <message>
+        <source>factor × mass, g</source>
+        <translation>коэфф. × масса, г</translation>
+    </message>
+    <message>
+        <source>nominal</source>
+        <translation>номинал</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>до</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>после</translation>
+    </message>
+    <message>
+        <source>Bob weight</source>
+        <translation>Груз</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Плоскость</translation>
+    </message>
+    <message>
+        <source>allowed, g·mm</source>
+        <translation>допустимо, г·мм</translation>
+    </message>
+    <message>
+        <source>reading, g·mm</source>
+        <translation>показание, г·мм</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>вывод</translation>
+    </message>
+    <message>
+        <source>✓ passes</source>
+        <translation>✓ годен</translation>
+    </message>
+    <message>
+        <source>✗ fails</source>
+        <translation>✗ не годен</translation>
+    </message>
+    <message>
+        <source>Front (pulley)</source>
+        <translation>Передняя (шкив)</translation>
+    </message>
+    <message>
+        <source>Rear (flywheel)</source>
+        <translation>Задняя (маховик)</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Цилиндр</translation>
+    </message>
+    <message>
+        <source>Piston from</source>
+        <translation>Поршень из</translation>
+    </message>
+    <message>
+        <source>Rod from</source>
+        <translation>Шатун из</translation>
+    </message>
+    <message>
+        <source>Crankpin</source>
+        <translation>Шейка</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>разброс</translation>
+    </message>
+    <message>
+        <source>as weighed, g</source>
+        <translation>как есть, г</translation>
+    </message>
+    <message>
+        <source>after moving, g</source>
+        <translation>после, г</translation>
+    </message>
+    <message>
+        <source>%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.</source>
+        <translation>%1: взвешено %2; тяжелее всех в цилиндре %3, легче всех в цилиндре %4.</translation>
+    </message>
+    <message>
+        <source>There is no journal.</source>
+        <translation>Журнала нет.</translation>
+    </message>
+    <message>
+        <source>without an engine number</source>
+        <translation>без номера двигателя</translation>
+    </message>
+    <message>
+        <source>Job %1 had been changed elsewhere meanwhile: saved as a new job.</source>
+        <translation>Работу %1 тем временем изменили в другом месте: сохранено как новая работа.</translation>
+    </message>
+    <message>
+        <source>Job %1 saved in the journal.</source>
+        <translation>Работа %1 сохранена в журнале.</translation>
+    </message>
+    <message>
+        <source>The job&apos;s sheet cannot be read: %1</source>
+        <translation>Лист работы не читается: %1</translation>
     </message>
 </context>
 <context>
@@ -7928,965 +8562,46 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
-    <name>ravnoves::V8PlugsViewModel</name>
+    <name>ravnoves::ValidationModel</name>
     <message>
-        <source>Open case</source>
-        <translation>Открытие задачи</translation>
+        <source>Paper</source>
+        <translation>Статья</translation>
     </message>
     <message>
-        <source>New case</source>
-        <translation>Новая задача</translation>
+        <source>Place</source>
+        <translation>Место</translation>
     </message>
     <message>
-        <source>Engine</source>
-        <translation>Двигатель</translation>
+        <source>Quantity</source>
+        <translation>Величина</translation>
     </message>
     <message>
-        <source>The engine needs a name.</source>
-        <translation>Двигателю нужно название.</translation>
+        <source>Unit</source>
+        <translation>Ед.</translation>
     </message>
     <message>
-        <source>“%1” is the name of a preset; choose another.</source>
-        <translation>«%1» — название встроенного двигателя; выберите другое.</translation>
+        <source>Printed</source>
+        <translation>В статье</translation>
     </message>
     <message>
-        <source>Save engine</source>
-        <translation>Запомнить двигатель</translation>
+        <source>Ours</source>
+        <translation>У нас</translation>
     </message>
     <message>
-        <source>The paper gives only the crank radius of this engine; the rest has to be measured.</source>
-        <translation>Для этого двигателя статья даёт только радиус кривошипа; остальное нужно измерить.</translation>
+        <source>Difference</source>
+        <translation>Разность</translation>
     </message>
     <message>
-        <source>Plug masses as the paper prints them. They look too small for the threads it prints: weigh the plugs and type what the scale says.</source>
-        <translation>Массы пробок — как напечатано в статье. Для напечатанных резьб они слишком малы: взвесьте пробки и введите показания весов.</translation>
+        <source>Verdict</source>
+        <translation>Вывод</translation>
     </message>
     <message>
-        <source>The values do not go together.</source>
-        <translation>Значения не согласуются.</translation>
+        <source>computing…</source>
+        <translation>вычисляется…</translation>
     </message>
     <message>
-        <source>Still needed: %1.</source>
-        <translation>Ещё нужны: %1.</translation>
-    </message>
-    <message>
-        <source>Excess Δm_y: not known yet</source>
-        <translation>Δm_у: пока неизвестна</translation>
-    </message>
-    <message>
-        <source>Excess Δm_y: %1, %2</source>
-        <translation>Δm_у: %1, %2</translation>
-    </message>
-    <message>
-        <source>The bob weight still needs: %1.</source>
-        <translation>Для груза ещё нужны: %1.</translation>
-    </message>
-    <message>
-        <source>ISO 21940-11 needs grade, mass and speed.</source>
-        <translation>Для ИСО 21940-11 нужны класс, масса и частота вращения.</translation>
-    </message>
-    <message>
-        <source>ISO 21940-11: U_per = 1000 m G / ω = %1 for the whole crankshaft; the method&apos;s own limit is %2 in each plane.</source>
-        <translation>ИСО 21940-11: U_доп = 1000 m G / ω = %1 на весь вал; предел самого метода — %2 в каждой плоскости.</translation>
-    </message>
-    <message>
-        <source>With thread and height the sheet says what the plug would weigh.</source>
-        <translation>По резьбе и высоте лист скажет, сколько весила бы пробка.</translation>
-    </message>
-    <message>
-        <source>A plug of these dimensions weighs %1 in steel, %2 in aluminium.</source>
-        <translation>Пробка таких размеров весит %1 из стали, %2 из алюминия.</translation>
-    </message>
-    <message>
-        <source>Option</source>
-        <translation>Вариант</translation>
-    </message>
-    <message>
-        <source>const., g</source>
-        <translation>пост., г</translation>
-    </message>
-    <message>
-        <source>reach, g</source>
-        <translation>предел, г</translation>
-    </message>
-    <message>
-        <source>needed, g</source>
-        <translation>снять, г</translation>
-    </message>
-    <message>
-        <source>left, g·mm</source>
-        <translation>ост., г·мм</translation>
-    </message>
-    <message>
-        <source>The engine has no such plug, or its data are missing.</source>
-        <translation>Такой пробки у двигателя нет или нет её данных.</translation>
-    </message>
-    <message>
-        <source>%1: %2.</source>
-        <translation>%1: %2.</translation>
-    </message>
-    <message>
-        <source>At most %1 may come off a plug; slope k_y = %2, %3°.</source>
-        <translation>С пробки можно снять не больше %1; наклон k_у = %2, %3°.</translation>
-    </message>
-    <message>
-        <source>factor × mass, g</source>
-        <translation>коэфф. × масса, г</translation>
-    </message>
-    <message>
-        <source>nominal</source>
-        <translation>номинал</translation>
-    </message>
-    <message>
-        <source>before</source>
-        <translation>до</translation>
-    </message>
-    <message>
-        <source>after</source>
-        <translation>после</translation>
-    </message>
-    <message>
-        <source>Bob weight</source>
-        <translation>Груз</translation>
-    </message>
-    <message>
-        <source>Plane</source>
-        <translation>Плоскость</translation>
-    </message>
-    <message>
-        <source>allowed, g·mm</source>
-        <translation>допустимо, г·мм</translation>
-    </message>
-    <message>
-        <source>reading, g·mm</source>
-        <translation>показание, г·мм</translation>
-    </message>
-    <message>
-        <source>verdict</source>
-        <translation>вывод</translation>
-    </message>
-    <message>
-        <source>✓ passes</source>
-        <translation>✓ годен</translation>
-    </message>
-    <message>
-        <source>✗ fails</source>
-        <translation>✗ не годен</translation>
-    </message>
-    <message>
-        <source>Front (pulley)</source>
-        <translation>Передняя (шкив)</translation>
-    </message>
-    <message>
-        <source>Rear (flywheel)</source>
-        <translation>Задняя (маховик)</translation>
-    </message>
-    <message>
-        <source>Cylinder</source>
-        <translation>Цилиндр</translation>
-    </message>
-    <message>
-        <source>Piston from</source>
-        <translation>Поршень из</translation>
-    </message>
-    <message>
-        <source>Rod from</source>
-        <translation>Шатун из</translation>
-    </message>
-    <message>
-        <source>Crankpin</source>
-        <translation>Шейка</translation>
-    </message>
-    <message>
-        <source>spread</source>
-        <translation>разброс</translation>
-    </message>
-    <message>
-        <source>as weighed, g</source>
-        <translation>как есть, г</translation>
-    </message>
-    <message>
-        <source>after moving, g</source>
-        <translation>после, г</translation>
-    </message>
-    <message>
-        <source>%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.</source>
-        <translation>%1: взвешено %2; тяжелее всех в цилиндре %3, легче всех в цилиндре %4.</translation>
-    </message>
-    <message>
-        <source>There is no journal.</source>
-        <translation>Журнала нет.</translation>
-    </message>
-    <message>
-        <source>without an engine number</source>
-        <translation>без номера двигателя</translation>
-    </message>
-    <message>
-        <source>Job %1 had been changed elsewhere meanwhile: saved as a new job.</source>
-        <translation>Работу %1 тем временем изменили в другом месте: сохранено как новая работа.</translation>
-    </message>
-    <message>
-        <source>Job %1 saved in the journal.</source>
-        <translation>Работа %1 сохранена в журнале.</translation>
-    </message>
-    <message>
-        <source>The job&apos;s sheet cannot be read: %1</source>
-        <translation>Лист работы не читается: %1</translation>
-    </message>
-    <message>
-        <source>The values kept for the engine “%1” cannot be read: %2</source>
-        <translation>Сохранённые данные двигателя «%1» не читаются: %2</translation>
-    </message>
-    <message>
-        <source>“%1” is the name of another engine of your own; choose another.</source>
-        <translation>Имя «%1» уже носит другой ваш двигатель; выберите иное.</translation>
-    </message>
-    <message>
-        <source>Rename engine</source>
-        <translation>Переименование двигателя</translation>
-    </message>
-    <message>
-        <source>The values differ from those kept under this name; “Keep as own engine” keeps these.</source>
-        <translation>Данные отличаются от сохранённых под этим именем; «Запомнить двигатель» сохранит эти.</translation>
-    </message>
-    <message>
-        <source>slope</source>
-        <translation>наклон</translation>
-    </message>
-    <message>
-        <source>left, g</source>
-        <translation>ост., г</translation>
-    </message>
-    <message>
-        <source>For the other crankshaft.</source>
-        <translation>Для другого вала.</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::ValidationTexts</name>
-    <message>
-        <source>Gots, Klevtsov</source>
-        <translation>Гоц, Клевцов</translation>
-    </message>
-    <message>
-        <source>Zotov, Sviridov</source>
-        <translation>Зотов, Свиридов</translation>
-    </message>
-    <message>
-        <source>Nazarov</source>
-        <translation>Назаров</translation>
-    </message>
-    <message>
-        <source>Chainov, Vallejo Maldonado</source>
-        <translation>Чайнов, Вальехо Мальдонадо</translation>
-    </message>
-    <message>
-        <source>A. N. Gots, V. S. Klevtsov, &quot;Selection of the optimal scheme of stabilization of the one-cylinder engine&quot;</source>
-        <translation>А. Н. Гоц, В. С. Клевцов, «Выбор рациональной схемы уравновешивания одноцилиндрового двигателя»</translation>
-    </message>
-    <message>
-        <source>A. N. Zotov, A. S. Sviridov, &quot;Crank-and-rod mechanism with elastic hinges of given characteristics&quot;, 2021</source>
-        <translation>А. Н. Зотов, А. С. Свиридов, «Кривошипно-шатунный механизм с упругими шарнирами, имеющими заданные характеристики», 2021</translation>
-    </message>
-    <message>
-        <source>A. D. Nazarov, &quot;Compensating the total unbalanced mass of crank-gear parts of V-8 engines in manufacture and repair&quot;</source>
-        <translation>А. Д. Назаров, «Способ компенсации суммарной неуравновешенной массы деталей КШМ двигателей V-8 при их изготовлении и ремонте»</translation>
-    </message>
-    <message>
-        <source>N. D. Chainov, P. R. Vallejo Maldonado, &quot;Balancing the moments of a VR5 engine taking into account a desaxial crank mechanism and cylinder camber angle&quot;, 2020</source>
-        <translation>Н. Д. Чайнов, П. Р. Вальехо Мальдонадо, «Уравновешивание моментов двигателя VR5 с учётом дезаксажа и угла развала цилиндров», 2020</translation>
-    </message>
-    <message>
-        <source>text</source>
-        <translation>текст</translation>
-    </message>
-    <message>
-        <source>dynamic calculation</source>
-        <translation>динамический расчёт</translation>
-    </message>
-    <message>
-        <source>Table %1</source>
-        <translation>табл. %1</translation>
-    </message>
-    <message>
-        <source>before Table %1</source>
-        <translation>перед табл. %1</translation>
-    </message>
-    <message>
-        <source>results</source>
-        <translation>результаты</translation>
-    </message>
-    <message>
-        <source>abstract</source>
-        <translation>аннотация</translation>
-    </message>
-    <message>
-        <source>conclusions</source>
-        <translation>выводы</translation>
-    </message>
-    <message>
-        <source>introduction</source>
-        <translation>введение</translation>
-    </message>
-    <message>
-        <source>eq. (%1)</source>
-        <translation>ф-ла (%1)</translation>
-    </message>
-    <message>
-        <source>after eq. (%1)</source>
-        <translation>после ф-лы (%1)</translation>
-    </message>
-    <message>
-        <source>Fig. %1</source>
-        <translation>рис. %1</translation>
-    </message>
-    <message>
-        <source>Fig. 2a</source>
-        <translation>рис. 2а</translation>
-    </message>
-    <message>
-        <source>Fig. 2b</source>
-        <translation>рис. 2б</translation>
-    </message>
-    <message>
-        <source>Fig. 6a</source>
-        <translation>рис. 6а</translation>
-    </message>
-    <message>
-        <source>Fig. 6b</source>
-        <translation>рис. 6б</translation>
-    </message>
-    <message>
-        <source>Fig. 6c</source>
-        <translation>рис. 6в</translation>
-    </message>
-    <message>
-        <source>Fig. 7a</source>
-        <translation>рис. 7а</translation>
-    </message>
-    <message>
-        <source>Fig. 7b</source>
-        <translation>рис. 7б</translation>
-    </message>
-    <message>
-        <source>Fig. 8a</source>
-        <translation>рис. 8а</translation>
-    </message>
-    <message>
-        <source>Fig. 8b</source>
-        <translation>рис. 8б</translation>
-    </message>
-    <message>
-        <source>parameters of the engine</source>
-        <translation>параметры двигателя</translation>
-    </message>
-    <message>
-        <source>experiments</source>
-        <translation>эксперименты</translation>
-    </message>
-    <message>
-        <source>after ΣM_c</source>
-        <translation>после ΣM_c</translation>
-    </message>
-    <message>
-        <source>kg</source>
-        <translation>кг</translation>
-    </message>
-    <message>
-        <source>m</source>
-        <translation>м</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>мм</translation>
-    </message>
-    <message>
-        <source>N</source>
-        <translation>Н</translation>
-    </message>
-    <message>
-        <source>g</source>
-        <translation>г</translation>
-    </message>
-    <message>
-        <source>g·mm</source>
-        <translation>г·мм</translation>
-    </message>
-    <message>
-        <source>J</source>
-        <translation>Дж</translation>
-    </message>
-    <message>
-        <source>kW</source>
-        <translation>кВт</translation>
-    </message>
-    <message>
-        <source>min⁻¹</source>
-        <translation>мин⁻¹</translation>
-    </message>
-    <message>
-        <source>l</source>
-        <translation>л</translation>
-    </message>
-    <message>
-        <source>%1 l</source>
-        <translation>%1 л</translation>
-    </message>
-    <message>
-        <source>%1 and %2 l</source>
-        <translation>%1 и %2 л</translation>
-    </message>
-    <message>
-        <source>angular speed ω at %1 min⁻¹</source>
-        <translation>угловая скорость ω при %1 мин⁻¹</translation>
-    </message>
-    <message>
-        <source>π is rounded to 3.14.</source>
-        <translation>π округлено до 3,14.</translation>
-    </message>
-    <message>
-        <source>crank radius r</source>
-        <translation>радиус кривошипа r</translation>
-    </message>
-    <message>
-        <source>Half the stroke of 9.2 cm in the engine&apos;s type.</source>
-        <translation>Половина хода 9,2 см из обозначения двигателя.</translation>
-    </message>
-    <message>
-        <source>reciprocating mass m_j</source>
-        <translation>возвратно-поступательная масса m_j</translation>
-    </message>
-    <message>
-        <source>The sum of Table 1 with the heavier piston.</source>
-        <translation>Сумма по табл. 1 с более тяжёлым поршнем.</translation>
-    </message>
-    <message>
-        <source>first-order inertia force P_j1 max</source>
-        <translation>сила инерции первого порядка P_j1 max</translation>
-    </message>
-    <message>
-        <source>m_j r ω² at the printed 376.8 rad/s.</source>
-        <translation>m_j r ω² при напечатанных 376,8 рад/с.</translation>
-    </message>
-    <message>
-        <source>counterweight m₁</source>
-        <translation>противовес m₁</translation>
-    </message>
-    <message>
-        <source>Equation (1).</source>
-        <translation>Формула (1).</translation>
-    </message>
-    <message>
-        <source>counterweight&apos;s force P₁</source>
-        <translation>сила противовеса P₁</translation>
-    </message>
-    <message>
-        <source>m₁ ρ₁ ω².</source>
-        <translation>m₁ ρ₁ ω².</translation>
-    </message>
-    <message>
-        <source>rated power</source>
-        <translation>номинальная мощность</translation>
-    </message>
-    <message>
-        <source>The friction losses are not printed; ours is the indicated power of Table 2 at the printed speed.</source>
-        <translation>Потери на трение не напечатаны; наше число — индикаторная мощность по табл. 2 при напечатанной скорости.</translation>
-    </message>
-    <message>
-        <source>speed of Table 2</source>
-        <translation>частота вращения табл. 2</translation>
-    </message>
-    <message>
-        <source>The program that made Table 2 is not published; ours is the speed at which the inertia torque within it belongs to the masses of Table 1.</source>
-        <translation>Программа, давшая табл. 2, не опубликована; наше число — скорость, при которой инерционный момент в ней отвечает массам табл. 1.</translation>
-    </message>
-    <message>
-        <source>M_up = −M_id.</source>
-        <translation>M_up = −M_id.</translation>
-    </message>
-    <message>
-        <source>The mean of the 49 rows counts the end of the cycle, 720° = 0°, twice; ours is the cycle integral.</source>
-        <translation>Среднее 49 строк учитывает конец цикла, 720° = 0°, дважды; наше число — интеграл за цикл.</translation>
-    </message>
-    <message>
-        <source>mean of M_id</source>
-        <translation>среднее M_id</translation>
-    </message>
-    <message>
-        <source>mean of M_up</source>
-        <translation>среднее M_up</translation>
-    </message>
-    <message>
-        <source>To 0.01 N·m: l is not printed, ours follows from the largest entry and is rounded to 0.01 mm, and equal entries scatter by 0.01 in print.</source>
-        <translation>До 0,01 Н·м: l не напечатано, наше следует из наибольшего числа и округлено до 0,01 мм, а равные числа в печати расходятся на 0,01.</translation>
-    </message>
-    <message>
-        <source>last column</source>
-        <translation>последний столбец</translation>
-    </message>
-    <message>
-        <source>The column is headed M_up but holds M_s of α = 330°.</source>
-        <translation>Столбец озаглавлен M_up, но содержит M_s при α = 330°.</translation>
-    </message>
-    <message>
-        <source>mean M_sm(α = %1°)</source>
-        <translation>среднее M_sm(α = %1°)</translation>
-    </message>
-    <message>
-        <source>The mean of the 25 rows counts the end of the cycle twice; the cycle mean of a sine is 0 for every α.</source>
-        <translation>Среднее 25 строк учитывает конец цикла дважды; среднее синуса за цикл равно 0 при любом α.</translation>
-    </message>
-    <message>
-        <source>mean under the last column</source>
-        <translation>среднее под последним столбцом</translation>
-    </message>
-    <message>
-        <source>The mean of the 49 rows of Table 2, not of the 25 values above it; the end of the cycle is counted twice.</source>
-        <translation>Среднее 49 строк табл. 2, а не 25 чисел над ним; конец цикла учтён дважды.</translation>
-    </message>
-    <message>
-        <source>step of the means M_sm in Table 3</source>
-        <translation>шаг средних M_sm в табл. 3</translation>
-    </message>
-    <message>
-        <source>Only the 25 printed rows give the printed means; rows every 5° would give a sixth of them.</source>
-        <translation>Напечатанные средние дают только 25 напечатанных строк; строки через 5° дали бы их шестую часть.</translation>
-    </message>
-    <message>
-        <source>α at which M_s is a cosine</source>
-        <translation>α, при котором M_s — косинус</translation>
-    </message>
-    <message>
-        <source>At 180° the mean of the nodes is 0 as well, but there M_s is a sine; it is a cosine at 90°.</source>
-        <translation>При 180° среднее по узлам тоже 0, но там M_s — синус; косинус она при 90°.</translation>
-    </message>
-    <message>
-        <source>upper end of the α that lower the mean</source>
-        <translation>верхняя граница α, снижающих среднее</translation>
-    </message>
-    <message>
-        <source>The mean of the nodes is positive up to there; the cycle mean of M_s is 0 for every α.</source>
-        <translation>Среднее по узлам положительно до этого угла; среднее M_s за цикл равно 0 при любом α.</translation>
-    </message>
-    <message>
-        <source>upper end of the α with M_sm &lt; 0</source>
-        <translation>верхняя граница α с M_sm &lt; 0</translation>
-    </message>
-    <message>
-        <source>360 without its first digit: M_sm of the nodes is negative from 180° to 360°.</source>
-        <translation>360 без первой цифры: M_sm по узлам отрицательно от 180° до 360°.</translation>
-    </message>
-    <message>
-        <source>α from which M_sm changes its sign</source>
-        <translation>α, с которого M_sm меняет знак</translation>
-    </message>
-    <message>
-        <source>α from which M_sm is negative</source>
-        <translation>α, с которого M_sm отрицательно</translation>
-    </message>
-    <message>
-        <source>So do the nodes; the cycle mean of M_s is 0 for every α.</source>
-        <translation>Так ведут себя узлы; среднее M_s за цикл равно 0 при любом α.</translation>
-    </message>
-    <message>
-        <source>cut of the mean moment</source>
-        <translation>снижение среднего момента</translation>
-    </message>
-    <message>
-        <source>from</source>
-        <translation>от</translation>
-    </message>
-    <message>
-        <source>to</source>
-        <translation>до</translation>
-    </message>
-    <message>
-        <source>The mean of the 49 rows falls by that at α = 30° and at the 45° of Fig. 2, because the end of the cycle is counted twice; no shaft changes the cycle mean.</source>
-        <translation>На столько падает среднее 49 строк при α = 30° и при 45° рис. 2, потому что конец цикла учтён дважды; среднего за цикл никакой вал не меняет.</translation>
-    </message>
-    <message>
-        <source>The largest of the sweep over α.</source>
-        <translation>Наибольшее при переборе по α.</translation>
-    </message>
-    <message>
-        <source>α of the largest ΔM_ups</source>
-        <translation>α наибольшего ΔM_ups</translation>
-    </message>
-    <message>
-        <source>largest ΔM_ups</source>
-        <translation>наибольшее ΔM_ups</translation>
-    </message>
-    <message>
-        <source>It was read from a torque table of 5° that is not printed; ours is of the 15° table.</source>
-        <translation>Взято из таблицы моментов через 5°, которая не напечатана; наше — по таблице через 15°.</translation>
-    </message>
-    <message>
-        <source>rational α</source>
-        <translation>рациональный α</translation>
-    </message>
-    <message>
-        <source>No criterion is printed from which it follows; ours is where the range begins to be smaller than without a shaft.</source>
-        <translation>Критерий, из которого это следует, не напечатан; наше число — где размах становится меньше, чем без вала.</translation>
-    </message>
-    <message>
-        <source>Beyond it the range is larger than without a shaft.</source>
-        <translation>За ним размах больше, чем без вала.</translation>
-    </message>
-    <message>
-        <source>α below which the overall size shrinks</source>
-        <translation>α, ниже которого габарит уменьшается</translation>
-    </message>
-    <message>
-        <source>No sizes of the engine are printed.</source>
-        <translation>Размеры двигателя не напечатаны.</translation>
-    </message>
-    <message>
-        <source>largest α advised</source>
-        <translation>наибольший рекомендуемый α</translation>
-    </message>
-    <message>
-        <source>advised α</source>
-        <translation>рекомендуемый α</translation>
-    </message>
-    <message>
-        <source>∮ M₁₂ dφ at ω = %1 s⁻¹</source>
-        <translation>∮ M₁₂ dφ при ω = %1 с⁻¹</translation>
-    </message>
-    <message>
-        <source>With the paper&apos;s series for cos ψ; the inertia part is odd in φ and drops out at every speed.</source>
-        <translation>С рядом статьи для cos ψ; инерционная часть нечётна по φ и выпадает при любой скорости.</translation>
-    </message>
-    <message>
-        <source>To rounding, 1e-9 of the integral of its size.</source>
-        <translation>До округления, 10⁻⁹ интеграла модуля.</translation>
-    </message>
-    <message>
-        <source>potential part</source>
-        <translation>потенциальная часть</translation>
-    </message>
-    <message>
-        <source>To rounding, with M₁₂ outside the factor 0.5 of (8), where it belongs.</source>
-        <translation>До округления, с M₁₂ вне множителя 0,5 в (8), где ей и место.</translation>
-    </message>
-    <message>
-        <source>To rounding, with the counterweight that (10) asks for.</source>
-        <translation>До округления, с противовесом, которого требует (10).</translation>
-    </message>
-    <message>
-        <source>To rounding, with M₁₂* outside the factor 0.5 of (11), where it belongs.</source>
-        <translation>До округления, с M₁₂* вне множителя 0,5 в (11), где ей и место.</translation>
-    </message>
-    <message>
-        <source>factor of M₁₂ (1 + λ cos φ / cos ψ)</source>
-        <translation>множитель при M₁₂ (1 + λ cos φ / cos ψ)</translation>
-    </message>
-    <message>
-        <source>The bracket of 0.5 closes after M₁₂ in the place of before it; the moment balance about the crank axis gives ours.</source>
-        <translation>Скобка множителя 0,5 закрыта после M₁₂, а не перед ней; наше число даёт равновесие моментов относительно оси кривошипа.</translation>
-    </message>
-    <message>
-        <source>divisor of r² (P₁ + P₂) / g in I_pr(0)</source>
-        <translation>делитель r² (P₁ + P₂) / g в I_пр(0)</translation>
-    </message>
-    <message>
-        <source>From the mechanism&apos;s reduced inertia.</source>
-        <translation>Из приведённого момента инерции механизма.</translation>
-    </message>
-    <message>
-        <source>ρ₀ of guides 1, ℓ₀/2: largest that has a guide</source>
-        <translation>ρ₀ направляющих 1, ℓ₀/2: наибольшее, при котором направляющая есть</translation>
-    </message>
-    <message>
-        <source>To 0.01 mm, and only with the sign of (1), by which the spring takes up energy when the mechanism does; to keep ω constant it must give it out.</source>
-        <translation>До 0,01 мм и лишь со знаком (1), по которому пружина запасает энергию вместе с механизмом; чтобы держать ω постоянной, она должна её отдавать.</translation>
-    </message>
-    <message>
-        <source>P₄ ℓ₂ = (P₃ + P₂/2) ℓ, at any speed.</source>
-        <translation>P₄ ℓ₂ = (P₃ + P₂/2) ℓ при любой скорости.</translation>
-    </message>
-    <message>
-        <source>P₄ at ℓ₂ = %1 m</source>
-        <translation>P₄ при ℓ₂ = %1 м</translation>
-    </message>
-    <message>
-        <source>The value rounded to three decimals, with a zero added.</source>
-        <translation>Значение, округлённое до трёх знаков, с приписанным нулём.</translation>
-    </message>
-    <message>
-        <source>flywheel&apos;s part of an engine&apos;s inertia</source>
-        <translation>доля маховика в моменте инерции двигателя</translation>
-    </message>
-    <message>
-        <source>Quoted from another paper.</source>
-        <translation>Приведено по другой работе.</translation>
-    </message>
-    <message>
-        <source>displacement of five-cylinder engines</source>
-        <translation>рабочий объём пятицилиндровых двигателей</translation>
-    </message>
-    <message>
-        <source>Quoted from other papers.</source>
-        <translation>Приведено по другим работам.</translation>
-    </message>
-    <message>
-        <source>angle between the banks of VR engines</source>
-        <translation>угол развала двигателей VR</translation>
-    </message>
-    <message>
-        <source>offset e</source>
-        <translation>смещение e</translation>
-    </message>
-    <message>
-        <source>K R.</source>
-        <translation>K R.</translation>
-    </message>
-    <message>
-        <source>relative offset K</source>
-        <translation>относительное смещение K</translation>
-    </message>
-    <message>
-        <source>e / R.</source>
-        <translation>e / R.</translation>
-    </message>
-    <message>
-        <source>crank angle at top dead centre</source>
-        <translation>угол кривошипа в верхней мёртвой точке</translation>
-    </message>
-    <message>
-        <source>arcsin(λK / (1 + λ)).</source>
-        <translation>arcsin(λK / (1 + λ)).</translation>
-    </message>
-    <message>
-        <source>shift of the crankpins of bank 2</source>
-        <translation>смещение шатунных шеек ряда 2</translation>
-    </message>
-    <message>
-        <source>To 1′, from the exact top dead centre. It is γ + 2 φ: the formula beside it, γ + φ, has lost the 2 and would give 18°20′.</source>
-        <translation>До 1′, по точной верхней мёртвой точке. Это γ + 2 φ: формула рядом, γ + φ, потеряла двойку и дала бы 18°20′.</translation>
-    </message>
-    <message>
-        <source>To 1′: the paper adds up angles rounded to minutes.</source>
-        <translation>До 1′: статья складывает углы, округлённые до минут.</translation>
-    </message>
-    <message>
-        <source>angle from crankpin %1 to %2</source>
-        <translation>угол от шейки %1 до %2</translation>
-    </message>
-    <message>
-        <source>coefficient of a cos φ</source>
-        <translation>коэффициент при a cos φ</translation>
-    </message>
-    <message>
-        <source>coefficient of l cos φ</source>
-        <translation>коэффициент при l cos φ</translation>
-    </message>
-    <message>
-        <source>coefficient of a sin φ</source>
-        <translation>коэффициент при a sin φ</translation>
-    </message>
-    <message>
-        <source>coefficient of l sin φ</source>
-        <translation>коэффициент при l sin φ</translation>
-    </message>
-    <message>
-        <source>coefficient of a cos 2φ</source>
-        <translation>коэффициент при a cos 2φ</translation>
-    </message>
-    <message>
-        <source>coefficient of l cos 2φ</source>
-        <translation>коэффициент при l cos 2φ</translation>
-    </message>
-    <message>
-        <source>coefficient of a sin 2φ</source>
-        <translation>коэффициент при a sin 2φ</translation>
-    </message>
-    <message>
-        <source>coefficient of l sin 2φ</source>
-        <translation>коэффициент при l sin 2φ</translation>
-    </message>
-    <message>
-        <source>To one unit of the last digit: the paper adds up sines of angles rounded to minutes. l counts from crankpin 4.</source>
-        <translation>До единицы последнего знака: статья складывает синусы углов, округлённых до минут. l отсчитывается от шейки 4.</translation>
-    </message>
-    <message>
-        <source>To 1′, from the two-term orders: the paper computes on with rounded coefficients.</source>
-        <translation>До 1′, по двучленным порядкам: статья считает дальше с округлёнными коэффициентами.</translation>
-    </message>
-    <message>
-        <source>plane of the moment of the shaft at +ω</source>
-        <translation>плоскость момента вала с +ω</translation>
-    </message>
-    <message>
-        <source>plane of the moment of the shaft at −ω</source>
-        <translation>плоскость момента вала с −ω</translation>
-    </message>
-    <message>
-        <source>plane of the moment of the shaft at +2ω</source>
-        <translation>плоскость момента вала с +2ω</translation>
-    </message>
-    <message>
-        <source>plane of the moment of the shaft at −2ω</source>
-        <translation>плоскость момента вала с −2ω</translation>
-    </message>
-    <message>
-        <source>from the x axis</source>
-        <translation>от оси x</translation>
-    </message>
-    <message>
-        <source>from the y axis</source>
-        <translation>от оси y</translation>
-    </message>
-    <message>
-        <source>Found from the crank with its shift γ_ш varied.</source>
-        <translation>Найдено по валу с изменяемым смещением γ_ш.</translation>
-    </message>
-    <message>
-        <source>coefficient of sin γ_ш</source>
-        <translation>коэффициент при sin γ_ш</translation>
-    </message>
-    <message>
-        <source>coefficient of cos γ_ш</source>
-        <translation>коэффициент при cos γ_ш</translation>
-    </message>
-    <message>
-        <source>coefficient of sin²(γ_ш/2)</source>
-        <translation>коэффициент при sin²(γ_ш/2)</translation>
-    </message>
-    <message>
-        <source>constant part</source>
-        <translation>постоянная часть</translation>
-    </message>
-    <message>
-        <source>The sign is lost: only a plus gives the angle 75°43′ that the paper prints below.</source>
-        <translation>Потерян знак: только плюс даёт угол 75°43′, напечатанный ниже.</translation>
-    </message>
-    <message>
-        <source>To 1′: the paper computes with 21°40′.</source>
-        <translation>До 1′: статья считает с 21°40′.</translation>
-    </message>
-    <message>
-        <source>counterweight against the force</source>
-        <translation>противовес от силы</translation>
-    </message>
-    <message>
-        <source>counterweight against the moment</source>
-        <translation>противовес от момента</translation>
-    </message>
-    <message>
-        <source>lag behind crankpin 1</source>
-        <translation>отставание от шейки 1</translation>
-    </message>
-    <message>
-        <source>plane of ΣM_c against crankpin 1</source>
-        <translation>плоскость ΣM_c относительно шейки 1</translation>
-    </message>
-    <message>
-        <source>r_p / r.</source>
-        <translation>r_p / r.</translation>
-    </message>
-    <message>
-        <source>2 r_p / r, eq. (11).</source>
-        <translation>2 r_p / r, ф-ла (11).</translation>
-    </message>
-    <message>
-        <source>m_pн with the ratio of aluminium to steel of today&apos;s plugs of the 6 and 7 l engines.</source>
-        <translation>m_pн с отношением алюминия к стали по нынешним пробкам двигателей 6 и 7 л.</translation>
-    </message>
-    <message>
-        <source>From k_y and k_yн as Table 2 prints them; unrounded ones move it by up to 0.003 g.</source>
-        <translation>По k_y и k_yн, как они напечатаны в табл. 2; неокруглённые сдвигают его не более чем на 0,003 г.</translation>
-    </message>
-    <message>
-        <source>From k_y and the constant part as the tables print them; unrounded ones move it by up to 0.003 g.</source>
-        <translation>По k_y и постоянной части, как они напечатаны в таблицах; неокруглённые сдвигают его не более чем на 0,003 г.</translation>
-    </message>
-    <message>
-        <source>slope d(Δm_yk)/d(Δm) (24)</source>
-        <translation>наклон d(Δm_yk)/d(Δm) (24)</translation>
-    </message>
-    <message>
-        <source>k_y.</source>
-        <translation>k_y.</translation>
-    </message>
-    <message>
-        <source>The lightening of a steel plug that the printed maximum (22) asks for.</source>
-        <translation>Облегчение стальной пробки, которого требует напечатанный максимум (22).</translation>
-    </message>
-    <message>
-        <source>What the printed maximum (19) leaves for the lightening.</source>
-        <translation>То, что напечатанный максимум (19) оставляет на облегчение.</translation>
-    </message>
-    <message>
-        <source>Equation (18) solved for Δm.</source>
-        <translation>Формула (18), решённая относительно Δm.</translation>
-    </message>
-    <message>
-        <source>excess that today&apos;s steel plugs compensate</source>
-        <translation>избыток, компенсируемый нынешними стальными пробками</translation>
-    </message>
-    <message>
-        <source>Equation (22).</source>
-        <translation>Формула (22).</translation>
-    </message>
-    <message>
-        <source>lightening of a steel plug that takes</source>
-        <translation>нужное для этого облегчение стальной пробки</translation>
-    </message>
-    <message>
-        <source>excess that aluminium plugs compensate</source>
-        <translation>избыток, компенсируемый алюминиевыми пробками</translation>
-    </message>
-    <message>
-        <source>Equation (19) from the printed constant part.</source>
-        <translation>Формула (19) с напечатанной постоянной частью.</translation>
-    </message>
-    <message>
-        <source>lightening of a steel plug equivalent to that</source>
-        <translation>равносильное этому облегчение стальной пробки</translation>
-    </message>
-    <message>
-        <source>largest Δk</source>
-        <translation>наибольшее Δk</translation>
-    </message>
-    <message>
-        <source>Δr / r, eq. (1).</source>
-        <translation>Δr / r, ф-ла (1).</translation>
-    </message>
-    <message>
-        <source>largest shift Δr</source>
-        <translation>наибольшее смещение Δr</translation>
-    </message>
-    <message>
-        <source>From the printed Δk of the 4.25 l engine.</source>
-        <translation>По напечатанному Δk двигателя 4,25 л.</translation>
-    </message>
-    <message>
-        <source>The machined shapes that it belongs to are not printed.</source>
-        <translation>Обработанные формы, к которым оно относится, не напечатаны.</translation>
-    </message>
-    <message>
-        <source>mass m_p of the plug</source>
-        <translation>масса m_p пробки</translation>
-    </message>
-    <message>
-        <source>The drawing is not dimensioned in full; a steel cup of the printed thread and height, bored 25 mm wide and 8 mm deep, weighs ours.</source>
-        <translation>На чертеже проставлены не все размеры; наше число — масса стального стакана с напечатанными резьбой и высотой и расточкой диаметром 25 мм на глубину 8 мм.</translation>
-    </message>
-    <message>
-        <source>excess that an M27×1.5 aluminium plug compensates</source>
-        <translation>избыток, компенсируемый алюминиевой пробкой M27×1,5</translation>
-    </message>
-    <message>
-        <source>The mass and the place of such a plug are not printed.</source>
-        <translation>Масса и место такой пробки не напечатаны.</translation>
-    </message>
-    <message>
-        <source>residual unbalance in each correction plane</source>
-        <translation>остаточный дисбаланс в каждой плоскости коррекции</translation>
-    </message>
-    <message>
-        <source>A limit that was set, not computed.</source>
-        <translation>Заданный предел, он не вычислялся.</translation>
+        <source>Printed numbers: %1</source>
+        <translation>Напечатанных чисел: %1</translation>
     </message>
 </context>
 <context>
@@ -8945,97 +8660,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
-    <name>ravnoves::ValidationViewModel</name>
-    <message>
-        <source>reproduced</source>
-        <translation>воспроизведено</translation>
-    </message>
-    <message>
-        <source>artefact</source>
-        <translation>артефакт</translation>
-    </message>
-    <message>
-        <source>slip</source>
-        <translation>опечатка</translation>
-    </message>
-    <message>
-        <source>not derivable</source>
-        <translation>не выводится</translation>
-    </message>
-    <message>
-        <source>differs</source>
-        <translation>расходится</translation>
-    </message>
-    <message>
-        <source>Paper</source>
-        <translation>Статья</translation>
-    </message>
-    <message>
-        <source>Place</source>
-        <translation>Место</translation>
-    </message>
-    <message>
-        <source>Quantity</source>
-        <translation>Величина</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Ед.</translation>
-    </message>
-    <message>
-        <source>Printed</source>
-        <translation>В статье</translation>
-    </message>
-    <message>
-        <source>Ours</source>
-        <translation>У нас</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>Разность</translation>
-    </message>
-    <message>
-        <source>Verdict</source>
-        <translation>Вывод</translation>
-    </message>
-    <message>
-        <source>computing…</source>
-        <translation>вычисляется…</translation>
-    </message>
-    <message>
-        <source>Printed numbers: %1</source>
-        <translation>Напечатанных чисел: %1</translation>
-    </message>
-</context>
-<context>
     <name>ravnoves::WeighInSheet</name>
     <message>
         <source>Take the mass changes &amp;from this sheet</source>
         <translation>Брать изменения масс с &amp;этого листа</translation>
-    </message>
-    <message>
-        <source>Off: the changes typed on the sheet “Job” count.</source>
-        <translation>Выключено: действуют изменения, введённые на листе «Работа».</translation>
-    </message>
-    <message>
-        <source>C&amp;ylinders of a crankpin</source>
-        <translation>&amp;Цилиндры одной шейки</translation>
-    </message>
-    <message>
-        <source>1 and 5, 2 and 6, … (bank by bank)</source>
-        <translation>1 и 5, 2 и 6, … (по рядам)</translation>
-    </message>
-    <message>
-        <source>1 and 2, 3 and 4, …</source>
-        <translation>1 и 2, 3 и 4, …</translation>
-    </message>
-    <message>
-        <source>Which two cylinders share a crankpin.</source>
-        <translation>Какие два цилиндра сидят на одной шатунной шейке.</translation>
-    </message>
-    <message>
-        <source>Cylinders of a crankpin</source>
-        <translation>Цилиндры одной шейки</translation>
     </message>
     <message>
         <source>nominal, g</source>
@@ -9098,10 +8726,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Какой комплект в какой цилиндр</translation>
     </message>
     <message>
-        <source>Source of the mass changes</source>
-        <translation>Источник изменений масс</translation>
-    </message>
-    <message>
         <source>to nominal, g</source>
         <translation>к номиналу, г</translation>
     </message>
@@ -9116,6 +8740,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Move parts</source>
         <translation>Перестановка деталей</translation>
+    </message>
+    <message>
+        <source>Nothing is pasted: “%1” is no mass in grams.</source>
+        <translation>Ничего не вставлено: «%1» — не масса в граммах.</translation>
+    </message>
+    <message>
+        <source>Nothing is pasted: the block does not fit on the sheet from here.</source>
+        <translation>Ничего не вставлено: блок не помещается на листе с этого места.</translation>
+    </message>
+    <message>
+        <source>Paste weights</source>
+        <translation>Вставка масс</translation>
     </message>
 </context>
 </TS>

@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <string>
 
-#include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "command_line.h"
+#include "scenes/scenes.h"
 
 namespace ravnoves {
 namespace {

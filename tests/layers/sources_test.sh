@@ -1,9 +1,12 @@
 #!/usr/bin/env bash
-# sources_test.sh SOURCE-FOLDER [QT-WIDGETS-INCLUDE-FOLDER...]
+# sources_test.sh SOURCE-FOLDER [core-only]
 # The arrows app -> ui -> core as the includes draw them:
 #   core and the command line include no Qt, and nothing from the layers above them;
 #   ui includes nothing from app;
-#   a view-model includes no widget or chart class, nor does any header of ours that it reaches.
+#   a scene includes no other scene, in core, in ui and in the tests of both; core's ground (case
+#   files, numerics, drawing, bibliography) includes nothing that stands on it, nor does a scene
+#   include the methods or the registry.
+# That a model includes no widget, the compiler sees: their library has no QtWidgets to include.
 set -euo pipefail
 cd "$1"
 shift
@@ -23,7 +26,7 @@ while IFS=$'\t' read -r file kind name; do
     else
         angled[$file]+="$name "
     fi
-done < <(find core app ui -type f \( -name '*.cpp' -o -name '*.h' \) -exec sed -n -E \
+done < <(find core app ui tests -type f \( -name '*.cpp' -o -name '*.h' \) -exec sed -n -E \
     '/^[[:space:]]*#[[:space:]]*include/ { F; s/^[[:space:]]*#[[:space:]]*include[[:space:]]*(["<])([^">]*)[">].*/\t\1\t\2/p }' \
     {} + | paste -d '' - -)
 
@@ -75,47 +78,52 @@ check_no_qt() {
 check_layer core core
 check_layer app/cli core
 check_no_qt core app/cli
+
+# check_folders_apart FILES-UNDER FOLDER...: no file there includes from one of the folders.
+check_folders_apart() {
+    local under=$1 file include folder
+    shift
+    [ -d "$under" ] || fault "$under is not there: nothing was checked"
+    for file in $(sources "$under"); do
+        for include in ${quoted[$file]:-}; do
+            for folder in "$@"; do
+                case $include in
+                    "$folder"/*) fault "$file includes \"$include\": ${under#*/} must not know $folder" ;;
+                esac
+            done
+        done
+    done
+}
+# A folder of core with a scene.h is a scene.
+scenes=()
+for file in core/*/scene.h; do
+    file=${file%/scene.h}
+    scenes+=("${file#core/}")
+done
+[ ${#scenes[@]} -gt 2 ] || fault "the scenes could not be found: ${scenes[*]}"
+for ground in case-file numerics drawing bibliography; do
+    check_folders_apart "core/$ground" "${scenes[@]}" methods scenes
+done
+check_folders_apart core/numerics case-file drawing bibliography
+for scene in "${scenes[@]}"; do
+    others=()
+    for other in "${scenes[@]}"; do
+        [ "$other" = "$scene" ] || others+=("$other")
+    done
+    check_folders_apart "core/$scene" "${others[@]}" methods scenes
+    check_folders_apart "ui/$scene" "${others[@]}" methods
+    for tests in "tests/core/$scene" "tests/ui/$scene"; do
+        check_folders_apart "$tests" "${others[@]}" methods
+    done
+done
+
 if grep -nE 'Qt[0-9]*(::|[[:space:]]+REQUIRED|[[:space:]]+COMPONENTS)' core/CMakeLists.txt; then
     fault "core/CMakeLists.txt asks for Qt"
 fi
 
-if [ $# -gt 0 ]; then
+if [ "${1:-}" != core-only ]; then
     check_layer ui ui core
     check_layer app/desktop app/desktop ui core
-
-    declare -A is_widget=()
-    for folder in "$@"; do
-        for header in "$folder"/*; do
-            is_widget[${header##*/}]=1
-        done
-    done
-    [ -n "${is_widget[QWidget]:-}" ] || fault "QWidget is not in: $*"
-
-    view_models=$(sources ui | grep view_model || true)
-    [ -n "$view_models" ] || fault "ui holds no view-models: nothing was checked"
-    for start in $view_models; do
-        declare -A reached=([$start]=$start)
-        queue=("$start")
-        while [ ${#queue[@]} -gt 0 ]; do
-            file=${queue[0]}
-            queue=("${queue[@]:1}")
-            for include in ${angled[$file]:-}; do
-                name=${include##*/}
-                if [[ $include == QtWidgets/* || $include == QtCharts/* || -n "${is_widget[$name]:-}" ]]; then
-                    fault "$start reaches <$include> by ${reached[$file]}"
-                fi
-            done
-            for include in ${quoted[$file]:-}; do
-                resolve "$file" "$include" ui core || continue
-                next=$found
-                if [ -z "${reached[$next]:-}" ]; then
-                    reached[$next]="${reached[$file]} -> $next"
-                    queue+=("$next")
-                fi
-            done
-        done
-        unset reached
-    done
 fi
 
 if [ $faults -ne 0 ]; then

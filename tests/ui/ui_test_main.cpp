@@ -5,7 +5,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
-#include "shell/language.h"
+#include "text/language.h"
 #include "theme/theme.h"
 
 /// One application per test program, without a display, with settings that vanish afterwards.

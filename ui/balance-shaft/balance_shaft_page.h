@@ -1,9 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <vector>
-
 #include "plot/plot_view.h"
 #include "shell/scene_page.h"
 
@@ -11,13 +7,12 @@ class QComboBox;
 class QLabel;
 class QPushButton;
 class QTabWidget;
-class QToolButton;
 
 namespace ravnoves {
 
-class BalanceShaftViewModel;
+class BalanceShaftModel;
 class MechanismView;
-class NumberField;
+class Form;
 class ResultTable;
 class CycleView;
 class TorqueSourceEditor;
@@ -30,15 +25,12 @@ class BalanceShaftPage : public ScenePage {
 
   public:
     explicit BalanceShaftPage(QWidget* parent = nullptr);
-    ~BalanceShaftPage() override { putAway(); }
 
-    SceneViewModel* model() override;
-    BalanceShaftViewModel* viewModel() { return model_; }
+    SceneModel* model() override;
+    BalanceShaftModel* viewModel() { return model_; }
     QList<QAction*> sceneActions() override;
     QString resultsAsText() const override;
     QString resultsAsCsv() const override;
-    void setActive(bool active) override;
-    void resetZoom() override;
 
     // For tests and for the frame benchmark.
     ValueSlider* angleSlider() const { return angle_; }
@@ -51,31 +43,18 @@ class BalanceShaftPage : public ScenePage {
     QTabWidget* views() const { return views_; }
 
   private:
-    /// A field bound to one number of the input.
-    struct Binding {
-        NumberField* field;
-        std::function<std::optional<double>()> read;
-    };
-
     QWidget* buildInputs();
     QWidget* buildPlots();
     QWidget* buildMoments();
     QWidget* buildAnswer();
-    void bind(NumberField* field, const QString& name, std::function<std::optional<double>()> read,
-              std::function<void(std::optional<double>)> write);
-    void showInput();
+    void addEngine(Form* form);
+    void addMasses(Form* form);
     void showSweep();
     void showShaft();
     void showMeans();
     void showCursor(double crankAngle);
 
-    BalanceShaftViewModel* model_;
-    std::vector<Binding> bindings_;
-    QComboBox* preset_ = nullptr;
-    QComboBox* interpolation_ = nullptr;
-    QLabel* massSum_ = nullptr;
-    QLabel* massNote_ = nullptr;
-    QLabel* angularSpeed_ = nullptr;
+    BalanceShaftModel* model_;
     TorqueSourceEditor* source_ = nullptr;
     QTabWidget* views_ = nullptr;
     CycleView* cycle_ = nullptr;
@@ -86,7 +65,6 @@ class BalanceShaftPage : public ScenePage {
     PlotView* means_ = nullptr;
     MechanismView* picture_ = nullptr;
     ValueSlider* crank_ = nullptr;
-    QToolButton* playButton_ = nullptr;
     ResultTable* criteria_ = nullptr;
     ResultTable* quantities_ = nullptr;
     QLabel* bestRange_ = nullptr;

@@ -5,7 +5,7 @@
 #include <QStackedLayout>
 #include <algorithm>
 
-#include "balance-shaft/balance_shaft_view_model.h"
+#include "balance-shaft/model/balance_shaft_model.h"
 #include "plot/plot_view.h"
 #include "theme/theme.h"
 #include "widgets/panel.h"
@@ -24,7 +24,7 @@ std::vector<double> scaled(const std::vector<double>& values, double factor) {
 
 }  // namespace
 
-CycleView::CycleView(BalanceShaftViewModel* model, QWidget* parent)
+CycleView::CycleView(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(model), stack_(new QStackedLayout(this)) {
     auto* hint =
         new QLabel(tr("The torque is a table.\nChoose “pressure trace” or “computed cycle” "
@@ -50,13 +50,13 @@ CycleView::CycleView(BalanceShaftViewModel* model, QWidget* parent)
                                 .colour = 2,
                                 .width = 2.0,
                                 .toolTip = tr("Engine torque, gas plus inertia")});
-    connect(torque_, &PlotView::cursorMoved, model_, &BalanceShaftViewModel::setCrankAngleDeg);
+    connect(torque_, &PlotView::cursorMoved, model_, &BalanceShaftModel::setCrankAngleDeg);
     pressure_ = new PlotView(tr("Cylinder pressure"), plots);
     pressure_->setXAxis({tr("φ, °"), 0.0, 720.0, true});
     pressure_->setYAxis(PlotView::Side::Left, {tr("bar")});
     pressureCurve_ =
         pressure_->addCurve({.name = tr("p"), .colour = 7, .width = 1.8, .inLegend = false});
-    connect(pressure_, &PlotView::cursorMoved, model_, &BalanceShaftViewModel::setCrankAngleDeg);
+    connect(pressure_, &PlotView::cursorMoved, model_, &BalanceShaftModel::setCrankAngleDeg);
     indicator_ = new PlotView(tr("Indicator diagram, p–V"), plots);
     indicator_->setYAxis(PlotView::Side::Left, {tr("bar")});
     loop_ = indicator_->addCurve({.name = tr("p"), .colour = 7, .width = 1.8, .inLegend = false});
@@ -75,8 +75,8 @@ CycleView::CycleView(BalanceShaftViewModel* model, QWidget* parent)
     grid->setRowStretch(1, 3);
     stack_->addWidget(plots);
 
-    connect(model_, &SceneViewModel::changed, this, &CycleView::showResult);
-    connect(model_, &BalanceShaftViewModel::crankAngleChanged, this, [this](double angle) {
+    connect(model_, &SceneModel::changed, this, &CycleView::showResult);
+    connect(model_, &BalanceShaftModel::crankAngleChanged, this, [this](double angle) {
         torque_->setPresentX(angle);
         pressure_->setPresentX(angle);
     });
@@ -97,20 +97,14 @@ void CycleView::showResult() {
     torque_->setCurve(inertia_, curves.crank_angle_deg, curves.M_inertia);
     torque_->setCurve(total_, curves.crank_angle_deg, scaled(curves.M_up, -1.0));
     pressure_->setCurve(pressureCurve_, curves.crank_angle_deg,
-                        scaled(curves.pressure, 1.0 / balance_shaft::field::bar));
+                        scaled(curves.pressure, 1.0 / units::bar.to_si));
     const std::vector<double> volume = scaled(curves.volume, 1e6);
     const double largest = *std::max_element(volume.begin(), volume.end());
     indicator_->setXAxis(
         {result.indicated->clearance ? tr("V, cm³") : tr("V without clearance, cm³"), 0.0,
          1.03 * largest});
-    indicator_->setCurve(loop_, volume, scaled(curves.pressure, 1.0 / balance_shaft::field::bar));
+    indicator_->setCurve(loop_, volume, scaled(curves.pressure, 1.0 / units::bar.to_si));
     table_->setRows(model_->cycleRows());
-}
-
-void CycleView::resetZoom() {
-    for (PlotView* plot : {torque_, pressure_, indicator_}) {
-        plot->resetZoom();
-    }
 }
 
 }  // namespace ravnoves

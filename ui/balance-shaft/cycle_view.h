@@ -7,7 +7,7 @@ class QStackedLayout;
 
 namespace ravnoves {
 
-class BalanceShaftViewModel;
+class BalanceShaftModel;
 class PlotView;
 class ResultTable;
 
@@ -17,17 +17,16 @@ class CycleView : public QWidget {
     Q_OBJECT
 
   public:
-    explicit CycleView(BalanceShaftViewModel* model, QWidget* parent = nullptr);
+    explicit CycleView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
     PlotView* torquePlot() const { return torque_; }
     PlotView* pressurePlot() const { return pressure_; }
     PlotView* indicatorPlot() const { return indicator_; }
-    void resetZoom();
 
   private:
     void showResult();
 
-    BalanceShaftViewModel* model_;
+    BalanceShaftModel* model_;
     QStackedLayout* stack_;
     PlotView* torque_;
     PlotView* pressure_;

@@ -4,22 +4,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "balance-shaft/balance_shaft_view_model.h"
+#include "balance-shaft/model/balance_shaft_model.h"
 #include "plot/plot_view.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
-#include "widgets/number_text.h"
 
 namespace ravnoves {
 
 namespace {
 
 constexpr double squareCentimetre = 1e-4;  ///< m²
-constexpr double millimetre = 1e-3;        ///< m
 
 }  // namespace
 
-EnvelopeView::EnvelopeView(BalanceShaftViewModel* model, QWidget* parent)
+EnvelopeView::EnvelopeView(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, Theme::space, 0, 0);
@@ -50,13 +49,14 @@ EnvelopeView::EnvelopeView(BalanceShaftViewModel* model, QWidget* parent)
         const QPointF clicked = pareto_->toPixel(area, range);
         double nearest = 1e300;
         double angle = 0.0;
-        for (std::size_t i = 0; i < study_.area.size(); ++i) {
+        const balance_shaft::EnvelopeStudy& study = model_->envelopeStudy();
+        for (std::size_t i = 0; i < study.area.size(); ++i) {
             const QPointF d =
-                pareto_->toPixel(study_.area[i] / squareCentimetre, study_.range[i]) - clicked;
+                pareto_->toPixel(study.area[i] / squareCentimetre, study.range[i]) - clicked;
             const double distance = d.x() * d.x() + d.y() * d.y();
             if (distance < nearest) {
                 nearest = distance;
-                angle = study_.shaft_angle_deg[i];
+                angle = study.shaft_angle_deg[i];
             }
         }
         model_->setShaftAngleDeg(angle);
@@ -68,13 +68,13 @@ EnvelopeView::EnvelopeView(BalanceShaftViewModel* model, QWidget* parent)
            "wall are on the Inputs tab. Click either chart to set α."),
         this));
 
-    connect(model_, &SceneViewModel::changed, this, [this] {
+    connect(model_, &SceneModel::changed, this, [this] {
         stale_ = true;
         if (isVisible()) {
             solve();
         }
     });
-    connect(model_, &BalanceShaftViewModel::shaftMoved, this, [this] {
+    connect(model_, &BalanceShaftModel::shaftMoved, this, [this] {
         if (isVisible()) {
             showPresent();
         }
@@ -91,7 +91,7 @@ void EnvelopeView::showEvent(QShowEvent* event) {
 
 void EnvelopeView::solve() {
     stale_ = false;
-    study_ = balance_shaft::envelope_study(model_->solver());
+    const balance_shaft::EnvelopeStudy& study = model_->envelopeStudy();
     const auto scaled = [](std::vector<double> values, double unit) {
         for (double& value : values) {
             value /= unit;
@@ -103,30 +103,30 @@ void EnvelopeView::solve() {
         values.push_back(last);
         return values;
     };
-    const std::vector<double> angle = closed(study_.shaft_angle_deg, 360.0);
-    const std::vector<double> width = scaled(study_.width, millimetre);
-    const std::vector<double> height = scaled(study_.height, millimetre);
-    const std::vector<double> area = scaled(study_.area, squareCentimetre);
+    const std::vector<double> angle = closed(study.shaft_angle_deg, 360.0);
+    const std::vector<double> width = scaled(study.width, units::mm.to_si);
+    const std::vector<double> height = scaled(study.height, units::mm.to_si);
+    const std::vector<double> area = scaled(study.area, squareCentimetre);
     sizes_->setCurve(width_, angle, closed(width, width.front()));
     sizes_->setCurve(height_, angle, closed(height, height.front()));
     const auto [least, most] = std::minmax_element(area.begin(), area.end());
     const double pad = std::max(0.04 * (*most - *least), 1e-6);
     pareto_->setXAxis({tr("width × height, cm²"), *least - pad, *most + pad});
-    pareto_->setCurve(all_, closed(area, area.front()), closed(study_.range, study_.range.front()));
+    pareto_->setCurve(all_, closed(area, area.front()), closed(study.range, study.range.front()));
     std::vector<double> bestArea;
     std::vector<double> bestRange;
     std::vector<PlotView::Mark> marks;
     const QLocale locale;
     double lastMarked = -1e9;
     for (std::size_t i = 0; i < area.size(); ++i) {
-        if (!study_.efficient[i]) {
+        if (!study.efficient[i]) {
             continue;
         }
         bestArea.push_back(area[i]);
-        bestRange.push_back(study_.range[i]);
-        if (std::abs(study_.shaft_angle_deg[i] - lastMarked) >= 15.0) {
-            lastMarked = study_.shaft_angle_deg[i];
-            marks.push_back({area[i], study_.range[i],
+        bestRange.push_back(study.range[i]);
+        if (std::abs(study.shaft_angle_deg[i] - lastMarked) >= 15.0) {
+            lastMarked = study.shaft_angle_deg[i];
+            marks.push_back({area[i], study.range[i],
                              fixedNumber(lastMarked, 0, locale) + QStringLiteral("°"), 3});
         }
     }

@@ -2,12 +2,9 @@
 
 #include <QWidget>
 
-#include "balance-shaft/balance_shaft.h"
-#include "balance-shaft/envelope_study.h"
-
 namespace ravnoves {
 
-class BalanceShaftViewModel;
+class BalanceShaftModel;
 class PlotView;
 
 /// Overall size over α, and range of the moment against overall size with α along the curve.
@@ -15,7 +12,7 @@ class EnvelopeView : public QWidget {
     Q_OBJECT
 
   public:
-    explicit EnvelopeView(BalanceShaftViewModel* model, QWidget* parent = nullptr);
+    explicit EnvelopeView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
     PlotView* sizePlot() const { return sizes_; }
     PlotView* paretoPlot() const { return pareto_; }
@@ -27,7 +24,7 @@ class EnvelopeView : public QWidget {
     void solve();
     void showPresent();
 
-    BalanceShaftViewModel* model_;
+    BalanceShaftModel* model_;
     PlotView* sizes_;
     PlotView* pareto_;
     int width_ = 0;
@@ -36,7 +33,6 @@ class EnvelopeView : public QWidget {
     int efficient_ = 0;
     int present_ = 0;
     bool stale_ = true;
-    balance_shaft::EnvelopeStudy study_;
 };
 
 }  // namespace ravnoves

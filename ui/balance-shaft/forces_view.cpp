@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "balance-shaft/balance_shaft_view_model.h"
 #include "balance-shaft/crank_balance.h"
+#include "balance-shaft/fields.h"
 #include "balance-shaft/gear_error.h"
+#include "balance-shaft/model/balance_shaft_model.h"
 #include "plot/plot_view.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
-#include "widgets/number_text.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 #include "widgets/value_slider.h"
@@ -25,15 +27,14 @@ namespace {
 
 std::vector<double> kilonewtons(std::vector<double> newtons) {
     for (double& value : newtons) {
-        value *= 1e-3;
+        value = value / units::kN;
     }
     return newtons;
 }
 
 }  // namespace
 
-ForcesView::ForcesView(BalanceShaftViewModel* model, QWidget* parent)
-    : QWidget(parent), model_(model) {
+ForcesView::ForcesView(BalanceShaftModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, Theme::space, 0, 0);
     grid->setSpacing(Theme::space);
@@ -42,12 +43,11 @@ ForcesView::ForcesView(BalanceShaftViewModel* model, QWidget* parent)
     auto* shareBar = new Panel(this);
     auto* shareRow = new QHBoxLayout(shareBar);
     shareRow->setContentsMargins(Theme::margin, Theme::gap, Theme::margin, Theme::gap);
-    share_ = new ValueSlider(tr("Share &κ"), 0.0, 1.0, 0.01, 0.1, 2, {}, shareBar);
-    share_->setHint(
-        tr("Part of mⱼ r balanced on the crank alone, without a shaft. The force then "
-           "runs on an ellipse: a line at 0 and 1, a circle at ½."));
+    share_ =
+        new ValueSlider(shownText(field::crank_share.label), 0.0, 1.0, 0.01, 0.1, 2, {}, shareBar);
+    share_->setHint(shownText(field::crank_share.hint));
     connect(share_, &ValueSlider::valueEdited, this, [this](double value) {
-        model_->edit(tr("Share κ"), [&](Input& input) { input.crank_share = value; });
+        model_->editField("/crank_share", value, fieldName(field::crank_share));
     });
     shareRow->addWidget(share_);
     grid->addWidget(shareBar, 0, 0);
@@ -85,19 +85,18 @@ ForcesView::ForcesView(BalanceShaftViewModel* model, QWidget* parent)
     gearRow->setContentsMargins(Theme::margin, Theme::gap, Theme::margin, Theme::gap);
     gearRow->setSpacing(Theme::space);
     teeth_ = new QSpinBox(gearBar);
-    teeth_->setRange(6, field::most_teeth);
+    teeth_->setRange(static_cast<int>(field::teeth.range.min),
+                     static_cast<int>(field::teeth.range.max));
     teeth_->setKeyboardTracking(false);
     teeth_->setAccessibleName(tr("Teeth z of each gear"));
-    teeth_->setToolTip(tr("Teeth of each of the two equal gears."));
+    teeth_->setToolTip(shownText(field::teeth.hint));
     shifted_ = new QSpinBox(gearBar);
     shifted_->setKeyboardTracking(false);
     shifted_->setAccessibleName(tr("Teeth k by which the shaft is out"));
-    shifted_->setToolTip(
-        tr("The shaft is assembled k teeth ahead of its right place: a phase "
-           "error of 360° k / z."));
+    shifted_->setToolTip(shownText(field::shifted_teeth.hint));
     backlash_ = new NumberField(field::backlash, gearBar);
     backlash_->setAccessibleName(tr("Backlash, mm"));
-    backlash_->setHint(tr("Circumferential play at the pitch circle, whose radius is l/2."));
+    backlash_->setHint(shownText(field::backlash.hint));
     backlash_->setMaximumWidth(70);
     const auto addLabelled = [&](const QString& text, QWidget* widget) {
         auto* label = new QLabel(text, gearBar);
@@ -116,11 +115,10 @@ ForcesView::ForcesView(BalanceShaftViewModel* model, QWidget* parent)
         });
     });
     connect(shifted_, &QSpinBox::valueChanged, this, [this](int value) {
-        model_->edit(tr("Shifted teeth"), [&](Input& input) { input.gears.shifted_teeth = value; });
+        model_->editField("/gears/shifted_teeth", value, tr("Shifted teeth"));
     });
     connect(backlash_, &NumberField::valueEdited, this, [this](std::optional<double> value) {
-        model_->edit(tr("Backlash"),
-                     [&](Input& input) { input.gears.backlash = *value * field::millimetre; });
+        model_->editField("/gears/backlash_mm", *value, tr("Backlash"));
     });
     grid->addWidget(gearBar, 0, 1);
     gears_ = new PlotView(tr("Mᵤₚₛ with gear error"), this);
@@ -156,13 +154,13 @@ ForcesView::ForcesView(BalanceShaftViewModel* model, QWidget* parent)
     grid->setColumnStretch(0, 1);
     grid->setColumnStretch(1, 1);
 
-    connect(model_, &SceneViewModel::changed, this, [this] {
+    connect(model_, &SceneModel::changed, this, [this] {
         if (isVisible()) {
             showInput();
             showLocus();
         }
     });
-    connect(model_, &BalanceShaftViewModel::shaftMoved, this, [this] {
+    connect(model_, &BalanceShaftModel::shaftMoved, this, [this] {
         if (isVisible()) {
             showGears();
         }
@@ -184,7 +182,7 @@ void ForcesView::showInput() {
     teeth_->setValue(input.gears.teeth);
     shifted_->setRange(1 - input.gears.teeth, input.gears.teeth - 1);
     shifted_->setValue(input.gears.shifted_teeth);
-    backlash_->setValue(input.gears.backlash / field::millimetre);
+    backlash_->setValue(input.gears.backlash / units::mm);
 }
 
 void ForcesView::showLocus() {
@@ -208,8 +206,8 @@ void ForcesView::showLocus() {
         row(tr("across, κ P"), balance.across),
         row(tr("1st with shaft"), balance.with_shaft),
         row(tr("2nd order, λ P"), balance.second_order),
-        {tr("on crank, κ mⱼ r"), fixedNumber(balance.counterweight_moment * 1e6, 0, locale),
-         tr("g·mm")},
+        {tr("on crank, κ mⱼ r"),
+         fixedNumber(balance.counterweight_moment / units::gram_mm, 0, locale), tr("g·mm")},
     });
     const QStringList hints{tr("First-order inertia force, mⱼ r ω²"),
                             tr("Half-axis of the ellipse along the cylinder"),

@@ -6,7 +6,7 @@ class QSpinBox;
 
 namespace ravnoves {
 
-class BalanceShaftViewModel;
+class BalanceShaftModel;
 class NumberField;
 class PlotView;
 class ResultTable;
@@ -18,7 +18,7 @@ class ForcesView : public QWidget {
     Q_OBJECT
 
   public:
-    explicit ForcesView(BalanceShaftViewModel* model, QWidget* parent = nullptr);
+    explicit ForcesView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
     ValueSlider* shareSlider() const { return share_; }
     QSpinBox* shiftedTeeth() const { return shifted_; }
@@ -33,7 +33,7 @@ class ForcesView : public QWidget {
     void showLocus();
     void showGears();
 
-    BalanceShaftViewModel* model_;
+    BalanceShaftModel* model_;
     ValueSlider* share_;
     QSpinBox* teeth_;
     QSpinBox* shifted_;

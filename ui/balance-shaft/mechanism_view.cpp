@@ -1,6 +1,5 @@
 #include "balance-shaft/mechanism_view.h"
 
-#include <QKeyEvent>
 #include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
@@ -8,9 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "balance-shaft/balance_shaft_view_model.h"
+#include "balance-shaft/mechanism.h"
+#include "balance-shaft/model/balance_shaft_model.h"
 #include "numerics/constants.h"
 #include "theme/theme.h"
+#include "widgets/drawing.h"
 
 namespace ravnoves {
 
@@ -21,38 +22,12 @@ using balance_shaft::Vector2;
 
 namespace {
 
-constexpr int frameMs = 16;
-constexpr double degreesPerFrame = 2.4;  // slow enough to follow with the eye
+constexpr double degreesPerSecond = 150.0;  // slow enough to follow with the eye
 
-/// A counterweight: the sector of a disc about an axis, centred on the direction of its mass.
-QPainterPath sector(const QPointF& axis, const QPointF& towards, double radius, double inner) {
-    const double angle = std::atan2(-(towards.y() - axis.y()), towards.x() - axis.x()) / degree;
-    constexpr double half = 58.0;
-    QPainterPath path;
-    const QRectF outer(axis - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius));
-    const QRectF hub(axis - QPointF(inner, inner), QSizeF(2 * inner, 2 * inner));
-    path.arcMoveTo(outer, angle - half);
-    path.arcTo(outer, angle - half, 2 * half);
-    path.arcTo(hub, angle + half, -2 * half);
-    path.closeSubpath();
-    return path;
-}
-
-void arrow(QPainter& painter, const QPointF& from, const QPointF& to, const QColor& colour) {
-    const QPointF d = to - from;
-    const double length = std::hypot(d.x(), d.y());
-    if (length < 4.0) {
-        return;
-    }
-    const QPointF along = d / length;
-    const QPointF across(-along.y(), along.x());
-    const double head = std::min(8.0, 0.5 * length);
-    painter.setPen(QPen(colour, 2.0, Qt::SolidLine, Qt::FlatCap));
-    painter.drawLine(from, to - along * head * 0.8);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(colour);
-    painter.drawPolygon(QPolygonF{to, to - along * head + across * head * 0.45,
-                                  to - along * head - across * head * 0.45});
+/// A counterweight about an axis, centred on the direction of its mass.
+QPainterPath weight(const QPointF& axis, const QPointF& mass, double radius, double hub) {
+    const double angle = std::atan2(axis.y() - mass.y(), mass.x() - axis.x());
+    return drawing::weightPath(axis, angle, radius, hub, 58.0);
 }
 
 }  // namespace
@@ -69,28 +44,23 @@ struct MechanismView::Scale {
     }
 };
 
-MechanismView::MechanismView(BalanceShaftViewModel* model, QWidget* parent)
-    : QWidget(parent), model_(model) {
-    setFocusPolicy(Qt::StrongFocus);
-    setAccessibleName(tr("Front view of the mechanism"));
-    setToolTip(
-        tr("Front view to scale; the crank turns clockwise. Drag the shaft to change α, "
-           "drag elsewhere to turn the crank, Space plays and pauses."));
-    timer_.setInterval(frameMs);
-    timer_.setTimerType(Qt::PreciseTimer);
-    connect(&timer_, &QTimer::timeout, this,
-            [this] { model_->setCrankAngleDeg(model_->crankAngleDeg() + degreesPerFrame); });
-    connect(model_, &BalanceShaftViewModel::shaftMoved, this, qOverload<>(&QWidget::update));
-    connect(model_, &BalanceShaftViewModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
-    connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+MechanismView::MechanismView(BalanceShaftModel* model, QWidget* parent)
+    : MechanismPicture(
+          tr("Front view of the mechanism"),
+          tr("Front view to scale; the crank turns clockwise. Drag the shaft to change α, "
+             "drag elsewhere to turn the crank, Space plays and pauses."),
+          parent),
+      model_(model) {
+    connect(model_, &BalanceShaftModel::shaftMoved, this, qOverload<>(&QWidget::update));
+    connect(model_, &BalanceShaftModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
 }
 
-void MechanismView::setPlaying(bool playing) {
-    if (playing == isPlaying()) {
-        return;
-    }
-    playing ? timer_.start() : timer_.stop();
-    Q_EMIT playingChanged(playing);
+void MechanismView::play(double seconds) {
+    step(degreesPerSecond * seconds);
+}
+
+void MechanismView::step(double degrees) {
+    model_->setCrankAngleDeg(model_->crankAngleDeg() + degrees);
 }
 
 MechanismView::Scale MechanismView::scale() const {
@@ -133,9 +103,7 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
     const QPointF pin = map.at(pose.crankpin);
     const QPointF piston = map.at(pose.piston_pin);
     const QColor line = theme.text();
-    const QColor metal = theme.isDark() ? QColor(0x4a525c) : QColor(0xd9dee4);
-    const QColor weight = theme.isDark() ? QColor(0x6b5a3a) : QColor(0xf2d9ae);
-    const QColor shaftWeight = theme.isDark() ? QColor(0x2f4d66) : QColor(0xbfdcf3);
+    const QColor metal = drawing::metal();
 
     // Envelope and axes.
     painter.setPen(QPen(theme.mutedText(), 1.0, Qt::DashLine));
@@ -170,7 +138,7 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
     painter.drawRect(QRectF(map.at(-bore / 2 - wall, sizes.cylinder_top + wall),
                             map.at(bore / 2 + wall, sizes.cylinder_top)));
     const double pistonTop = std::min(pose.piston_pin.y + 0.45 * pistonHeight, sizes.cylinder_top);
-    painter.setBrush(theme.isDark() ? QColor(0x5a636e) : QColor(0xeef1f4));
+    painter.setBrush(drawing::brightMetal());
     painter.drawRoundedRect(
         QRectF(map.at(-bore / 2, pistonTop), map.at(bore / 2, pistonTop - pistonHeight)), 3, 3);
     for (int ring = 0; ring < 3; ++ring) {
@@ -180,11 +148,11 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
 
     // Counterweights.
     painter.setPen(QPen(line, 1.2));
-    painter.setBrush(weight);
-    painter.drawPath(sector(crank, map.at(pose.crank_counterweight), sizes.crank_swing_radius * k,
+    painter.setBrush(drawing::frontWeight());
+    painter.drawPath(weight(crank, map.at(pose.crank_counterweight), sizes.crank_swing_radius * k,
                             0.22 * sizes.crank_radius * k));
-    painter.setBrush(shaftWeight);
-    painter.drawPath(sector(shaft, map.at(pose.shaft_counterweight), sizes.shaft_swing_radius * k,
+    painter.setBrush(drawing::rearWeight());
+    painter.drawPath(weight(shaft, map.at(pose.shaft_counterweight), sizes.shaft_swing_radius * k,
                             0.22 * sizes.counterweight_radius * k));
 
     // Crank and rod.
@@ -207,7 +175,8 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
     const double force = std::max(model_->result().inertia_force_1_max, 1e-300);
     const double perNewton = 0.36 * std::min(width(), height()) / force;
     const auto drawForce = [&](const QPointF& from, const Vector2& f, const QColor& colour) {
-        arrow(painter, from, from + QPointF(f.x * perNewton, -f.y * perNewton), colour);
+        drawing::drawArrow(painter, from, from + QPointF(f.x * perNewton, -f.y * perNewton),
+                           colour);
     };
     drawForce(piston, pose.inertia_force_1, theme.error());
     drawForce(map.at(pose.crank_counterweight), pose.crank_counterweight_force, theme.curve(1));
@@ -223,11 +192,9 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
     painter.setFont(Theme::font(Theme::smallSize, true));
     const double middle = 0.5 * alpha * degree;
     painter.setPen(theme.accent());
-    painter.drawText(
-        QRectF(crank + QPointF(std::sin(middle), -std::cos(middle)) * (arcRadius + 12) -
-                   QPointF(14, 9),
-               QSizeF(28, 18)),
-        Qt::AlignCenter, QStringLiteral("α"));
+    drawing::drawCentred(painter,
+                         crank + QPointF(std::sin(middle), -std::cos(middle)) * (arcRadius + 12),
+                         QStringLiteral("α"));
 
     painter.setFont(Theme::font(Theme::smallSize));
     painter.setPen(theme.mutedText());
@@ -247,11 +214,7 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
         painter.drawText(QPointF(x, height() - 8.0), text);
         x += painter.fontMetrics().horizontalAdvance(text) + 12.0;
     }
-    if (hasFocus()) {
-        painter.setPen(QPen(theme.accent(), 1.0));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
-    }
+    drawFocus(painter);
 }
 
 void MechanismView::mousePressEvent(QMouseEvent* event) {
@@ -287,22 +250,6 @@ void MechanismView::mouseReleaseEvent(QMouseEvent* /*event*/) {
         model_->finishDrag();
     }
     draggingShaft_ = false;
-}
-
-void MechanismView::keyPressEvent(QKeyEvent* event) {
-    switch (event->key()) {
-        case Qt::Key_Space:
-            setPlaying(!isPlaying());
-            return;
-        case Qt::Key_Left:
-            model_->setCrankAngleDeg(model_->crankAngleDeg() - 1.0);
-            return;
-        case Qt::Key_Right:
-            model_->setCrankAngleDeg(model_->crankAngleDeg() + 1.0);
-            return;
-        default:
-            QWidget::keyPressEvent(event);
-    }
 }
 
 }  // namespace ravnoves

@@ -1,43 +1,36 @@
 #pragma once
 
-#include <QTimer>
-#include <QWidget>
+#include "widgets/mechanism_picture.h"
 
 namespace ravnoves {
 
-class BalanceShaftViewModel;
+class BalanceShaftModel;
 
 /// Front view of the mechanism to scale: cylinder, piston, rod, crank, both counterweights, the
 /// shaft at α, gear circles, force arrows, the envelope. Space plays and pauses; dragging the shaft
 /// turns α, dragging elsewhere turns the crank.
-class MechanismView : public QWidget {
+class MechanismView : public MechanismPicture {
     Q_OBJECT
 
   public:
-    explicit MechanismView(BalanceShaftViewModel* model, QWidget* parent = nullptr);
-
-    bool isPlaying() const { return timer_.isActive(); }
-    void setPlaying(bool playing);
+    explicit MechanismView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
     QSize sizeHint() const override { return {300, 300}; }
     QSize minimumSizeHint() const override { return {180, 180}; }
-
-  Q_SIGNALS:
-    void playingChanged(bool playing);
 
   protected:
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
+    void play(double seconds) override;
+    void step(double degrees) override;
 
   private:
     struct Scale;
     Scale scale() const;
 
-    BalanceShaftViewModel* model_;
-    QTimer timer_;
+    BalanceShaftModel* model_;
     bool draggingShaft_ = false;
 };
 

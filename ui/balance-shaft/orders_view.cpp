@@ -2,18 +2,17 @@
 
 #include <QVBoxLayout>
 
-#include "balance-shaft/balance_shaft_view_model.h"
+#include "balance-shaft/model/balance_shaft_model.h"
 #include "plot/plot_view.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
-#include "widgets/number_text.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {
 
-OrdersView::OrdersView(BalanceShaftViewModel* model, QWidget* parent)
-    : QWidget(parent), model_(model) {
+OrdersView::OrdersView(BalanceShaftModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, Theme::space, 0, 0);
     column->setSpacing(Theme::space);
@@ -50,7 +49,7 @@ OrdersView::OrdersView(BalanceShaftViewModel* model, QWidget* parent)
     inside->addWidget(table_);
     column->addWidget(panel, 2);
 
-    connect(model_, &BalanceShaftViewModel::shaftMoved, this, &OrdersView::showResult);
+    connect(model_, &BalanceShaftModel::shaftMoved, this, &OrdersView::showResult);
 }
 
 void OrdersView::showEvent(QShowEvent* event) {

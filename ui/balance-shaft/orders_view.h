@@ -4,7 +4,7 @@
 
 namespace ravnoves {
 
-class BalanceShaftViewModel;
+class BalanceShaftModel;
 class PlotView;
 class ResultTable;
 
@@ -13,7 +13,7 @@ class OrdersView : public QWidget {
     Q_OBJECT
 
   public:
-    explicit OrdersView(BalanceShaftViewModel* model, QWidget* parent = nullptr);
+    explicit OrdersView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
     PlotView* plot() const { return plot_; }
 
@@ -23,7 +23,7 @@ class OrdersView : public QWidget {
   private:
     void showResult();
 
-    BalanceShaftViewModel* model_;
+    BalanceShaftModel* model_;
     PlotView* plot_;
     ResultTable* table_;
     int up_ = 0;

@@ -10,14 +10,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "balance-shaft/balance_shaft_view_model.h"
+#include "balance-shaft/fields.h"
+#include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/scene.h"
 #include "case-file/input_error.h"
 #include "case-file/text_file.h"
+#include "text/error_text.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/error_text.h"
 #include "widgets/form_section.h"
-#include "widgets/number_text.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 
@@ -30,9 +32,6 @@ namespace field = balance_shaft::field;
 
 namespace {
 
-constexpr double millimetre = 1e-3;      ///< m
-constexpr double gramMillimetre = 1e-6;  ///< kg·m
-
 RelievedShaftView::Sized sizedOf(const RelievedShaftSizes& sizes) {
     using Sized = RelievedShaftView::Sized;
     return !sizes.depth      ? Sized::Depth
@@ -42,7 +41,7 @@ RelievedShaftView::Sized sizedOf(const RelievedShaftSizes& sizes) {
 }
 
 RelievedShaftSizes sizesOf(const Input& input) {
-    return input.relieved_shaft.value_or(balance_shaft::default_relieved_shaft);
+    return input.relieved_shaft.value_or(RelievedShaftSizes{});
 }
 
 }  // namespace
@@ -137,7 +136,7 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
     // Sizes.
     painter.setPen(theme.text());
     const QLocale locale;
-    const auto mm = [&](double metres) { return fixedNumber(metres / millimetre, 1, locale); };
+    const auto mm = [&](double metres) { return fixedNumber(metres / units::mm, 1, locale); };
     const double below = at(0.0, -radius).y() + 16.0;
     painter.drawText(QRectF(at(0.0, 0.0).x() - 40.0, below, 2.0 * radius * scale + 80.0, 16.0),
                      Qt::AlignCenter, QStringLiteral("⌀ ") + mm(shaft_.diameter));
@@ -148,7 +147,7 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
                      Qt::AlignCenter, QStringLiteral("b ") + mm(shaft_.length));
 }
 
-RelievedShaftView::RelievedShaftView(BalanceShaftViewModel* model, QWidget* parent)
+RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, Theme::space, 0, 0);
@@ -171,33 +170,11 @@ RelievedShaftView::RelievedShaftView(BalanceShaftViewModel* model, QWidget* pare
                     tr("Two sizes are given, the third follows from the unbalance m₁ ρ₁."));
     connect(sized_, &QComboBox::activated, this,
             [this](int index) { chooseSized(sized_->itemData(index).value<Sized>()); });
-    diameter_ = addSize(form, tr("&Diameter D"), field::bar_diameter,
-                        tr("Of the round bar; also the circle that the shaft sweeps."),
-                        &RelievedShaftSizes::diameter);
-    depth_ = addSize(form, tr("Depth &h"), field::relief_depth,
-                     tr("Of the segment that is milled away, from the bar's surface."),
-                     &RelievedShaftSizes::depth);
-    length_ = addSize(form, tr("&Length b"), field::relief_length,
-                      tr("Over which the segment is milled away."), &RelievedShaftSizes::length);
-    density_ = form->addNumber(tr("Densit&y"), field::density,
-                               tr("Of the bar. Steel 7850, cast iron 7200, tungsten alloy 17500."));
-    connect(density_, &NumberField::valueEdited, this, [this](std::optional<double> value) {
-        model_->edit(tr("Density"), [&](Input& input) {
-            RelievedShaftSizes sizes = sizesOf(input);
-            sizes.density = *value;
-            input.relieved_shaft = sizes;
-        });
-    });
-    modulus_ = form->addNumber(tr("&Elastic modulus"), field::elastic_modulus,
-                               tr("For the sag under the shaft's own centrifugal load. Steel 210, "
-                                  "cast iron 170, tungsten alloy 360."));
-    connect(modulus_, &NumberField::valueEdited, this, [this](std::optional<double> value) {
-        model_->edit(tr("Elastic modulus"), [&](Input& input) {
-            RelievedShaftSizes sizes = sizesOf(input);
-            sizes.elastic_modulus = *value * field::elastic_modulus.to_si;
-            input.relieved_shaft = sizes;
-        });
-    });
+    diameter_ = addSize(form, field::bar_diameter);
+    depth_ = addSize(form, field::relief_depth);
+    length_ = addSize(form, field::relief_length);
+    density_ = addSize(form, field::density);
+    modulus_ = addSize(form, field::elastic_modulus);
     formColumn->addWidget(form);
     formColumn->addStretch();
     export_ = new QPushButton(tr("E&xport drawing (DXF)…"), formPanel);
@@ -221,25 +198,18 @@ RelievedShaftView::RelievedShaftView(BalanceShaftViewModel* model, QWidget* pare
     drawing_ = new RelievedShaftDrawing(this);
     column->addWidget(drawing_, 1);
 
-    connect(model_, &SceneViewModel::changed, this, [this] {
+    connect(model_, &SceneModel::changed, this, [this] {
         if (isVisible()) {
             showAll();
         }
     });
 }
 
-NumberField* RelievedShaftView::addSize(FormSection* form, const QString& label,
-                                        const FieldSpec& spec, const QString& hint,
-                                        std::optional<double> RelievedShaftSizes::*member) {
-    NumberField* size = form->addNumber(label, spec, hint);
+NumberField* RelievedShaftView::addSize(FormSection* form, const Field& field) {
+    NumberField* size = form->addNumber(field);
     size->setDigits(6);  // a size that was found has more than fit
-    const double unit = spec.to_si;
-    connect(size, &NumberField::valueEdited, this, [this, member, unit](std::optional<double> v) {
-        model_->edit(tr("Relieved shaft"), [&](Input& input) {
-            RelievedShaftSizes sizes = sizesOf(input);
-            sizes.*member = *v * unit;
-            input.relieved_shaft = sizes;
-        });
+    connect(size, &NumberField::valueEdited, this, [this, &field](std::optional<double> value) {
+        model_->editField("/relieved_shaft/" + std::string(field.key), *value, fieldName(field));
     });
     return size;
 }
@@ -275,18 +245,18 @@ void RelievedShaftView::showEvent(QShowEvent* event) {
 
 void RelievedShaftView::showAll() {
     const RelievedShaftSizes sizes = sizesOf(model_->input());
-    shaft_ = balance_shaft::relieved_shaft(model_->solver());
+    shaft_ = model_->relievedShaft();
     const Sized sized = sizedOf(sizes);
     sized_->setCurrentIndex(sized_->findData(QVariant::fromValue(sized)));
     const auto showSize = [&](NumberField* size, double metres, bool given) {
         size->setEnabled(given);
-        size->setValue(metres > 0.0 ? std::optional(metres / millimetre) : std::nullopt);
+        size->setValue(metres > 0.0 ? std::optional(metres / units::mm) : std::nullopt);
     };
     showSize(diameter_, sizes.diameter.value_or(shaft_.diameter), sized != Sized::Diameter);
     showSize(depth_, sizes.depth.value_or(shaft_.depth), sized != Sized::Depth);
     showSize(length_, sizes.length.value_or(shaft_.length), sized != Sized::Length);
     density_->setValue(sizes.density);
-    modulus_->setValue(sizes.elastic_modulus / field::elastic_modulus.to_si);
+    modulus_->setValue(sizes.elastic_modulus / field::elastic_modulus.unit);
 
     const QLocale locale;
     const auto row = [&](const QString& name, double value, int digits, const QString& unit) {
@@ -295,44 +265,25 @@ void RelievedShaftView::showAll() {
     };
     const QString mm = tr("mm");
     table_->setRows({
-        row(tr("unbalance needed, m₁ ρ₁"), shaft_.required / gramMillimetre, 0, tr("g·mm")),
-        row(tr("unbalance of the shaft"), shaft_.unbalance / gramMillimetre, 0, tr("g·mm")),
-        row(tr("width of the flat"), 2.0 * shaft_.half_width / millimetre, 2, mm),
+        row(tr("unbalance needed, m₁ ρ₁"), shaft_.required / units::gram_mm, 0, tr("g·mm")),
+        row(tr("unbalance of the shaft"), shaft_.unbalance / units::gram_mm, 0, tr("g·mm")),
+        row(tr("width of the flat"), 2.0 * shaft_.half_width / units::mm, 2, mm),
         row(tr("mass of the relieved part"), shaft_.mass, 3, tr("kg")),
         row(tr("mass milled away"), shaft_.removed_mass, 3, tr("kg")),
-        row(tr("radius of its centre of mass"), shaft_.centre_of_mass_radius / millimetre, 2, mm),
-        row(tr("critical bar radius"), shaft_.critical_radius / millimetre, 2, mm),
-        row(tr("critical length"), shaft_.critical_length / millimetre, 1, mm),
-        row(tr("sag at speed"), shaft_.sag / millimetre, 3, mm),
-        row(tr("bending stress"), shaft_.bending_stress / 1e6, 1, tr("MPa")),
+        row(tr("radius of its centre of mass"), shaft_.centre_of_mass_radius / units::mm, 2, mm),
+        row(tr("critical bar radius"), shaft_.critical_radius / units::mm, 2, mm),
+        row(tr("critical length"), shaft_.critical_length / units::mm, 1, mm),
+        row(tr("sag at speed"), shaft_.sag / units::mm, 3, mm),
+        row(tr("bending stress"), shaft_.bending_stress / units::MPa, 1, tr("MPa")),
     });
     table_->setCellToolTip(6, 0, tr("The smallest bar that can have the unbalance at this length"));
     table_->setCellToolTip(7, 0, tr("The shortest relief that can have it with this bar"));
     table_->setCellToolTip(8, 0,
                            tr("Of the relieved part on two supports under its own centrifugal "
                               "load"));
-    const double percent = shaft_.required > 0.0 ? 100.0 * shaft_.unbalance / shaft_.required : 0.0;
-    if (shaft_.feasible) {
-        verdict_->setText(
-            shaft_.depth > 0.5 * (1.0 + 1e-9) * shaft_.diameter
-                ? tr("Feasible, but more than half of the bar is milled away: a depth of %1 mm "
-                     "gives the same unbalance and a stiffer shaft.")
-                      .arg(fixedNumber((shaft_.diameter - shaft_.depth) / millimetre, 2, locale))
-                : tr("Feasible."));
-    } else if (shaft_.unbalance > 0.0) {
-        verdict_->setText(tr("These sizes give %1 % of the unbalance that is needed.")
-                              .arg(fixedNumber(percent, 1, locale)));
-    } else if (shaft_.critical_radius > 0.0) {
-        verdict_->setText(
-            tr("The bar is too thin: its diameter must be at least %1 mm, or the "
-               "relieved length at least %2 mm.")
-                .arg(fixedNumber(2.0 * shaft_.critical_radius / millimetre, 1, locale),
-                     fixedNumber(shaft_.critical_length / millimetre, 0, locale)));
-    } else {
-        verdict_->setText(
-            tr("There is no such shaft: no unbalance is needed, or it is beyond "
-               "these sizes."));
-    }
+    verdict_->setText(
+        shaft_.feasible ? (tr("Feasible.") + QLatin1Char(' ') + messageText(shaft_.note)).trimmed()
+                        : messageText(shaft_.reason));
     export_->setEnabled(shaft_.feasible);
     drawing_->setShaft(shaft_);
 }

@@ -3,6 +3,7 @@
 #include <QWidget>
 
 #include "balance-shaft/relieved_shaft.h"
+#include "case-file/field.h"
 
 class QComboBox;
 class QLabel;
@@ -10,7 +11,7 @@ class QPushButton;
 
 namespace ravnoves {
 
-class BalanceShaftViewModel;
+class BalanceShaftModel;
 class NumberField;
 class ResultTable;
 
@@ -41,7 +42,7 @@ class RelievedShaftView : public QWidget {
     enum class Sized { Depth, Length, Diameter, None };
     Q_ENUM(Sized)
 
-    explicit RelievedShaftView(BalanceShaftViewModel* model, QWidget* parent = nullptr);
+    explicit RelievedShaftView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
     QComboBox* sizedBox() const { return sized_; }
     NumberField* diameterField() const { return diameter_; }
@@ -62,11 +63,9 @@ class RelievedShaftView : public QWidget {
     void showAll();
     void chooseSized(Sized sized);
     void chooseFile();
-    NumberField* addSize(class FormSection* form, const QString& label, const FieldSpec& spec,
-                         const QString& hint,
-                         std::optional<double> balance_shaft::RelievedShaftSizes::*member);
+    NumberField* addSize(class FormSection* form, const Field& field);
 
-    BalanceShaftViewModel* model_;
+    BalanceShaftModel* model_;
     balance_shaft::RelievedShaft shaft_;
     QComboBox* sized_;
     NumberField* diameter_;

@@ -10,14 +10,14 @@
 #include <array>
 #include <cmath>
 
-#include "balance-shaft/balance_shaft_view_model.h"
-#include "case-file/input_error.h"
+#include "balance-shaft/fields.h"
+#include "balance-shaft/model/balance_shaft_model.h"
+#include "model/background_job.h"
 #include "plot/plot_view.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/background_job.h"
-#include "widgets/error_text.h"
 #include "widgets/form_section.h"
-#include "widgets/number_text.h"
 #include "widgets/panel.h"
 #include "widgets/value_slider.h"
 
@@ -49,7 +49,7 @@ QRgb mapColour(double part) {
 
 }  // namespace
 
-SpeedView::SpeedView(BalanceShaftViewModel* model, QWidget* parent)
+SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(model), job_(new BackgroundJob(this)) {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, Theme::space, 0, 0);
@@ -63,18 +63,14 @@ SpeedView::SpeedView(BalanceShaftViewModel* model, QWidget* parent)
     sliders->setSpacing(Theme::margin);
     speed_ = new ValueSlider(tr("Speed &n"), 300.0, 9000.0, 10.0, 100.0, 0, tr("min⁻¹"), bar);
     speed_->setHint(tr("Speed of the engine; the inertia torque of a computed torque follows it."));
-    connect(speed_, &ValueSlider::valueEdited, this, [this](double value) {
-        model_->edit(tr("Speed"), [&](Input& input) {
-            input.angular_speed = value * rpm;
-            input.speed_in_rpm = true;
-        });
-    });
+    connect(speed_, &ValueSlider::valueEdited, this,
+            [this](double value) { model_->setSpeed(value * rpm); });
     sliders->addWidget(speed_, 1);
     load_ = new ValueSlider(tr("&Load, IMEP"), 0.0, 25.0, 0.05, 1.0, 2, tr("bar"), bar);
     load_->setHint(tr("Indicated mean effective pressure of the computed cycle."));
     connect(load_, &ValueSlider::valueEdited, this, [this](double value) {
         model_->edit(tr("Load"), [&](Input& input) {
-            input.torque.cycle.imep = value * field::bar;
+            input.torque.cycle.imep = value * units::bar;
             input.torque.cycle.heat.reset();
         });
     });
@@ -146,10 +142,7 @@ SpeedView::SpeedView(BalanceShaftViewModel* model, QWidget* parent)
     connect(map_, &PlotView::pickedAt, this, [this](double angle, double speed) {
         model_->setShaftAngleDeg(std::round(angle * 10.0) / 10.0);
         if (model_->input().torque.is_computed()) {
-            model_->edit(tr("Speed"), [&](Input& input) {
-                input.angular_speed = std::round(speed / 10.0) * 10.0 * rpm;
-                input.speed_in_rpm = true;
-            });
+            model_->setSpeed(std::round(speed / 10.0) * 10.0 * rpm);
         }
     });
     grid->addWidget(angles_, 1, 0);
@@ -182,22 +175,27 @@ SpeedView::SpeedView(BalanceShaftViewModel* model, QWidget* parent)
         job_->cancel();
         answer_->setText(tr("Cancelled. Any change of the input solves again."));
     });
-    connect(job_, &BackgroundJob::progressed, this,
+    connect(job_, &BackgroundJob::progress, this,
             [this](double part) { progress_->setValue(static_cast<int>(100.0 * part)); });
+    connect(job_, &BackgroundJob::failed, this, [this](const QString& why) {
+        study_ = {};
+        showStudy();
+        answer_->setText(why);
+    });
     connect(job_, &BackgroundJob::runningChanged, this, [this](bool running) {
         progress_->setVisible(running);
         cancel_->setVisible(running);
     });
     progress_->hide();
     cancel_->hide();
-    connect(model_, &SceneViewModel::changed, this, [this] {
+    connect(model_, &SceneModel::changed, this, [this] {
         stale_ = true;
         if (isVisible()) {
             showInput();
             solveAgain();
         }
     });
-    connect(model_, &BalanceShaftViewModel::shaftMoved, this,
+    connect(model_, &BalanceShaftModel::shaftMoved, this,
             [this] { map_->setPresentX(model_->shaftAngleDeg()); });
     connect(&Theme::instance(), &Theme::changed, this, &SpeedView::showStudy);
 }
@@ -236,7 +234,7 @@ void SpeedView::showInput() {
                             : tr("The load can be moved when the torque is a computed "
                                  "cycle (Torque tab)."));
     if (cycle && model_->result().indicated) {
-        load_->setValue(std::clamp(model_->result().indicated->imep / field::bar, 0.0, 25.0));
+        load_->setValue(std::clamp(model_->result().indicated->imep / units::bar, 0.0, 25.0));
     }
     map_->setPresentX(model_->shaftAngleDeg());
 }
@@ -251,30 +249,22 @@ void SpeedView::solveAgain() {
     const SpeedBand range = band();
     job_->start([this, input, range](const BackgroundJob::Progress& progress) {
         auto result = std::make_shared<Study>();
-        QString trouble;
-        try {
-            auto study = std::make_shared<SpeedStudy>(
-                input, range, [&](double part) { return progress(0.3 * part); });
-            if (study->reason().empty() && study->is_complete()) {
-                result->map =
-                    study->map(mapAngles, [&](double part) { return progress(0.3 + 0.6 * part); });
-                result->range = study->least_bad_angle(SpeedStudy::Criterion::range,
-                                                       SpeedStudy::Measure::relative);
-                result->rms = study->least_bad_angle(SpeedStudy::Criterion::rms,
-                                                     SpeedStudy::Measure::relative);
-            }
-            result->study = std::move(study);
-        } catch (const InputError& error) {
-            trouble = errorText(error);
+        auto study = std::make_shared<SpeedStudy>(
+            input, range, [&](double part) { return progress(0.3 * part); });
+        if (study->reason().empty() && study->is_complete()) {
+            result->map =
+                study->map(mapAngles, [&](double part) { return progress(0.3 + 0.6 * part); });
+            result->range =
+                study->least_bad_angle(SpeedStudy::Criterion::range, SpeedStudy::Measure::relative);
+            result->rms =
+                study->least_bad_angle(SpeedStudy::Criterion::rms, SpeedStudy::Measure::relative);
         }
-        return std::function<void()>([this, result, trouble, input] {
+        result->study = std::move(study);
+        return [this, result, input] {
             study_ = *result;
             solvedInput_ = input;
             showStudy();
-            if (!trouble.isEmpty()) {
-                answer_->setText(trouble);
-            }
-        });
+        };
     });
 }
 
@@ -291,11 +281,9 @@ void SpeedView::showStudy() {
         angles_->setXAxis({tr("n, min⁻¹"), asked.from / rpm, asked.to / rpm});
         map_->setYRange(PlotView::Side::Left, asked.from / rpm, asked.to / rpm);
         if (study_.study != nullptr && !study_.study->reason().empty()) {
-            answer_->setText(
-                tr("The shaft cannot be studied over speed with this torque: it is a table that "
-                   "does not belong to the masses and speed entered, so the part that follows "
-                   "the speed is not known. Rebuild it (Torque tab) or choose a pressure trace or "
-                   "a computed cycle."));
+            answer_->setText(messageText(study_.study->reason()) + QLatin1Char(' ') +
+                             tr("Rebuild the torque (Torque tab) or choose a pressure trace or a "
+                                "computed cycle."));
         }
         return;
     }
@@ -374,11 +362,6 @@ void SpeedView::showMap() {
 
 QString SpeedView::answer() const {
     return answer_->text();
-}
-
-void SpeedView::resetZoom() {
-    angles_->resetZoom();
-    map_->resetZoom();
 }
 
 }  // namespace ravnoves

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "balance-shaft/balance_shaft.h"
+#include "balance-shaft/solver.h"
 #include "balance-shaft/speed_study.h"
 
 class QComboBox;
@@ -15,7 +15,7 @@ class QPushButton;
 namespace ravnoves {
 
 class BackgroundJob;
-class BalanceShaftViewModel;
+class BalanceShaftModel;
 class NumberField;
 class PlotView;
 class ValueSlider;
@@ -26,13 +26,12 @@ class SpeedView : public QWidget {
     Q_OBJECT
 
   public:
-    explicit SpeedView(BalanceShaftViewModel* model, QWidget* parent = nullptr);
+    explicit SpeedView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
     BackgroundJob* job() const { return job_; }
     PlotView* anglePlot() const { return angles_; }
     PlotView* mapPlot() const { return map_; }
     QString answer() const;
-    void resetZoom();
 
   protected:
     void showEvent(QShowEvent* event) override;
@@ -51,7 +50,7 @@ class SpeedView : public QWidget {
     void showStudy();
     void showMap();
 
-    BalanceShaftViewModel* model_;
+    BalanceShaftModel* model_;
     BackgroundJob* job_;
     ValueSlider* speed_;
     ValueSlider* load_;

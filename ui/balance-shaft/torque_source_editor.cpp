@@ -6,24 +6,21 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QStackedWidget>
 #include <QVBoxLayout>
-#include <array>
 
-#include "balance-shaft/balance_shaft_view_model.h"
+#include "balance-shaft/fields.h"
 #include "balance-shaft/inertia_check.h"
-#include "balance-shaft/table_text.h"
+#include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/torque_table_editor.h"
 #include "case-file/input_error.h"
 #include "case-file/text_file.h"
+#include "text/error_text.h"
+#include "text/file_path.h"
+#include "text/message_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
-#include "widgets/error_text.h"
-#include "widgets/file_path.h"
-#include "widgets/form_section.h"
-#include "widgets/number_field.h"
-#include "widgets/number_text.h"
+#include "widgets/form.h"
 
 namespace ravnoves {
 
@@ -47,18 +44,9 @@ int pageOf(TorqueSource::Kind kind) {
     }
 }
 
-QWidget* scrolled(QWidget* content, QWidget* parent) {
-    auto* scroll = new QScrollArea(parent);
-    scroll->setWidget(content);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    return scroll;
-}
-
 }  // namespace
 
-TorqueSourceEditor::TorqueSourceEditor(BalanceShaftViewModel* model, QWidget* parent)
+TorqueSourceEditor::TorqueSourceEditor(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, Theme::space, 0, 0);
@@ -98,34 +86,8 @@ TorqueSourceEditor::TorqueSourceEditor(BalanceShaftViewModel* model, QWidget* pa
         trouble_->setVisible(!why.isEmpty());
         showInput();
     });
-    connect(model_, &SceneViewModel::changed, this, &TorqueSourceEditor::showInput);
+    connect(model_, &SceneModel::changed, this, &TorqueSourceEditor::showInput);
     showInput();
-}
-
-void TorqueSourceEditor::addCylinder(FormSection* form) {
-    const auto add = [&](const QString& label, const FieldSpec& spec, const QString& hint,
-                         auto access) {
-        NumberField* numberField = form->addNumber(label, spec, hint);
-        QString step = label;
-        step.remove(QLatin1Char('&'));
-        connect(numberField, &NumberField::valueEdited, this,
-                [this, step, spec, access](std::optional<double> value) {
-                    model_->edit(step, [&](Input& input) { access(input) = *value * spec.to_si; });
-                });
-        bindings_.push_back({numberField, [this, spec, access]() -> std::optional<double> {
-                                 Input input = model_->input();
-                                 return access(input) / spec.to_si;
-                             }});
-    };
-    add(tr("&Bore"), field::bore, tr("Diameter of the cylinder. TMZ-650D: 95.5 mm."),
-        [](Input& input) -> double& { return input.torque.cylinder.bore; });
-    add(tr("O&ffset e"), field::offset,
-        tr("Distance of the cylinder axis from the crank axis, positive on the side to which the "
-           "crankpin moves first."),
-        [](Input& input) -> double& { return input.torque.cylinder.offset; });
-    add(tr("Crankcase &pressure"), field::crankcase_pressure,
-        tr("Absolute pressure under the piston, p₀."),
-        [](Input& input) -> double& { return input.torque.cylinder.crankcase_pressure; });
 }
 
 QWidget* TorqueSourceEditor::buildCheck() {
@@ -172,55 +134,35 @@ void TorqueSourceEditor::showCheck() {
     if (!table) {
         return;
     }
-    const QLocale locale;
     const bool wrong = check.consistent && !*check.consistent;
     remedies_->setVisible(wrong);
-    QString text;
-    if (!check.fitted || !check.consistent) {
-        text =
-            tr("No inertia torque can be read off this table, so it cannot be checked against "
-               "the masses and speed.");
-    } else if (wrong) {
-        text =
-            tr("This torque does not belong to the masses and speed entered. On its gas-exchange "
-               "stroke it holds mⱼ r² ω² = %1 N·m (λ %2); entered are %3 N·m. It would fit "
-               "%4 min⁻¹ with these masses, or %5 kg at this speed.")
-                .arg(fixedNumber(*check.fitted, 0, locale),
-                     fixedNumber(check.fitted_lambda, 3, locale),
-                     fixedNumber(check.entered, 0, locale),
-                     fixedNumber(check.matching_speed / rpm, 0, locale),
-                     fixedNumber(check.matching_mass, 3, locale));
-    } else {
-        text =
-            tr("The inertia torque in this table fits the masses and speed: mⱼ r² ω² = %1 N·m "
-               "against %2 N·m entered.")
-                .arg(fixedNumber(*check.fitted, 0, locale), fixedNumber(check.entered, 0, locale));
+    colourText(checkText_, wrong ? Theme::instance().warning() : Theme::instance().mutedText());
+    checkText_->setText(messageText(check.text));
+}
+
+void TorqueSourceEditor::addNumbers(Form* form, const std::string& parent,
+                                    std::initializer_list<Field> fields) {
+    for (const Field& field : fields) {
+        form->number((parent + "/" + std::string(field.key)).c_str());
     }
-    QPalette palette = checkText_->palette();
-    palette.setColor(QPalette::WindowText,
-                     wrong ? Theme::instance().warning() : Theme::instance().mutedText());
-    checkText_->setPalette(palette);
-    checkText_->setText(text);
 }
 
 QWidget* TorqueSourceEditor::buildPressure() {
-    auto* content = new QWidget;
-    auto* column = new QVBoxLayout(content);
-    column->setContentsMargins(Theme::margin, Theme::space, Theme::margin, Theme::space);
-    column->addWidget(captionLabel(
+    auto* form = new Form(model_);
+    FormSection* file = form->section({});
+    file->addWide(captionLabel(
         tr("Measured cylinder pressure over 720° as a CSV file: crank angle from top dead centre "
            "before intake, absolute pressure (bar unless the heading says kPa, MPa, Pa or psi)."),
-        content));
+        form));
     auto* import =
-        new QPushButton(themedIcon(QStringLiteral("import")), tr("&Read CSV file…"), content);
-    column->addWidget(import);
-    trace_ = captionLabel({}, content);
-    column->addWidget(trace_);
-    auto* form = new FormSection(tr("Cylinder"), content);
-    addCylinder(form);
-    column->addWidget(form);
-    column->addWidget(captionLabel(tr("The rod length is on the Inputs tab."), content));
-    column->addStretch();
+        new QPushButton(themedIcon(QStringLiteral("import")), tr("&Read CSV file…"), form);
+    file->addWide(import);
+    trace_ = captionLabel({}, form);
+    file->addWide(trace_);
+    FormSection* cylinder = form->section(tr("Cylinder"));
+    addNumbers(form, "/torque/pressure", {field::bore, field::offset, field::crankcase_pressure});
+    cylinder->addWide(captionLabel(tr("The rod length is on the Inputs tab."), form));
+    static_cast<QVBoxLayout*>(form->layout())->addStretch();
     connect(import, &QPushButton::clicked, this, [this] {
         const QString path =
             QFileDialog::getOpenFileName(this, tr("Read pressure trace"), QString(),
@@ -233,103 +175,60 @@ QWidget* TorqueSourceEditor::buildPressure() {
             QMessageBox::warning(this, tr("Read pressure trace"), why);
         }
     });
-    return scrolled(content, this);
+    return scrolled(form, this);
 }
 
 QWidget* TorqueSourceEditor::buildCycle() {
-    auto* content = new QWidget;
-    auto* column = new QVBoxLayout(content);
-    column->setContentsMargins(Theme::margin, Theme::space, Theme::margin, Theme::space);
-    column->addWidget(captionLabel(
+    const char* place = "/torque/cycle";
+    auto* form = new Form(model_);
+    form->section({})->addWide(captionLabel(
         tr("A plain four-stroke cycle: constant pressures for gas exchange, polytropic "
            "compression, one Wiebe heat release, polytropic expansion."),
-        content));
-    auto* cylinder = new FormSection(tr("Cylinder"), content);
-    addCylinder(cylinder);
-    column->addWidget(cylinder);
-
-    const auto add = [&](FormSection* form, const QString& label, const FieldSpec& spec,
-                         const QString& hint, double GasCycle::*member) {
-        NumberField* numberField = form->addNumber(label, spec, hint);
-        QString step = label;
-        step.remove(QLatin1Char('&'));
-        connect(numberField, &NumberField::valueEdited, this,
-                [this, step, spec, member](std::optional<double> value) {
-                    model_->edit(step, [&](Input& input) {
-                        input.torque.cycle.*member = *value * spec.to_si;
-                    });
-                });
-        bindings_.push_back({numberField, [this, spec, member]() -> std::optional<double> {
-                                 return model_->input().torque.cycle.*member / spec.to_si;
-                             }});
-    };
-    auto* gas = new FormSection(tr("Gas exchange and compression"), content);
-    add(gas, tr("Compression &ratio ε"), field::compression_ratio,
-        tr("Largest over smallest volume."), &GasCycle::compression_ratio);
-    add(gas, tr("&Intake pressure"), field::intake_pressure, tr("Absolute, constant over intake."),
-        &GasCycle::intake_pressure);
-    add(gas, tr("E&xhaust pressure"), field::exhaust_pressure,
-        tr("Absolute, constant over exhaust."), &GasCycle::exhaust_pressure);
-    add(gas, tr("Exponent, &compression"), field::polytropic_compression,
-        tr("Polytropic exponent until combustion begins; about 1.32 to 1.38."),
-        &GasCycle::polytropic_compression);
-    add(gas, tr("Exponent, ex&pansion"), field::polytropic_expansion,
-        tr("Polytropic exponent of combustion and expansion; about 1.22 to 1.32."),
-        &GasCycle::polytropic_expansion);
-    column->addWidget(gas);
-
-    auto* heat = new FormSection(tr("Combustion"), content);
-    const auto addLoad = [&](const QString& label, const FieldSpec& spec, const QString& hint,
-                             std::optional<double> GasCycle::*own,
+        form));
+    form->section(tr("Cylinder"));
+    addNumbers(form, place, {field::bore, field::offset, field::crankcase_pressure});
+    form->section(tr("Gas exchange and compression"));
+    addNumbers(form, place,
+               {field::compression_ratio, field::intake_pressure, field::exhaust_pressure,
+                field::polytropic_compression, field::polytropic_expansion});
+    form->section(tr("Combustion"));
+    const auto addLoad = [&](const Field& load, std::optional<double> GasCycle::*own,
                              std::optional<double> GasCycle::*other) {
-        NumberField* numberField = heat->addNumber(label, spec, hint);
-        numberField->setOptional(true);
-        numberField->setPlaceholderText(tr("from the other"));
-        numberField->setDigits(6);
-        QString step = label;
-        step.remove(QLatin1Char('&'));
-        connect(numberField, &NumberField::valueEdited, this,
-                [this, step, spec, own, other](std::optional<double> value) {
-                    if (!value) {
-                        return;  // one of the two always holds
-                    }
-                    model_->edit(step, [&](Input& input) {
-                        input.torque.cycle.*own = *value * spec.to_si;
-                        (input.torque.cycle.*other).reset();
-                    });
+        NumberField* number = form->number(
+            load,
+            [this, &load, own]() -> std::optional<double> {
+                const auto& value = model_->input().torque.cycle.*own;
+                return value ? std::optional(*value / load.unit) : std::nullopt;
+            },
+            [this, &load, own, other](std::optional<double> value) {
+                if (!value) {
+                    return;  // one of the two always holds
+                }
+                model_->edit(fieldName(load), [&](Input& input) {
+                    input.torque.cycle.*own = *value * load.unit;
+                    (input.torque.cycle.*other).reset();
                 });
-        bindings_.push_back({numberField, [this, spec, own]() -> std::optional<double> {
-                                 const auto& value = model_->input().torque.cycle.*own;
-                                 return value ? std::optional(*value / spec.to_si) : std::nullopt;
-                             }});
+            });
+        number->setOptional(true);
+        number->setDigits(6);
     };
-    addLoad(tr("I&MEP"), field::imep,
-            tr("Indicated mean effective pressure over 720°; the heat that gives it is found."),
-            &GasCycle::imep, &GasCycle::heat);
-    addLoad(tr("&Heat"), field::heat, tr("Heat released per cycle; instead of the IMEP."),
-            &GasCycle::heat, &GasCycle::imep);
-    add(heat, tr("&Start of combustion"), field::combustion_start,
-        tr("Crank angle; 360° is the firing top dead centre."), &GasCycle::combustion_start);
-    add(heat, tr("&Duration"), field::combustion_duration,
-        tr("Crank angle from the start to the end of heat release."),
-        &GasCycle::combustion_duration);
-    add(heat, tr("&Wiebe exponent m"), field::wiebe_m,
-        tr("Form exponent of Wiebe's law; 0.5 to 1.5 for diesels, 2 to 4 for petrol engines."),
-        &GasCycle::wiebe_m);
-    column->addWidget(heat);
-    column->addStretch();
-    return scrolled(content, this);
+    addLoad(field::imep, &GasCycle::imep, &GasCycle::heat);
+    addLoad(field::heat, &GasCycle::heat, &GasCycle::imep);
+    addNumbers(form, place, {field::combustion_start, field::combustion_duration, field::wiebe_m});
+    static_cast<QVBoxLayout*>(form->layout())->addStretch();
+    return scrolled(form, this);
 }
 
 QString TorqueSourceEditor::importTrace(const QString& path) {
     try {
         const std::string text = read_text_file(fsPath(path));
-        const balance_shaft::PressureTraceText read = balance_shaft::parse_pressure_trace(text);
+        const balance_shaft::ParsedPressureTrace read = balance_shaft::parse_pressure_trace(text);
         const QString why = model_->setPressureTrace(read.trace, path);
         if (!why.isEmpty()) {
             return path + QStringLiteral(": ") + why;
         }
-        trace_->setText(tr("%1: %2.").arg(QFileInfo(path).fileName(), tableText(read)));
+        trace_->setText(
+            tr("%1: %2.").arg(QFileInfo(path).fileName(), messageText(read.describe())));
         return {};
     } catch (const InputError& error) {
         return path + QStringLiteral(": ") + errorText(error);
@@ -340,9 +239,6 @@ void TorqueSourceEditor::showInput() {
     const int page = pageOf(model_->input().torque.kind);
     choice_->setCurrentIndex(page);
     forms_->setCurrentIndex(page);
-    for (const Binding& binding : bindings_) {
-        binding.field->setValue(binding.read());
-    }
     showCheck();
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <QWidget>
-#include <functional>
-#include <optional>
-#include <vector>
+#include <initializer_list>
+#include <string>
+
+#include "case-file/field.h"
 
 class QComboBox;
 class QLabel;
@@ -11,9 +12,8 @@ class QStackedWidget;
 
 namespace ravnoves {
 
-class BalanceShaftViewModel;
-class FormSection;
-class NumberField;
+class BalanceShaftModel;
+class Form;
 class TorqueTableEditor;
 
 /// Where the engine torque comes from: a table, a measured pressure trace, or a computed cycle,
@@ -22,7 +22,7 @@ class TorqueSourceEditor : public QWidget {
     Q_OBJECT
 
   public:
-    explicit TorqueSourceEditor(BalanceShaftViewModel* model, QWidget* parent = nullptr);
+    explicit TorqueSourceEditor(BalanceShaftModel* model, QWidget* parent = nullptr);
 
     QComboBox* choice() const { return choice_; }
     TorqueTableEditor* tableEditor() const { return table_; }
@@ -31,19 +31,15 @@ class TorqueSourceEditor : public QWidget {
     QString importTrace(const QString& path);
 
   private:
-    struct Binding {
-        NumberField* field;
-        std::function<std::optional<double>()> read;
-    };
-
     QWidget* buildPressure();
     QWidget* buildCycle();
-    void addCylinder(FormSection* form);
+    static void addNumbers(Form* form, const std::string& parent,
+                           std::initializer_list<Field> fields);
     void showInput();
     void showCheck();
     QWidget* buildCheck();
 
-    BalanceShaftViewModel* model_;
+    BalanceShaftModel* model_;
     QComboBox* choice_ = nullptr;
     QStackedWidget* forms_ = nullptr;
     TorqueTableEditor* table_ = nullptr;
@@ -52,7 +48,6 @@ class TorqueSourceEditor : public QWidget {
     QWidget* check_ = nullptr;
     QLabel* checkText_ = nullptr;
     QWidget* remedies_ = nullptr;
-    std::vector<Binding> bindings_;
 };
 
 }  // namespace ravnoves

@@ -1,40 +1,35 @@
 #pragma once
 
-#include <QWidget>
-
-class QLabel;
-class QTableView;
+#include "widgets/table_editor.h"
 
 namespace ravnoves {
 
-class BalanceShaftViewModel;
+class BalanceShaftModel;
 class TorqueTableModel;
 
 /// The torque table with its tools: edit, insert, delete, paste, import and export.
-class TorqueTableEditor : public QWidget {
+class TorqueTableEditor : public TableEditor {
     Q_OBJECT
 
   public:
-    explicit TorqueTableEditor(BalanceShaftViewModel* model, QWidget* parent = nullptr);
+    explicit TorqueTableEditor(BalanceShaftModel* model, QWidget* parent = nullptr)
+        : TorqueTableEditor(model, newTable(), parent) {}
 
-    QTableView* view() const { return view_; }
     TorqueTableModel* tableModel() const { return table_; }
     /// Reads a CSV file over the whole table.
     /// @return an empty string, or what is wrong, with the file's name
     QString importFile(const QString& path);
-    void paste();
-    void copy();
-
-  protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
+    /// A whole cycle replaces the table; anything smaller goes into the cells from the current one.
+    void paste() override;
 
   private:
-    void say(const QString& text, bool isTrouble);
+    TorqueTableEditor(BalanceShaftModel* model, TorqueTableModel* table, QWidget* parent);
+    static TorqueTableModel* newTable();
+    void importWithDialog();
+    void exportWithDialog();
 
-    BalanceShaftViewModel* model_;
+    BalanceShaftModel* model_;
     TorqueTableModel* table_;
-    QTableView* view_;
-    QLabel* message_;
 };
 
 }  // namespace ravnoves

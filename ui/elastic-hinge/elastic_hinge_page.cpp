@@ -6,21 +6,22 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSlider>
 #include <QTabWidget>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "elastic-hinge/fields.h"
 #include "elastic-hinge/guide_export_form.h"
 #include "elastic-hinge/guide_search_form.h"
 #include "elastic-hinge/hinge_inputs.h"
 #include "elastic-hinge/hinge_mechanism_view.h"
 #include "elastic-hinge/hinge_plots.h"
-#include "theme/icons.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
+#include "widgets/mechanism_picture.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 #include "widgets/value_slider.h"
@@ -34,31 +35,16 @@ namespace field = elastic_hinge::field;
 
 namespace {
 
-constexpr double kilonewtonPerMetre = 1e3;
-constexpr int boxWidth = 118;          ///< pixels, for "20000.0 kN/m"
-constexpr double usualDistance = 0.1;  ///< ℓ₂ that a new counterweight gets, m
+constexpr int boxWidth = 118;  ///< pixels, for "20000.0 kN/m"
 
 Spring& springOf(Input& input) {
-    if (!input.spring) {
-        input.spring = elastic_hinge::preset_zotov().spring;
-    }
-    return *input.spring;
-}
-
-/// Shows a value, and widens the slider where the case lies beyond it.
-void showValue(ValueSlider* slider, double value, double min, double max) {
-    const double low = std::min(min, value);
-    const double high = std::max(max, value);
-    if (low != slider->box()->minimum() || high != slider->box()->maximum()) {
-        slider->setRange(low, high);
-    }
-    slider->setValue(value);
+    return input.spring ? *input.spring : input.spring.emplace();
 }
 
 }  // namespace
 
 ElasticHingePage::ElasticHingePage(QWidget* parent)
-    : ScenePage(parent), model_(new ElasticHingeViewModel(this)) {
+    : ScenePage(parent), model_(new ElasticHingeModel(this)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     row->setSpacing(Theme::space);
@@ -67,30 +53,18 @@ ElasticHingePage::ElasticHingePage(QWidget* parent)
     row->addWidget(plots_, 5);
     row->addWidget(buildAnswer(), 2);
 
-    playAction_ = new QAction(themedIcon(QStringLiteral("play")), tr("&Play"), this);
-    playAction_->setToolTip(tr("Play the computed motion in slow motion"));
-    connect(playAction_, &QAction::triggered, this,
-            [this] { picture_->setPlaying(!picture_->isPlaying()); });
-    connect(picture_, &HingeMechanismView::playingChanged, this, [this](bool playing) {
-        const QIcon icon = themedIcon(playing ? QStringLiteral("pause") : QStringLiteral("play"));
-        playAction_->setIcon(icon);
-        playAction_->setText(playing ? tr("&Pause") : tr("&Play"));
-        playButton_->setIcon(icon);
-        playButton_->setToolTip(playing ? tr("Pause (Space)") : tr("Play (Space)"));
-    });
-
-    connect(model_, &SceneViewModel::changed, this, &ElasticHingePage::showInput);
-    connect(model_, &SceneViewModel::changed, this, &ElasticHingePage::showAnswer);
-    connect(model_, &ElasticHingeViewModel::motionsChanged, this, &ElasticHingePage::showAnswer);
-    connect(model_, &ElasticHingeViewModel::viewChanged, this, &ElasticHingePage::showCrank);
-    connect(model_, &ElasticHingeViewModel::crankAngleChanged, this, &ElasticHingePage::showCrank);
-    connect(model_, &ElasticHingeViewModel::refused, this, &ScenePage::status);
+    connect(model_, &SceneModel::changed, this, &ElasticHingePage::showInput);
+    connect(model_, &SceneModel::changed, this, &ElasticHingePage::showAnswer);
+    connect(model_, &ElasticHingeModel::motionsChanged, this, &ElasticHingePage::showAnswer);
+    connect(model_, &ElasticHingeModel::viewChanged, this, &ElasticHingePage::showCrank);
+    connect(model_, &ElasticHingeModel::crankAngleChanged, this, &ElasticHingePage::showCrank);
+    connect(model_, &ElasticHingeModel::refused, this, &ScenePage::status);
     showInput();
     showAnswer();
     showCrank();
 }
 
-SceneViewModel* ElasticHingePage::model() {
+SceneModel* ElasticHingePage::model() {
     return model_;
 }
 
@@ -98,22 +72,28 @@ QList<QAction*> ElasticHingePage::sceneActions() {
     return {playAction_};
 }
 
-ValueSlider* ElasticHingePage::addSlider(QWidget* parent, const QString& name, const QString& label,
-                                         double min, double max, double step, double page,
-                                         int decimals, const QString& unit, const QString& stepName,
-                                         const QString& hint,
-                                         std::function<void(Input&, double)> write) {
-    auto* slider = new ValueSlider(label, min, max, step, page, decimals, unit, parent);
-    slider->slider()->setObjectName(name + QStringLiteral("_slider"));
-    slider->box()->setObjectName(name);
-    slider->setHint(hint);
-    connect(slider, &ValueSlider::valueEdited, this, [this, stepName, write](double value) {
-        if (!model_->edit(stepName, [&](Input& input) { write(input, value); }).isEmpty()) {
+ValueSlider* ElasticHingePage::addSlider(QWidget* parent, const char* name, const QString& label,
+                                         const Field& field, const Unit& unit, const Scale& scale,
+                                         std::function<double*(Input&)> value) {
+    auto* slider = new ValueSlider(label, scale.min, scale.max, scale.step, scale.page,
+                                   scale.decimals, unitText(unit.name), parent);
+    slider->slider()->setObjectName(QString::fromLatin1(name) + QLatin1String("_slider"));
+    slider->box()->setObjectName(QLatin1String(name));
+    slider->setHint(shownText(field.hint));
+    const auto write = [this, value, unit, step = fieldName(field)](double shown) {
+        const QString trouble = model_->edit(step, [&](Input& input) {
+            if (double* si = value(input)) {
+                *si = shown * unit;
+            }
+        });
+        if (!trouble.isEmpty()) {
             showInput();  // refused: the slider goes back
         }
-    });
-    connect(slider, &ValueSlider::released, model_, &ElasticHingeViewModel::finishDrag);
+    };
+    connect(slider, &ValueSlider::valueEdited, this, write);
+    connect(slider, &ValueSlider::released, model_, &ElasticHingeModel::finishDrag);
     parent->layout()->addWidget(slider);
+    sliders_.push_back({slider, unit, scale.min, scale.max, value});
     return slider;
 }
 
@@ -122,54 +102,31 @@ QWidget* ElasticHingePage::buildSliders() {
     auto* column = new QVBoxLayout(panel);
     column->setContentsMargins(Theme::margin, Theme::space, Theme::margin, Theme::space);
     column->setSpacing(Theme::gap);
-    omega_ = addSlider(panel, QStringLiteral("angular_speed_rad_s"), tr("&ω"), 0.0, 600.0, 1.0,
-                       20.0, 1, tr("rad/s"), tr("Crank speed"),
-                       tr("Crank speed that the hinges are designed for. Paper: 100, 300 and "
-                          "500 rad/s."),
-                       [](Input& input, double value) { input.angular_speed = value; });
-    lambda_ = addSlider(panel, QStringLiteral("lambda"), tr("&λ"), 0.05, 0.99, 0.01, 0.1, 3, {},
-                        tr("Ratio λ"),
-                        tr("Crank radius to rod length. Paper: 0.3. Below 1; λ = 1 can be drawn "
-                           "with the series only."),
-                        [](Input& input, double value) { input.lambda = value; });
-    stiffness_ = addSlider(
-        panel, QStringLiteral("stiffness_kN_m"), tr("&c"), 1.0, 1e6, 0.1, 1.0, 1, tr("kN/m"),
-        tr("Stiffness"),
-        tr("Stiffness of the spring of the crank's hinge. Paper: 20 000 kN/m. "
-           "A softer spring gives more relief."),
-        [](Input& input, double value) { springOf(input).stiffness = value * kilonewtonPerMetre; });
-    stiffness_->setLogarithmic(50, 3);
-    radius_ = addSlider(panel, QStringLiteral("guide_radius_at_zero_mm"), tr("&ρ₀"), 1.0, 199.0,
-                        0.01, 1.0, 3, tr("mm"), tr("Guide radius ρ₀"),
-                        tr("Radius of the guide at φ = 0. Below ℓ₀/2 the spring is compressed, "
-                           "above it is stretched. Paper: 90 mm."),
-                        [](Input& input, double value) {
-                            springOf(input).guide_radius_at_zero = value * field::millimetre;
-                        });
-    distance_ = addSlider(panel, QStringLiteral("counterweight_distance_mm"), tr("ℓ&₂"), 10.0,
-                          300.0, 1.0, 10.0, 1, tr("mm"), tr("Counterweight's distance"),
-                          tr("From the crankpin to the counterweight on the rod. Paper: 50, 100 "
-                             "and 150 mm."),
-                          [](Input& input, double value) {
-                              if (input.rod_counterweight) {
-                                  input.rod_counterweight->distance = value * field::millimetre;
-                              }
-                          });
-    error_ = addSlider(
-        panel, QStringLiteral("profile_error_um"), tr("&error"), 0.0, 100.0, 0.5, 5.0, 1, tr("µm"),
-        tr("Profile error"),
-        tr("Amplitude of the waves on the guide's profile as it is made. Good "
-           "grinding leaves a few micrometres."),
-        [](Input& input, double value) { input.profile_error = value * field::micrometre; });
+    addSlider(panel, "angular_speed_rad_s", tr("&ω"), field::angular_speed, units::rad_per_s,
+              {0.0, 600.0, 1.0, 20.0, 1}, [](Input& input) { return &input.angular_speed; });
+    lambda_ = addSlider(panel, "lambda", tr("&λ"), field::lambda, units::none,
+                        {0.05, 0.99, 0.01, 0.1, 3}, [](Input& input) { return &input.lambda; });
+    addSlider(panel, "stiffness_kN_m", tr("&c"), field::stiffness, units::kN_per_m,
+              {1.0, 1e6, 0.1, 1.0, 1}, [](Input& input) { return &springOf(input).stiffness; })
+        ->setLogarithmic(50, 3);
+    radius_ = addSlider(panel, "guide_radius_at_zero_mm", tr("&ρ₀"), field::guide_radius, units::mm,
+                        {1.0, 199.0, 0.01, 1.0, 3},
+                        [](Input& input) { return &springOf(input).guide_radius_at_zero; });
+    distance_ =
+        addSlider(panel, "counterweight_distance_mm", tr("ℓ&₂"), field::counterweight_distance,
+                  units::mm, {10.0, 300.0, 1.0, 10.0, 1}, [](Input& input) {
+                      return input.rod_counterweight ? &input.rod_counterweight->distance : nullptr;
+                  });
+    addSlider(panel, "profile_error_um", tr("&error"), field::profile_error, units::micrometre,
+              {0.0, 100.0, 0.5, 5.0, 1}, [](Input& input) { return &input.profile_error; });
     // One width for labels and boxes, so that the sliders stand in line.
     int labels = 0;
-    const QList<ValueSlider*> all{omega_, lambda_, stiffness_, radius_, distance_, error_};
-    for (ValueSlider* slider : all) {
-        labels = std::max(labels, slider->findChild<QLabel*>()->sizeHint().width());
+    for (const Slider& each : sliders_) {
+        labels = std::max(labels, each.slider->findChild<QLabel*>()->sizeHint().width());
     }
-    for (ValueSlider* slider : all) {
-        slider->findChild<QLabel*>()->setFixedWidth(labels);
-        slider->box()->setFixedWidth(boxWidth);
+    for (const Slider& each : sliders_) {
+        each.slider->findChild<QLabel*>()->setFixedWidth(labels);
+        each.slider->box()->setFixedWidth(boxWidth);
     }
     return panel;
 }
@@ -185,12 +142,8 @@ QWidget* ElasticHingePage::buildInputs() {
     forms_ = new QTabWidget(holder);
     forms_->setDocumentMode(true);
     const auto addForm = [this](QWidget* form, const QString& name, const QString& title) {
-        auto* scroll = new QScrollArea(forms_);
+        auto* scroll = scrolled(form, forms_);
         scroll->setObjectName(name);
-        scroll->setWidget(form);
-        scroll->setWidgetResizable(true);
-        scroll->setFrameShape(QFrame::NoFrame);
-        scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         forms_->addTab(scroll, title);
     };
     addForm(new HingeInputs(model_), QStringLiteral("inputs"), tr("Inputs"));
@@ -210,23 +163,12 @@ QWidget* ElasticHingePage::buildAnswer() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(Theme::space);
 
-    auto* picturePanel = new Panel(holder);
-    auto* pictureColumn = new QVBoxLayout(picturePanel);
-    pictureColumn->setContentsMargins(1, 1, 1, Theme::gap);
-    pictureColumn->setSpacing(0);
-    picture_ = new HingeMechanismView(model_, picturePanel);
-    pictureColumn->addWidget(picture_, 1);
-    auto* controls = new QHBoxLayout;
-    controls->setContentsMargins(Theme::space, 0, Theme::space, 0);
-    controls->setSpacing(Theme::space);
-    playButton_ = new QToolButton(picturePanel);
-    playButton_->setIcon(themedIcon(QStringLiteral("play")));
-    playButton_->setAutoRaise(true);
-    playButton_->setToolTip(tr("Play (Space)"));
-    playButton_->setAccessibleName(tr("Play or pause the motion"));
-    connect(playButton_, &QToolButton::clicked, this,
-            [this] { picture_->setPlaying(!picture_->isPlaying()); });
-    controls->addWidget(playButton_);
+    picture_ = new HingeMechanismView(model_);
+    auto* picturePanel = new PicturePanel(
+        picture_, 360.0, tr("Crank angle of the picture, counter-clockwise from the slider line"),
+        holder);
+    playAction_ = picturePanel->action();
+    playAction_->setToolTip(tr("Play the computed motion in slow motion"));
     animated_ = new QComboBox(picturePanel);
     animated_->setObjectName(QStringLiteral("animate"));
     animated_->addItems(
@@ -234,18 +176,11 @@ QWidget* ElasticHingePage::buildAnswer() {
     animated_->setAccessibleName(tr("Which motion is played"));
     animated_->setToolTip(tr("Which of the computed motions the picture plays"));
     connect(animated_, &QComboBox::activated, this, [this](int index) {
-        model_->setAnimated(static_cast<ElasticHingeViewModel::Animated>(index));
+        model_->setAnimated(static_cast<ElasticHingeModel::Animated>(index));
     });
-    controls->addWidget(animated_);
-    crank_ = new ValueSlider(tr("&φ"), 0.0, 360.0, 1.0, 15.0, 0, QStringLiteral("°"), picturePanel);
-    crank_->setHint(tr("Crank angle of the picture, counter-clockwise from the slider line"));
-    connect(crank_, &ValueSlider::valueEdited, this, [this](double value) {
-        picture_->setPlaying(false);
-        model_->setMotionTime(std::nullopt);
-        model_->setCrankAngleDeg(value);
-    });
-    controls->addWidget(crank_, 1);
-    pictureColumn->addLayout(controls);
+    picturePanel->addControl(animated_);
+    crank_ = picturePanel->slider();
+    connect(crank_, &ValueSlider::valueEdited, picture_, &HingeMechanismView::turnTo);
     column->addWidget(picturePanel, 1);
 
     auto* answer = new Panel(holder);
@@ -262,10 +197,9 @@ QWidget* ElasticHingePage::buildAnswer() {
     takePreload_->setObjectName(QStringLiteral("take_preload"));
     takeStiffness_ = new QPushButton(tr("Take this sti&ffness"), answer);
     takeStiffness_->setObjectName(QStringLiteral("take_stiffness"));
-    connect(takePreload_, &QPushButton::clicked, model_,
-            &ElasticHingeViewModel::takeMinimumPreload);
+    connect(takePreload_, &QPushButton::clicked, model_, &ElasticHingeModel::takeMinimumPreload);
     connect(takeStiffness_, &QPushButton::clicked, model_,
-            &ElasticHingeViewModel::takeMinimumStiffness);
+            &ElasticHingeModel::takeMinimumStiffness);
     mend->addWidget(takePreload_);
     mend->addWidget(takeStiffness_);
     answerColumn->addLayout(mend);
@@ -281,32 +215,38 @@ QWidget* ElasticHingePage::buildAnswer() {
 }
 
 void ElasticHingePage::showInput() {
-    const Input& input = model_->input();
-    const bool series = input.kinematics == Kinematics::series;
-    showValue(omega_, input.angular_speed, 0.0, 600.0);
-    showValue(lambda_, input.lambda, 0.05, series ? 1.0 : 0.99);
-    Input known = input;
-    const Spring& spring = springOf(known);
-    showValue(stiffness_, spring.stiffness / kilonewtonPerMetre, 1.0, 1e6);
-    showValue(radius_, spring.guide_radius_at_zero / field::millimetre,
-              std::min(1.0, 0.005 * spring.free_length / field::millimetre),
-              spring.free_length / field::millimetre);
+    Input input = model_->input();
+    const Spring& spring = springOf(input);
     distance_->setEnabled(input.rod_counterweight.has_value());
-    const double distance =
-        input.rod_counterweight ? input.rod_counterweight->distance : usualDistance;
-    showValue(distance_, distance / field::millimetre, 10.0, 300.0);
-    showValue(error_, input.profile_error / field::micrometre, 0.0, 100.0);
+    if (!input.rod_counterweight) {
+        input.rod_counterweight.emplace();  // shows where a new one would stand
+    }
+    for (const Slider& each : sliders_) {
+        double min = each.min;
+        double max = each.max;
+        if (each.slider == lambda_ && input.kinematics == Kinematics::series) {
+            max = 1.0;
+        } else if (each.slider == radius_) {
+            min = std::min(min, 0.005 * spring.free_length / units::mm);
+            max = spring.free_length / units::mm;
+        }
+        const double value = *each.value(input) / each.unit;
+        min = std::min(min, value);  // the slider widens where the case lies beyond it
+        max = std::max(max, value);
+        if (min != each.slider->box()->minimum() || max != each.slider->box()->maximum()) {
+            each.slider->setRange(min, max);
+        }
+        each.slider->setValue(value);
+    }
 }
 
 void ElasticHingePage::showAnswer() {
-    using Level = ElasticHingeViewModel::Verdict::Level;
+    using Level = ElasticHingeModel::Verdict::Level;
     const auto verdict = model_->verdict();
     const Theme& theme = Theme::instance();
-    QPalette palette = verdict_->palette();
-    palette.setColor(QPalette::WindowText, verdict.level == Level::Good      ? theme.good()
-                                           : verdict.level == Level::Warning ? theme.warning()
-                                                                             : theme.error());
-    verdict_->setPalette(palette);
+    colourText(verdict_, verdict.level == Level::Good      ? theme.good()
+                         : verdict.level == Level::Warning ? theme.warning()
+                                                           : theme.error());
     verdict_->setText(verdict.text);
     const auto& guide = model_->result().crank_guide;
     const bool mendable = guide.problem == elastic_hinge::GuideProblem::preload_too_small;
@@ -330,20 +270,6 @@ QString ElasticHingePage::resultsAsText() const {
 
 QString ElasticHingePage::resultsAsCsv() const {
     return quantities_->asCsv();
-}
-
-void ElasticHingePage::setActive(bool active) {
-    if (!active) {
-        picture_->setPlaying(false);
-    }
-}
-
-void ElasticHingePage::resetZoom() {
-    plots_->resetZoom();
-}
-
-bool ElasticHingePage::isBusy() const {
-    return ScenePage::isBusy() || model_->runner()->isRunning();
 }
 
 }  // namespace ravnoves

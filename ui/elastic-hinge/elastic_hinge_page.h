@@ -1,13 +1,12 @@
 #pragma once
 
-#include "elastic-hinge/elastic_hinge_view_model.h"
+#include "elastic-hinge/model/elastic_hinge_model.h"
 #include "shell/scene_page.h"
 
 class QComboBox;
 class QLabel;
 class QPushButton;
 class QTabWidget;
-class QToolButton;
 
 namespace ravnoves {
 
@@ -23,16 +22,12 @@ class ElasticHingePage : public ScenePage {
 
   public:
     explicit ElasticHingePage(QWidget* parent = nullptr);
-    ~ElasticHingePage() override { putAway(); }
 
-    SceneViewModel* model() override;
-    ElasticHingeViewModel* viewModel() { return model_; }
+    SceneModel* model() override;
+    ElasticHingeModel* viewModel() { return model_; }
     QList<QAction*> sceneActions() override;
     QString resultsAsText() const override;
     QString resultsAsCsv() const override;
-    void setActive(bool active) override;
-    void resetZoom() override;
-    bool isBusy() const override;
 
     // For tests and for the frame benchmark.
     HingePlots* plots() const { return plots_; }
@@ -44,26 +39,34 @@ class ElasticHingePage : public ScenePage {
     QWidget* buildInputs();
     QWidget* buildSliders();
     QWidget* buildAnswer();
-    ValueSlider* addSlider(QWidget* parent, const QString& name, const QString& label, double min,
-                           double max, double step, double page, int decimals, const QString& unit,
-                           const QString& stepName, const QString& hint,
-                           std::function<void(elastic_hinge::Input&, double)> write);
+    /// Of a slider, in its unit.
+    struct Scale {
+        double min, max, step, page;
+        int decimals;
+    };
+    struct Slider {
+        ValueSlider* slider;
+        Unit unit;
+        double min, max;
+        std::function<double*(elastic_hinge::Input&)> value;
+    };
+    /// A slider for a field; `value` is the place of its SI value, null where there is none now.
+    ValueSlider* addSlider(QWidget* parent, const char* name, const QString& label,
+                           const Field& field, const Unit& unit, const Scale& scale,
+                           std::function<double*(elastic_hinge::Input&)> value);
     void showInput();
     void showAnswer();
     void showCrank();
 
-    ElasticHingeViewModel* model_;
-    ValueSlider* omega_ = nullptr;
+    ElasticHingeModel* model_;
+    std::vector<Slider> sliders_;
     ValueSlider* lambda_ = nullptr;
-    ValueSlider* stiffness_ = nullptr;
     ValueSlider* radius_ = nullptr;
     ValueSlider* distance_ = nullptr;
-    ValueSlider* error_ = nullptr;
     QTabWidget* forms_ = nullptr;
     GuideExportForm* export_ = nullptr;
     HingePlots* plots_ = nullptr;
     HingeMechanismView* picture_ = nullptr;
-    QToolButton* playButton_ = nullptr;
     ValueSlider* crank_ = nullptr;
     QComboBox* animated_ = nullptr;
     QLabel* verdict_ = nullptr;

@@ -1,102 +1,91 @@
 #include "elastic-hinge/guide_export_form.h"
 
-#include <QComboBox>
 #include <QFileDialog>
-#include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "elastic-hinge/fields.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
-#include "widgets/form_section.h"
-#include "widgets/number_field.h"
 
 namespace ravnoves {
 
 using elastic_hinge::Branch;
 using elastic_hinge::BranchSummary;
 using elastic_hinge::Guide;
-using elastic_hinge::GuideDrawing;
 using elastic_hinge::Hinge;
 namespace field = elastic_hinge::field;
 
-namespace {
-
-constexpr FieldSpec stepField{"step_deg", "°", Range::between(0.01, 90)};
-
-}  // namespace
-
-GuideExportForm::GuideExportForm(ElasticHingeViewModel* model, QWidget* parent)
-    : QWidget(parent), model_(model) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(Theme::margin, Theme::margin, Theme::margin, Theme::margin);
+GuideExportForm::GuideExportForm(ElasticHingeModel* model, QWidget* parent)
+    : Form(model, parent), model_(model) {
+    auto* column = static_cast<QVBoxLayout*>(layout());
     column->setSpacing(Theme::space);
-    auto* section = new FormSection(tr("Guide for the machine shop"), this);
-    hinge_ = new QComboBox(this);
-    hinge_->setObjectName(QStringLiteral("export_hinge"));
-    hinge_->addItems({tr("crank, for M"), tr("crank, for M₁"), tr("rod, for M₁₂")});
-    section->addWidget(tr("&Hinge"), hinge_, {}, tr("Which hinge's guide is written"));
-    branch_ = new QComboBox(this);
-    branch_->setObjectName(QStringLiteral("export_branch"));
-    branch_->addItems({tr("compressed"), tr("stretched")});
-    section->addWidget(tr("S&pring"), branch_, {},
-                       tr("The side of its free length on which the spring works"));
-    turns_ = new QComboBox(this);
-    turns_->setObjectName(QStringLiteral("export_turns"));
-    turns_->addItems({tr("guide turns"), tr("spring turns")});
-    section->addWidget(tr("&What turns"), turns_, {},
+    section(tr("Guide for the machine shop"));
+    hinge_ = addChoice("export_hinge", tr("&Hinge"),
+                       {tr("crank, for M"), tr("crank, for M₁"), tr("rod, for M₁₂")},
+                       tr("Which hinge's guide is written"));
+    branch_ = addChoice("export_branch", tr("S&pring"), {tr("compressed"), tr("stretched")},
+                        tr("The side of its free length on which the spring works"));
+    turns_ = addChoice("export_turns", tr("&What turns"), {tr("guide turns"), tr("spring turns")},
                        tr("In the paper the guide turns with the crank and the spring stands "
                           "still: the roller then runs backwards in the guide's own axes, and the "
                           "drawing is the mirror image of the plot"));
-    tolerance_ = section->addNumber(tr("Chord to&lerance"), field::chord_tolerance,
-                                    tr("DXF: the polyline leaves the curve by no more than that"));
-    step_ =
-        section->addNumber(tr("S&tep of the table"), stepField, tr("CSV: step of the crank angle"));
-    column->addWidget(section);
-    dxf_ = new QPushButton(themedIcon(QStringLiteral("export")), tr("Write D&XF…"), this);
-    dxf_->setObjectName(QStringLiteral("export_dxf"));
-    dxf_->setToolTip(tr("Closed polylines in mm, 1:1: layers PROFILE, ROLLER_PATH, AXIS, NOTE"));
-    csv_ = new QPushButton(themedIcon(QStringLiteral("export")), tr("Write &CSV…"), this);
-    csv_->setObjectName(QStringLiteral("export_csv"));
-    csv_->setToolTip(tr("Crank angle, polar angle, radius, x and y of path and profile; °, mm"));
-    column->addWidget(dxf_);
-    column->addWidget(csv_);
+    number(
+        field::chord_tolerance,
+        [this] { return std::optional(from_si(field::chord_tolerance, drawing_.chord_tolerance)); },
+        [this](std::optional<double> value) { drawing_.chord_tolerance = *value * units::mm; });
+    number(
+        field::table_step, [this] { return std::optional(stepDeg_); },
+        [this](std::optional<double> value) { stepDeg_ = *value; });
+    const auto button = [&](const char* name, const QString& label, const QString& hint,
+                            const QString& filter, const QString& ending) {
+        auto* write = new QPushButton(themedIcon(QStringLiteral("export")), label, this);
+        write->setObjectName(QLatin1String(name));
+        write->setToolTip(hint);
+        column->addWidget(write);
+        connect(write, &QPushButton::clicked, this, [=, this] { ask(filter, ending); });
+        return write;
+    };
+    dxf_ = button("export_dxf", tr("Write D&XF…"),
+                  tr("Closed polylines in mm, 1:1: layers PROFILE, ROLLER_PATH, AXIS, NOTE"),
+                  tr("DXF drawing (*.dxf)"), QStringLiteral(".dxf"));
+    csv_ = button("export_csv", tr("Write &CSV…"),
+                  tr("Crank angle, polar angle, radius, x and y of path and profile; °, mm"),
+                  tr("CSV table (*.csv)"), QStringLiteral(".csv"));
     note_ = captionLabel({}, this);
     column->addWidget(note_);
     column->addStretch();
 
     connect(hinge_, &QComboBox::activated, this, [this] {
         branchChosen_ = false;
-        show();
+        showGuide();
     });
     connect(branch_, &QComboBox::activated, this, [this] {
         branchChosen_ = true;
-        show();
+        showGuide();
     });
-    connect(tolerance_, &NumberField::valueEdited, this,
-            [this](std::optional<double> value) { toleranceMm_ = *value; });
-    connect(step_, &NumberField::valueEdited, this,
-            [this](std::optional<double> value) { stepDeg_ = *value; });
-    connect(dxf_, &QPushButton::clicked, this,
-            [this] { ask(tr("DXF drawing (*.dxf)"), QStringLiteral(".dxf")); });
-    connect(csv_, &QPushButton::clicked, this,
-            [this] { ask(tr("CSV table (*.csv)"), QStringLiteral(".csv")); });
-    connect(model_, &SceneViewModel::changed, this, &GuideExportForm::show);
-    show();
+    follow([this] { showGuide(); });
+}
+
+QComboBox* GuideExportForm::addChoice(const char* name, const QString& label,
+                                      const QStringList& words, const QString& hint) {
+    auto* box = new QComboBox(this);
+    box->setObjectName(QLatin1String(name));
+    box->addItems(words);
+    current()->addWidget(label, box, {}, hint);
+    return box;
 }
 
 Hinge GuideExportForm::hinge() const {
     return static_cast<Hinge>(hinge_->currentIndex());
 }
 
-void GuideExportForm::show() {
+void GuideExportForm::showGuide() {
     const Guide& guide = model_->guideOf(hinge());
     if (!branchChosen_) {
         branch_->setCurrentIndex(guide.branch == Branch::compressed ? 0 : 1);
     }
-    tolerance_->setValue(toleranceMm_);
-    step_->setValue(stepDeg_);
     const BranchSummary& branch = branch_->currentIndex() == 0 ? guide.compressed : guide.stretched;
     const bool possible = branch.exists && !branch.undercut;
     dxf_->setEnabled(possible);
@@ -113,11 +102,9 @@ void GuideExportForm::show() {
 }
 
 QString GuideExportForm::exportTo(const QString& path) {
-    GuideDrawing drawing;
-    drawing.branch = branch_->currentIndex() == 0 ? Branch::compressed : Branch::stretched;
-    drawing.guide_turns = turns_->currentIndex() == 0;
-    drawing.chord_tolerance = toleranceMm_ * field::chord_tolerance.to_si;
-    return model_->exportGuide(path, hinge(), drawing, stepDeg_);
+    drawing_.branch = branch_->currentIndex() == 0 ? Branch::compressed : Branch::stretched;
+    drawing_.guide_turns = turns_->currentIndex() == 0;
+    return model_->exportGuide(path, hinge(), drawing_, stepDeg_);
 }
 
 void GuideExportForm::ask(const QString& filter, const QString& ending) {

@@ -1,23 +1,18 @@
 #pragma once
 
-#include <QWidget>
+#include "elastic-hinge/model/elastic_hinge_model.h"
+#include "widgets/form.h"
 
-#include "elastic-hinge/elastic_hinge_view_model.h"
-
-class QComboBox;
-class QLabel;
 class QPushButton;
 
 namespace ravnoves {
 
-class NumberField;
-
 /// Export of a guide for the machine shop.
-class GuideExportForm : public QWidget {
+class GuideExportForm : public Form {
     Q_OBJECT
 
   public:
-    explicit GuideExportForm(ElasticHingeViewModel* model, QWidget* parent = nullptr);
+    explicit GuideExportForm(ElasticHingeModel* model, QWidget* parent = nullptr);
 
     /// Writes to a file, DXF or CSV by its ending, as the form is set.
     /// @return an empty string, or what is wrong
@@ -28,20 +23,20 @@ class GuideExportForm : public QWidget {
     void status(const QString& text);
 
   private:
-    void show();
+    void showGuide();
+    QComboBox* addChoice(const char* name, const QString& label, const QStringList& words,
+                         const QString& hint);
     void ask(const QString& filter, const QString& ending);
     elastic_hinge::Hinge hinge() const;
 
-    ElasticHingeViewModel* model_;
+    ElasticHingeModel* model_;
     QComboBox* hinge_;
     QComboBox* branch_;
     QComboBox* turns_;
-    NumberField* tolerance_;
-    NumberField* step_;
     QLabel* note_;
     QPushButton* dxf_;
     QPushButton* csv_;
-    double toleranceMm_ = 0.001;
+    elastic_hinge::GuideDrawing drawing_;
     double stepDeg_ = 0.5;
     bool branchChosen_ = false;
 };

@@ -1,35 +1,22 @@
 #pragma once
 
-#include <QWidget>
-
-#include "elastic-hinge/elastic_hinge_view_model.h"
-
-class QLabel;
-class QPushButton;
+#include "elastic-hinge/model/elastic_hinge_model.h"
+#include "widgets/form.h"
 
 namespace ravnoves {
 
-class NumberField;
-
 /// Search for a spring whose guide has a wanted relief within a wanted size.
-class GuideSearchForm : public QWidget {
+class GuideSearchForm : public Form {
     Q_OBJECT
 
   public:
-    explicit GuideSearchForm(ElasticHingeViewModel* model, QWidget* parent = nullptr);
+    explicit GuideSearchForm(ElasticHingeModel* model, QWidget* parent = nullptr);
 
   protected:
     void showEvent(QShowEvent* event) override;
 
   private:
-    void show();
-
-    ElasticHingeViewModel* model_;
-    NumberField* relief_;
-    NumberField* diameter_;
-    NumberField* shortest_;
-    QLabel* answer_;
-    QPushButton* take_;
+    std::function<void()> showAnswer_;
 };
 
 }  // namespace ravnoves

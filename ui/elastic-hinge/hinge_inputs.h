@@ -1,67 +1,40 @@
 #pragma once
 
-#include <QWidget>
-#include <functional>
-#include <optional>
-#include <vector>
-
-#include "elastic-hinge/elastic_hinge_view_model.h"
+#include "elastic-hinge/model/elastic_hinge_model.h"
+#include "widgets/form.h"
 
 class QCheckBox;
-class QComboBox;
 
 namespace ravnoves {
 
-class FormSection;
-class NumberField;
-class NumberListField;
-
 /// The form with the inputs that have no slider.
-class HingeInputs : public QWidget {
+class HingeInputs : public Form {
     Q_OBJECT
 
   public:
-    explicit HingeInputs(ElasticHingeViewModel* model, QWidget* parent = nullptr);
+    explicit HingeInputs(ElasticHingeModel* model, QWidget* parent = nullptr);
 
   private:
-    /// A field bound to one number of the input.
-    struct Binding {
-        NumberField* field;
-        std::function<std::optional<double>()> read;
-    };
-    using Access = std::function<double*(elastic_hinge::Input&)>;
+    using Input = elastic_hinge::Input;
 
-    void bind(NumberField* field, const QString& name, double unit, Access access);
-    void bindOptional(NumberField* field, const QString& name,
-                      std::function<std::optional<double>()> read,
-                      std::function<void(elastic_hinge::Input&, std::optional<double>)> write);
-    FormSection* massSection(bool weights);
-    FormSection* hingeSection();
-    FormSection* rodSpringSection();
-    FormSection* counterweightSection();
-    FormSection* counterweightFields(bool weights);
-    FormSection* makingSection();
-    FormSection* motionSection();
-    FormSection* familySection();
-    void show();
+    void addMechanism();
+    void addMasses(bool weights);
+    void addSprings();
+    void addCounterweight();
+    void addMotion();
+    void addFamilies();
+    /// A choice that is no field by itself.
+    void addChoice(const QString& name, const QString& label, const QStringList& words,
+                   const QString& hint, std::function<int()> read, std::function<void(int)> write);
+    /// A box to tick for an object that the input may have.
+    void addObjectBox(const Field& field, const QString& name,
+                      std::function<bool(const Input&)> has, std::function<void(Input&, bool)> set);
+    /// The section that rows are added to now is there only while the input asks for it.
+    void showSectionWhile(std::function<bool(const Input&)> wanted);
+    /// A number that an emptied field does not take back to its default.
+    void addFilled(const char* pointer) { number(pointer)->setOptional(false); }
 
-    ElasticHingeViewModel* model_;
-    std::vector<Binding> bindings_;
-    QComboBox* preset_ = nullptr;
-    QComboBox* given_ = nullptr;
-    FormSection* weights_ = nullptr;
-    FormSection* masses_ = nullptr;
-    QComboBox* kinematics_ = nullptr;
-    QComboBox* sign_ = nullptr;
-    QCheckBox* ownRodSpring_ = nullptr;
-    FormSection* rodSpring_ = nullptr;
-    QCheckBox* counterweight_ = nullptr;
-    FormSection* counterweightAsWeight_ = nullptr;
-    FormSection* counterweightAsMass_ = nullptr;
-    std::vector<QComboBox*> inertias_;
-    QCheckBox* withError_ = nullptr;
-    NumberListField* speeds_ = nullptr;
-    NumberListField* lambdas_ = nullptr;
+    ElasticHingeModel* model_;
 };
 
 }  // namespace ravnoves

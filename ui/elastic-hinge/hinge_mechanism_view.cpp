@@ -1,6 +1,5 @@
 #include "elastic-hinge/hinge_mechanism_view.h"
 
-#include <QKeyEvent>
 #include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
@@ -8,10 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "elastic-hinge/elastic_hinge_view_model.h"
+#include "elastic-hinge/model/elastic_hinge_model.h"
 #include "numerics/constants.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/number_text.h"
+#include "widgets/drawing.h"
 
 namespace ravnoves {
 
@@ -24,7 +24,6 @@ using elastic_hinge::PlanePoint;
 
 namespace {
 
-constexpr int frameMs = 16;
 constexpr double shownTurnsPerSecond = 0.4;  ///< at the design speed: slow enough for the eye
 /// The spring stands still across the slider line.
 constexpr double springAngle = 0.5 * pi;
@@ -62,34 +61,17 @@ struct HingeMechanismView::Scale {
     }
 };
 
-HingeMechanismView::HingeMechanismView(ElasticHingeViewModel* model, QWidget* parent)
-    : QWidget(parent), model_(model) {
-    setFocusPolicy(Qt::StrongFocus);
-    setAccessibleName(tr("Picture of the mechanism with its hinges"));
-    setToolTip(
-        tr("The mechanism to scale, the guide's relief enlarged as in the plot. The guide turns "
-           "with the crank, the spring stands still. Space plays the computed motion in slow "
-           "motion, dragging turns the crank."));
-    timer_.setInterval(frameMs);
-    timer_.setTimerType(Qt::PreciseTimer);
-    connect(&timer_, &QTimer::timeout, this, &HingeMechanismView::step);
-    connect(model_, &SceneViewModel::changed, this, qOverload<>(&QWidget::update));
-    connect(model_, &ElasticHingeViewModel::viewChanged, this, qOverload<>(&QWidget::update));
-    connect(model_, &ElasticHingeViewModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
-    connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
-}
-
-void HingeMechanismView::setPlaying(bool playing) {
-    if (playing == isPlaying()) {
-        return;
-    }
-    if (playing) {
-        sinceStep_.start();
-        timer_.start();
-    } else {
-        timer_.stop();
-    }
-    Q_EMIT playingChanged(playing);
+HingeMechanismView::HingeMechanismView(ElasticHingeModel* model, QWidget* parent)
+    : MechanismPicture(
+          tr("Picture of the mechanism with its hinges"),
+          tr("The mechanism to scale, the guide's relief enlarged as in the plot. The guide turns "
+             "with the crank, the spring stands still. Space plays the computed motion in slow "
+             "motion, dragging turns the crank."),
+          parent),
+      model_(model) {
+    connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
+    connect(model_, &ElasticHingeModel::viewChanged, this, qOverload<>(&QWidget::update));
+    connect(model_, &ElasticHingeModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
 }
 
 double HingeMechanismView::slowness() const {
@@ -97,8 +79,7 @@ double HingeMechanismView::slowness() const {
     return speed > 0.0 ? shownTurnsPerSecond * two_pi / speed : 1.0;
 }
 
-void HingeMechanismView::step() {
-    const double seconds = 1e-3 * static_cast<double>(std::min<qint64>(sinceStep_.restart(), 100));
+void HingeMechanismView::play(double seconds) {
     const Motion* motion = model_->animatedMotion();
     if (motion == nullptr || motion->time.back() <= 0.0) {
         model_->setCrankAngleDeg(model_->crankAngleDeg() + 360.0 * shownTurnsPerSecond * seconds);
@@ -109,6 +90,16 @@ void HingeMechanismView::step() {
         time = 0.0;  // from the start again
     }
     model_->setMotionTime(time);
+}
+
+void HingeMechanismView::step(double degrees) {
+    turnTo(model_->crankAngleDeg() - degrees);  // the left arrow counter-clockwise
+}
+
+void HingeMechanismView::turnTo(double degrees) {
+    setPlaying(false);
+    model_->setMotionTime(std::nullopt);
+    model_->setCrankAngleDeg(degrees);
 }
 
 HingeMechanismView::Scale HingeMechanismView::scale() const {
@@ -154,9 +145,9 @@ void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
     painter.fillRect(rect(), theme.panel());
     painter.setRenderHint(QPainter::Antialiasing);
     const QColor line = theme.text();
-    const QColor metal = theme.isDark() ? QColor(0x4a525c) : QColor(0xd9dee4);
-    const QColor weight = theme.isDark() ? QColor(0x6b5a3a) : QColor(0xf2d9ae);
-    const QColor block = theme.isDark() ? QColor(0x5a636e) : QColor(0xeef1f4);
+    const QColor metal = drawing::metal();
+    const QColor weight = drawing::frontWeight();
+    const QColor block = drawing::brightMetal();
     const QPointF axis = map.at(0, 0);
     const QPointF pin = map.at(pose.crankpin);
     const QPointF slider = map.at(pose.slider);
@@ -248,8 +239,7 @@ void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
         painter.drawEllipse(at, radius, radius);
         painter.setPen(line);
         painter.setFont(Theme::font(Theme::smallSize));
-        painter.drawText(QRectF(at - QPointF(14, 9), QSizeF(28, 18)), Qt::AlignCenter,
-                         QStringLiteral("P₄"));
+        drawing::drawCentred(painter, at, QStringLiteral("P₄"));
     }
     bar(pin, slider, 0.55 * thick);
     bar(axis, pin, thick);
@@ -296,11 +286,7 @@ void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
         painter.drawText(inside, Qt::AlignBottom | Qt::AlignRight,
                          tr("%1 times slower").arg(formNumber(1.0 / slowness(), QLocale(), 2)));
     }
-    if (hasFocus()) {
-        painter.setPen(QPen(theme.accent(), 1.0));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
-    }
+    drawFocus(painter);
 }
 
 void HingeMechanismView::mousePressEvent(QMouseEvent* event) {
@@ -312,30 +298,7 @@ void HingeMechanismView::mouseMoveEvent(QMouseEvent* event) {
         return;
     }
     const QPointF p = event->position() - scale().origin;
-    setPlaying(false);
-    model_->setMotionTime(std::nullopt);
-    model_->setCrankAngleDeg(std::atan2(-p.y(), p.x()) / degree);
-}
-
-void HingeMechanismView::keyPressEvent(QKeyEvent* event) {
-    const auto turn = [this](double by) {
-        setPlaying(false);
-        model_->setMotionTime(std::nullopt);
-        model_->setCrankAngleDeg(model_->crankAngleDeg() + by);
-    };
-    switch (event->key()) {
-        case Qt::Key_Space:
-            setPlaying(!isPlaying());
-            return;
-        case Qt::Key_Left:
-            turn(1.0);  // counter-clockwise
-            return;
-        case Qt::Key_Right:
-            turn(-1.0);
-            return;
-        default:
-            QWidget::keyPressEvent(event);
-    }
+    turnTo(std::atan2(-p.y(), p.x()) / degree);
 }
 
 }  // namespace ravnoves

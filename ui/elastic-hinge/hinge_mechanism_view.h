@@ -1,47 +1,40 @@
 #pragma once
 
-#include <QElapsedTimer>
-#include <QTimer>
-#include <QWidget>
+#include "widgets/mechanism_picture.h"
 
 namespace ravnoves {
 
-class ElasticHingeViewModel;
+class ElasticHingeModel;
 
 /// The mechanism to scale, with the crank's spring and guide (relief enlarged as in the plot), the
 /// rod's hinge and the counterweight. Space plays the computed motion in slow motion; dragging
 /// turns the crank.
-class HingeMechanismView : public QWidget {
+class HingeMechanismView : public MechanismPicture {
     Q_OBJECT
 
   public:
-    explicit HingeMechanismView(ElasticHingeViewModel* model, QWidget* parent = nullptr);
+    explicit HingeMechanismView(ElasticHingeModel* model, QWidget* parent = nullptr);
 
-    bool isPlaying() const { return timer_.isActive(); }
-    void setPlaying(bool playing);
+    /// Leaves the motion and turns the crank.
+    void turnTo(double degrees);
     /// Seconds of the motion to one second on the screen.
     double slowness() const;
 
     QSize sizeHint() const override { return {300, 210}; }
     QSize minimumSizeHint() const override { return {180, 130}; }
 
-  Q_SIGNALS:
-    void playingChanged(bool playing);
-
   protected:
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
+    void play(double seconds) override;
+    void step(double degrees) override;
 
   private:
     struct Scale;
     Scale scale() const;
-    void step();
 
-    ElasticHingeViewModel* model_;
-    QTimer timer_;
-    QElapsedTimer sinceStep_;
+    ElasticHingeModel* model_;
 };
 
 }  // namespace ravnoves

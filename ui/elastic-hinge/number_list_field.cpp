@@ -1,81 +1,45 @@
 #include "elastic-hinge/number_list_field.h"
 
-#include <QPainter>
 #include <QRegularExpression>
 
-#include "theme/theme.h"
-#include "widgets/number_text.h"
+#include "text/number_text.h"
 
 namespace ravnoves {
 
 NumberListField::NumberListField(const Range& range, int longest, QWidget* parent)
-    : QLineEdit(parent), range_(range), longest_(longest) {
-    connect(this, &QLineEdit::textEdited, this, &NumberListField::readText);
-    setHint({});
+    : ValueEntry(parent), range_(range), longest_(longest) {
+    describe();
 }
 
-void NumberListField::setValues(const std::vector<double>& values) {
-    if (values == values_ && !text().isEmpty()) {
-        return;
-    }
-    values_ = values;
-    QStringList parts;
-    for (const double value : values) {
-        parts << formNumber(value, locale(), 6);
-    }
-    setText(parts.join(QStringLiteral("; ")));
-    setTrouble({});
-}
-
-void NumberListField::setHint(const QString& hint) {
-    hint_ = hint;
-    setTrouble(trouble_);
-}
-
-void NumberListField::readText() {
+NumberListField::Reading NumberListField::read(const QString& typed) const {
     static const QRegularExpression separators(QStringLiteral("[;\\s]+"));
     std::vector<double> values;
-    for (const QString& part : text().split(separators, Qt::SkipEmptyParts)) {
+    for (const QString& part : typed.split(separators, Qt::SkipEmptyParts)) {
         const auto value = readFormNumber(part);
         if (!value) {
-            setTrouble(tr("“%1” is not a number.").arg(part));
-            return;
+            return {{}, tr("“%1” is not a number.").arg(part)};
         }
         if (!range_.contains(*value)) {
-            setTrouble(tr("The value %1.").arg(rangeText(range_, {}, locale())));
-            return;
+            return {{}, tr("The value %1.").arg(rangeText(range_, {}, locale()))};
         }
         values.push_back(*value);
     }
     if (values.size() > static_cast<std::size_t>(longest_)) {
-        setTrouble(tr("At most %n value(s).", nullptr, longest_));
-        return;
+        return {{}, tr("At most %n value(s).", nullptr, longest_)};
     }
-    setTrouble({});
-    if (values != values_) {
-        values_ = values;
-        Q_EMIT valuesEdited(values_);
-    }
+    return {std::move(values), {}};
 }
 
-void NumberListField::setTrouble(const QString& trouble) {
-    trouble_ = trouble;
-    QString tip = trouble_.isEmpty() ? hint_ : trouble_ + QLatin1Char('\n') + hint_;
-    if (!tip.isEmpty()) {
-        tip += QLatin1Char('\n');
+QString NumberListField::written() const {
+    QStringList parts;
+    for (const double each : value()) {
+        parts << formNumber(each, locale(), 6);
     }
-    setToolTip(tip + tr("Each value %1.").arg(rangeText(range_, {}, locale())));
-    setAccessibleDescription(trouble_.isEmpty() ? hint_ : trouble_);
-    update();
+    return parts.join(QStringLiteral("; "));
 }
 
-void NumberListField::paintEvent(QPaintEvent* event) {
-    QLineEdit::paintEvent(event);
-    if (!trouble_.isEmpty()) {
-        QPainter painter(this);
-        painter.setPen(QPen(Theme::instance().error(), 2.0));
-        painter.drawRect(rect().adjusted(1, 1, -1, -1));
-    }
+QString NumberListField::rule() const {
+    return tr("Each value %1.").arg(rangeText(range_, {}, locale()));
 }
 
 }  // namespace ravnoves

@@ -6,16 +6,15 @@
 #include <cmath>
 #include <map>
 
-#include "inertia-moments/drawing.h"
-#include "inertia-moments/inertia_moments_view_model.h"
+#include "inertia-moments/model/inertia_moments_model.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/number_text.h"
+#include "widgets/drawing.h"
 
 namespace ravnoves {
 
 using inertia_moments::Complex;
 using inertia_moments::FiringEvent;
-namespace drawing = inertia_drawing;
 
 namespace {
 
@@ -27,15 +26,15 @@ QString angleText(double radians) {
     return fixedNumber(value > 359.95 ? 0.0 : value, 1, QLocale()) + QStringLiteral("°");
 }
 
-void connectTo(InertiaMomentsViewModel* model, QWidget* widget) {
+void connectTo(InertiaMomentsModel* model, QWidget* widget) {
     widget->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    QObject::connect(model, &SceneViewModel::changed, widget, qOverload<>(&QWidget::update));
+    QObject::connect(model, &SceneModel::changed, widget, qOverload<>(&QWidget::update));
     QObject::connect(&Theme::instance(), &Theme::changed, widget, qOverload<>(&QWidget::update));
 }
 
 }  // namespace
 
-CounterweightView::CounterweightView(InertiaMomentsViewModel* model, QWidget* parent)
+CounterweightView::CounterweightView(InertiaMomentsModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     setAccessibleName(tr("Rotating masses and counterweights"));
     setToolTip(
@@ -98,11 +97,8 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
             painter.setPen(theme.text());
             const QString text = names.join(QLatin1Char(','));
             const double beside = 0.5 * painter.fontMetrics().horizontalAdvance(text) - 4.0;
-            painter.drawText(
-                QRectF(place(angle, radius + 12.0 + beside * std::abs(std::sin(angle))) -
-                           QPointF(20, 8),
-                       QSizeF(40, 16)),
-                Qt::AlignCenter, text);
+            drawing::drawCentred(
+                painter, place(angle, radius + 12.0 + beside * std::abs(std::sin(angle))), text);
         }
         const auto vector = [&](const Complex& v, double scale, const QColor& colour) {
             if (std::abs(v) > inertia_moments::zero_share * scale) {
@@ -169,15 +165,14 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
     }
 }
 
-FiringWheel::FiringWheel(InertiaMomentsViewModel* model, QWidget* parent)
+FiringWheel::FiringWheel(InertiaMomentsModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     setAccessibleName(tr("Firing order"));
     setToolTip(
         tr("One four-stroke cycle of 720°, counter-clockwise from the top: cylinders in "
            "the order of firing, the intervals between them, the present crank angle."));
     connectTo(model, this);
-    connect(model_, &InertiaMomentsViewModel::crankAngleChanged, this,
-            qOverload<>(&QWidget::update));
+    connect(model_, &InertiaMomentsModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
 }
 
 void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
@@ -220,10 +215,9 @@ void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
         painter.setFont(Theme::font(Theme::smallSize));
         painter.setPen(theme.mutedText());
         const QString interval = fixedNumber(event.interval / degree, even ? 0 : 1, QLocale());
-        painter.drawText(
-            QRectF(place(event.crank_angle + 0.5 * event.interval, radius - 20.0) - QPointF(24, 8),
-                   QSizeF(48, 16)),
-            Qt::AlignCenter, interval + QStringLiteral("°"));
+        drawing::drawCentred(painter,
+                             place(event.crank_angle + 0.5 * event.interval, radius - 20.0),
+                             interval + QStringLiteral("°"));
     }
     for (const FiringEvent& event : result.firing) {
         const QPointF at = place(event.crank_angle, radius);
@@ -232,8 +226,7 @@ void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
         painter.drawEllipse(at, 11.0, 11.0);
         painter.setPen(event.cylinder == 1 ? QColor(Qt::white) : theme.text());
         painter.setFont(Theme::font(Theme::baseSize, true));
-        painter.drawText(QRectF(at - QPointF(12, 10), QSizeF(24, 20)), Qt::AlignCenter,
-                         QString::number(event.cylinder));
+        drawing::drawCentred(painter, at, QString::number(event.cylinder));
     }
     // φ counts from crankpin 1 on its cylinder's axis, the wheel from the first one's firing.
     const auto& engine = result.engine;

@@ -4,7 +4,7 @@
 
 namespace ravnoves {
 
-class InertiaMomentsViewModel;
+class InertiaMomentsModel;
 
 /// The crank star with the rotating masses' force and moment and the counterweights of the end
 /// webs (the paper's Fig. 9), crankpin 1 up.
@@ -12,7 +12,7 @@ class CounterweightView : public QWidget {
     Q_OBJECT
 
   public:
-    explicit CounterweightView(InertiaMomentsViewModel* model, QWidget* parent = nullptr);
+    explicit CounterweightView(InertiaMomentsModel* model, QWidget* parent = nullptr);
     QSize sizeHint() const override { return {420, 260}; }
     QSize minimumSizeHint() const override { return {240, 160}; }
 
@@ -20,7 +20,7 @@ class CounterweightView : public QWidget {
     void paintEvent(QPaintEvent* event) override;
 
   private:
-    InertiaMomentsViewModel* model_;
+    InertiaMomentsModel* model_;
 };
 
 /// The firing order as a wheel of 720°, with the intervals and the present crank angle.
@@ -28,7 +28,7 @@ class FiringWheel : public QWidget {
     Q_OBJECT
 
   public:
-    explicit FiringWheel(InertiaMomentsViewModel* model, QWidget* parent = nullptr);
+    explicit FiringWheel(InertiaMomentsModel* model, QWidget* parent = nullptr);
     QSize sizeHint() const override { return {420, 260}; }
     QSize minimumSizeHint() const override { return {240, 160}; }
 
@@ -36,7 +36,7 @@ class FiringWheel : public QWidget {
     void paintEvent(QPaintEvent* event) override;
 
   private:
-    InertiaMomentsViewModel* model_;
+    InertiaMomentsModel* model_;
 };
 
 }  // namespace ravnoves

@@ -1,40 +1,31 @@
 #pragma once
 
-#include <QWidget>
+#include "widgets/table_editor.h"
 
-class QLabel;
 class QPushButton;
-class QTableView;
 
 namespace ravnoves {
 
 class CylinderTableModel;
-class InertiaMomentsViewModel;
+class InertiaMomentsModel;
 
 /// The cylinder table with its tools: edit, add, remove, copy, paste, even firing.
-class CylinderEditor : public QWidget {
+class CylinderEditor : public TableEditor {
     Q_OBJECT
 
   public:
-    explicit CylinderEditor(InertiaMomentsViewModel* model, QWidget* parent = nullptr);
+    explicit CylinderEditor(InertiaMomentsModel* model, QWidget* parent = nullptr)
+        : CylinderEditor(model, newTable(model), parent) {}
 
-    QTableView* view() const { return view_; }
     CylinderTableModel* tableModel() const { return table_; }
-    void copy();
-    void paste();
-
-  protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    void say(const QString& trouble);
+    CylinderEditor(InertiaMomentsModel* model, CylinderTableModel* table, QWidget* parent);
+    static CylinderTableModel* newTable(InertiaMomentsModel* model);
     void showState();
 
-    InertiaMomentsViewModel* model_;
+    InertiaMomentsModel* model_;
     CylinderTableModel* table_;
-    QTableView* view_;
-    QLabel* state_;
-    QLabel* message_;
     QPushButton* evenFiring_;
 };
 

@@ -1,6 +1,5 @@
 #include "inertia-moments/engine_view.h"
 
-#include <QKeyEvent>
 #include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
@@ -10,11 +9,11 @@
 #include <numeric>
 #include <vector>
 
-#include "inertia-moments/drawing.h"
-#include "inertia-moments/inertia_moments_view_model.h"
+#include "inertia-moments/model/inertia_moments_model.h"
 #include "inertia-moments/pose.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/number_text.h"
+#include "widgets/drawing.h"
 
 namespace ravnoves {
 
@@ -22,12 +21,10 @@ using inertia_moments::Complex;
 using inertia_moments::Cylinder;
 using inertia_moments::CylinderPose;
 using inertia_moments::Engine;
-namespace drawing = inertia_drawing;
 
 namespace {
 
-constexpr int frameMs = 16;
-constexpr double degreesPerFrame = 2.4;  // slow enough to follow with the eye
+constexpr double degreesPerSecond = 150.0;  // slow enough to follow with the eye
 // Sizes of the picture that the input does not give, in crank radii.
 constexpr double pistonHalf = 0.72;
 constexpr double crownHeight = 0.75;
@@ -55,29 +52,23 @@ double pointerAngle(const QPointF& from, const QPointF& to) {
 
 }  // namespace
 
-EngineView::EngineView(InertiaMomentsViewModel* model, QWidget* parent)
-    : QWidget(parent), model_(model) {
-    setFocusPolicy(Qt::StrongFocus);
-    setAccessibleName(tr("Engine from the front and the crank from the side"));
-    setToolTip(
-        tr("To scale; the crank turns counter-clockwise. Drag to turn it, Space plays and "
-           "pauses, the arrow keys step."));
-    timer_.setInterval(frameMs);
-    timer_.setTimerType(Qt::PreciseTimer);
-    connect(&timer_, &QTimer::timeout, this,
-            [this] { model_->setCrankAngleDeg(model_->crankAngleDeg() + degreesPerFrame); });
-    connect(model_, &SceneViewModel::changed, this, qOverload<>(&QWidget::update));
-    connect(model_, &InertiaMomentsViewModel::crankAngleChanged, this,
-            qOverload<>(&QWidget::update));
-    connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+EngineView::EngineView(InertiaMomentsModel* model, QWidget* parent)
+    : MechanismPicture(
+          tr("Engine from the front and the crank from the side"),
+          tr("To scale; the crank turns counter-clockwise. Drag to turn it, Space plays and "
+             "pauses, the arrow keys step."),
+          parent),
+      model_(model) {
+    connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
+    connect(model_, &InertiaMomentsModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
 }
 
-void EngineView::setPlaying(bool playing) {
-    if (playing == isPlaying()) {
-        return;
-    }
-    playing ? timer_.start() : timer_.stop();
-    Q_EMIT playingChanged(playing);
+void EngineView::play(double seconds) {
+    step(degreesPerSecond * seconds);
+}
+
+void EngineView::step(double degrees) {
+    model_->setCrankAngleDeg(model_->crankAngleDeg() + degrees);
 }
 
 QRectF EngineView::frontBounds() const {
@@ -129,11 +120,7 @@ void EngineView::paintEvent(QPaintEvent* /*event*/) {
                      tr("φ = %1°").arg(fixedNumber(model_->crankAngleDeg(), 0, QLocale())));
     painter.drawText(QRectF(rect()).adjusted(8, 6, -8, -6), Qt::AlignTop | Qt::AlignRight,
                      model_->layoutTitle(model_->layoutName()));
-    if (hasFocus()) {
-        painter.setPen(QPen(theme.accent(), 1.0));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
-    }
+    drawFocus(painter);
 }
 
 void EngineView::paintFront(QPainter& painter, const QRectF& area) {
@@ -212,10 +199,9 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
         const QPointF piston = frame.at(pose.piston_pin);
         drawing::drawBar(painter, pin, piston, thick, body, theme.text());
         painter.drawEllipse(piston, 0.5 * thick, 0.5 * thick);
-        const QPointF head1 = frame.at(pose.piston_pin + axial * 0.3 * radius);
         painter.setPen(theme.text());
-        painter.drawText(QRectF(head1 - QPointF(12, 8), QSizeF(24, 16)), Qt::AlignCenter,
-                         QString::number(i + 1));
+        drawing::drawCentred(painter, frame.at(pose.piston_pin + axial * 0.3 * radius),
+                             QString::number(i + 1));
     }
     // The crank star over all.
     for (const CylinderPose& pose : poses) {
@@ -338,22 +324,6 @@ void EngineView::mousePressEvent(QMouseEvent* event) {
 void EngineView::mouseMoveEvent(QMouseEvent* event) {
     if (event->buttons().testFlag(Qt::LeftButton)) {
         model_->setCrankAngleDeg(pointerAngle(crankPixel_, event->position()) + dragOffset_);
-    }
-}
-
-void EngineView::keyPressEvent(QKeyEvent* event) {
-    switch (event->key()) {
-        case Qt::Key_Space:
-            setPlaying(!isPlaying());
-            return;
-        case Qt::Key_Left:
-            model_->setCrankAngleDeg(model_->crankAngleDeg() - 1.0);
-            return;
-        case Qt::Key_Right:
-            model_->setCrankAngleDeg(model_->crankAngleDeg() + 1.0);
-            return;
-        default:
-            QWidget::keyPressEvent(event);
     }
 }
 

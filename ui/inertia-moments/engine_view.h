@@ -1,36 +1,31 @@
 #pragma once
 
 #include <QRectF>
-#include <QTimer>
-#include <QWidget>
 #include <utility>
+
+#include "widgets/mechanism_picture.h"
 
 namespace ravnoves {
 
-class InertiaMomentsViewModel;
+class InertiaMomentsModel;
 
 /// The engine to scale: front view with banks, offsets, pistons, rods and the crank star, and below
 /// it the crank from the side. Space plays and pauses; dragging turns the crank.
-class EngineView : public QWidget {
+class EngineView : public MechanismPicture {
     Q_OBJECT
 
   public:
-    explicit EngineView(InertiaMomentsViewModel* model, QWidget* parent = nullptr);
-
-    bool isPlaying() const { return timer_.isActive(); }
-    void setPlaying(bool playing);
+    explicit EngineView(InertiaMomentsModel* model, QWidget* parent = nullptr);
 
     QSize sizeHint() const override { return {320, 360}; }
     QSize minimumSizeHint() const override { return {200, 220}; }
-
-  Q_SIGNALS:
-    void playingChanged(bool playing);
 
   protected:
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
+    void play(double seconds) override;
+    void step(double degrees) override;
 
   private:
     /// Places of front and side view: one above the other, or beside each other where that makes
@@ -41,8 +36,7 @@ class EngineView : public QWidget {
     void paintFront(QPainter& painter, const QRectF& area);
     void paintSide(QPainter& painter, const QRectF& area);
 
-    InertiaMomentsViewModel* model_;
-    QTimer timer_;
+    InertiaMomentsModel* model_;
     double dragOffset_ = 0.0;  ///< crank angle less pointer's angle at the press, °
     QPointF crankPixel_;       ///< crank axis in the front view as last drawn
 };

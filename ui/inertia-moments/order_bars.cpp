@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "inertia-moments/inertia_moments_view_model.h"
+#include "inertia-moments/model/inertia_moments_model.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/number_text.h"
 
 namespace ravnoves {
 
@@ -30,11 +30,10 @@ QString valueText(double value) {
 
 }  // namespace
 
-OrderBars::OrderBars(InertiaMomentsViewModel* model, QWidget* parent)
-    : QWidget(parent), model_(model) {
+OrderBars::OrderBars(InertiaMomentsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     setAccessibleName(tr("Amplitudes by order"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    connect(model_, &SceneViewModel::changed, this, qOverload<>(&QWidget::update));
+    connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 

@@ -6,7 +6,7 @@
 
 namespace ravnoves {
 
-class InertiaMomentsViewModel;
+class InertiaMomentsModel;
 
 /// Amplitudes by order as bars: force, moment and roll moment; exact beside two-term beside what
 /// is left over. The height is the largest value of the order's ellipse.
@@ -14,7 +14,7 @@ class OrderBars : public QWidget {
     Q_OBJECT
 
   public:
-    explicit OrderBars(InertiaMomentsViewModel* model, QWidget* parent = nullptr);
+    explicit OrderBars(InertiaMomentsModel* model, QWidget* parent = nullptr);
 
     bool isLogarithmic() const { return logarithmic_; }
     /// A logarithmic scale over six decades, so that high orders can be seen.
@@ -39,7 +39,7 @@ class OrderBars : public QWidget {
     QRectF panelRect(int panel) const;
     QRectF barsRect(int panel) const;
 
-    InertiaMomentsViewModel* model_;
+    InertiaMomentsModel* model_;
     bool logarithmic_ = false;
 };
 

@@ -2,24 +2,24 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QSignalBlocker>
 #include <QSpinBox>
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "inertia-moments/inertia_moments_view_model.h"
+#include "inertia-moments/fields.h"
+#include "inertia-moments/model/inertia_moments_model.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
-#include "widgets/form_section.h"
 #include "widgets/number_field.h"
-#include "widgets/number_text.h"
 
 namespace ravnoves {
 
 using inertia_moments::Balances;
-using inertia_moments::Direction;
 using inertia_moments::Shaft;
 namespace field = inertia_moments::field;
 
@@ -27,20 +27,14 @@ class ShaftRow : public QWidget {
     Q_OBJECT
 
   public:
-    ShaftRow(InertiaMomentsViewModel* model, int index, QWidget* parent)
+    ShaftRow(InertiaMomentsModel* model, int index, QWidget* parent)
         : QWidget(parent), model_(model), index_(index) {
         auto* column = new QVBoxLayout(this);
         column->setContentsMargins(0, Theme::gap, 0, Theme::gap);
         column->setSpacing(Theme::gap);
-        auto* first = new QHBoxLayout;
-        first->setSpacing(Theme::gap);
-        column->addLayout(first);
-        const QString shaft = tr("Shaft %1").arg(index + 1);
-
+        auto* first = addLine(column);
         enabled_ = new QCheckBox(this);
-        enabled_->setObjectName(QStringLiteral("shaft_enabled_%1").arg(index));
-        enabled_->setAccessibleName(tr("%1 is on").arg(shaft));
-        enabled_->setToolTip(tr("Switched on, the shaft counts in what is left over."));
+        name(enabled_, field::shaft_enabled, "shaft_enabled_%1");
         connect(enabled_, &QCheckBox::clicked, this,
                 [this](bool on) { model_->setShaftEnabled(index_, on); });
         first->addWidget(enabled_);
@@ -50,100 +44,30 @@ class ShaftRow : public QWidget {
         order_->setPrefix(tr("k "));
         order_->setMaximumWidth(52);
         order_->setKeyboardTracking(false);
-        order_->setObjectName(QStringLiteral("shaft_order_%1").arg(index));
-        order_->setAccessibleName(tr("Order of %1").arg(shaft));
-        order_->setToolTip(tr("Order that the shaft cancels; it turns k times as fast as the "
-                              "crank. 1 to %1.")
-                               .arg(inertia_moments::highest_order));
-        connect(order_, qOverload<int>(&QSpinBox::valueChanged), this, [this](int order) {
-            model_->editShaft(index_, tr("Order of the shaft"),
-                              [order](Shaft& s) { s.order = order; });
-        });
+        name(order_, field::shaft_order, "shaft_order_%1");
+        connect(order_, qOverload<int>(&QSpinBox::valueChanged), this,
+                [this](int order) { edit(field::shaft_order, order); });
         first->addWidget(order_);
-
-        direction_ = new QComboBox(this);
-        direction_->addItems({tr("+kω"), tr("−kω")});
-        direction_->setAccessibleName(tr("Direction of %1").arg(shaft));
-        direction_->setToolTip(tr("With the crank (+kω) or against it (−kω)"));
-        connect(direction_, &QComboBox::activated, this, [this](int which) {
-            model_->editShaft(index_, tr("Direction of the shaft"), [which](Shaft& s) {
-                s.direction = which == 0 ? Direction::forward : Direction::backward;
-            });
-        });
-        narrow(direction_);
-        first->addWidget(direction_, 1);
-
-        task_ = new QComboBox(this);
-        task_->addItems({tr("moment"), tr("force")});
-        task_->setAccessibleName(tr("Task of %1").arg(shaft));
-        task_->setToolTip(tr("Two opposite weights against a moment, one against a force"));
-        connect(task_, &QComboBox::activated, this, [this](int which) {
-            model_->editShaft(index_, tr("Task of the shaft"), [which](Shaft& s) {
-                s.balances = which == 0 ? Balances::moment : Balances::force;
-            });
-        });
-        narrow(task_);
-        first->addWidget(task_, 1);
+        direction_ = addChoice(first, field::shaft_direction);
+        task_ = addChoice(first, field::shaft_task);
 
         auto* remove = new QToolButton(this);
         remove->setIcon(themedIcon(QStringLiteral("minus")));
         remove->setAutoRaise(true);
         remove->setObjectName(QStringLiteral("remove_shaft_%1").arg(index));
         remove->setToolTip(tr("Remove this shaft"));
-        remove->setAccessibleName(tr("Remove %1").arg(shaft));
+        remove->setAccessibleName(tr("Remove %1").arg(tr("Shaft %1").arg(index + 1)));
         connect(remove, &QToolButton::clicked, this, [this] { model_->removeShaft(index_); });
         first->addWidget(remove);
 
-        auto* second = new QHBoxLayout;
-        second->setSpacing(Theme::gap);
-        column->addLayout(second);
-        const auto number = [&](QLabel*& label, const QString& text, const FieldSpec& spec,
-                                const QString& name, const QString& hint) {
-            auto* target = new NumberField(spec, this);
-            target->setRange(spec.range, unitText(spec.unit));
-            target->setHint(hint);
-            target->setAccessibleName(name + QStringLiteral(", ") + unitText(spec.unit));
-            target->setMinimumWidth(36);
-            label = new QLabel(text, this);
-            label->setBuddy(target);
-            second->addWidget(label);
-            second->addWidget(target, 1);
-            return target;
-        };
-        QLabel* unused = nullptr;
-        length_ = number(lengthLabel_, tr("&L"), field::weight_distance,
-                         tr("Distance of the weights of %1").arg(shaft), {});
-        length_->setObjectName(QStringLiteral("shaft_length_%1").arg(index));
-        radius_ = number(unused, tr("&ρ"), field::weight_radius,
-                         tr("Radius of the weights of %1").arg(shaft),
-                         tr("Radius of the weights' centres of mass; gives their mass. Empty: only "
-                            "mρ is given."));
+        auto* second = addLine(column);
+        length_ = addNumber(second, field::weight_distance, "shaft_length_%1");
+        position_ = addNumber(second, field::shaft_position, "shaft_position_%1");
+        radius_ = addNumber(second, field::weight_radius, "shaft_radius_%1");
+        error_ = addNumber(second, field::phase_error, "shaft_error_%1");
+        second->addWidget(new QLabel(unitText(field::phase_error.unit.name), this));
+        position_->setOptional(true);
         radius_->setOptional(true);
-        error_ = number(unused, tr("&δ"), field::phase_error, tr("Error of phase of %1").arg(shaft),
-                        tr("Error of the shaft's phase, ahead in its own direction: 0 when it is "
-                           "timed right."));
-        error_->setObjectName(QStringLiteral("shaft_error_%1").arg(index));
-        auto* degreeLabel = new QLabel(QStringLiteral("°"), this);
-        second->addWidget(degreeLabel);
-        connect(length_, &NumberField::valueEdited, this, [this](std::optional<double> value) {
-            model_->editShaft(index_, tr("Place of the shaft"), [&](Shaft& s) {
-                if (s.balances == Balances::moment) {
-                    s.weight_distance = *value * field::millimetre;
-                } else {
-                    s.axial_position =
-                        value ? std::optional(*value * field::millimetre) : std::nullopt;
-                }
-            });
-        });
-        connect(radius_, &NumberField::valueEdited, this, [this](std::optional<double> value) {
-            model_->editShaft(index_, tr("Radius of the shaft's weights"), [&](Shaft& s) {
-                s.weight_radius = value ? std::optional(*value * field::millimetre) : std::nullopt;
-            });
-        });
-        connect(error_, &NumberField::valueEdited, this, [this](std::optional<double> value) {
-            model_->editShaft(index_, tr("Phase of the shaft"),
-                              [&](Shaft& s) { s.phase_error = *value * degree; });
-        });
     }
 
     void show(const Shaft& shaft) {
@@ -152,51 +76,95 @@ class ShaftRow : public QWidget {
             const QSignalBlocker quiet(order_);
             order_->setValue(shaft.order);
         }
-        direction_->setCurrentIndex(shaft.direction == Direction::forward ? 0 : 1);
+        direction_->setCurrentIndex(static_cast<int>(shaft.direction));
+        task_->setCurrentIndex(static_cast<int>(shaft.balances));
+        const auto set = [](NumberField* target, const Field& field, std::optional<double> si) {
+            target->setValue(si ? std::optional(from_si(field, *si)) : std::nullopt);
+        };
+        set(length_, field::weight_distance, shaft.weight_distance);
+        set(position_, field::shaft_position, shaft.axial_position);
+        set(radius_, field::weight_radius, shaft.weight_radius);
+        set(error_, field::phase_error, shaft.phase_error);
         const bool moment = shaft.balances == Balances::moment;
-        task_->setCurrentIndex(moment ? 0 : 1);
-        lengthLabel_->setText(moment ? tr("&L") : tr("&z"));
-        const FieldSpec& place = moment ? field::weight_distance : field::shaft_position;
-        if (moment_ != moment) {
-            moment_ = moment;
-            length_->setRange(place.range, unitText(place.unit));
-            length_->setOptional(!moment);
-            length_->setPlaceholderText(moment ? QString() : tr("c. m."));
-            length_->setHint(moment ? tr("Distance between the two weights along the shaft")
-                                    : tr("Axial position of the weight; empty: at the point that "
-                                         "moments refer to"));
-        }
-        length_->setValue(moment ? std::optional(from_si(place, shaft.weight_distance))
-                          : shaft.axial_position
-                              ? std::optional(from_si(place, *shaft.axial_position))
-                              : std::nullopt);
-        radius_->setValue(shaft.weight_radius
-                              ? std::optional(from_si(field::weight_radius, *shaft.weight_radius))
-                              : std::nullopt);
-        error_->setValue(from_si(field::phase_error, shaft.phase_error));
+        length_->parentWidget()->setVisible(moment);
+        position_->parentWidget()->setVisible(!moment);
     }
 
   private:
-    /// The form is narrow: a list takes what room there is.
-    static void narrow(QComboBox* box) {
-        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(2);
+    static QHBoxLayout* addLine(QVBoxLayout* column) {
+        auto* line = new QHBoxLayout;
+        line->setSpacing(Theme::gap);
+        column->addLayout(line);
+        return line;
     }
 
-    InertiaMomentsViewModel* model_;
+    /// "Shaft 2: Order of the shaft", with the field's explanation.
+    void name(QWidget* widget, const Field& field, const char* objectName) const {
+        widget->setObjectName(QString::fromLatin1(objectName).arg(index_));
+        widget->setAccessibleName(
+            tr("Shaft %1: %2").arg(QString::number(index_ + 1), fieldName(field)));
+        widget->setToolTip(shownText(field.hint));
+    }
+
+    void edit(const Field& field, const FieldValue& value) {
+        model_->editField(
+            "/balance_shafts/" + std::to_string(index_) + "/" + std::string(field.key), value,
+            fieldName(field));
+    }
+
+    QComboBox* addChoice(QHBoxLayout* line, const Field& field) {
+        auto* box = new QComboBox(this);
+        for (const Word& word : field.words) {
+            box->addItem(shownText(word.label));
+        }
+        name(box, field, "shaft_choice_%1");
+        connect(box, &QComboBox::activated, this,
+                [this, &field](int which) { edit(field, which); });
+        // The form is narrow: a list takes what room there is.
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(2);
+        line->addWidget(box, 1);
+        return box;
+    }
+
+    NumberField* addNumber(QHBoxLayout* line, const Field& field, const char* objectName) {
+        auto* holder = new QWidget(this);
+        auto* pair = new QHBoxLayout(holder);
+        pair->setContentsMargins(0, 0, 0, 0);
+        pair->setSpacing(Theme::gap);
+        auto* target = new NumberField(field, holder);
+        name(target, field, objectName);
+        target->setHint(shownText(field.hint));
+        target->setPlaceholderText(shownText(field.placeholder));
+        target->setMinimumWidth(36);
+        auto* label = new QLabel(
+            QStringLiteral("&") + QString::fromStdString(std::string(field.symbol)), holder);
+        label->setBuddy(target);
+        pair->addWidget(label);
+        pair->addWidget(target, 1);
+        line->addWidget(holder, 1);
+        connect(target, &NumberField::valueEdited, this,
+                [this, &field](std::optional<double> value) {
+                    edit(field, value ? FieldValue(*value) : FieldValue());
+                });
+        connect(target, &EntryField::editingBegun, model_, &SceneModel::finishDrag);
+        connect(target, &EntryField::editingEnded, model_, &SceneModel::finishDrag);
+        return target;
+    }
+
+    InertiaMomentsModel* model_;
     int index_;
-    std::optional<bool> moment_;  ///< task that the place's field is set up for
     QCheckBox* enabled_;
     QSpinBox* order_;
     QComboBox* direction_;
     QComboBox* task_;
-    QLabel* lengthLabel_ = nullptr;
-    NumberField* length_;
+    NumberField* length_;    ///< of a shaft against a moment
+    NumberField* position_;  ///< of one against a force
     NumberField* radius_;
     NumberField* error_;
 };
 
-ShaftEditor::ShaftEditor(InertiaMomentsViewModel* model, QWidget* parent)
+ShaftEditor::ShaftEditor(InertiaMomentsModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -204,7 +172,7 @@ ShaftEditor::ShaftEditor(InertiaMomentsViewModel* model, QWidget* parent)
     list_ = new QVBoxLayout;
     list_->setSpacing(0);
     column->addLayout(list_);
-    connect(model_, &SceneViewModel::changed, this, &ShaftEditor::refresh);
+    connect(model_, &SceneModel::changed, this, &ShaftEditor::refresh);
     refresh();
 }
 

@@ -7,7 +7,7 @@ class QVBoxLayout;
 
 namespace ravnoves {
 
-class InertiaMomentsViewModel;
+class InertiaMomentsModel;
 
 /// One balance shaft of the list: switch, order, direction, task, sizes, error of phase.
 class ShaftRow;
@@ -17,14 +17,14 @@ class ShaftEditor : public QWidget {
     Q_OBJECT
 
   public:
-    explicit ShaftEditor(InertiaMomentsViewModel* model, QWidget* parent = nullptr);
+    explicit ShaftEditor(InertiaMomentsModel* model, QWidget* parent = nullptr);
 
     int rowCount() const { return static_cast<int>(rows_.size()); }
 
   private:
     void refresh();
 
-    InertiaMomentsViewModel* model_;
+    InertiaMomentsModel* model_;
     QVBoxLayout* list_;
     std::vector<ShaftRow*> rows_;
 };

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "inertia-moments/drawing.h"
-#include "inertia-moments/inertia_moments_view_model.h"
+#include "inertia-moments/model/inertia_moments_model.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/number_text.h"
+#include "widgets/drawing.h"
 
 namespace ravnoves {
 
@@ -18,7 +18,6 @@ using inertia_moments::Balances;
 using inertia_moments::Complex;
 using inertia_moments::Direction;
 using inertia_moments::ShaftDesign;
-namespace drawing = inertia_drawing;
 
 namespace {
 
@@ -28,8 +27,7 @@ QString short4(double value) {
 
 }  // namespace
 
-ShaftView::ShaftView(InertiaMomentsViewModel* model, QWidget* parent)
-    : QWidget(parent), model_(model) {
+ShaftView::ShaftView(InertiaMomentsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Balance shafts: arrangement and phases"));
     setToolTip(
@@ -37,9 +35,8 @@ ShaftView::ShaftView(InertiaMomentsViewModel* model, QWidget* parent)
            "weights lie opposite. Dashed: cylinder 1's axis and crankpin 1. Click a shaft to "
            "switch it; arrow keys and Space do the same."));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    connect(model_, &SceneViewModel::changed, this, qOverload<>(&QWidget::update));
-    connect(model_, &InertiaMomentsViewModel::crankAngleChanged, this,
-            qOverload<>(&QWidget::update));
+    connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
+    connect(model_, &InertiaMomentsModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 

@@ -4,7 +4,7 @@
 
 namespace ravnoves {
 
-class InertiaMomentsViewModel;
+class InertiaMomentsModel;
 
 /// Arrangement and phases of the balance shafts (the paper's Figs. 7 and 8), each at the present
 /// crank angle: what it is to cancel, its weights opposite, its direction, the cylinder axis and
@@ -13,7 +13,7 @@ class ShaftView : public QWidget {
     Q_OBJECT
 
   public:
-    explicit ShaftView(InertiaMomentsViewModel* model, QWidget* parent = nullptr);
+    explicit ShaftView(InertiaMomentsModel* model, QWidget* parent = nullptr);
 
     /// The cell of a shaft, pixels.
     QRectF cell(int index) const;
@@ -30,7 +30,7 @@ class ShaftView : public QWidget {
     int columns() const;
     void paintShaft(QPainter& painter, int index, const QRectF& area) const;
 
-    InertiaMomentsViewModel* model_;
+    InertiaMomentsModel* model_;
     int current_ = 0;  ///< that the keys act on
 };
 

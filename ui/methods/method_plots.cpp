@@ -8,11 +8,12 @@
 #include <limits>
 #include <tuple>
 
-#include "methods/method_words.h"
+#include "methods/model/method_words.h"
 #include "methods/sweep_value_field.h"
-#include "plot/ticks.h"
+#include "plot/model/ticks.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/number_text.h"
 
 namespace ravnoves {
 
@@ -61,7 +62,7 @@ PlotView::Axis sweepAxis(const SweepInfo& sweep) {
     axis.title = sweepTitle(sweep);
     axis.min = sweep.at(0.0);
     axis.max = sweep.at(1.0);
-    axis.degrees = sweep.unit == "°" && sweep.spacing == methods::Spacing::linear;
+    axis.degrees = sweep.unit == units::degree && sweep.spacing == methods::Spacing::linear;
     axis.logarithmic = sweep.logarithmic();
     if (axis.logarithmic && sweep.from >= 1e-3 && sweep.to < 1e4) {
         axis.label = [](double value) { return formNumber(value, QLocale(), 3); };
@@ -86,8 +87,7 @@ std::pair<double, double> around(const SweepInfo& sweep, const std::vector<doubl
 
 }  // namespace
 
-MethodPlots::MethodPlots(MethodsViewModel* model, QWidget* parent)
-    : QWidget(parent), model_(model) {
+MethodPlots::MethodPlots(MethodsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(Theme::space);
@@ -103,12 +103,12 @@ MethodPlots::MethodPlots(MethodsViewModel* model, QWidget* parent)
             model_->setValue(roundedForHand(model_->sweep(), x));
         }
     });
-    connect(model, &SceneViewModel::changed, this, &MethodPlots::showMeasurement);
-    connect(model, &MethodsViewModel::sweepChanged, this, &MethodPlots::showValue);
-    connect(model, &MethodsViewModel::valueChanged, this, &MethodPlots::showValue);
-    connect(model, &MethodsViewModel::caseChanged, this, &MethodPlots::showValue);
-    connect(model, &MethodsViewModel::shownMethodChanged, this, &MethodPlots::showFailing);
-    connect(model, &MethodsViewModel::measurementChanged, this, &MethodPlots::showStale);
+    connect(model, &SceneModel::changed, this, &MethodPlots::showMeasurement);
+    connect(model, &MethodsModel::sweepChanged, this, &MethodPlots::showValue);
+    connect(model, &MethodsModel::valueChanged, this, &MethodPlots::showValue);
+    connect(model, &MethodsModel::caseChanged, this, &MethodPlots::showValue);
+    connect(model, &MethodsModel::shownMethodChanged, this, &MethodPlots::showFailing);
+    connect(model, &MethodsModel::measurementChanged, this, &MethodPlots::showStale);
     connect(&Theme::instance(), &Theme::changed, this, &MethodPlots::showFailing);
     showMeasurement();
 }
@@ -177,8 +177,8 @@ void MethodPlots::setUpCurves(const Kernel& kernel) {
             PlotView::CurveStyle style;
             if (method < kernel.methods.size() && numbers) {
                 const MethodInfo& info = kernel.methods[method];
-                style.name = methodText(info.title);
-                style.toolTip = methodText(info.limits);
+                style.name = shownText(info.title);
+                style.toolTip = shownText(info.limits);
             }
             style.colour = static_cast<int>(method) % Theme::curveColours;
             style.width = method == kernel.chosen_method() ? 2.2 : 1.4;
@@ -242,7 +242,7 @@ void MethodPlots::showMeasurement() {
 QString MethodPlots::pointText(const MethodMeasurement& shown, const WorkPoint& point) const {
     const Kernel& kernel = shown.kernel();
     const MethodInfo& method = kernel.methods[point.method];
-    QStringList lines{methodText(method.title) + QStringLiteral(", ") +
+    QStringList lines{shownText(method.title) + QStringLiteral(", ") +
                           methodText(method.settings[point.setting].label),
                       tr("%1, half of the runs from %2 to %3")
                           .arg(timeText(point.timing.median), timeText(point.timing.low),
@@ -259,7 +259,7 @@ QString MethodPlots::pointText(const MethodMeasurement& shown, const WorkPoint& 
 
 void MethodPlots::showWork(const MethodMeasurement& shown, const ErrorScale& scale) {
     const Kernel& kernel = shown.kernel();
-    work_->setTitle(tr("%1: time and error").arg(methodText(kernel.title)));
+    work_->setTitle(tr("%1: time and error").arg(shownText(kernel.title)));
     double fastest = std::numeric_limits<double>::infinity();
     double slowest = 0.0;
     for (const WorkPoint& point : shown.work.points) {
@@ -267,14 +267,14 @@ void MethodPlots::showWork(const MethodMeasurement& shown, const ErrorScale& sca
         slowest = std::max(slowest, point.timing.high);
     }
     constexpr double room = 1.7;
-    work_->setXAxis({tr("time: %1").arg(methodText(kernel.evaluation)),
+    work_->setXAxis({tr("time: %1").arg(shownText(kernel.evaluation)),
                      fastest / room,
                      slowest * room,
                      false,
                      true,
                      {},
                      timeText});
-    work_->setYAxis(PlotView::Side::Left, {tr("error, %1").arg(methodText(kernel.error_measure)),
+    work_->setYAxis(PlotView::Side::Left, {tr("error, %1").arg(shownText(kernel.error_measure)),
                                            scale.floor, scale.ceiling, false, true});
     work_->setYRange(PlotView::Side::Left, scale.floor / 1.6, scale.ceiling * 1.6);
     work_->setLines(errorLines(kernel, scale));
@@ -314,7 +314,7 @@ void MethodPlots::showWork(const MethodMeasurement& shown, const ErrorScale& sca
 void MethodPlots::showStability(const MethodMeasurement& shown, const ErrorScale& scale) {
     const StabilityMap& map = *shown.map;
     const Kernel& kernel = shown.kernel();
-    stability_->setTitle(tr("%1: stability").arg(methodText(kernel.title)));
+    stability_->setTitle(tr("%1: stability").arg(shownText(kernel.title)));
     stability_->setXAxis(sweepAxis(shown.sweep()));
     stability_->setYAxis(PlotView::Side::Left,
                          {QString(), scale.floor, scale.ceiling, false, true});
@@ -382,7 +382,7 @@ void MethodPlots::showFailing() {
             std::tie(band.from, band.to) = around(sweep, shown->map->values, span);
             band.colour = shade(theme.curve(static_cast<int>(method) % Theme::curveColours),
                                 1.8F * shadeAlpha);
-            band.text = tr("%1 fails").arg(methodText(shown->kernel().methods[method].title));
+            band.text = tr("%1 fails").arg(shownText(shown->kernel().methods[method].title));
             for (PlotView::Band& other : bands) {
                 const bool apart = other.to <= band.from || other.from >= band.to;
                 if (other.orientation == Qt::Horizontal && !apart) {
@@ -427,11 +427,6 @@ void MethodPlots::showStale() {
     // Errors along the parameter do not depend on its value, so a drag leaves them as they are.
     const bool other = shown == nullptr || &shown->sweep() != &model_->sweep();
     stability_->setFaded(other, other ? text : QString());
-}
-
-void MethodPlots::resetZoom() {
-    work_->resetZoom();
-    stability_->resetZoom();
 }
 
 QString MethodPlots::exportPicture(const QString& path) {

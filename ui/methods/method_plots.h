@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "methods/methods_view_model.h"
+#include "methods/model/methods_model.h"
 #include "plot/plot_view.h"
 
 namespace ravnoves {
@@ -18,11 +18,10 @@ class MethodPlots : public QWidget {
     Q_OBJECT
 
   public:
-    explicit MethodPlots(MethodsViewModel* model, QWidget* parent = nullptr);
+    explicit MethodPlots(MethodsModel* model, QWidget* parent = nullptr);
 
     PlotView* workPlot() const { return work_; }
     PlotView* stabilityPlot() const { return stability_; }
-    void resetZoom();
     /// Both charts side by side, as SVG or PNG by the file's ending.
     /// @return an empty string, or what went wrong
     QString exportPicture(const QString& path);
@@ -53,7 +52,7 @@ class MethodPlots : public QWidget {
                                            const ErrorScale& scale) const;
     QString pointText(const MethodMeasurement& shown, const methods::WorkPoint& point) const;
 
-    MethodsViewModel* model_;
+    MethodsModel* model_;
     PlotView* work_;
     PlotView* stability_;
     const methods::Kernel* curvesOf_ = nullptr;  ///< the kernel whose curves are there

@@ -9,7 +9,6 @@
 #include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -19,13 +18,15 @@
 #include "case-file/input_error.h"
 #include "case-file/text_file.h"
 #include "methods/method_plots.h"
-#include "methods/method_words.h"
+#include "methods/model/method_words.h"
 #include "methods/sweep_value_field.h"
 #include "methods/validation_view.h"
+#include "text/error_text.h"
+#include "text/file_path.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
-#include "widgets/error_text.h"
-#include "widgets/file_path.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
 #include "widgets/panel.h"
@@ -60,9 +61,9 @@ QString nanoseconds(double value) {
     return QLocale().toString(rounded, 'f', decimals);
 }
 
-QStringList cells(const Kernel& kernel, const methods::SweepInfo& sweep, const MethodRow& row) {
+QStringList cells(const Kernel& kernel, const MethodRow& row) {
     const methods::MethodInfo& method = kernel.methods[row.method];
-    QString title = methodText(method.title);
+    QString title = shownText(method.title);
     if (row.in_use) {
         title = MethodsPage::tr("%1 (in use)").arg(title);
     }
@@ -73,7 +74,7 @@ QStringList cells(const Kernel& kernel, const methods::SweepInfo& sweep, const M
             resultText(row.result),
             QLocale().toString(std::round(row.operations), 'f', 0),
             first && row.order ? QLocale().toString(*row.order, 'f', 1) : QString(),
-            row.fails ? failingText(sweep, *row.fails) : QString()};
+            row.fails ? methodText(*row.fails) : QString()};
 }
 
 /// As a sentence begins; a symbol (s′, ρ) stays as it is.
@@ -90,7 +91,7 @@ QString paragraph(const QString& heading, const QString& text) {
 
 }  // namespace
 
-MethodsPage::MethodsPage(QWidget* parent) : ScenePage(parent), model_(new MethodsViewModel(this)) {
+MethodsPage::MethodsPage(QWidget* parent) : ScenePage(parent), model_(new MethodsModel(this)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     row->setSpacing(Theme::space);
@@ -107,28 +108,28 @@ MethodsPage::MethodsPage(QWidget* parent) : ScenePage(parent), model_(new Method
     againAction_ = new QAction(themedIcon(QStringLiteral("play")), tr("&Measure again"), this);
     againAction_->setToolTip(tr("Measure this kernel again, with more repetitions (F5)"));
     againAction_->setShortcut(QKeySequence(Qt::Key_F5));
-    connect(againAction_, &QAction::triggered, model_, &MethodsViewModel::measureAgain);
+    connect(againAction_, &QAction::triggered, model_, &MethodsModel::measureAgain);
     exportAction_ = new QAction(themedIcon(QStringLiteral("export")), tr("&Export…"), this);
     exportAction_->setToolTip(tr("Export the table in front as CSV, or the charts as SVG or PNG"));
     connect(exportAction_, &QAction::triggered, this, &MethodsPage::exportWithDialog);
 
-    connect(model_, &MethodsViewModel::kernelChanged, this, &MethodsPage::showKernel);
-    connect(model_, &MethodsViewModel::sweepChanged, this, &MethodsPage::showSweep);
-    connect(model_, &MethodsViewModel::valueChanged, this, &MethodsPage::showValue);
-    connect(model_, &MethodsViewModel::caseChanged, this, &MethodsPage::showCase);
-    connect(model_, &SceneViewModel::changed, this, &MethodsPage::showTable);
-    connect(model_, &MethodsViewModel::measurementChanged, this, &MethodsPage::showRunning);
+    connect(model_, &MethodsModel::kernelChanged, this, &MethodsPage::showKernel);
+    connect(model_, &MethodsModel::sweepChanged, this, &MethodsPage::showSweep);
+    connect(model_, &MethodsModel::valueChanged, this, &MethodsPage::showValue);
+    connect(model_, &MethodsModel::caseChanged, this, &MethodsPage::showCase);
+    connect(model_, &SceneModel::changed, this, &MethodsPage::showTable);
+    connect(model_, &MethodsModel::measurementChanged, this, &MethodsPage::showRunning);
     connect(model_->measurements(), &MethodMeasurements::progressed, this, [this](double part) {
         progress_->setValue(static_cast<int>(std::lround(100 * part)));
     });
-    connect(model_, &MethodsViewModel::failed, this, &ScenePage::status);
+    connect(model_, &MethodsModel::failed, this, &ScenePage::status);
     connect(&Theme::instance(), &Theme::changed, this, &MethodsPage::showTable);
     showKernel();
     showTable();
     showRunning();
 }
 
-SceneViewModel* MethodsPage::model() {
+SceneModel* MethodsPage::model() {
     return model_;
 }
 
@@ -146,7 +147,7 @@ QWidget* MethodsPage::buildChoice() {
     kernels_->setAccessibleName(tr("Quantity"));
     kernels_->setToolTip(tr("What is computed: the numerical kernels of the scenes"));
     for (const Kernel& kernel : model_->kernels()) {
-        kernels_->addItem(methodText(kernel.title));
+        kernels_->addItem(shownText(kernel.title));
     }
     connect(kernels_, &QComboBox::activated, this,
             [this](int index) { model_->setKernel(static_cast<std::size_t>(index)); });
@@ -160,13 +161,13 @@ QWidget* MethodsPage::buildChoice() {
     connect(sweeps_, &QComboBox::activated, this,
             [this](int index) { model_->setSweep(static_cast<std::size_t>(index)); });
     value_ = new SweepValueField(panel);
-    connect(value_, &SweepValueField::valueEdited, model_, &MethodsViewModel::setValue);
+    connect(value_, &SweepValueField::valueEdited, model_, &MethodsModel::setValue);
     case_ = captionLabel({}, panel);
     case_->setObjectName(QStringLiteral("open_case"));
     takeCase_ = new QPushButton(tr("Take the &open case"), panel);
     takeCase_->setObjectName(QStringLiteral("take_case"));
     takeCase_->setToolTip(tr("Measure at the value of the case that is open in the scene"));
-    connect(takeCase_, &QPushButton::clicked, model_, &MethodsViewModel::followCase);
+    connect(takeCase_, &QPushButton::clicked, model_, &MethodsModel::followCase);
     column->addWidget(labelFor(tr("&Quantity"), kernels_, panel));
     column->addWidget(kernels_);
     column->addWidget(labelFor(tr("&Hard parameter"), sweeps_, panel));
@@ -190,7 +191,7 @@ QWidget* MethodsPage::buildMeasuring() {
     again_ = new QPushButton(tr("&Measure again"), holder);
     again_->setObjectName(QStringLiteral("measure_again"));
     again_->setToolTip(tr("Measure this kernel again, with more repetitions (F5)"));
-    connect(again_, &QPushButton::clicked, model_, &MethodsViewModel::measureAgain);
+    connect(again_, &QPushButton::clicked, model_, &MethodsModel::measureAgain);
     progress_ = new QProgressBar(holder);
     progress_->setRange(0, 100);
     progress_->setAccessibleName(tr("Progress of the measurement"));
@@ -199,7 +200,7 @@ QWidget* MethodsPage::buildMeasuring() {
     cancel_ = new QPushButton(tr("&Cancel"), holder);
     cancel_->setObjectName(QStringLiteral("cancel"));
     cancel_->setToolTip(tr("Stop measuring; what was measured before stays"));
-    connect(cancel_, &QPushButton::clicked, model_, &MethodsViewModel::cancel);
+    connect(cancel_, &QPushButton::clicked, model_, &MethodsModel::cancel);
     for (QWidget* widget : {static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_)}) {
         // Their places stay, so that nothing moves when a measurement begins.
         QSizePolicy policy = widget->sizePolicy();
@@ -217,19 +218,14 @@ QWidget* MethodsPage::buildWords() {
     auto* panel = new Panel(this);
     auto* column = new QVBoxLayout(panel);
     column->setContentsMargins(1, 1, 1, 1);
-    auto* scroll = new QScrollArea(panel);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    words_ = new QLabel(scroll);
+    words_ = new QLabel;
     words_->setObjectName(QStringLiteral("words"));
     words_->setWordWrap(true);
     words_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     words_->setTextFormat(Qt::RichText);
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     words_->setMargin(Theme::margin);
-    scroll->setWidget(words_);
-    column->addWidget(scroll);
+    column->addWidget(scrolled(words_, panel));
     return panel;
 }
 
@@ -291,8 +287,8 @@ void MethodsPage::showKernel() {
     const QSignalBlocker quiet(sweeps_);
     sweeps_->clear();
     for (const methods::SweepInfo& sweep : model_->kernel().sweeps) {
-        sweeps_->addItem(methodText(sweep.title));
-        sweeps_->setItemData(sweeps_->count() - 1, methodText(sweep.title), Qt::ToolTipRole);
+        sweeps_->addItem(shownText(sweep.title));
+        sweeps_->setItemData(sweeps_->count() - 1, shownText(sweep.title), Qt::ToolTipRole);
     }
     showSweep();
     showWords();
@@ -301,7 +297,7 @@ void MethodsPage::showKernel() {
 void MethodsPage::showSweep() {
     const methods::SweepInfo& sweep = model_->sweep();
     sweeps_->setCurrentIndex(static_cast<int>(model_->sweepIndex()));
-    value_->setSweep(sweep, methodText(sweep.title), methodText(sweep.unit));
+    value_->setSweep(sweep, shownText(sweep.title), unitText(sweep.unit.name));
     showCase();
 }
 
@@ -334,18 +330,18 @@ void MethodsPage::showWords() {
     const methods::MethodInfo& method = kernel.methods[kernel.chosen_method()];
     const methods::Setting& setting = method.settings[kernel.chosen_setting()];
     QString html;
-    html += paragraph(tr("What is computed"), methodText(kernel.quantity));
+    html += paragraph(tr("What is computed"), shownText(kernel.quantity));
     html += paragraph(
         tr("What the scene uses, and why"),
         tr("%1, %2. Tolerance: %3, %4.")
-                .arg(methodText(method.title), methodText(setting.label),
-                     errorNumber(kernel.choice.tolerance), methodText(kernel.error_measure)) +
-            QLatin1Char(' ') + methodText(kernel.choice.reason));
+                .arg(shownText(method.title), methodText(setting.label),
+                     errorNumber(kernel.choice.tolerance), shownText(kernel.error_measure)) +
+            QLatin1Char(' ') + shownText(kernel.choice.reason));
     html += paragraph(tr("What it is measured against"),
                       tr("The same quantity in 50 digits, and that by a way that shares no code: "
                          "%1.")
-                          .arg(methodText(kernel.check_text)));
-    html += paragraph(tr("One evaluation"), methodText(kernel.evaluation));
+                          .arg(shownText(kernel.check_text)));
+    html += paragraph(tr("One evaluation"), shownText(kernel.evaluation));
     words_->setText(html);
 }
 
@@ -357,7 +353,7 @@ void MethodsPage::showTable() {
     const Kernel& kernel = shown->kernel();
     QVector<QStringList> rows;
     for (const MethodRow& row : shown->report.rows) {
-        rows << cells(kernel, shown->sweep(), row);
+        rows << cells(kernel, row);
     }
     const QSignalBlocker quiet(table_);
     table_->setRows(rows);
@@ -370,13 +366,13 @@ void MethodsPage::showTable() {
             font.setBold(row.in_use && column == Method);
             cell->setFont(font);
             cell->setForeground(theme.text());
-            cell->setToolTip(methodText(row.limits));
+            cell->setToolTip(shownText(row.limits));
         }
         table_->item(i, Time)->setToolTip(
             tr("Half of the runs from %1 to %2")
                 .arg(timeText(row.timing.low), timeText(row.timing.high)));
         table_->item(i, Fails)->setToolTip(table_->item(i, Fails)->text() + QLatin1Char('\n') +
-                                           methodText(row.limits));
+                                           shownText(row.limits));
         table_->item(i, Error)->setForeground(row.holds ? theme.good() : theme.error());
         table_->item(i, Error)->setToolTip(
             row.result.refused() ? tr("refused: %1").arg(methodText(row.result.refusal))
@@ -405,7 +401,7 @@ void MethodsPage::chooseRow() {
     model_->setShownMethod(chosen.method);
     const methods::MethodInfo& method = shown->kernel().methods[chosen.method];
     limits_->setText(
-        tr("%1: %2.").arg(capitalised(methodText(method.title)), methodText(method.limits)));
+        tr("%1: %2.").arg(capitalised(shownText(method.title)), shownText(method.limits)));
 }
 
 void MethodsPage::showRunning() {
@@ -441,10 +437,6 @@ void MethodsPage::setActive(bool active) {
 void MethodsPage::updateActive() {
     // Nothing is measured behind the report: it would only disturb.
     model_->setActive(active_ && tabs_->currentWidget() != validation_);
-}
-
-void MethodsPage::resetZoom() {
-    plots_->resetZoom();
 }
 
 void MethodsPage::setOpenCases(const OpenCases& cases) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "methods/methods_view_model.h"
+#include "methods/model/methods_model.h"
 #include "shell/scene_page.h"
 
 class QComboBox;
@@ -23,15 +23,13 @@ class MethodsPage : public ScenePage {
 
   public:
     explicit MethodsPage(QWidget* parent = nullptr);
-    ~MethodsPage() override { putAway(); }
 
-    SceneViewModel* model() override;
-    MethodsViewModel* viewModel() { return model_; }
+    SceneModel* model() override;
+    MethodsModel* viewModel() { return model_; }
     QList<QAction*> sceneActions() override;
     QString resultsAsText() const override;
     QString resultsAsCsv() const override;
     void setActive(bool active) override;
-    void resetZoom() override;
     void setOpenCases(const OpenCases& cases) override;
 
     /// Writes the tab in front by the file's ending: the table as CSV, the charts as SVG or PNG.
@@ -60,7 +58,7 @@ class MethodsPage : public ScenePage {
     void chooseRow();
     void exportWithDialog();
 
-    MethodsViewModel* model_;
+    MethodsModel* model_;
     bool active_ = false;  ///< the page is in front
     QComboBox* kernels_ = nullptr;
     QComboBox* sweeps_ = nullptr;

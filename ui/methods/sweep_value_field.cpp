@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case-file/range.h"
 #include "theme/theme.h"
 #include "widgets/number_field.h"
 
@@ -17,27 +18,17 @@ namespace {
 constexpr int sliderSteps = 1000;
 constexpr int fieldWidth = 96;  ///< pixels, for ten digits
 
-double roundedTo(double value, int digits) {
-    if (value == 0.0 || !std::isfinite(value)) {
-        return value;
-    }
-    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - digits + 1);
-    // A power of ten below 1 is no double; its reciprocal is.
-    return unit < 1.0 ? std::round(value * std::round(1.0 / unit)) / std::round(1.0 / unit)
-                      : std::round(value / unit) * unit;
-}
-
 }  // namespace
 
 double roundedForHand(const methods::SweepInfo& sweep, double value) {
     constexpr int digits = 3;
     const double span = sweep.to - sweep.from;
-    double rounded = roundedTo(value, digits);
+    double rounded = rounded_to(value, digits);
     if (sweep.spacing == methods::Spacing::towards_end && sweep.to - value < 0.1 * span) {
-        rounded = sweep.to - roundedTo(sweep.to - value, digits);
+        rounded = sweep.to - rounded_to(sweep.to - value, digits);
     } else if (sweep.spacing == methods::Spacing::towards_start &&
                value - sweep.from < 0.1 * span) {
-        rounded = sweep.from + roundedTo(value - sweep.from, digits);
+        rounded = sweep.from + rounded_to(value - sweep.from, digits);
     }
     return std::clamp(rounded, sweep.at(0.0), sweep.at(1.0));
 }

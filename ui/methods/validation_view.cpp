@@ -12,7 +12,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
-#include "methods/method_words.h"
+#include "methods/model/method_words.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
@@ -43,7 +43,7 @@ QColor verdictColour(Verdict verdict) {
 /// The verdict in its colour, which follows the theme.
 class VerdictDelegate : public QStyledItemDelegate {
   public:
-    VerdictDelegate(const ValidationViewModel* model, QObject* parent)
+    VerdictDelegate(const ValidationModel* model, QObject* parent)
         : QStyledItemDelegate(parent), model_(model) {}
 
   protected:
@@ -54,13 +54,13 @@ class VerdictDelegate : public QStyledItemDelegate {
     }
 
   private:
-    const ValidationViewModel* model_;
+    const ValidationModel* model_;
 };
 
 }  // namespace
 
 ValidationView::ValidationView(QWidget* parent)
-    : QWidget(parent), model_(new ValidationViewModel(this)) {
+    : QWidget(parent), model_(new ValidationModel(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, Theme::space, 0, 0);
     column->setSpacing(Theme::space);
@@ -71,7 +71,8 @@ ValidationView::ValidationView(QWidget* parent)
     column->addWidget(counts_);
     column->addWidget(buildFilters());
     column->addWidget(buildTable(), 1);
-    connect(model_, &ValidationViewModel::changed, this, &ValidationView::showReport);
+    connect(model_, &ValidationModel::changed, this, &ValidationView::showReport);
+    connect(model_, &ValidationModel::failed, this, &ValidationView::status);
     showReport();
 }
 
@@ -83,7 +84,7 @@ QWidget* ValidationView::buildTable() {
     table_->setObjectName(QStringLiteral("validation_table"));
     table_->setAccessibleName(tr("Printed numbers beside ours"));
     table_->setModel(model_);
-    table_->setItemDelegateForColumn(ValidationViewModel::VerdictColumn,
+    table_->setItemDelegateForColumn(ValidationModel::VerdictColumn,
                                      new VerdictDelegate(model_, table_));
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setAlternatingRowColors(true);
@@ -104,7 +105,7 @@ QWidget* ValidationView::buildTable() {
     for (int i = 0; i < widths.size(); ++i) {
         table_->setColumnWidth(i, widths[i]);
     }
-    headings->setSectionResizeMode(ValidationViewModel::Quantity, QHeaderView::Stretch);
+    headings->setSectionResizeMode(ValidationModel::Quantity, QHeaderView::Stretch);
     table_->installEventFilter(this);
     inside->addWidget(table_, 1);
     reason_ = captionLabel({}, panel);
@@ -196,7 +197,7 @@ bool ValidationView::eventFilter(QObject* watched, QEvent* event) {
 void ValidationView::copySelection() {
     QString text;
     for (const QModelIndex& row : table_->selectionModel()->selectedRows()) {
-        for (int column = 0; column < ValidationViewModel::Columns; ++column) {
+        for (int column = 0; column < ValidationModel::Columns; ++column) {
             text += column == 0 ? QString() : QStringLiteral("\t");
             text += row.siblingAtColumn(column).data().toString();
         }

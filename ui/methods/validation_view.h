@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "methods/validation_view_model.h"
+#include "methods/model/validation_model.h"
 
 class QComboBox;
 class QLabel;
@@ -17,7 +17,7 @@ class ValidationView : public QWidget {
   public:
     explicit ValidationView(QWidget* parent = nullptr);
 
-    ValidationViewModel* viewModel() { return model_; }
+    ValidationModel* viewModel() { return model_; }
     /// Has the report computed when it is first seen.
     void load() { model_->load(); }
     QString asText() const;
@@ -38,7 +38,7 @@ class ValidationView : public QWidget {
     void showReport();
     void showReason();
 
-    ValidationViewModel* model_;
+    ValidationModel* model_;
     QComboBox* papers_ = nullptr;
     QComboBox* verdicts_ = nullptr;
     QLabel* counts_ = nullptr;

@@ -1,241 +1,150 @@
 #include "plot/plot_view.h"
 
-#include <QChart>
-#include <QGraphicsLayout>
-#include <QGraphicsScene>
-#include <QValueAxis>
+#include <QEvent>
+#include <QPainter>
+#include <QSvgGenerator>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "plot/plot_view_parts.h"
-#include "plot/thin_polyline.h"
-#include "plot/ticks.h"
+#include "plot/legend_item.h"
+#include "plot/plot_painter.h"
 #include "theme/theme.h"
-#include "widgets/csv_format.h"
 
 namespace ravnoves {
 
-using plot::chartRowPerTick;
-using plot::columnPerTick;
-using plot::labelGap;
-using plot::rowPerTick;
-
-namespace {
-
-int ticksThatFit(double pixels, double pixelsPerTick) {
-    return std::clamp(static_cast<int>(pixels / pixelsPerTick), 2, 16);
-}
-
-}  // namespace
-
-std::vector<double> PlotView::AxisState::ownTicks(double pixels, double pixelsPerTick) const {
-    const int wanted = ticksThatFit(pixels, pixelsPerTick);
-    if (spec.logarithmic) {
-        return logarithmicTicks(low, high, wanted);
-    }
-    // Of the labels offered those that keep clear of weightier ones.
-    const double apart = 0.8 * pixelsPerTick / std::max(pixels, 1.0);
-    std::vector<double> ticks;
-    for (const double tick : spec.scale.ticks) {
-        const double at = fraction(tick);
-        const bool clear = std::none_of(ticks.begin(), ticks.end(), [&](double other) {
-            return std::abs(fraction(other) - at) < apart;
-        });
-        if (clear && at > -1e-9 && at < 1.0 + 1e-9) {
-            ticks.push_back(tick);
-        }
-    }
-    return ticks;
-}
-
-QString PlotView::AxisState::ownLabel(double value, const QLocale& locale) const {
-    return spec.label ? spec.label(value) : powerText(value, locale);
-}
-
 PlotView::PlotView(const QString& title, QWidget* parent)
-    : QWidget(parent),
-      scene_(std::make_unique<QGraphicsScene>()),
-      x_(std::make_unique<AxisState>()),
-      left_(std::make_unique<AxisState>()),
-      right_(std::make_unique<AxisState>()) {
+    : QWidget(parent), painter_(std::make_unique<PlotPainter>(data_)) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-
-    chart_ = new QChart;
-    scene_->addItem(chart_);
-    chart_->setBackgroundVisible(false);
-    chart_->legend()->hide();
-    chart_->setLocalizeNumbers(true);
-    chart_->setAnimationOptions(QChart::NoAnimation);
-    chart_->layout()->setContentsMargins(0, 0, 0, 0);
-    chart_->setMargins(QMargins());
     setTitle(title);
-    setXAxis({});
-    setYAxis(Side::Left, {});
-    applyTheme();
-    connect(&Theme::instance(), &Theme::changed, this, &PlotView::applyTheme);
+    connect(&Theme::instance(), &Theme::changed, this, &PlotView::showTheme);
 }
 
 PlotView::~PlotView() = default;
 
 void PlotView::setTitle(const QString& title) {
-    title_ = title;
+    data_.title = title;
     setAccessibleName(title);
     chartChanged();
 }
 
-PlotView::AxisState& PlotView::axis(Side side) {
-    return side == Side::Left ? *left_ : *right_;
-}
-const PlotView::AxisState& PlotView::axis(Side side) const {
-    return side == Side::Left ? *left_ : *right_;
-}
-
-bool PlotView::sideUsed(Side side) const {
-    return side == Side::Left ||
-           std::any_of(curves_.begin(), curves_.end(),
-                       [&](const auto& curve) { return curve->style.side == side; });
-}
-
-void PlotView::setXAxis(const Axis& spec) {
-    x_->spec = spec;
-    x_->low = spec.min;
-    x_->high = spec.max;
-    zoomed_ = false;
-    if (x_->chartAxis == nullptr) {
-        x_->chartAxis = new QValueAxis;
-        chart_->addAxis(x_->chartAxis, Qt::AlignBottom);
-        applyTheme();
-    }
-    x_->chartAxis->setVisible(!x_->isOwn());
-    seriesStale_ = true;
+void PlotView::setXAxis(const Axis& axis) {
+    data_.x.spec = axis;
+    data_.x.low = axis.min;
+    data_.x.high = axis.max;
+    data_.zoomed = false;
+    data_.makeStale();
     chartChanged();
 }
 
-void PlotView::setYAxis(Side side, const Axis& spec) {
-    AxisState& state = axis(side);
-    state.spec = spec;
-    if (state.chartAxis == nullptr) {
-        state.chartAxis = new QValueAxis;
-        chart_->addAxis(state.chartAxis, side == Side::Left ? Qt::AlignLeft : Qt::AlignRight);
-        applyTheme();
+void PlotView::setYAxis(Side side, const Axis& axis) {
+    PlotScale& scale = data_.scale(side);
+    if (scale.isOwn()) {
+        data_.makeStale();
     }
-    state.chartAxis->setVisible(!state.isOwn());
-    if (spec.logarithmic && !(state.low > 0.0)) {
-        state.low = 0.1;
-        state.high = 1.0;
+    scale.spec = axis;
+    if (scale.isOwn()) {
+        data_.makeStale();
+    }
+    if (axis.logarithmic && !(scale.low > 0.0)) {
+        scale.low = 0.1;
+        scale.high = 1.0;
     }
     chartChanged();
 }
 
 void PlotView::setYRange(Side side, double min, double max) {
-    if (!std::isfinite(min) || !std::isfinite(max)) {
-        return;
+    if (data_.scale(side).fix(min, max)) {
+        chartChanged();
     }
-    AxisState& state = axis(side);
-    const double pad = state.spec.logarithmic ? 0.0 : 0.03 * (max - min);
-    const std::pair wanted(min - pad, max + pad);
-    if (!(wanted.first < wanted.second)) {
-        return;
-    }
-    if (state.fixed == wanted) {
-        return;
-    }
-    state.fixed = wanted;
-    chartChanged();
 }
 
 void PlotView::followData(Side side) {
-    if (!axis(side).fixed) {
-        return;
+    if (data_.scale(side).fixed) {
+        data_.scale(side).fixed.reset();
+        chartChanged();
     }
-    axis(side).fixed.reset();
-    chartChanged();
 }
 
 void PlotView::setEqualScale(bool equal) {
-    equalScale_ = equal;
-    seriesStale_ = true;
+    data_.equalScale = equal;
     chartChanged();
 }
 
 int PlotView::addCurve(const CurveStyle& style) {
-    auto curve = std::make_unique<Curve>();
-    curve->style = style;
-    curve->shown = style.shown;
-    if (style.side == Side::Right && right_->chartAxis == nullptr) {
-        setYAxis(Side::Right, {});
-    }
-    const int number = static_cast<int>(curves_.size());
+    const int number = curveCount();
+    data_.curves.push_back({.shown = style.shown});
+    legend_.push_back(style.inLegend ? new LegendItem(this) : nullptr);
     if (style.inLegend) {
-        curve->button = new LegendItem(this);
-        curve->button->setChecked(style.shown);
-        curve->button->show();
-        connect(curve->button, &LegendItem::toggled, this,
+        legend_.back()->setChecked(style.shown);
+        connect(legend_.back(), &LegendItem::toggled, this,
                 [this, number](bool on) { setCurveShown(number, on); });
     }
-    curves_.push_back(std::move(curve));
     setCurveStyle(number, style);
     return number;
 }
 
 void PlotView::setCurveStyle(int number, const CurveStyle& style) {
-    Curve& curve = *curves_.at(static_cast<std::size_t>(number));
+    PlotCurve& curve = data_.curve(number);
     curve.style = style;
-    const QColor colour = Theme::instance().curve(style.colour);
     curve.stale = true;
-    if (curve.button != nullptr) {
-        curve.button->setText(style.name);
-        curve.button->setVisible(!style.name.isEmpty());
-        curve.button->setAccessibleName(tr("Show %1").arg(style.name));
-        curve.button->setToolTip(style.toolTip.isEmpty() ? tr("Show or hide %1").arg(style.name)
-                                                         : style.toolTip);
-        curve.button->setSwatch(colour, style.pen);
+    if (LegendItem* item = legend_[static_cast<std::size_t>(number)]) {
+        item->setText(style.name);
+        item->setVisible(!style.name.isEmpty());
+        item->setAccessibleName(tr("Show %1").arg(style.name));
+        item->setToolTip(style.toolTip.isEmpty() ? tr("Show or hide %1").arg(style.name)
+                                                 : style.toolTip);
+        item->setSwatch(Theme::instance().curve(style.colour), style.pen);
     }
     chartChanged();
 }
 
+void PlotView::setCurveName(int number, const QString& name) {
+    CurveStyle style = data_.curve(number).style;
+    if (style.name != name) {
+        style.name = name;
+        setCurveStyle(number, style);
+    }
+}
+
 void PlotView::setCurve(int number, std::vector<double> x, std::vector<double> y) {
-    Curve& curve = *curves_.at(static_cast<std::size_t>(number));
-    const std::size_t count = std::min(x.size(), y.size());
-    x.resize(count);
-    y.resize(count);
-    std::size_t finite = 0;
-    std::vector<std::size_t> starts;
-    bool left = false;  // a point before this one was left out
-    for (std::size_t i = 0; i < count; ++i) {
-        const bool drawable = std::isfinite(x[i]) && std::isfinite(y[i]) &&
-                              (!x_->spec.logarithmic || x[i] > 0.0) &&
-                              (!axis(curve.style.side).spec.logarithmic || y[i] > 0.0);
-        if (drawable) {
-            if (left && curve.style.gaps && finite > 0) {
-                starts.push_back(finite);
-            }
-            x[finite] = x[i];
-            y[finite] = y[i];
-            ++finite;
+    PlotCurve& curve = data_.curve(number);
+    if (curve.set(std::move(x), std::move(y), data_.x, data_.scale(curve.style.side))) {
+        data_.pointRead.reset();
+        curvesChanged();
+    }
+}
+
+PlotView::Family PlotView::addFamily(int most, CurveStyle style) {
+    const Family family{curveCount(), most};
+    style.name.clear();
+    style.shown = false;
+    for (int i = 0; i < most; ++i) {
+        addCurve(style);
+        ++style.colour;
+    }
+    return family;
+}
+
+void PlotView::setFamily(const Family& family, const std::vector<double>& x,
+                         const std::vector<Member>& members) {
+    for (int i = 0; i < family.most; ++i) {
+        const int curve = family.first + i;
+        const auto member = static_cast<std::size_t>(i);
+        const bool there = member < members.size() && !members[member].y.empty();
+        const bool before = !curveName(curve).isEmpty();
+        setCurveName(curve, there ? members[member].name : QString());
+        setCurve(curve, x, there ? members[member].y : std::vector<double>());
+        if (there != before) {
+            setCurveShown(curve, there);
         }
-        left = !drawable;
     }
-    x.resize(finite);
-    y.resize(finite);
-    if (x == curve.x && y == curve.y && starts == curve.starts) {
-        return;
-    }
-    pointRead_.reset();
-    curve.starts = std::move(starts);
-    curve.ascending = std::is_sorted(x.begin(), x.end());
-    curve.x = std::move(x);
-    curve.y = std::move(y);
-    curve.stale = true;
-    curvesChanged();
 }
 
 void PlotView::setErrorBars(int number, std::vector<double> low, std::vector<double> high,
                             Qt::Orientation orientation) {
-    Curve& curve = *curves_.at(static_cast<std::size_t>(number));
+    PlotCurve& curve = data_.curve(number);
     curve.bars = orientation;
     curve.low = std::move(low);
     curve.high = std::move(high);
@@ -243,78 +152,40 @@ void PlotView::setErrorBars(int number, std::vector<double> low, std::vector<dou
 }
 
 void PlotView::setPointTexts(int number, QStringList texts) {
-    curves_.at(static_cast<std::size_t>(number))->texts = std::move(texts);
-    pointRead_.reset();
-    update();
+    data_.pointRead.reset();
+    overlay(data_.curve(number).texts, std::move(texts));
 }
 
 void PlotView::setCurveShown(int number, bool shown) {
-    Curve& curve = *curves_.at(static_cast<std::size_t>(number));
+    PlotCurve& curve = data_.curve(number);
     if (curve.shown == shown) {
         return;
     }
     curve.shown = shown;
-    pointRead_.reset();
-    if (curve.button != nullptr) {
-        curve.button->setChecked(shown);
-    }
     curve.stale = true;
+    data_.pointRead.reset();
+    if (LegendItem* item = legend_[static_cast<std::size_t>(number)]) {
+        item->setChecked(shown);
+    }
     curvesChanged();
     Q_EMIT curveToggled(number, shown);
 }
 
-bool PlotView::isCurveShown(int number) const {
-    return curves_.at(static_cast<std::size_t>(number))->shown;
-}
-
-QString PlotView::curveName(int number) const {
-    return curves_.at(static_cast<std::size_t>(number))->style.name;
-}
-
-int PlotView::curveCount() const {
-    return static_cast<int>(curves_.size());
-}
-
 void PlotView::setImage(const QImage& image, const QRectF& values) {
-    image_ = image;
-    imageValues_ = values;
+    data_.image = image;
+    data_.imageValues = values;
     chartChanged();
-}
-
-void PlotView::setMarks(std::vector<Mark> marks) {
-    marks_ = std::move(marks);
-    update();
 }
 
 void PlotView::setBands(std::vector<Band> bands) {
-    bands_ = std::move(bands);
+    data_.bands = std::move(bands);
     chartChanged();
 }
 
-void PlotView::setLines(std::vector<Line> lines) {
-    lines_ = std::move(lines);
-    update();
-}
-
-void PlotView::setPresentX(std::optional<double> x) {
-    if (presentX_ != x) {
-        presentX_ = x;
-        update();
-    }
-}
-
-void PlotView::setCursorX(std::optional<double> x) {
-    if (cursorX_ != x) {
-        cursorX_ = x;
-        update();
-    }
-}
-
 void PlotView::setFaded(bool faded, const QString& text) {
-    if (faded_ != faded || fadedText_ != text) {
-        faded_ = faded;
-        fadedText_ = text;
-        update();
+    if (data_.faded != faded || data_.fadedText != text) {
+        data_.fadedText = text;
+        overlay(data_.faded, faded);
     }
 }
 
@@ -324,7 +195,7 @@ void PlotView::setPickable(bool pickable) {
 }
 
 void PlotView::resetZoom() {
-    zoomed_ = false;
+    data_.zoomed = false;
     chartChanged();
 }
 
@@ -335,352 +206,139 @@ void PlotView::curvesChanged() {
 
 void PlotView::chartChanged() {
     axesStale_ = true;
-    pictureStale_ = true;
-    update();
+    curvesChanged();
 }
 
-void PlotView::applyTheme() {
-    const Theme& theme = Theme::instance();
-    for (AxisState* state : {x_.get(), left_.get(), right_.get()}) {
-        if (state->chartAxis == nullptr) {
-            continue;
-        }
-        QAbstractAxis* chartAxis = state->chartAxis;
-        chartAxis->setLabelsFont(Theme::font(Theme::smallSize));
-        chartAxis->setTitleFont(Theme::font(Theme::smallSize));
-        chartAxis->setLabelsBrush(theme.mutedText());
-        chartAxis->setTitleBrush(theme.mutedText());
-        chartAxis->setLinePen(QPen(theme.border(), 1));
-        chartAxis->setGridLinePen(QPen(theme.grid(), 1));
-        chartAxis->setMinorGridLineVisible(false);
-        chartAxis->setGridLineVisible(state != right_.get());
-    }
-    for (std::size_t i = 0; i < curves_.size(); ++i) {
-        setCurveStyle(static_cast<int>(i), curves_[i]->style);
+void PlotView::showTheme() {
+    for (int curve = 0; curve < curveCount(); ++curve) {
+        setCurveStyle(curve, data_.curve(curve).style);
     }
     chartChanged();
-}
-
-QString PlotView::axisNumber(double value, const AxisState& state) const {
-    return locale().toString(value, 'f', tickDecimals(state.step));
-}
-
-QString PlotView::readoutNumber(double value, const AxisState& state) const {
-    const double span = state.high - state.low;
-    if (state.isOwn()) {
-        return state.ownLabel(value, locale());
-    }
-    if (!(span > 0.0)) {
-        return locale().toString(value, 'g', 3);
-    }
-    if (readoutDecimals_ >= 0 && &state != x_.get()) {
-        return locale().toString(value, 'f', readoutDecimals_);
-    }
-    const int decimals = std::clamp(static_cast<int>(std::ceil(3.0 - std::log10(span))), 0, 9);
-    return locale().toString(value, 'f', decimals);
-}
-
-QRectF PlotView::plotArea() const {
-    return chart_->plotArea();
-}
-
-QPointF PlotView::toPixel(double x, double y, Side side) const {
-    const QRectF area = plotArea();
-    return {area.left() + x_->fraction(x) * area.width(),
-            area.bottom() - axis(side).fraction(y) * area.height()};
-}
-
-double PlotView::xAt(double pixelX) const {
-    const QRectF area = plotArea();
-    return x_->value((pixelX - area.left()) / std::max(1.0, area.width()));
-}
-
-double PlotView::yAt(double pixelY, Side side) const {
-    const QRectF area = plotArea();
-    return axis(side).value((area.bottom() - pixelY) / std::max(1.0, area.height()));
-}
-
-std::pair<double, double> PlotView::xInterval() const {
-    return {x_->low, x_->high};
-}
-std::pair<double, double> PlotView::yInterval(Side side) const {
-    return {axis(side).low, axis(side).high};
-}
-
-void PlotView::updateRanges() {
-    if (zoomed_) {
-        return;
-    }
-    if (x_->low != x_->spec.min || x_->high != x_->spec.max) {
-        x_->low = x_->spec.min;
-        x_->high = x_->spec.max;
-        seriesStale_ = true;
-    }
-    for (const Side side : {Side::Left, Side::Right}) {
-        AxisState& state = axis(side);
-        double low = std::numeric_limits<double>::infinity();
-        double high = -low;
-        if (state.fixed) {
-            std::tie(low, high) = *state.fixed;
-        } else {
-            for (const auto& curve : curves_) {
-                if (curve->shown && curve->style.side == side && !curve->y.empty()) {
-                    const auto [least, most] =
-                        std::minmax_element(curve->y.begin(), curve->y.end());
-                    low = std::min(low, *least);
-                    high = std::max(high, *most);
-                    if (curve->style.shape == Shape::Bars && !state.spec.logarithmic) {
-                        low = std::min(low, 0.0);
-                        high = std::max(high, 0.0);
-                    }
-                }
-            }
-            if (!(low <= high)) {
-                continue;  // nothing to show: the axis stays as it is
-            }
-            if (state.spec.logarithmic) {
-                low = std::pow(10.0, std::floor(std::log10(low)));
-                high = std::pow(10.0, std::ceil(std::log10(high)));
-                if (low == high) {
-                    high *= 10.0;
-                }
-            } else {
-                // Hysteresis: rescaling costs a frame, so the axis stays while the data fit and
-                // fill more than half of it.
-                const bool fits = low >= state.low && high <= state.high;
-                if (fits && high - low > 0.5 * (state.high - state.low)) {
-                    continue;
-                }
-                const double pad = 0.04 * (high - low);
-                std::tie(low, high) =
-                    niceInterval(low < 0.0 || low > pad ? low - pad : low,
-                                 high > 0.0 || high < -pad ? high + pad : high, 6);
-            }
-        }
-        if (low != state.low || high != state.high) {
-            state.low = low;
-            state.high = high;
-            seriesStale_ = true;
-        }
-    }
-}
-
-void PlotView::updateTicks() {
-    const QRectF area = plotArea();
-    const auto apply = [&](AxisState& state, double pixels, double pixelsPerTick) {
-        state.step = readableStep(state.low, state.high, ticksThatFit(pixels, pixelsPerTick),
-                                  state.spec.degrees);
-        auto* value = qobject_cast<QValueAxis*>(state.chartAxis);
-        if (value != nullptr && !state.isOwn()) {
-            value->setTickType(QValueAxis::TicksDynamic);
-            value->setTickAnchor(0.0);
-            value->setTickInterval(state.step);
-            value->setLabelFormat(QStringLiteral("%.%1f").arg(tickDecimals(state.step)));
-            value->setRange(state.low, state.high);
-        }
-        if (state.chartAxis != nullptr) {
-            state.chartAxis->setTitleText(state.spec.title);
-        }
-    };
-    apply(*x_, area.width(), columnPerTick);
-    apply(*left_, area.height(), chartRowPerTick);
-    if (right_->chartAxis != nullptr) {
-        apply(*right_, area.height(), chartRowPerTick);
-    }
 }
 
 void PlotView::layoutHeader() {
     // Title and legend in one row where they fit, else the legend flows in rows below the title.
     const QFontMetricsF metrics(Theme::font(Theme::baseSize, true));
     const double row = std::ceil(metrics.height()) + Theme::gap;
-    const double titleWidth = metrics.horizontalAdvance(title_) + 2 * Theme::margin;
+    const double titleWidth = metrics.horizontalAdvance(data_.title) + 2 * Theme::margin;
     double legendWidth = 0.0;
-    for (const auto& curve : curves_) {
-        if (curve->button != nullptr && !curve->button->isHidden()) {
-            legendWidth += curve->button->sizeHint().width();
+    for (const LegendItem* item : legend_) {
+        if (item != nullptr && !item->isHidden()) {
+            legendWidth += item->sizeHint().width();
         }
     }
     const double right = width() - Theme::space;
     const bool oneRow = titleWidth + legendWidth <= right;
     double x = oneRow ? right - legendWidth : Theme::margin - Theme::gap;
     double y = Theme::gap + (oneRow ? 0.0 : row);
-    headerHeight_ = y + row;
-    for (const auto& curve : curves_) {
-        if (curve->button == nullptr || curve->button->isHidden()) {
+    data_.headerHeight = y + row;
+    for (LegendItem* item : legend_) {
+        if (item == nullptr || item->isHidden()) {
             continue;
         }
-        const int itemWidth = curve->button->sizeHint().width();
+        const int itemWidth = item->sizeHint().width();
         if (!oneRow && x + itemWidth > right && x > Theme::margin) {
             x = Theme::margin - Theme::gap;
             y += row;
-            headerHeight_ = y + row;
+            data_.headerHeight = y + row;
         }
-        curve->button->setGeometry(QRectF(x, y, itemWidth, row).toAlignedRect());
+        item->setGeometry(QRectF(x, y, itemWidth, row).toAlignedRect());
         x += itemWidth;
     }
-    if (legendWidth == 0.0 && title_.isEmpty()) {
-        headerHeight_ = Theme::gap;
+    if (legendWidth == 0.0 && data_.title.isEmpty()) {
+        data_.headerHeight = Theme::gap;
     }
 }
 
 void PlotView::layoutChart() {
     layoutHeader();
-    const double top = headerHeight_;
-    const auto intervals = [this] {
-        return std::array{x_->low, x_->high, left_->low, left_->high, right_->low, right_->high};
-    };
-    const auto shown = intervals();
-    bool moved = seriesStale_;
-    updateRanges();
-
-    const QFontMetricsF metrics(Theme::font(Theme::smallSize));
-    const double bottom =
-        std::ceil(metrics.height() * (x_->spec.title.isEmpty() ? 1.0 : 2.0) + 2.5 * labelGap);
-    const double areaHeight = std::max(20.0, height() - top - labelGap - bottom);
-    const auto labelWidth = [&](AxisState& state) {
-        if (state.isOwn()) {
-            double widest = 0.0;
-            for (const double tick : state.ownTicks(areaHeight, rowPerTick)) {
-                widest =
-                    std::max(widest, metrics.horizontalAdvance(state.ownLabel(tick, locale())));
-            }
-            return widest;
-        }
-        // The ticks that updateTicks() will choose decide how many decimals the labels have.
-        state.step = readableStep(state.low, state.high, ticksThatFit(areaHeight, chartRowPerTick),
-                                  state.spec.degrees);
-        return std::max(metrics.horizontalAdvance(axisNumber(state.low, state)),
-                        metrics.horizontalAdvance(axisNumber(state.high, state)));
-    };
-    const auto sideMargin = [&](Side side) {
-        AxisState& state = axis(side);
-        const double title = state.spec.title.isEmpty() ? 0.0 : metrics.height() + labelGap;
-        return std::ceil(labelWidth(state) + title + 2 * labelGap);
-    };
-    const double left = sideMargin(Side::Left);
-    const double right = sideUsed(Side::Right) ? sideMargin(Side::Right) : Theme::margin + 4.0;
-    const QRectF whole(0, 0, width(), height());
-    QRectF area(left, top + labelGap, std::max(20.0, width() - left - right),
-                std::max(20.0, height() - top - labelGap - bottom));
-    chart_->resize(whole.size());
-    scene_->setSceneRect(whole);
-    if (chart_->plotArea() != area) {
-        chart_->setPlotArea(area);
-        moved = true;
-    }
-    if (equalScale_) {
-        // Widen the axis with room to spare until one unit is as long on both.
-        const double perX = (x_->high - x_->low) / area.width();
-        const double perY = (left_->high - left_->low) / area.height();
-        const auto widen = [](AxisState& state, double span) {
-            const double middle = 0.5 * (state.low + state.high);
-            state.low = middle - 0.5 * span;
-            state.high = middle + 0.5 * span;
-        };
-        if (perX > perY * (1 + 1e-9)) {
-            widen(*left_, perX * area.height());
-        } else if (perY > perX * (1 + 1e-9)) {
-            widen(*x_, perY * area.width());
-        }
-    }
-    // What was widened above starts afresh each time: only where it ends counts.
-    seriesStale_ = moved || intervals() != shown;
-    axesStale_ = axesStale_ || seriesStale_;
-    if (axesStale_) {
-        updateTicks();
-        chart_->layout()->activate();
-    }
-    updateSeries();
+    data_.locale = locale();
+    painter_->layout(size(), axesStale_);
 }
 
-void PlotView::updateSeries() {
-    for (const auto& curve : curves_) {
-        if (!curve->stale && !seriesStale_) {
-            continue;
-        }
-        curve->stale = false;
-        const bool drawn = curve->shown && (curve->style.shape == Shape::Line ||
-                                            curve->style.shape == Shape::LineAndPoints);
-        curve->stretches.clear();
-        if (!drawn) {
-            continue;
-        }
-        std::size_t from = 0;
-        for (std::size_t next = 0; next <= curve->starts.size(); ++next) {
-            const std::size_t to =
-                next < curve->starts.size() ? curve->starts[next] : curve->x.size();
-            std::vector<QPointF> pixels;
-            pixels.reserve(to - from);
-            for (std::size_t i = from; i < to; ++i) {
-                pixels.push_back(toPixel(curve->x[i], curve->y[i], curve->style.side));
+void PlotView::paintEvent(QPaintEvent* /*event*/) {
+    if (pictureStale_) {
+        layoutChart();
+        const qreal ratio = devicePixelRatioF();
+        const QSize pixels = (QSizeF(size()) * ratio).toSize();
+        if (picture_.size() != pixels || picture_.devicePixelRatio() != ratio) {
+            for (QPixmap* layer : {&axesPicture_, &picture_}) {
+                *layer = QPixmap(pixels);
+                layer->setDevicePixelRatio(ratio);
             }
-            QPolygonF line;
-            for (const std::size_t i : thinPolylineIndices(pixels, 0.25)) {
-                line.append(pixels[i]);
-            }
-            curve->stretches.push_back(std::move(line));
-            from = to;
+            axesStale_ = true;
         }
+        if (axesStale_) {
+            axesPicture_.fill(Theme::instance().panel());
+            QPainter painter(&axesPicture_);
+            painter_->paintAxes(painter);
+            axesStale_ = false;
+        }
+        QPainter painter(&picture_);
+        painter.drawPixmap(0, 0, axesPicture_);
+        painter_->paintCurves(painter);
+        pictureStale_ = false;
     }
-    seriesStale_ = false;
+    QPainter painter(this);
+    painter.drawPixmap(0, 0, picture_);
+    painter_->paintOverlay(painter);
+    if (hasFocus()) {
+        painter.setPen(QPen(Theme::instance().accent(), 1.0));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+    }
 }
 
-std::optional<double> PlotView::valueAt(int number, double x) const {
-    const Curve& curve = *curves_.at(static_cast<std::size_t>(number));
-    if (curve.x.empty() || !curve.ascending || x < curve.x.front() || x > curve.x.back()) {
-        return std::nullopt;
+void PlotView::renderTo(QPainter& painter, const QRectF& target) {
+    layoutChart();
+    painter.save();
+    painter.translate(target.topLeft());
+    painter.scale(target.width() / width(), target.height() / height());
+    painter.fillRect(QRectF(rect()), Theme::instance().panel());
+    painter_->paintAxes(painter);
+    painter_->paintCurves(painter);
+    painter_->paintOverlay(painter);
+    for (const LegendItem* item : legend_) {
+        if (item != nullptr && item->isChecked() && !item->isHidden()) {
+            item->draw(painter, QRectF(item->geometry()));
+        }
     }
-    if (curve.style.shape == Shape::Points || curve.style.shape == Shape::Rings) {
-        return std::nullopt;
-    }
-    if (curve.style.shape == Shape::Bars) {
-        const auto bar = std::find_if(curve.x.begin(), curve.x.end(),
-                                      [&](double at) { return std::abs(at - x) < 0.5; });
-        return bar == curve.x.end()
-                   ? std::nullopt
-                   : std::optional(curve.y[static_cast<std::size_t>(bar - curve.x.begin())]);
-    }
-    const auto upper = std::upper_bound(curve.x.begin(), curve.x.end(), x);
-    const auto i = static_cast<std::size_t>(upper - curve.x.begin());
-    if (i == 0 || i == curve.x.size()) {
-        return i == 0 ? curve.y.front() : curve.y.back();
-    }
-    if (std::find(curve.starts.begin(), curve.starts.end(), i) != curve.starts.end()) {
-        return std::nullopt;  // in a gap
-    }
-    // Along the straight line that is drawn between the points, on whatever scale.
-    const double from = x_->scaled(curve.x[i - 1]);
-    const double span = x_->scaled(curve.x[i]) - from;
-    const double fraction = span > 0.0 ? (x_->scaled(x) - from) / span : 0.0;
-    const AxisState& state = axis(curve.style.side);
-    return state.unscaled(
-        std::lerp(state.scaled(curve.y[i - 1]), state.scaled(curve.y[i]), fraction));
+    painter.restore();
+    pictureStale_ = true;
 }
 
-QString PlotView::dataAsCsv() const {
-    const CsvFormat csv;
-    const auto quoted = [](QString text) {
-        return QLatin1Char('"') + text.replace(QLatin1Char('"'), QLatin1String("\"\"")) +
-               QLatin1Char('"');
-    };
-    QString text;
-    for (const auto& curve : curves_) {
-        if (!curve->shown || curve->x.empty()) {
-            continue;
+QString PlotView::exportPicture(const QString& path) {
+    return writePicture(path, size(), data_.title, [this](QPainter& painter, double scale) {
+        renderTo(painter, QRectF(QPointF(), QSizeF(size()) * scale));
+    });
+}
+
+QString PlotView::writePicture(const QString& path, const QSize& size, const QString& title,
+                               const std::function<void(QPainter&, double)>& draw) {
+    if (path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)) {
+        QSvgGenerator generator;
+        generator.setFileName(path);
+        generator.setResolution(96);  // or text comes out at three quarters of its size
+        generator.setSize(size);
+        generator.setViewBox(QRect(QPoint(), size));
+        generator.setTitle(title);
+        QPainter painter;
+        if (!painter.begin(&generator)) {
+            return tr("%1 cannot be written.").arg(path);
         }
-        text +=
-            quoted(x_->spec.title) + csv.separator + quoted(curve->style.name) + QLatin1Char('\n');
-        for (std::size_t i = 0; i < curve->x.size(); ++i) {
-            text += csv.number(curve->x[i]) + csv.separator + csv.number(curve->y[i]) +
-                    QLatin1Char('\n');
-        }
-        text += QLatin1Char('\n');
+        draw(painter, 1.0);
+        return {};
     }
-    return text;
+    constexpr int scale = 2;
+    QImage image(size * scale, QImage::Format_RGB32);
+    image.fill(Theme::instance().window());
+    QPainter painter(&image);
+    draw(painter, scale);
+    painter.end();
+    return image.save(path, "PNG") ? QString() : tr("%1 cannot be written.").arg(path);
 }
 
 void PlotView::resizeEvent(QResizeEvent* /*event*/) {
-    seriesStale_ = true;
     pictureStale_ = true;
     layoutHeader();
 }
@@ -690,6 +348,12 @@ void PlotView::changeEvent(QEvent* event) {
         chartChanged();
     }
     QWidget::changeEvent(event);
+}
+
+void resetAllZoom(QWidget* page) {
+    for (PlotView* plot : page->findChildren<PlotView*>()) {
+        plot->resetZoom();
+    }
 }
 
 }  // namespace ravnoves

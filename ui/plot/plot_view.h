@@ -1,30 +1,23 @@
 #pragma once
 
-#include <QImage>
 #include <QPixmap>
 #include <QWidget>
-#include <array>
 #include <functional>
-#include <limits>
-#include <memory>
-#include <optional>
-#include <span>
-#include <vector>
 
-class QChart;
-class QGraphicsScene;
+#include "plot/model/plot_data.h"
 
 namespace ravnoves {
 
 class LegendItem;
+class PlotPainter;
 
 /// One chart: a title, a legend whose entries switch curves, curves over a common x axis with one
 /// or two y axes, marks, a line at the present value, and a cursor that reads the curves.
 ///
-/// Wraps Qt Charts, so that no page knows it. Axes and grid are drawn once into a picture and
-/// redrawn only when range, size or theme change, the curves into a second one over it; marks,
-/// present value and cursor are painted on top, so moving them costs next to nothing. Curves are
-/// thinned to what a pixel can show.
+/// PlotData holds what is shown, PlotPainter paints it; this is the widget: legend, layers, mouse
+/// and keys. Axes and grid are drawn once into a picture and redrawn only when range, size or theme
+/// change, the curves into a second one over it; marks, present value and cursor are painted on
+/// top, so moving them costs next to nothing.
 ///
 /// Mouse: wheel zooms about the pointer (with Shift only y, with Ctrl only x), left drag pans,
 /// double click resets. In a pickable plot a left click or drag picks x instead, and the middle
@@ -33,78 +26,16 @@ class PlotView : public QWidget {
     Q_OBJECT
 
   public:
-    enum class Side { Left, Right };
-    enum class Shape {
-        Line,
-        Points,
-        LineAndPoints,
-        Rings,  ///< hollow points
-        Bars,   ///< from 0 to the value; barWidth and barShift in units of x
-    };
-
-    struct CurveStyle {
-        QString name;            ///< in the legend and the readout
-        int colour = 0;          ///< number of Theme::curve()
-        Side side = Side::Left;  ///< which y axis
-        qreal width = 1.6;       ///< pen width, pixels
-        Qt::PenStyle pen = Qt::SolidLine;
-        Shape shape = Shape::Line;
-        bool shown = true;
-        bool inLegend = true;
-        QString toolTip = {};
-        double barWidth = 0.8;
-        double barShift = 0.0;  ///< of the bar's middle, so that groups stand side by side
-        bool gaps = false;      ///< the line is broken where a point is not finite
-    };
-
-    /// A scale that is neither linear nor logarithmic: where values stand on it, and what stands
-    /// at a place; both increase.
-    struct Scale {
-        std::function<double(double value)> place = {};
-        std::function<double(double place)> value = {};
-        std::vector<double> ticks = {};  ///< values that may get a label, the weightiest first
-    };
-
-    struct Axis {
-        QString title;     ///< with the unit: "φ, °"
-        double min = 0.0;  ///< ignored for y axes, which follow the data
-        double max = 1.0;
-        bool degrees = false;  ///< ticks at 15, 30, 45, 90, …
-        bool logarithmic = false;
-        Scale scale = {};  ///< of its own; linear or logarithmic where empty
-        /// Text of ticks and of values read out, for a logarithmic axis or one with a scale of its
-        /// own; powers of ten where empty.
-        std::function<QString(double)> label = {};
-    };
-
-    /// A point worth seeing, with a label.
-    struct Mark {
-        double x = 0.0;
-        double y = 0.0;
-        QString text;
-        int colour = 0;
-        Side side = Side::Left;
-        bool ring = false;  ///< a ring instead of a dot
-    };
-
-    /// A shaded stretch of x (horizontal) or of the left axis (vertical).
-    struct Band {
-        double from = 0.0;
-        double to = 0.0;
-        QColor colour;  ///< with alpha
-        QString text = {};
-        Qt::Orientation orientation = Qt::Horizontal;
-    };
-
-    /// A straight line across the plot.
-    struct Line {
-        static constexpr int muted = -1;  ///< a colour that is no curve's
-        double at = 0.0;
-        Qt::Orientation orientation = Qt::Horizontal;
-        int colour = 0;
-        QString text = {};
-        Side side = Side::Left;
-    };
+    using Side = plot::Side;
+    using Shape = plot::Shape;
+    using CurveStyle = plot::CurveStyle;
+    using Scale = plot::Scale;
+    using Axis = plot::Axis;
+    using Mark = plot::Mark;
+    using Band = plot::Band;
+    using Line = plot::Line;
+    using Family = plot::Family;
+    using Member = plot::Member;
 
     explicit PlotView(const QString& title, QWidget* parent = nullptr);
     ~PlotView() override;
@@ -126,10 +57,18 @@ class PlotView : public QWidget {
     void setCurve(int curve, std::vector<double> x, std::vector<double> y);
     void setCurveStyle(int curve, const CurveStyle& style);
     void setCurveShown(int curve, bool shown);
-    bool isCurveShown(int curve) const;
+    bool isCurveShown(int curve) const { return data_.curve(curve).shown; }
     /// Its name in the legend; a curve without a name has no entry there.
-    QString curveName(int curve) const;
-    int curveCount() const;
+    QString curveName(int curve) const { return data_.curve(curve).style.name; }
+    void setCurveName(int curve, const QString& name);
+    int curveCount() const { return static_cast<int>(data_.curves.size()); }
+    /// Curves for the variants of one quantity, in colours from the style's on; at first none is
+    /// there.
+    Family addFamily(int most, CurveStyle style);
+    /// Replaces the family's variants, which share x; those beyond `most` are left out. A variant
+    /// that was not there is shown, one that stays keeps what the legend says.
+    void setFamily(const Family& family, const std::vector<double>& x,
+                   const std::vector<Member>& members);
     /// Error bars from low to high at each point of the curve, in y (vertical) or in x
     /// (horizontal); empty lists remove them.
     void setErrorBars(int curve, std::vector<double> low, std::vector<double> high,
@@ -141,39 +80,45 @@ class PlotView : public QWidget {
     /// A picture under the curves that fills a rectangle of values (a map over x and y); a null
     /// image removes it. Row 0 of the image is the top.
     void setImage(const QImage& image, const QRectF& values);
-    void setMarks(std::vector<Mark> marks);
+    void setMarks(std::vector<Mark> marks) { overlay(data_.marks, std::move(marks)); }
     void setBands(std::vector<Band> bands);
-    void setLines(std::vector<Line> lines);
+    void setLines(std::vector<Line> lines) { overlay(data_.lines, std::move(lines)); }
     /// The present value of what the x axis shows: a line through the plot with a dot on each
     /// curve; nothing removes it.
-    void setPresentX(std::optional<double> x);
-    QString title() const { return title_; }
+    void setPresentX(std::optional<double> x) { overlay(data_.presentX, x, data_.presentX != x); }
+    QString title() const { return data_.title; }
     /// Pales what is drawn, because newer data are on the way, and says so in the middle.
     void setFaded(bool faded, const QString& text = {});
-    bool isFaded() const { return faded_; }
+    bool isFaded() const { return data_.faded; }
     /// The cursor at x, as if the mouse were there; nothing removes it.
-    void setCursorX(std::optional<double> x);
+    void setCursorX(std::optional<double> x) { overlay(data_.cursorX, x, data_.cursorX != x); }
     /// A click or drag picks x (picked()) instead of panning.
     void setPickable(bool pickable);
     /// Text of a readout value: decimals after the point. Default: three significant digits more
     /// than the tick labels.
-    void setReadoutDecimals(int decimals) { readoutDecimals_ = decimals; }
+    void setReadoutDecimals(int decimals) { data_.readoutDecimals = decimals; }
 
     void resetZoom();
-    bool isZoomed() const { return zoomed_; }
+    bool isZoomed() const { return data_.zoomed; }
     /// The chart's inner rectangle in this widget, and the mapping of values to it.
-    QRectF plotArea() const;
-    QPointF toPixel(double x, double y, Side side = Side::Left) const;
-    double xAt(double pixelX) const;
-    double yAt(double pixelY, Side side = Side::Left) const;
+    QRectF plotArea() const { return data_.area; }
+    QPointF toPixel(double x, double y, Side side = Side::Left) const {
+        return data_.toPixel(x, y, side);
+    }
+    double xAt(double pixelX) const { return data_.xAt(pixelX); }
+    double yAt(double pixelY, Side side = Side::Left) const { return data_.yAt(pixelY, side); }
     /// The interval shown now.
-    std::pair<double, double> xInterval() const;
-    std::pair<double, double> yInterval(Side side) const;
+    std::pair<double, double> xInterval() const { return {data_.x.low, data_.x.high}; }
+    std::pair<double, double> yInterval(Side side) const {
+        return {data_.scale(side).low, data_.scale(side).high};
+    }
 
     /// The value of a curve at x by linear interpolation; nothing outside its data.
-    std::optional<double> valueAt(int curve, double x) const;
+    std::optional<double> valueAt(int curve, double x) const {
+        return data_.valueAt(data_.curve(curve), x);
+    }
     /// The data of the shown curves as CSV text: x, then one column per curve.
-    QString dataAsCsv() const;
+    QString dataAsCsv() const { return data_.csv(); }
     /// Draws title, legend, chart and marks onto any device; used for pictures, SVG and print.
     void renderTo(QPainter& painter, const QRectF& target);
     /// Writes a PNG (twice the size on screen) or SVG, by the file's ending.
@@ -212,71 +157,40 @@ class PlotView : public QWidget {
     void changeEvent(QEvent* event) override;
 
   private:
-    struct Curve;
-    struct AxisState;
-
-    AxisState& axis(Side side);
-    const AxisState& axis(Side side) const;
-    bool sideUsed(Side side) const;
+    /// Replaces what is painted on top.
+    template <typename Value>
+    void overlay(Value& shown, Value value, bool isNew = true) {
+        shown = std::move(value);
+        if (isNew) {
+            update();
+        }
+    }
     void curvesChanged();
     void chartChanged();
     void layoutHeader();
-    void paintTitle(QPainter& painter);
     void layoutChart();
-    void updateRanges();
-    void updateTicks();
-    void updateSeries();
-    void applyTheme();
+    void showTheme();
     void zoom(double factorX, double factorY, const QPointF& about);
-    void pan(const QPointF& pixels);
     void moveCursor(const QPointF& position);
-    bool readsPoints() const;
-    void readPointNear(const QPointF& position);
-    void stepPoint(int by);
+    void moveCursorTo(double x);
+    void leaveCursor();
+    void readPoint(const std::optional<PlotData::Point>& point);
     void pick(const QPointF& position);
-    void renderAxes(QPainter& painter);
-    void renderOwnAxis(QPainter& painter, const AxisState& state, Qt::Edge edge);
-    void renderErrorBars(QPainter& painter, const Curve& curve);
-    void renderCurves(QPainter& painter);
-    void paintOverlay(QPainter& painter);
-    void paintMarks(QPainter& painter, const QRectF& area);
-    void paintReadout(QPainter& painter, const QRectF& area);
-    void paintPointReadout(QPainter& painter, const QRectF& area);
-    void paintLines(QPainter& painter, const QRectF& area);
-    QString axisNumber(double value, const AxisState& state) const;
-    QString readoutNumber(double value, const AxisState& state) const;
 
-    QString title_;
-    double headerHeight_ = 0.0;
-    std::unique_ptr<QGraphicsScene> scene_;
-    QChart* chart_ = nullptr;  // owned by the scene
-    std::vector<std::unique_ptr<Curve>> curves_;
-    std::unique_ptr<AxisState> x_;
-    std::unique_ptr<AxisState> left_;
-    std::unique_ptr<AxisState> right_;
-
-    QImage image_;
-    QRectF imageValues_;
-    std::vector<Mark> marks_;
-    std::vector<Band> bands_;
-    std::vector<Line> lines_;
-    std::optional<double> presentX_;
-    std::optional<double> cursorX_;
-    std::optional<std::pair<std::size_t, std::size_t>> pointRead_;  ///< curve, point
-    bool faded_ = false;
-    QString fadedText_;
+    PlotData data_;
+    std::unique_ptr<PlotPainter> painter_;
+    std::vector<LegendItem*> legend_;  ///< one for each curve, or null
     bool pickable_ = false;
-    bool equalScale_ = false;
-    bool zoomed_ = false;
     bool picking_ = false;
     std::optional<QPointF> panFrom_;
-    int readoutDecimals_ = -1;
 
     QPixmap axesPicture_;  ///< title, grid and axes, which rest while the curves move
     QPixmap picture_;      ///< these with the curves
     bool axesStale_ = true;
     bool pictureStale_ = true;
-    bool seriesStale_ = true;
 };
+
+/// Resets the zoom of every plot below a widget.
+void resetAllZoom(QWidget* page);
 
 }  // namespace ravnoves

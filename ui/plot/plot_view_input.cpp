@@ -11,11 +11,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plot/plot_view_parts.h"
+#include "plot/plot_view.h"
 
 namespace ravnoves {
 
-using plot::zoomPerStep;
+namespace {
+
+constexpr double zoomPerStep = 1.2;
+
+}  // namespace
 
 void PlotView::mousePressEvent(QMouseEvent* event) {
     const bool inside = plotArea().contains(event->position());
@@ -37,8 +41,9 @@ void PlotView::mouseMoveEvent(QMouseEvent* event) {
     }
     if (panFrom_) {
         const QPointF moved = event->position() - *panFrom_;
-        if (zoomed_ || moved.manhattanLength() > QApplication::startDragDistance()) {
-            pan(moved);
+        if (data_.zoomed || moved.manhattanLength() > QApplication::startDragDistance()) {
+            data_.pan(moved);
+            chartChanged();
             panFrom_ = event->position();
         }
         return;
@@ -60,88 +65,40 @@ void PlotView::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void PlotView::pick(const QPointF& position) {
-    const double x = std::clamp(xAt(position.x()), x_->low, x_->high);
+    const double x = std::clamp(xAt(position.x()), data_.x.low, data_.x.high);
     Q_EMIT picked(x);
-    Q_EMIT pickedAt(x, std::clamp(yAt(position.y()), left_->low, left_->high));
+    Q_EMIT pickedAt(x, std::clamp(yAt(position.y()), data_.left.low, data_.left.high));
 }
 
-bool PlotView::readsPoints() const {
-    return std::any_of(curves_.begin(), curves_.end(),
-                       [](const auto& curve) { return !curve->texts.isEmpty(); });
-}
-
-void PlotView::readPointNear(const QPointF& position) {
-    constexpr double reach = 14.0;
-    std::optional<std::pair<std::size_t, std::size_t>> nearest;
-    double least = reach;
-    for (std::size_t c = 0; c < curves_.size(); ++c) {
-        const Curve& curve = *curves_[c];
-        const bool readable =
-            curve.shown && curve.texts.size() == static_cast<qsizetype>(curve.x.size());
-        for (std::size_t i = 0; readable && i < curve.x.size(); ++i) {
-            const QPointF away = toPixel(curve.x[i], curve.y[i], curve.style.side) - position;
-            const double distance = std::hypot(away.x(), away.y());
-            if (distance < least) {
-                least = distance;
-                nearest = std::pair(c, i);
-            }
-        }
-    }
-    if (nearest != pointRead_) {
-        pointRead_ = nearest;
-        update();
-    }
-}
-
-void PlotView::stepPoint(int by) {
-    std::vector<std::pair<std::size_t, std::size_t>> points;
-    for (std::size_t c = 0; c < curves_.size(); ++c) {
-        const Curve& curve = *curves_[c];
-        if (curve.shown && curve.texts.size() == static_cast<qsizetype>(curve.x.size())) {
-            for (std::size_t i = 0; i < curve.x.size(); ++i) {
-                points.emplace_back(c, i);
-            }
-        }
-    }
-    if (points.empty()) {
-        return;
-    }
-    const auto count = static_cast<std::ptrdiff_t>(points.size());
-    std::ptrdiff_t next = by > 0 ? 0 : count - 1;
-    if (pointRead_) {
-        const auto found = std::find(points.begin(), points.end(), *pointRead_);
-        next = (found - points.begin() + by + count) % count;
-    }
-    pointRead_ = points[static_cast<std::size_t>(next)];
-    update();
+void PlotView::readPoint(const std::optional<PlotData::Point>& point) {
+    overlay(data_.pointRead, point, data_.pointRead != point);
 }
 
 void PlotView::moveCursor(const QPointF& position) {
-    if (readsPoints()) {
-        readPointNear(position);
-        return;
+    if (data_.readsPoints()) {
+        readPoint(data_.nearestPoint(position));
+    } else if (plotArea().contains(position)) {
+        moveCursorTo(xAt(position.x()));
+    } else {
+        leaveCursor();
     }
-    if (!plotArea().contains(position)) {
-        if (cursorX_) {
-            setCursorX(std::nullopt);
-            Q_EMIT cursorLeft();
-        }
-        return;
-    }
-    const double x = xAt(position.x());
+}
+
+void PlotView::moveCursorTo(double x) {
     setCursorX(x);
     Q_EMIT cursorMoved(x);
 }
 
-void PlotView::leaveEvent(QEvent* /*event*/) {
-    if (pointRead_) {
-        pointRead_.reset();
-        update();
-    }
-    if (cursorX_) {
+void PlotView::leaveCursor() {
+    if (data_.cursorX) {
         setCursorX(std::nullopt);
         Q_EMIT cursorLeft();
     }
+}
+
+void PlotView::leaveEvent(QEvent* /*event*/) {
+    readPoint(std::nullopt);
+    leaveCursor();
 }
 
 void PlotView::wheelEvent(QWheelEvent* event) {
@@ -156,47 +113,7 @@ void PlotView::wheelEvent(QWheelEvent* event) {
 }
 
 void PlotView::zoom(double factorX, double factorY, const QPointF& about) {
-    const QRectF area = plotArea();
-    if (area.isEmpty()) {
-        return;
-    }
-    if (equalScale_) {
-        factorY = factorX = factorX == 1.0 ? factorY : factorX;
-    }
-    const auto scale = [](AxisState& state, double factor, double fraction) {
-        constexpr double narrowest = 1e-9;
-        const double low = state.value(fraction * (1.0 - factor));
-        const double high = state.value(fraction + (1.0 - fraction) * factor);
-        const double size = std::max({std::abs(low), std::abs(high), 1e-12});
-        if (std::isfinite(low) && std::isfinite(high) && high - low > narrowest * size &&
-            std::abs(high) < 1e15 && std::abs(low) < 1e15) {
-            state.low = low;
-            state.high = high;
-        }
-    };
-    const double fx = std::clamp((about.x() - area.left()) / area.width(), 0.0, 1.0);
-    const double fy = std::clamp((area.bottom() - about.y()) / area.height(), 0.0, 1.0);
-    zoomed_ = true;
-    scale(*x_, factorX, fx);
-    scale(*left_, factorY, fy);
-    scale(*right_, factorY, fy);
-    seriesStale_ = true;
-    chartChanged();
-}
-
-void PlotView::pan(const QPointF& pixels) {
-    const QRectF area = plotArea();
-    const auto shift = [](AxisState& state, double fraction) {
-        const double low = state.value(fraction);
-        const double high = state.value(1.0 + fraction);
-        state.low = low;
-        state.high = high;
-    };
-    zoomed_ = true;
-    shift(*x_, -pixels.x() / area.width());
-    shift(*left_, pixels.y() / area.height());
-    shift(*right_, pixels.y() / area.height());
-    seriesStale_ = true;
+    data_.zoom(factorX, factorY, about);
     chartChanged();
 }
 
@@ -218,20 +135,19 @@ void PlotView::keyPressEvent(QKeyEvent* event) {
         case Qt::Key_Left:
         case Qt::Key_Right: {
             const int by = event->key() == Qt::Key_Left ? -1 : 1;
-            if (readsPoints()) {
-                stepPoint(by);
+            const PlotScale& scale = data_.x;
+            if (data_.readsPoints()) {
+                readPoint(data_.nextPoint(by));
                 return;
             }
-            const double from = cursorX_.value_or(presentX_.value_or(x_->value(0.5)));
-            const double to = x_->value(std::clamp(x_->fraction(from) + 0.01 * by, 0.0, 1.0));
-            setCursorX(to);
-            Q_EMIT cursorMoved(to);
+            const double from = data_.cursorX.value_or(data_.presentX.value_or(scale.value(0.5)));
+            moveCursorTo(scale.value(std::clamp(scale.fraction(from) + 0.01 * by, 0.0, 1.0)));
             return;
         }
         case Qt::Key_Return:
         case Qt::Key_Enter:
-            if (pickable_ && cursorX_) {
-                Q_EMIT picked(*cursorX_);
+            if (pickable_ && data_.cursorX) {
+                Q_EMIT picked(*data_.cursorX);
                 return;
             }
             break;

@@ -4,7 +4,7 @@
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
-#include "shell/language.h"
+#include "text/language.h"
 #include "theme/theme.h"
 
 namespace ravnoves {

@@ -19,24 +19,21 @@
 #include <QToolButton>
 #include <QUndoGroup>
 #include <QVBoxLayout>
+#include <algorithm>
 
-#include "case-file/case_file.h"
 #include "case-file/input_error.h"
-#include "case-file/text_file.h"
 #include "shell/help_window.h"
-#include "shell/language.h"
 #include "shell/scene_page.h"
+#include "text/error_text.h"
+#include "text/language.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
-#include "widgets/error_text.h"
-#include "widgets/file_path.h"
 
 namespace ravnoves {
 
 namespace {
 
 constexpr int navigationWidth = 104;
-constexpr int recentFiles = 8;
 
 /// A title that is wider than `room`, broken at the last blank where the first line fits.
 QString inTwoLines(QString title, const QFontMetrics& metrics, int room) {
@@ -151,16 +148,16 @@ void MainWindow::buildMenus() {
     };
 
     QMenu* file = menuBar()->addMenu(tr("&File"));
-    QAction* fresh =
-        add(file, QStringLiteral("new"), tr("&New case"), QKeySequence::New, [this] { newCase(); });
+    QAction* fresh = add(file, QStringLiteral("new"), tr("&New case"), QKeySequence::New,
+                         [this] { current().document->begin(); });
     QAction* open = add(file, QStringLiteral("open"), tr("&Open case…"), QKeySequence::Open,
                         [this] { openWithDialog(); });
     recentMenu_ = file->addMenu(tr("Open &recent"));
     connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentFiles);
-    QAction* saveAction =
-        add(file, QStringLiteral("save"), tr("&Save case"), QKeySequence::Save, [this] { save(); });
-    QAction* saveAsAction =
-        add(file, {}, tr("Save case &as…"), QKeySequence::SaveAs, [this] { saveAs(); });
+    QAction* saveAction = add(file, QStringLiteral("save"), tr("&Save case"), QKeySequence::Save,
+                              [this] { current().document->save(); });
+    QAction* saveAsAction = add(file, {}, tr("Save case &as…"), QKeySequence::SaveAs,
+                                [this] { current().document->saveAs(); });
     file->addSeparator();
     QAction* picture = add(file, QStringLiteral("picture"), tr("Save page as &picture…"),
                            QKeySequence(Qt::CTRL | Qt::Key_E), [this] { exportPicture(); });
@@ -254,14 +251,18 @@ void MainWindow::buildMenus() {
     }
 }
 
+MainWindow::Entry* MainWindow::entryOf(const QString& scene) {
+    const auto found = std::find_if(entries_.begin(), entries_.end(),
+                                    [&](const Entry& entry) { return entry.info.name == scene; });
+    return found == entries_.end() ? nullptr : &*found;
+}
+
 bool MainWindow::showScene(const QString& name) {
-    for (std::size_t i = 0; i < entries_.size(); ++i) {
-        if (entries_[i].info.name == name) {
-            showEntry(i);
-            return true;
-        }
+    const Entry* entry = entryOf(name);
+    if (entry != nullptr) {
+        showEntry(static_cast<std::size_t>(entry - entries_.data()));
     }
-    return false;
+    return entry != nullptr;
 }
 
 QString MainWindow::currentScene() const {
@@ -273,23 +274,57 @@ ScenePage* MainWindow::currentPage() {
 }
 
 ScenePage* MainWindow::page(const QString& name) {
-    for (Entry& entry : entries_) {
-        if (entry.info.name != name) {
-            continue;
-        }
-        if (entry.page == nullptr) {
-            entry.page = entry.info.make(entry.holder);
-            entry.page->setOpenCases([this](const QString& scene) { return openCaseOf(scene); });
-            SceneViewModel* model = entry.page->model();
-            histories_->addStack(model->history());
-            connect(model->history(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
-            connect(model, &SceneViewModel::titleChanged, this, &MainWindow::updateTitle);
-            connect(entry.page, &ScenePage::status, hint_, &QLabel::setText);
-            entry.holder->layout()->addWidget(entry.page);
-        }
-        return entry.page;
+    Entry* entry = entryOf(name);
+    if (entry == nullptr) {
+        return nullptr;
     }
-    return nullptr;
+    if (entry->page == nullptr) {
+        makePage(*entry);
+    }
+    return entry->page;
+}
+
+void MainWindow::makePage(Entry& entry) {
+    entry.page = entry.info.make(entry.holder);
+    entry.document = new CaseDocument(entry.page->model(), dialogsOf(entry), this);
+    entry.page->setOpenCases([this](const QString& scene) -> std::optional<OpenCase> {
+        const Entry* other = entryOf(scene);
+        return other != nullptr && other->document != nullptr
+                   ? std::optional(other->document->asOpenCase())
+                   : std::nullopt;
+    });
+    histories_->addStack(entry.document->model()->history());
+    connect(entry.document, &CaseDocument::nameChanged, this, &MainWindow::updateTitle);
+    connect(entry.document, &CaseDocument::saved, this, [this](const QString& path) {
+        statusBar()->showMessage(tr("Saved %1").arg(path), 3000);
+    });
+    connect(entry.page, &ScenePage::status, hint_, &QLabel::setText);
+    entry.holder->layout()->addWidget(entry.page);
+}
+
+DocumentDialogs MainWindow::dialogsOf(Entry& entry) {
+    DocumentDialogs dialogs;
+    dialogs.saveChanges = [this, &entry] {
+        showScene(entry.info.name);
+        const auto answer = QMessageBox::question(
+            this, tr("Unsaved changes"), tr("Save the changes of “%1”?").arg(entry.info.title),
+            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+        return answer == QMessageBox::Save      ? DocumentDialogs::Answer::Save
+               : answer == QMessageBox::Discard ? DocumentDialogs::Answer::Discard
+                                                : DocumentDialogs::Answer::Stay;
+    };
+    dialogs.saveElsewhere = [this, &entry] {
+        showScene(entry.info.name);
+        return entry.page->askToSave();
+    };
+    dialogs.choosePath = [this](const QString& suggestion) {
+        return QFileDialog::getSaveFileName(this, tr("Save case"), suggestion,
+                                            tr("Ravnoves cases (*.case.json)"));
+    };
+    dialogs.tell = [this](const QString& trouble) {
+        QMessageBox::warning(this, tr("Save case"), trouble);
+    };
+    return dialogs;
 }
 
 void MainWindow::showEntry(std::size_t index) {
@@ -302,23 +337,13 @@ void MainWindow::showEntry(std::size_t index) {
     entry.action->setChecked(true);
     stack_->setCurrentWidget(entry.holder);
     updateCaseActions();
-    histories_->setActiveStack(shown->model()->history());
+    histories_->setActiveStack(entry.document->model()->history());
     shown->setActive(true);
     if (hint_ != nullptr) {
         hint_->setText(entry.info.summary);
     }
     updateSceneActions();
     updateTitle();
-}
-
-std::optional<OpenCase> MainWindow::openCaseOf(const QString& scene) const {
-    for (const Entry& entry : entries_) {
-        if (entry.info.name == scene && entry.page != nullptr) {
-            SceneViewModel* model = entry.page->model();
-            return OpenCase{model->title(), model->inputJson(), model->context()};
-        }
-    }
-    return std::nullopt;
 }
 
 void MainWindow::updateCaseActions() {
@@ -353,141 +378,42 @@ void MainWindow::updateSceneActions() {
     sceneMenu_->menuAction()->setVisible(!actions.isEmpty());
 }
 
-MainWindow::Entry* MainWindow::entryOf(const ScenePage* page) {
-    for (Entry& entry : entries_) {
-        if (entry.page == page) {
-            return &entry;
-        }
-    }
-    return nullptr;
-}
-
 void MainWindow::updateTitle() {
     const Entry& entry = current();
-    QString document = entry.info.title;
-    if (!entry.path.isEmpty()) {
-        document = QFileInfo(entry.path).fileName() + QStringLiteral("[*] – ") + document;
-    } else if (!entry.page->model()->title().isEmpty()) {
-        document = entry.page->model()->title() + QStringLiteral("[*] – ") + document;
-    } else {
-        document += QStringLiteral("[*]");
-    }
-    setWindowTitle(document + QStringLiteral(" – Ravnoves"));
-    setWindowModified(!entry.page->model()->history()->isClean());
+    const QString name = entry.document->name();
+    setWindowTitle((name.isEmpty() ? entry.info.title + QStringLiteral("[*]")
+                                   : name + QStringLiteral("[*] – ") + entry.info.title) +
+                   QStringLiteral(" – Ravnoves"));
+    setWindowModified(entry.document->needsSaving());
 }
 
 QString MainWindow::openCase(const QString& path) {
     try {
-        const CaseFile file = parse_case(read_text_file(fsPath(path)));
+        const CaseFile file = CaseDocument::read(path);
         const QString scene = QString::fromStdString(file.scene);
-        ScenePage* target = page(scene);
-        CaseContext context;
-        context.directory = fsPath(QFileInfo(path).absolutePath());
-        target->model()->loadInput(file.input, context);
-        target->model()->setContext(context);
-        target->model()->setTitle(QString::fromStdString(file.title));
-        target->model()->history()->setClean();
-        entryOf(target)->path = path;
+        page(scene);
+        entryOf(scene)->document->open(file, path);
         showScene(scene);
-        rememberFile(path);
         return {};
     } catch (const InputError& error) {
         return path + QStringLiteral(": ") + errorText(error);
     }
 }
 
-QString MainWindow::saveCase(const QString& path) {
-    SceneViewModel* model = currentPage()->model();
-    try {
-        const CaseFile file{model->sceneName().toStdString(), model->title().toStdString(),
-                            model->inputJson()};
-        write_text_file(fsPath(path), write_case(file).dump(2) + "\n");
-    } catch (const InputError& error) {
-        return path + QStringLiteral(": ") + errorText(error);
-    }
-    current().path = path;
-    model->history()->setClean();
-    rememberFile(path);
-    updateTitle();
-    return {};
-}
-
-bool MainWindow::maybeSave(ScenePage* page) {
-    if (page == nullptr || page->model()->history()->isClean()) {
-        return true;
-    }
-    showScene(entryOf(page)->info.name);
-    // A case that came from a file goes back to it.
-    if (current().path.isEmpty()) {
-        if (const auto goOn = page->askToSave()) {
-            return *goOn;
-        }
-    }
-    const auto answer = QMessageBox::question(
-        this, tr("Unsaved changes"), tr("Save the changes of “%1”?").arg(current().info.title),
-        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
-    if (answer == QMessageBox::Save) {
-        return save();
-    }
-    return answer == QMessageBox::Discard;
-}
-
-void MainWindow::newCase() {
-    ScenePage* page = currentPage();
-    if (!maybeSave(page)) {
-        return;
-    }
-    page->model()->loadDefault();
-    page->model()->history()->setClean();
-    current().path.clear();
-    updateTitle();
-}
-
-void MainWindow::openWithDialog() {
-    const QString path = QFileDialog::getOpenFileName(
-        this, tr("Open case"), QFileInfo(current().path).absolutePath(),
-        tr("Ravnoves cases (*.case.json *.json);;All files (*)"));
-    if (path.isEmpty()) {
-        return;
-    }
+void MainWindow::openOrSayWhy(const QString& path) {
     const QString trouble = openCase(path);
     if (!trouble.isEmpty()) {
         QMessageBox::warning(this, tr("Open case"), trouble);
     }
 }
 
-bool MainWindow::save() {
-    if (current().path.isEmpty()) {
-        return saveAs();
+void MainWindow::openWithDialog() {
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Open case"), QFileInfo(current().document->path()).absolutePath(),
+        tr("Ravnoves cases (*.case.json *.json);;All files (*)"));
+    if (!path.isEmpty()) {
+        openOrSayWhy(path);
     }
-    const QString trouble = saveCase(current().path);
-    if (!trouble.isEmpty()) {
-        QMessageBox::warning(this, tr("Save case"), trouble);
-        return false;
-    }
-    statusBar()->showMessage(tr("Saved %1").arg(current().path), 3000);
-    return true;
-}
-
-bool MainWindow::saveAs() {
-    QString suggestion = current().path;
-    if (suggestion.isEmpty()) {
-        suggestion = current().info.name + QStringLiteral(".case.json");
-    }
-    QString path = QFileDialog::getSaveFileName(this, tr("Save case"), suggestion,
-                                                tr("Ravnoves cases (*.case.json)"));
-    if (path.isEmpty()) {
-        return false;
-    }
-    if (QFileInfo(path).suffix().isEmpty()) {
-        path += QStringLiteral(".case.json");
-    }
-    const QString trouble = saveCase(path);
-    if (!trouble.isEmpty()) {
-        QMessageBox::warning(this, tr("Save case"), trouble);
-        return false;
-    }
-    return true;
 }
 
 void MainWindow::exportPicture() {
@@ -503,28 +429,11 @@ void MainWindow::exportPicture() {
     }
 }
 
-void MainWindow::rememberFile(const QString& path) {
-    QSettings settings;
-    QStringList files = settings.value(QStringLiteral("files/recent")).toStringList();
-    const QString absolute = QFileInfo(path).absoluteFilePath();
-    files.removeAll(absolute);
-    files.prepend(absolute);
-    while (files.size() > recentFiles) {
-        files.removeLast();
-    }
-    settings.setValue(QStringLiteral("files/recent"), files);
-}
-
 void MainWindow::fillRecentFiles() {
     recentMenu_->clear();
-    const QStringList files = QSettings().value(QStringLiteral("files/recent")).toStringList();
+    const QStringList files = CaseDocument::recentPaths();
     for (const QString& file : files) {
-        recentMenu_->addAction(file, this, [this, file] {
-            const QString trouble = openCase(file);
-            if (!trouble.isEmpty()) {
-                QMessageBox::warning(this, tr("Open case"), trouble);
-            }
-        });
+        recentMenu_->addAction(file, this, [this, file] { openOrSayWhy(file); });
     }
     if (files.isEmpty()) {
         recentMenu_->addAction(tr("No files yet"))->setEnabled(false);
@@ -549,7 +458,7 @@ void MainWindow::showAbout() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     for (const Entry& entry : entries_) {
-        if (!maybeSave(entry.page)) {
+        if (entry.document != nullptr && !entry.document->mayGo()) {
             event->ignore();
             return;
         }
@@ -566,10 +475,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
     for (const QUrl& url : event->mimeData()->urls()) {
-        const QString trouble = openCase(url.toLocalFile());
-        if (!trouble.isEmpty()) {
-            QMessageBox::warning(this, tr("Open case"), trouble);
-        }
+        openOrSayWhy(url.toLocalFile());
     }
 }
 

@@ -3,8 +3,8 @@
 #include <QMainWindow>
 #include <vector>
 
+#include "model/case_document.h"
 #include "shell/scene_list.h"
-#include "shell/scene_view_model.h"
 
 class QActionGroup;
 class QLabel;
@@ -36,10 +36,7 @@ class MainWindow : public QMainWindow {
     /// @return an empty string, or what is wrong, with the file's name; all stays as it was then
     QString openCase(const QString& path);
     /// Writes the current page's case. The same return.
-    QString saveCase(const QString& path);
-    /// Asks what to do with changes that are not saved yet.
-    /// @return false where the user wants to stay
-    bool maybeSave(ScenePage* page);
+    QString saveCase(const QString& path) { return current().document->saveTo(path); }
 
   protected:
     void closeEvent(QCloseEvent* event) override;
@@ -53,25 +50,23 @@ class MainWindow : public QMainWindow {
         QWidget* holder = nullptr;
         QToolButton* button = nullptr;
         QAction* action = nullptr;
-        QString path;
+        CaseDocument* document = nullptr;  ///< of the page, as soon as that is made
     };
 
     void buildNavigation();
     void buildMenus();
     void showEntry(std::size_t index);
-    Entry* entryOf(const ScenePage* page);
+    Entry* entryOf(const QString& scene);
     Entry& current() { return entries_[current_]; }
-    void newCase();
+    DocumentDialogs dialogsOf(Entry& entry);
+    void makePage(Entry& entry);
+    void openOrSayWhy(const QString& path);
     void openWithDialog();
-    bool save();
-    bool saveAs();
     void exportPicture();
-    void rememberFile(const QString& path);
     void fillRecentFiles();
     void updateTitle();
     void updateSceneActions();
     void updateCaseActions();
-    std::optional<OpenCase> openCaseOf(const QString& scene) const;
     void showHelp(const QString& topic);
     void showAbout();
 

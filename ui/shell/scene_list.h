@@ -20,7 +20,7 @@ struct SceneInfo {
 };
 
 /// All scenes in the order of the navigation. To add a scene, add its line here and in core's
-/// scene_solvers.cpp.
+/// scenes.cpp.
 std::vector<SceneInfo> sceneList();
 
 }  // namespace ravnoves

@@ -5,28 +5,30 @@
 #include <QWidget>
 #include <optional>
 
-#include "shell/scene_view_model.h"
+#include "model/scene_model.h"
 
 namespace ravnoves {
 
-/// One page of the program: thin widgets over a view-model.
+/// One page of the program: thin widgets over a model.
 class ScenePage : public QWidget {
     Q_OBJECT
 
   public:
-    using QWidget::QWidget;
+    explicit ScenePage(QWidget* parent = nullptr);
+    ~ScenePage() override;
 
-    virtual SceneViewModel* model() = 0;
+    virtual SceneModel* model() = 0;
     /// Actions for the toolbar and the Scene menu, in order; null entries are separators.
     virtual QList<QAction*> sceneActions() { return {}; }
     /// The results as tab-separated text and as CSV.
     virtual QString resultsAsText() const = 0;
     virtual QString resultsAsCsv() const = 0;
     /// Called when the page comes to the front or leaves it (animations stop).
-    virtual void setActive(bool /*active*/) {}
-    virtual void resetZoom() {}
+    virtual void setActive(bool active);
+    /// Every plot of the page shows all it has.
+    void resetZoom();
     /// True while something that the page shows is still computed in the background.
-    virtual bool isBusy() const;
+    bool isBusy() const;
     /// Asks what to do with unsaved changes where the page keeps them in a place of its own rather
     /// than in case files. @return false where the user wants to stay; nothing: the window asks
     virtual std::optional<bool> askToSave() { return std::nullopt; }
@@ -37,15 +39,6 @@ class ScenePage : public QWidget {
   Q_SIGNALS:
     /// A line for the status bar.
     void status(const QString& text);
-
-  protected:
-    /// For the destructor of every page. A window that is destroyed takes the focus from its field,
-    /// and the field reports what was typed: that must reach the page while it is whole.
-    void putAway() {
-        if (isWindow()) {
-            hide();
-        }
-    }
 };
 
 }  // namespace ravnoves

@@ -6,7 +6,7 @@ namespace ravnoves {
 
 class MainWindow;
 
-/// Applies "key=value" to the page in front (SceneViewModel::setByKey), or brings a tab
+/// Applies "key=value" to the page in front (SceneModel::setByKey), or brings a tab
 /// to the front ("tab=torque-table").
 /// @return an empty string, or what is wrong
 QString applySetting(MainWindow& window, const QString& pair);

@@ -6,11 +6,11 @@
 
 #include "theme/theme.h"
 #include "v8-plugs/compensation_plot.h"
+#include "v8-plugs/model/v8_plugs_model.h"
+#include "v8-plugs/model/v8_text.h"
 #include "v8-plugs/plug_view.h"
 #include "v8-plugs/sheet_form.h"
 #include "v8-plugs/shift_plot.h"
-#include "v8-plugs/v8_plugs_view_model.h"
-#include "v8-plugs/v8_text.h"
 #include "widgets/form_section.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
@@ -33,7 +33,7 @@ void say(QLabel* label, const QString& text) {
 
 }  // namespace
 
-AnswerView::AnswerView(V8PlugsViewModel* model, QWidget* parent) : QWidget(parent), model_(model) {
+AnswerView::AnswerView(V8PlugsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(Theme::space);
@@ -49,7 +49,7 @@ AnswerView::AnswerView(V8PlugsViewModel* model, QWidget* parent) : QWidget(paren
     lower->addWidget(buildPlots(), 6);
     column->addLayout(lower, 1);
 
-    connect(model_, &SceneViewModel::changed, this, &AnswerView::showAnswer);
+    connect(model_, &SceneModel::changed, this, &AnswerView::showAnswer);
     connect(&Theme::instance(), &Theme::changed, this, &AnswerView::showAnswer);
     showAnswer();
 }
@@ -124,15 +124,13 @@ void AnswerView::showAdvice() {
     const bool works = v8_text::works(model_->solution());
     // What is still missing is no sentence for the display size.
     advice_->setFont(Theme::font(works ? Theme::displaySize : Theme::titleSize, true));
-    SheetForm::colourText(advice_, !advice ? theme.mutedText()
-                                   : works ? theme.text()
-                                           : theme.error());
+    colourText(advice_, !advice ? theme.mutedText() : works ? theme.text() : theme.error());
     say(boring_, model_->boringText());
     say(hang_, model_->hangText());
     const bool known = model_->solution().before.has_value();
     hang_->setFont(Theme::font(known ? Theme::titleSize : Theme::baseSize, known));
     say(troubles_, model_->troubles().join(QLatin1Char('\n')));
-    SheetForm::colourText(troubles_, theme.warning());
+    colourText(troubles_, theme.warning());
     options_->setRows(model_->optionRows());
     for (int row = 0; row < options_->rowCount(); ++row) {
         for (int column = 0; column < options_->columnCount(); ++column) {
@@ -155,11 +153,6 @@ QString AnswerView::asText() const {
 
 QString AnswerView::asCsv() const {
     return options_->asCsv() + QLatin1Char('\n') + bobWeights_->asCsv();
-}
-
-void AnswerView::resetZoom() {
-    compensation_->resetZoom();
-    shift_->resetZoom();
 }
 
 }  // namespace ravnoves

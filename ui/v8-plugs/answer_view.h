@@ -11,7 +11,7 @@ class CompensationPlot;
 class PlugView;
 class ResultTable;
 class ShiftPlot;
-class V8PlugsViewModel;
+class V8PlugsModel;
 
 /// What follows from the job: the advice in words, the four options, the bob weight line by line,
 /// the plug and the plots.
@@ -19,11 +19,10 @@ class AnswerView : public QWidget {
     Q_OBJECT
 
   public:
-    explicit AnswerView(V8PlugsViewModel* model, QWidget* parent = nullptr);
+    explicit AnswerView(V8PlugsModel* model, QWidget* parent = nullptr);
 
     QString asText() const;
     QString asCsv() const;
-    void resetZoom();
 
     CompensationPlot* compensationPlot() const { return compensation_; }
     ShiftPlot* shiftPlot() const { return shift_; }
@@ -36,7 +35,7 @@ class AnswerView : public QWidget {
     void showAdvice();
     void showBobWeights();
 
-    V8PlugsViewModel* model_;
+    V8PlugsModel* model_;
     QLabel* excess_ = nullptr;
     QLabel* advice_ = nullptr;
     QLabel* boring_ = nullptr;

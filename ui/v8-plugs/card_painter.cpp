@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numerics/constants.h"
+#include "v8-plugs/fields.h"
+#include "v8-plugs/model/v8_names.h"
+#include "v8-plugs/model/v8_text.h"
 #include "v8-plugs/plug_drawing.h"
-#include "v8-plugs/v8_text.h"
 
 namespace ravnoves {
 
@@ -18,8 +19,7 @@ constexpr double left = CardPage::left;
 constexpr double full = CardPage::full;
 constexpr double right = CardPage::right;
 
-constexpr double gram = 1e-3;
-constexpr double gramMillimetre = 1e-6;
+using units::gram;
 
 const QColor cutColour(0xB0, 0x30, 0x10);
 
@@ -91,8 +91,9 @@ double CardPainter::head(double y) {
     sheet_.blank(left + third, y, third, words_.translate("JobCard", "Technician"),
                  text(input_.job.technician));
     sheet_.blank(left + 2 * third, y, third + 3, words_.translate("JobCard", "Work · crankshaft"),
-                 v8_text::processName(words_, input_.process) + QStringLiteral(" · ") +
-                     v8_text::crankshaftName(words_, input_.crankshaft));
+                 words_.text(process_words[static_cast<int>(input_.process)].label) +
+                     QStringLiteral(" · ") +
+                     words_.text(crankshaft_words[static_cast<int>(input_.crankshaft)].label));
     return y + 8.5;
 }
 
@@ -154,11 +155,10 @@ double CardPainter::engineTable(double y, double width) {
         if (i >= fields.size()) {
             return {QString(), QString(), QString()};
         }
-        const EngineField& field = fields[i];
-        const auto& value = input_.engine.*field.member;
-        return {v8_text::fieldName(words_, field.spec.key),
-                value ? words_.plain(in_unit(*value, field.spec), 4) : missing,
-                v8_text::unitName(words_, field.spec.unit)};
+        const auto& [field, member, group] = fields[i];
+        const auto& value = input_.engine.*member;
+        return {words_.name(field), value ? words_.plain(*value / field.unit, 4) : missing,
+                words_.unit(field.unit)};
     };
     for (std::size_t i = 0; i < half; ++i) {
         engine.add({cells(i) + cells(i + half)});
@@ -173,7 +173,7 @@ void CardPainter::changesTable(double x, double y, double width) {
         if (field.repair_only && input_.process == Process::manufacture) {
             continue;
         }
-        changes.add({{v8_text::fieldName(words_, field.spec.key),
+        changes.add({{words_.name(field.field),
                       words_.plain(solution_.changes.*field.member / gram, 3), unitGram()}});
     }
     changes.add(
@@ -181,8 +181,8 @@ void CardPainter::changesTable(double x, double y, double width) {
           solution_.unbalanced_mass ? grams(*solution_.unbalanced_mass, 3) : missing, unitGram()},
          true,
          true});
-    changes.add({{v8_text::fieldName(words_, "tolerance_g_mm"),
-                  words_.plain(in_unit(input_.tolerance, tolerance_field), 2), unitUnbalance()}});
+    changes.add({{words_.name(field::tolerance), words_.plain(input_.tolerance / units::gram_mm, 2),
+                  unitUnbalance()}});
     changes.draw(sheet_, x, y + 5.2);
 }
 
@@ -213,7 +213,7 @@ double CardPainter::options(double y) {
                     words_.number(option->maximum / gram, 3),
                     words_.number(option->required_reduction / gram, 3),
                     words_.number(option->max_reduction / gram, 3),
-                    words_.number(option->residual_unbalance / gramMillimetre, 1),
+                    words_.number(option->residual_unbalance / units::gram_mm, 1),
                     !fitted            ? words_.translate("JobCard", "other crankshaft")
                     : option->feasible ? words_.translate("JobCard", "works")
                                        : words_.translate("JobCard", "does not work")},
@@ -229,7 +229,8 @@ double CardPainter::options(double y) {
                        "(slope %2°); needed: lightening of one plug.")
             .arg(solution_.plugs ? words_.number(solution_.plugs->coefficients().k_y, 3) : missing,
                  solution_.plugs
-                     ? words_.number(std::atan(solution_.plugs->coefficients().k_y) / degree, 1)
+                     ? words_.number(std::atan(solution_.plugs->coefficients().k_y) / units::degree,
+                                     1)
                      : missing),
         6.8, Qt::AlignLeft, false, CardPage::grey);
     return y + height + 3.6;
@@ -243,13 +244,9 @@ double CardPainter::bobWeights(double y) {
     if (solution_.nominal && solution_.before) {
         height = bobWeightTable(y + 5.0);
     } else {
-        QStringList names;
-        for (const EngineField* field : missing_fields(input_.engine, true)) {
-            names << v8_text::fieldName(words_, field->spec.key);
-        }
         height = sheet_.paragraph(left, y + 5.4, tableWidth,
                                   words_.translate("JobCard", "Not known without: %1.")
-                                      .arg(names.join(QStringLiteral(", "))),
+                                      .arg(v8_text::missingNames(words_, input_.engine, true)),
                                   8, 4);
     }
     const double x = left + tableWidth + 4.0;
@@ -262,40 +259,26 @@ double CardPainter::bobWeights(double y) {
 
 double CardPainter::bobWeightTable(double y) {
     const auto chosen = v8_text::chosenOption(solution_);
-    const BobWeight& nominal = *solution_.nominal;
-    const BobWeight& before = *solution_.before;
-    const BobWeight* after =
-        chosen ? &solution_.bob_weights[static_cast<std::size_t>(chosen->id)]->after : nullptr;
     CardTable table({{44, Qt::AlignLeft}, {14}, {18}, {18}, {18}}, 7.5, 3.5);
     table.head({words_.translate("JobCard", "factor × mass"), words_.translate("JobCard", "factor"),
                 words_.translate("JobCard", "nominal"), words_.translate("JobCard", "before"),
                 words_.translate("JobCard", "after")});
-    const auto product = [&](const BobWeight* weight, BobWeightLine::Part part) {
-        if (weight != nullptr) {
-            for (const BobWeightLine& line : weight->lines) {
-                if (line.part == part) {
-                    return words_.number(line.product() / gram, 3);
-                }
-            }
-        }
-        return missing;
+    const auto weights = [&](std::optional<BobWeightLine::Part> part) {
+        return v8_text::bobWeightCells(words_, solution_, part, 3, missing);
     };
-    for (const BobWeightLine& line : before.lines) {
-        QString name = v8_text::lineName(words_, line.part);
+    for (const BobWeightLine& line : solution_.before->lines) {
+        QString name = words_.text(bob_weight_word(line.part).label);
         if (line.part == BobWeightLine::Part::plugs) {
             const double mass =
                 chosen ? chosen->plug_mass_unmachined - chosen->reduction : line.mass;
             name = words_.translate("JobCard", "Plug (after: %1)")
                        .arg(v8_text::grams(words_, mass, 3));
         }
-        table.add({{name, words_.plain(line.factor, 4), product(&nominal, line.part),
-                    product(&before, line.part), product(after, line.part)}});
+        table.add({QStringList{name, words_.plain(line.factor, 4)} + weights(line.part)});
     }
-    table.add({{words_.translate("JobCard", "Sum: bob weight"), QString(),
-                words_.number(nominal.sum() / gram, 3), words_.number(before.sum() / gram, 3),
-                after != nullptr ? words_.number(after->sum() / gram, 3) : missing},
-               true,
-               true});
+    table.add({QStringList{words_.translate("JobCard", "Sum: bob weight"), QString()} +
+                   weights(std::nullopt),
+               true, true});
     double height = table.draw(sheet_, left, y);
     sheet_.text(left, y + height + 0.8, 112, v8_text::hang(words_, solution_), 10, Qt::AlignLeft,
                 true);
@@ -306,23 +289,7 @@ void CardPainter::plug(double x, double y, double w, double h) {
     const DrawingStyle style{CardPage::ink, CardPage::hair,   CardPage::ink,
                              cutColour,     sheet_.font(7.5), 0.35 * sheet_.unit()};
     const QRectF target = sheet_.rect(x, y, w, h);
-    const auto geometry = input_.plug ? input_.plug->geometry() : std::nullopt;
-    if (!geometry || geometry_fault(*geometry)) {
-        drawPlugSketch(sheet_.painter(), target, style, words_);
-        return;
-    }
-    PlugDrawing drawing;
-    drawing.plug = *geometry;
-    const auto chosen = v8_text::chosenOption(solution_);
-    if (chosen && chosen->reduction > 0.0) {
-        const auto& boring = solution_.boring[static_cast<std::size_t>(chosen->id)];
-        if (boring && boring->cuts) {
-            drawing.cutterDiameter = input_.plug->cutter_diameter;
-            drawing.cutDepth = boring->depth;
-            drawing.impossible = boring->limit != Boring::Limit::none;
-        }
-    }
-    drawPlug(sheet_.painter(), target, drawing, style, words_);
+    drawPlug(sheet_.painter(), target, plannedPlug(input_, solution_), style, words_);
 }
 
 }  // namespace ravnoves

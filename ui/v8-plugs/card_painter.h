@@ -1,9 +1,10 @@
 #pragma once
 
 #include "v8-plugs/card_page.h"
-#include "v8-plugs/case_input.h"
+#include "v8-plugs/input.h"
+#include "v8-plugs/model/v8_names.h"
+#include "v8-plugs/model/words.h"
 #include "v8-plugs/solver.h"
-#include "v8-plugs/words.h"
 
 namespace ravnoves {
 
@@ -11,8 +12,8 @@ namespace ravnoves {
 /// has its fixed place; notes and warnings share what the sections above leave.
 class CardPainter {
   public:
-    CardPainter(CardPage& sheet, const v8_plugs::CaseInput& input,
-                const v8_plugs::Solution& solution, const Words& words)
+    CardPainter(CardPage& sheet, const v8_plugs::Input& input, const v8_plugs::Result& solution,
+                const Words& words)
         : sheet_(sheet), input_(input), solution_(solution), words_(words) {}
 
     void paint();
@@ -38,15 +39,15 @@ class CardPainter {
     double notesHeight() const;
 
     QString grams(double mass, int decimals = 2) const;
-    QString unitGram() const { return words_.translate("V8", "g", "unit"); }
-    QString unitUnbalance() const { return words_.translate("V8", "g·mm", "unit"); }
+    QString unitGram() const { return words_.unit(units::gram); }
+    QString unitUnbalance() const { return words_.unit(units::gram_mm); }
     QString engineName() const;
     QString dateText() const;
     QString notesText() const;
 
     CardPage& sheet_;
-    const v8_plugs::CaseInput& input_;
-    const v8_plugs::Solution& solution_;
+    const v8_plugs::Input& input_;
+    const v8_plugs::Result& solution_;
     const Words& words_;
 };
 

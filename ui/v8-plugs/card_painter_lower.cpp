@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "v8-plugs/card_painter.h"
-#include "v8-plugs/v8_text.h"
+#include "v8-plugs/model/v8_names.h"
+#include "v8-plugs/model/v8_text.h"
 
 namespace ravnoves {
 
@@ -15,8 +16,6 @@ namespace {
 constexpr double left = CardPage::left;
 constexpr double full = CardPage::full;
 constexpr double right = CardPage::right;
-
-constexpr double gramMillimetre = 1e-6;
 
 const QString missing = QStringLiteral("—");
 
@@ -85,7 +84,7 @@ double CardPainter::weighIn(double y) {
 /// What the technician should not overlook, and what the method neglects.
 double CardPainter::remarks(double y, double end) {
     constexpr double points = 7.0;
-    CaseInput shown = input_;
+    Input shown = input_;
     shown.weigh_in.reset();  // its table above marks what is too far apart or missing
     shown.changes_from_weigh_in = false;
     QStringList list = v8_text::troubles(words_, shown, solution_);
@@ -119,9 +118,9 @@ void CardPainter::machine(double y) {
         const BalancingCheck check = input_.balancing->check().value();
         limits =
             words_.translate("JobCard", "ISO 21940-11, G %1, %2 kg at %3 min⁻¹: U_per = %4 in all.")
-                .arg(words_.plain(in_unit(check.grade, grade_field), 2),
+                .arg(words_.plain(check.grade / units::mm_per_s, 2),
                      words_.plain(check.rotor_mass, 2),
-                     words_.plain(in_unit(check.service_speed, service_speed_field), 0),
+                     words_.plain(check.service_speed / units::rpm, 0),
                      v8_text::gramMillimetres(words_, solution_.balancing->permissible));
     } else {
         limits = words_.translate("JobCard", "ISO 21940-11: no grade, mass and speed given.");
@@ -145,8 +144,8 @@ void CardPainter::machine(double y) {
         const bool judged = plane != nullptr && plane->passes.has_value();
         table.add(
             {{name,
-              plane != nullptr ? words_.number(plane->permissible / gramMillimetre, 1) : missing,
-              reading ? words_.number(*reading / gramMillimetre, 1) : byHand, byHand,
+              plane != nullptr ? words_.number(plane->permissible / units::gram_mm, 1) : missing,
+              reading ? words_.number(*reading / units::gram_mm, 1) : byHand, byHand,
               !judged          ? byHand
               : *plane->passes ? words_.translate("JobCard", "passes")
                                : words_.translate("JobCard", "fails")}});

@@ -1,39 +1,35 @@
 #pragma once
 
-#include <QLineEdit>
 #include <functional>
+
+#include "widgets/entry_field.h"
 
 namespace ravnoves {
 
-/// A field for text that must have a form (a date, a thread). What has not is never passed on and
-/// never thrown away: the text stays, the frame turns red, trouble() says what is wrong.
-class CheckedField : public QLineEdit {
+/// A field for text that must have a form (a date, a thread).
+class CheckedField : public ValueEntry<QString> {
     Q_OBJECT
 
   public:
     /// Says what is wrong with a text; empty where nothing is. An empty text is not asked about.
     using Check = std::function<QString(const QString& text)>;
 
-    explicit CheckedField(Check check, QWidget* parent = nullptr);
-
-    /// Shows a text unless the user is at something not yet valid.
-    void setValue(const QString& text);
-    QString trouble() const { return trouble_; }
+    explicit CheckedField(Check check, QWidget* parent = nullptr)
+        : ValueEntry(parent), check_(std::move(check)) {}
 
   Q_SIGNALS:
     /// The user typed something valid, or emptied the field.
     void valueEdited(const QString& text);
-    void troubleChanged(const QString& trouble);
 
   protected:
-    void paintEvent(QPaintEvent* event) override;
+    Reading read(const QString& typed) const override {
+        return {typed, typed.isEmpty() ? QString() : check_(typed)};
+    }
+    QString written() const override { return value(); }
+    void passOn() override { Q_EMIT valueEdited(value()); }
 
   private:
-    void readText();
-    void setTrouble(const QString& trouble);
-
     Check check_;
-    QString trouble_;
 };
 
 }  // namespace ravnoves

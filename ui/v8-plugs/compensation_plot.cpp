@@ -2,14 +2,15 @@
 
 #include <algorithm>
 
-#include "v8-plugs/v8_text.h"
+#include "v8-plugs/model/v8_names.h"
+#include "v8-plugs/model/v8_text.h"
 
 namespace ravnoves {
 
 using namespace v8_plugs;
 
 namespace {
-constexpr double gram = 1e-3;
+using units::gram;
 constexpr int todayColour = 6;
 }  // namespace
 
@@ -27,7 +28,7 @@ CompensationPlot::CompensationPlot(QWidget* parent) : PlotView(tr("Excess compen
     }
 }
 
-void CompensationPlot::showSolution(const Solution& solution) {
+void CompensationPlot::showSolution(const Result& solution) {
     const Words words;
     double reach = 0.0;
     double lowest = 0.0;

@@ -15,7 +15,7 @@ class CompensationPlot : public PlotView {
   public:
     explicit CompensationPlot(QWidget* parent = nullptr);
 
-    void showSolution(const v8_plugs::Solution& solution);
+    void showSolution(const v8_plugs::Result& solution);
 
   private:
     std::vector<int> curves_;

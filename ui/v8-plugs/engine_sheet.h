@@ -1,10 +1,7 @@
 #pragma once
 
-#include <QMap>
-
 #include "v8-plugs/sheet_form.h"
 
-class QCheckBox;
 class QPushButton;
 
 namespace ravnoves {
@@ -14,16 +11,16 @@ class EngineSheet : public SheetForm {
     Q_OBJECT
 
   public:
-    explicit EngineSheet(V8PlugsViewModel* model, QWidget* parent = nullptr);
+    explicit EngineSheet(V8PlugsModel* model, QWidget* parent = nullptr);
 
   Q_SIGNALS:
     /// A line for the status bar.
     void status(const QString& text);
 
   private:
-    QCheckBox* flag(const QString& label, const QString& name, v8_plugs::EngineGroup group,
-                    bool v8_plugs::Engine::*member);
-    void addValues(FormSection* section, v8_plugs::EngineGroup group, QString& mnemonics);
+    void addPlugs(const QString& label, const QString& name, v8_plugs::EngineGroup group,
+                  bool v8_plugs::Engine::*member);
+    void addValues(v8_plugs::EngineGroup group);
     void addOwnEngineButtons();
     QString presentName() const;
     QString askName(const QString& title, const QString& suggestion);

@@ -13,7 +13,7 @@ namespace ravnoves {
 
 using namespace v8_plugs;
 
-JobCard::JobCard(CaseInput input, Words words)
+JobCard::JobCard(Input input, Words words)
     : input_(std::move(input)), solution_(solve(input_)), words_(std::move(words)) {}
 
 void JobCard::paint(QPainter& painter, const QRectF& page) const {

@@ -3,9 +3,9 @@
 #include <QRectF>
 #include <QString>
 
-#include "v8-plugs/case_input.h"
+#include "v8-plugs/input.h"
+#include "v8-plugs/model/words.h"
 #include "v8-plugs/solver.h"
-#include "v8-plugs/words.h"
 
 class QPagedPaintDevice;
 class QPainter;
@@ -16,7 +16,7 @@ namespace ravnoves {
 /// weights line by line, the machine's limits and room for its readings and for signatures.
 class JobCard {
   public:
-    JobCard(v8_plugs::CaseInput input, Words words);
+    JobCard(v8_plugs::Input input, Words words);
 
     /// Paints the page. `page` is the whole sheet, 210 × 297 mm, in the painter's units; one
     /// millimetre is page.width() / 210 of them.
@@ -34,8 +34,8 @@ class JobCard {
     const Words& words() const { return words_; }
 
   private:
-    v8_plugs::CaseInput input_;
-    v8_plugs::Solution solution_;
+    v8_plugs::Input input_;
+    v8_plugs::Result solution_;
     Words words_;
 };
 

@@ -1,84 +1,49 @@
 #include "v8-plugs/job_sheet.h"
 
-#include <QComboBox>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
-#include <array>
 
+#include "text/message_text.h"
 #include "theme/theme.h"
-#include "v8-plugs/checked_field.h"
+#include "v8-plugs/fields.h"
 #include "v8-plugs/journal_dialog.h"
-#include "v8-plugs/v8_plugs_view_model.h"
-#include "v8-plugs/v8_text.h"
-#include "widgets/form_section.h"
 
 namespace ravnoves {
 
 using namespace v8_plugs;
 
-JobSheet::JobSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm(model, parent) {
-    buildHead();
+JobSheet::JobSheet(V8PlugsModel* model, QWidget* parent) : SheetForm(model, parent) {
+    section(tr("Job"));
+    text("/job/engine_number");
+    text("/job/crankshaft_number");
+    text("/job/customer");
+    checked(field::date,
+            {[](const QString& typed) { return readDay(typed).toString(Qt::ISODate); }, dayTrouble,
+             [this] { return QString::fromStdString(model_->input().job.date); },
+             [](Input& input, const QString& day) { input.job.date = day.toStdString(); }});
+    text("/job/technician");
     buildWork();
     buildChanges();
-    column_->addStretch();
-}
-
-void JobSheet::buildHead() {
-    auto* job = new FormSection(tr("Job"), this);
-    text(job, tr("Engine &number"), QStringLiteral("engine_number"), &JobHeader::engine_number,
-         tr("The journal finds the job by it."));
-    text(job, tr("Crankshaft num&ber"), QStringLiteral("crankshaft_number"),
-         &JobHeader::crankshaft_number, tr("As stamped on the crankshaft."));
-    text(job, tr("C&ustomer"), QStringLiteral("customer"), &JobHeader::customer,
-         tr("Who brought the engine; the journal finds the job by it."));
-    checked(job, tr("&Date"), QStringLiteral("date"), tr("Year-month-day or day.month.year."),
-            {[](const QString& typed) { return readDay(typed).toString(Qt::ISODate); },
-             [](const QString& typed) {
-                 return tr("“%1” is no date; write it like 2024-05-31.").arg(typed);
-             },
-             [this] { return QString::fromStdString(model_->input().job.date); },
-             [](CaseInput& input, const QString& day) { input.job.date = day.toStdString(); }});
-    text(job, tr("&Technician"), QStringLiteral("technician"), &JobHeader::technician,
-         tr("Who does the work."));
-    column_->addWidget(job);
+    finish();
 }
 
 void JobSheet::buildWork() {
-    auto* work = new FormSection(tr("Work"), this);
-    const Words words;
-    engine_ = choice(work, tr("&Engine"), QStringLiteral("engine"), {},
-                     tr("Engines of the paper by displacement, then your own."), [this](int place) {
-                         model_->chooseEngine(place);
-                         showEngines();
-                     });
-    engine_->setPlaceholderText(tr("other"));
-    connect(model_, &V8PlugsViewModel::enginesChanged, this, &JobSheet::showEngines);
-    QComboBox* process = choice(
-        work, tr("&Work"), QStringLiteral("process"),
-        {v8_text::processName(words, Process::repair),
-         v8_text::processName(words, Process::manufacture)},
-        tr("In manufacture repair pistons and repair shells are not counted."), [this](int which) {
-            model_->edit(tr("Work"), [&](CaseInput& input) {
-                input.process = which == 0 ? Process::repair : Process::manufacture;
-            });
-        });
-    QComboBox* crankshaft = choice(
-        work, tr("Cran&kshaft"), QStringLiteral("crankshaft"),
-        {v8_text::crankshaftName(words, Crankshaft::standard),
-         v8_text::crankshaftName(words, Crankshaft::new_plugs)},
-        tr("Which plugs the counterweights of the crankshaft were made for."), [this](int which) {
-            model_->edit(tr("Crankshaft"), [&](CaseInput& input) {
-                input.crankshaft = which == 0 ? Crankshaft::standard : Crankshaft::new_plugs;
-            });
-        });
-    follow([this, process, crankshaft] {
+    section(tr("Work"));
+    engine_ = ordered(new QComboBox(current()));
+    engine_->setObjectName(QStringLiteral("engine"));
+    engine_->setPlaceholderText(shownText(field::engine.placeholder));
+    enlarge(engine_);
+    current()->addWidget(shownText(field::engine.label), engine_, {},
+                         shownText(field::engine.hint));
+    connect(engine_, &QComboBox::activated, this, [this](int place) {
+        model_->chooseEngine(place);
         showEngines();
-        process->setCurrentIndex(model_->input().process == Process::repair ? 0 : 1);
-        crankshaft->setCurrentIndex(model_->input().crankshaft == Crankshaft::standard ? 0 : 1);
-        crankshaft->setEnabled(model_->input().engine.has_new_plug);
     });
-    column_->addWidget(work);
+    connect(model_, &V8PlugsModel::enginesChanged, this, &JobSheet::showEngines);
+    follow([this] { showEngines(); });
+    choice("/process");
+    QComboBox* crankshaft = choice("/crankshaft");
+    follow([this, crankshaft] { crankshaft->setEnabled(model_->input().engine.has_new_plug); });
 }
 
 void JobSheet::showEngines() {
@@ -96,41 +61,28 @@ void JobSheet::showEngines() {
 }
 
 void JobSheet::buildChanges() {
-    auto* changes = new FormSection(tr("Heavier than nominal by (negative: lighter)"), this);
-    const std::array<QString, 4> labels{tr("&Improved piston"), tr("&Rod big end"),
-                                        tr("Re&pair piston and rings"), tr("Repair &shells")};
-    const std::array<QString, 4> hints{
-        tr("Δm_pi: one piston against nominal."), tr("Δm_be: one big end against nominal."),
-        tr("Δm_rp: one repair piston with its rings against nominal."),
-        tr("Δm_sh: the repair shells of one crankpin against nominal.")};
-    for (std::size_t i = 0; i < mass_change_fields().size(); ++i) {
-        const MassChangeField& field = mass_change_fields()[i];
+    section(tr("Heavier than nominal by (negative: lighter)"));
+    for (const MassChangeField& each : mass_change_fields()) {
         NumberField* made = number(
-            changes, labels[i], field.spec, hints[i],
-            [this, field]() -> std::optional<double> {
-                return in_unit(model_->solution().changes.*field.member, field.spec);
+            each.field,
+            [this, each] {
+                return std::optional(from_si(each.field, model_->solution().changes.*each.member));
             },
-            [field](CaseInput& input, std::optional<double> value) {
-                input.typed_changes.*field.member = value.value_or(0.0) * field.spec.to_si;
+            [this, each](std::optional<double> value) {
+                model_->edit(fieldName(each.field), [&](Input& input) {
+                    input.typed_changes.*each.member = value.value_or(0.0) * each.field.unit;
+                });
             });
-        made->setPlaceholderText(QStringLiteral("0"));
-        follow([this, made, field] {
+        follow([this, made, each] {
             made->setEnabled(!model_->input().changes_from_weigh_in &&
-                             (!field.repair_only || model_->input().process == Process::repair));
+                             (!each.repair_only || model_->input().process == Process::repair));
         });
     }
-    QLabel* source = wrapped(changes, Theme::smallSize);
-    changes->addWide(source);
-    source->setText(tr("Taken from the weigh-in sheet."));
-    follow([this, source] { source->setVisible(model_->input().changes_from_weigh_in); });
-    number(
-        changes, tr("Residual unbalance &allowed"), tolerance_field,
-        tr("In each correction plane. The paper accepts 5 g·mm."),
-        [this] { return in_unit(model_->input().tolerance, tolerance_field); },
-        [](CaseInput& input, std::optional<double> value) {
-            input.tolerance = value ? *value * tolerance_field.to_si : default_tolerance;
-        });
-    column_->addWidget(changes);
+    line(Theme::smallSize, [this] {
+        return model_->input().changes_from_weigh_in ? tr("Taken from the weigh-in sheet.")
+                                                     : QString();
+    });
+    number("/tolerance_g_mm");
 }
 
 }  // namespace ravnoves

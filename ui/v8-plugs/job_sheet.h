@@ -9,10 +9,9 @@ class JobSheet : public SheetForm {
     Q_OBJECT
 
   public:
-    explicit JobSheet(V8PlugsViewModel* model, QWidget* parent = nullptr);
+    explicit JobSheet(V8PlugsModel* model, QWidget* parent = nullptr);
 
   private:
-    void buildHead();
     void buildWork();
     void buildChanges();
     void showEngines();

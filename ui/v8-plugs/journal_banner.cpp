@@ -6,13 +6,12 @@
 #include <QPushButton>
 
 #include "theme/theme.h"
+#include "v8-plugs/model/v8_plugs_model.h"
 #include "v8-plugs/sheet_form.h"
-#include "v8-plugs/v8_plugs_view_model.h"
 
 namespace ravnoves {
 
-JournalBanner::JournalBanner(V8PlugsViewModel* model, QWidget* parent)
-    : Panel(parent), model_(model) {
+JournalBanner::JournalBanner(V8PlugsModel* model, QWidget* parent) : Panel(parent), model_(model) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(Theme::margin, Theme::gap, Theme::margin, Theme::gap);
     text_ = SheetForm::wrapped(this, Theme::baseSize, true);
@@ -41,7 +40,7 @@ JournalBanner::JournalBanner(V8PlugsViewModel* model, QWidget* parent)
         next();
     });
     connect(close_, &QPushButton::clicked, this, &QWidget::hide);
-    connect(model_, &V8PlugsViewModel::journalTroubleChanged, this, &JournalBanner::showText);
+    connect(model_, &V8PlugsModel::journalTroubleChanged, this, &JournalBanner::showText);
 }
 
 void JournalBanner::offer(const QList<JournalDraft>& crashed) {

@@ -2,7 +2,7 @@
 
 #include <QList>
 
-#include "v8-plugs/journal.h"
+#include "v8-plugs/model/journal.h"
 #include "widgets/panel.h"
 
 class QLabel;
@@ -10,7 +10,7 @@ class QPushButton;
 
 namespace ravnoves {
 
-class V8PlugsViewModel;
+class V8PlugsModel;
 
 /// Above the sheets: an unfinished job that a crash left, or what happened to the journal. Hidden
 /// where there is nothing to say.
@@ -18,7 +18,7 @@ class JournalBanner : public Panel {
     Q_OBJECT
 
   public:
-    explicit JournalBanner(V8PlugsViewModel* model, QWidget* parent = nullptr);
+    explicit JournalBanner(V8PlugsModel* model, QWidget* parent = nullptr);
 
     /// Offers the drafts that a crash left, one after the other.
     void offer(const QList<JournalDraft>& crashed);
@@ -32,7 +32,7 @@ class JournalBanner : public Panel {
   private:
     void showText();
 
-    V8PlugsViewModel* model_;
+    V8PlugsModel* model_;
     QList<JournalDraft> crashed_;
     QLabel* text_;
     QPushButton* continue_;

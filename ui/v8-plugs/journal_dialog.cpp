@@ -13,7 +13,8 @@
 
 #include "theme/theme.h"
 #include "v8-plugs/checked_field.h"
-#include "v8-plugs/v8_text.h"
+#include "v8-plugs/model/v8_names.h"
+#include "v8-plugs/model/v8_text.h"
 
 namespace ravnoves {
 
@@ -21,12 +22,6 @@ namespace {
 
 constexpr int buttonHeight = 36;
 constexpr int longestList = 1000;  // more is not looked through by eye
-
-QString dayTrouble(const QString& text) {
-    return readDay(text).isValid()
-               ? QString()
-               : JournalDialog::tr("“%1” is no date; write it like 2024-05-31.").arg(text);
-}
 
 QString resultText(const Words& words, const JournalJob& job) {
     if (job.recommended.isEmpty()) {
@@ -36,11 +31,10 @@ QString resultText(const Words& words, const JournalJob& job) {
         return JournalDialog::tr("nothing needed");
     }
     for (const v8_plugs::OptionId id : v8_plugs::all_options) {
-        const std::string_view name = v8_plugs::option_name(id);
-        if (job.recommended == QLatin1String(name.data(), static_cast<qsizetype>(name.size()))) {
+        if (job.recommended.toStdString() == v8_plugs::option_word(id).word) {
             const QString option = v8_text::optionName(words, id);
             return job.reduction ? option + QStringLiteral(", ") +
-                                       v8_text::grams(words, *job.reduction * 1e-3)
+                                       v8_text::grams(words, *job.reduction * units::gram)
                                  : option;
         }
     }
@@ -60,6 +54,12 @@ QDate readDay(const QString& text) {
         }
     }
     return {};
+}
+
+QString dayTrouble(const QString& text) {
+    return readDay(text).isValid()
+               ? QString()
+               : JournalDialog::tr("“%1” is no date; write it like 2024-05-31.").arg(text);
 }
 
 JournalDialog::JournalDialog(Journal* journal, QWidget* parent)
@@ -165,8 +165,8 @@ JournalDialog::JournalDialog(Journal* journal, QWidget* parent)
 JournalQuery JournalDialog::query() const {
     JournalQuery wanted;
     wanted.text = text_->text();
-    wanted.from = readDay(from_->text());
-    wanted.to = readDay(to_->text());
+    wanted.from = readDay(from_->value());
+    wanted.to = readDay(to_->value());
     return wanted;
 }
 

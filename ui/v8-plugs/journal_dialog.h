@@ -3,7 +3,7 @@
 #include <QDialog>
 #include <QList>
 
-#include "v8-plugs/journal.h"
+#include "v8-plugs/model/journal.h"
 
 class QLabel;
 class QLineEdit;
@@ -55,5 +55,7 @@ class JournalDialog : public QDialog {
 
 /// Reads a day as people type it: 2024-05-31, 31.05.2024, 31.5.24. Invalid where it is none.
 QDate readDay(const QString& text);
+/// Why a text is refused as a day; empty where it is one.
+QString dayTrouble(const QString& text);
 
 }  // namespace ravnoves

@@ -11,15 +11,12 @@ class MachineSheet : public SheetForm {
     Q_OBJECT
 
   public:
-    explicit MachineSheet(V8PlugsViewModel* model, QWidget* parent = nullptr);
+    explicit MachineSheet(V8PlugsModel* model, QWidget* parent = nullptr);
 
     /// The verdict on both planes.
     const ResultTable* planes() const { return planes_; }
 
   private:
-    void addValue(FormSection* section, const QString& label, const FieldSpec& spec,
-                  std::optional<double> v8_plugs::BalancingSheet::*member, const QString& hint);
-
     ResultTable* planes_;
 };
 

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "v8-plugs/model/v8_text.h"
+
 namespace ravnoves {
 
 namespace {
 
-constexpr double millimetre = 1e-3;
+using units::mm;
 
 /// What stands at a dimension: numbers, or letters where the sizes are not known.
 struct Labels {
@@ -248,39 +250,59 @@ class Sketch {
 
 }  // namespace
 
-void drawPlug(QPainter& painter, const QRectF& target, const PlugDrawing& drawing,
-              const DrawingStyle& style, const Words& words) {
-    const v8_plugs::PlugGeometry& plug = drawing.plug;
-    const auto mm = [&](double length) { return words.plain(length / millimetre, 2); };
-    Labels labels;
-    // The multiplication sign, and the language's decimal sign.
-    labels.thread = QStringLiteral("M%1×%2").arg(mm(plug.thread.diameter), mm(plug.thread.pitch));
-    labels.height = mm(plug.height);
-    labels.boreDiameter = QStringLiteral("⌀") + mm(plug.bore_diameter);
-    labels.boreDepth = mm(plug.bore_depth);
-    if (drawing.cutterDiameter) {
-        labels.cutDiameter = QStringLiteral("⌀") + mm(*drawing.cutterDiameter);
-        labels.cutDepth = mm(drawing.cutDepth);
+std::optional<PlugDrawing> plannedPlug(const v8_plugs::Input& input,
+                                       const v8_plugs::Result& solution) {
+    const auto geometry = input.plug ? input.plug->geometry() : std::nullopt;
+    if (!geometry || geometry_fault(*geometry)) {
+        return std::nullopt;
     }
-    labels.bottom = mm(plug.height - std::max(plug.bore_depth, drawing.cutDepth));
-    Sketch(painter, style).draw(target, drawing, labels);
+    PlugDrawing drawing;
+    drawing.plug = *geometry;
+    const auto chosen = v8_text::chosenOption(solution);
+    if (chosen && chosen->reduction > 0.0) {
+        const auto& boring = solution.boring[index(chosen->id)];
+        if (boring && boring->cuts) {
+            drawing.cutterDiameter = input.plug->cutter_diameter;
+            drawing.cutDepth = boring->depth;
+            drawing.impossible = boring->limit != v8_plugs::Boring::Limit::none;
+        }
+    }
+    return drawing;
 }
 
-void drawPlugSketch(QPainter& painter, const QRectF& target, const DrawingStyle& style,
-                    const Words& words) {
-    // Proportions of the cup M30×1.5 of the 6 and 7 l engines; the numbers are not shown.
-    PlugDrawing drawing;
-    drawing.plug = {
-        {30 * millimetre, 1.5 * millimetre}, 14 * millimetre, 20 * millimetre, 7 * millimetre};
-    drawing.cutterDiameter = 16 * millimetre;
-    drawing.cutDepth = 9.5 * millimetre;
-    const Labels labels{words.translate("V8", "thread", "drawing"),
-                        QStringLiteral("h"),
-                        QStringLiteral("⌀ b"),
-                        QStringLiteral("t"),
-                        QStringLiteral("⌀ c"),
-                        QStringLiteral("t′"),
-                        {}};
+void drawPlug(QPainter& painter, const QRectF& target, const std::optional<PlugDrawing>& known,
+              const DrawingStyle& style, const Words& words) {
+    if (!known) {
+        // Proportions of the cup M30×1.5 of the 6 and 7 l engines; the numbers are not shown.
+        PlugDrawing drawing;
+        drawing.plug = {{30 * mm, 1.5 * mm}, 14 * mm, 20 * mm, 7 * mm};
+        drawing.cutterDiameter = 16 * mm;
+        drawing.cutDepth = 9.5 * mm;
+        const Labels labels{words.translate("V8", "thread", "drawing"),
+                            QStringLiteral("h"),
+                            QStringLiteral("⌀ b"),
+                            QStringLiteral("t"),
+                            QStringLiteral("⌀ c"),
+                            QStringLiteral("t′"),
+                            {}};
+        Sketch(painter, style).draw(target, drawing, labels);
+        return;
+    }
+    const PlugDrawing& drawing = *known;
+    const v8_plugs::PlugGeometry& plug = drawing.plug;
+    const auto shown = [&](double length) { return words.plain(length / mm, 2); };
+    Labels labels;
+    // The multiplication sign, and the language's decimal sign.
+    labels.thread =
+        QStringLiteral("M%1×%2").arg(shown(plug.thread.diameter), shown(plug.thread.pitch));
+    labels.height = shown(plug.height);
+    labels.boreDiameter = QStringLiteral("⌀") + shown(plug.bore_diameter);
+    labels.boreDepth = shown(plug.bore_depth);
+    if (drawing.cutterDiameter) {
+        labels.cutDiameter = QStringLiteral("⌀") + shown(*drawing.cutterDiameter);
+        labels.cutDepth = shown(drawing.cutDepth);
+    }
+    labels.bottom = shown(plug.height - std::max(plug.bore_depth, drawing.cutDepth));
     Sketch(painter, style).draw(target, drawing, labels);
 }
 

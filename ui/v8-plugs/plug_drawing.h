@@ -4,8 +4,8 @@
 #include <QFont>
 #include <QRectF>
 
-#include "v8-plugs/plug_geometry.h"
-#include "v8-plugs/words.h"
+#include "v8-plugs/model/words.h"
+#include "v8-plugs/solver.h"
 
 class QPainter;
 
@@ -29,13 +29,14 @@ struct PlugDrawing {
     bool impossible = false;               ///< the walls forbid the bore: drawn dashed
 };
 
-/// Draws the plug in section with its dimensions, as large as the rectangle allows. Heights,
-/// depths and diameters are to scale.
-void drawPlug(QPainter& painter, const QRectF& target, const PlugDrawing& drawing,
-              const DrawingStyle& style, const Words& words);
+/// The plug on the sheet, with the bore of the option that the answer is about; nothing while its
+/// sizes are not known or do not go together.
+std::optional<PlugDrawing> plannedPlug(const v8_plugs::Input& input,
+                                       const v8_plugs::Result& solution);
 
-/// The same plug without known dimensions: letters in place of numbers.
-void drawPlugSketch(QPainter& painter, const QRectF& target, const DrawingStyle& style,
-                    const Words& words);
+/// Draws the plug in section with its dimensions, as large as the rectangle allows. Heights,
+/// depths and diameters are to scale. Without known dimensions: letters in place of numbers.
+void drawPlug(QPainter& painter, const QRectF& target, const std::optional<PlugDrawing>& known,
+              const DrawingStyle& style, const Words& words);
 
 }  // namespace ravnoves

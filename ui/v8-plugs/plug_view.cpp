@@ -3,18 +3,17 @@
 #include <QPainter>
 
 #include "theme/theme.h"
+#include "v8-plugs/model/v8_plugs_model.h"
 #include "v8-plugs/plug_drawing.h"
-#include "v8-plugs/v8_plugs_view_model.h"
-#include "v8-plugs/v8_text.h"
 
 namespace ravnoves {
 
 using namespace v8_plugs;
 
-PlugView::PlugView(V8PlugsViewModel* model, QWidget* parent) : QWidget(parent), model_(model) {
+PlugView::PlugView(V8PlugsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     setAccessibleName(tr("Plug in section"));
     const auto repaint = [this] { update(); };
-    connect(model_, &SceneViewModel::changed, this, repaint);
+    connect(model_, &SceneModel::changed, this, repaint);
     connect(&Theme::instance(), &Theme::changed, this, repaint);
 }
 
@@ -39,27 +38,12 @@ void PlugView::paintEvent(QPaintEvent* /*event*/) {
     const QRectF target(Theme::margin, title.bottom() + Theme::gap, width() - 2 * Theme::margin,
                         height() - title.bottom() - 2 * Theme::gap);
     const Words words;
-    const CaseInput& input = model_->input();
-    const auto geometry = input.plug ? input.plug->geometry() : std::nullopt;
-    if (!geometry || geometry_fault(*geometry)) {
+    const auto drawing = plannedPlug(model_->input(), model_->solution());
+    if (!drawing) {
         painter.setFont(Theme::font(Theme::smallSize));
         painter.setPen(theme.mutedText());
         painter.drawText(title, Qt::AlignRight | Qt::AlignVCenter,
                          tr("not to scale: sizes on the sheet “Plug”"));
-        drawPlugSketch(painter, target, style, words);
-        return;
-    }
-    PlugDrawing drawing;
-    drawing.plug = *geometry;
-    const Solution& solution = model_->solution();
-    const auto chosen = v8_text::chosenOption(solution);
-    if (chosen && chosen->reduction > 0.0) {
-        const auto& boring = solution.boring[static_cast<std::size_t>(chosen->id)];
-        if (boring && boring->cuts) {
-            drawing.cutterDiameter = input.plug->cutter_diameter;
-            drawing.cutDepth = boring->depth;
-            drawing.impossible = boring->limit != Boring::Limit::none;
-        }
     }
     drawPlug(painter, target, drawing, style, words);
 }

@@ -4,14 +4,14 @@
 
 namespace ravnoves {
 
-class V8PlugsViewModel;
+class V8PlugsModel;
 
 /// The plug in section with its dimensions and what is to be bored out of it.
 class PlugView : public QWidget {
     Q_OBJECT
 
   public:
-    explicit PlugView(V8PlugsViewModel* model, QWidget* parent = nullptr);
+    explicit PlugView(V8PlugsModel* model, QWidget* parent = nullptr);
 
     QSize sizeHint() const override { return {300, 200}; }
     QSize minimumSizeHint() const override { return {200, 130}; }
@@ -20,7 +20,7 @@ class PlugView : public QWidget {
     void paintEvent(QPaintEvent* event) override;
 
   private:
-    V8PlugsViewModel* model_;
+    V8PlugsModel* model_;
 };
 
 }  // namespace ravnoves

@@ -1,16 +1,13 @@
 #include "v8-plugs/sheet_form.h"
 
-#include <QComboBox>
+#include <QAbstractButton>
 #include <QLabel>
 #include <QLineEdit>
 #include <QVBoxLayout>
 
+#include "text/message_text.h"
 #include "theme/theme.h"
 #include "v8-plugs/checked_field.h"
-#include "v8-plugs/v8_plugs_view_model.h"
-#include "v8-plugs/v8_text.h"
-#include "widgets/form_section.h"
-#include "widgets/number_field.h"
 
 namespace ravnoves {
 
@@ -21,27 +18,38 @@ namespace {
 constexpr int numberWidth = 140;
 constexpr int textWidth = 290;
 
-/// The name of the step in the history: the label without its mnemonic.
-QString stepName(QString label) {
-    return label.remove(QLatin1Char('&'));
+/// The label with a mnemonic that is not used yet: the first letter of a word where one is free,
+/// else any letter.
+QString withMnemonic(QString label, QString& used) {
+    for (const bool wordStart : {true, false}) {
+        for (qsizetype i = 0; i < label.size(); ++i) {
+            const QChar c = label.at(i).toLower();
+            const bool onKeyboard = c.isLetter() && c.script() != QChar::Script_Greek;
+            if (!onKeyboard || used.contains(c) ||
+                (wordStart && i > 0 && !label.at(i - 1).isSpace())) {
+                continue;
+            }
+            used += c;
+            return label.insert(i, QLatin1Char('&'));
+        }
+    }
+    return label;
 }
 
 }  // namespace
 
-SheetForm::SheetForm(V8PlugsViewModel* model, QWidget* parent)
-    : QWidget(parent), model_(model), column_(new QVBoxLayout(this)) {
-    column_->setContentsMargins(Theme::margin, Theme::margin, Theme::margin, Theme::margin);
-    column_->setSpacing(Theme::gap);
-    connect(model_, &SceneViewModel::changed, this, [this] {
-        for (const auto& show : followers_) {
-            show();
-        }
-    });
-}
+SheetForm::SheetForm(V8PlugsModel* model, QWidget* parent) : Form(model, parent), model_(model) {}
 
 void SheetForm::enlarge(QWidget* field) {
     field->setMinimumHeight(fieldHeight);
     field->setFont(Theme::font(Theme::titleSize + 1));
+}
+
+NumberField* SheetForm::large(NumberField* field) {
+    field->setMaximumWidth(numberWidth);
+    field->setOptional(true);
+    enlarge(field);
+    return ordered(field);
 }
 
 QLabel* SheetForm::wrapped(QWidget* parent, int pixelSize, bool bold) {
@@ -52,135 +60,82 @@ QLabel* SheetForm::wrapped(QWidget* parent, int pixelSize, bool bold) {
     return label;
 }
 
-void SheetForm::colourText(QLabel* label, const QColor& colour) {
-    QPalette palette = label->palette();
-    palette.setColor(QPalette::WindowText, colour);
-    label->setPalette(palette);
+QComboBox* SheetForm::choice(const char* pointer) {
+    QComboBox* box = ordered(Form::choice(pointer));
+    enlarge(box);
+    return box;
 }
 
-void SheetForm::follow(std::function<void()> show) {
-    show();
-    followers_.push_back(std::move(show));
-}
-
-NumberField* SheetForm::number(FormSection* section, const QString& label, const FieldSpec& spec,
-                               const QString& hint, std::function<std::optional<double>()> read,
-                               std::function<void(CaseInput&, std::optional<double>)> write) {
-    NumberField* field =
-        section->addNumber(label, spec, hint, v8_text::unitName(Words(), spec.unit));
-    field->setOptional(true);
-    field->setMaximumWidth(numberWidth);
-    enlarge(field);
-    connect(field, &NumberField::valueEdited, this,
-            [this, step = stepName(label), write = std::move(write)](std::optional<double> value) {
-                model_->edit(step, [&](CaseInput& input) { write(input, value); });
-            });
-    const auto show = [field, read = std::move(read)] {
-        const std::optional<double> value = read();
-        const bool emptied = field->hasFocus() && field->isModified() && field->text().isEmpty();
-        // A field just emptied stays empty until it is left, or the next digit would join a
-        // default. A refused entry stays until it is mended, or the value below it changes.
-        if (!emptied && (field->trouble().isEmpty() || field->value() != value)) {
-            field->setValue(value);
-        }
-    };
-    follow(show);
-    connect(field, &QLineEdit::editingFinished, this, [field, show] {
-        if (field->text().isEmpty()) {
-            field->setModified(false);
-            show();
-        }
-    });
-    order_ << field;
-    return field;
-}
-
-QLineEdit* SheetForm::text(FormSection* section, const QString& label, const QString& name,
-                           std::string JobHeader::*member, const QString& hint, int longest) {
-    auto* field = new QLineEdit(section);
-    field->setObjectName(name);
+void SheetForm::text(const char* pointer, int longest) {
+    QLineEdit* field = ordered(Form::text(pointer));
     field->setMaxLength(longest);
     field->setMinimumWidth(textWidth);
     enlarge(field);
-    section->addWidget(label, field, {}, hint);
-    connect(field, &QLineEdit::textEdited, this,
-            [this, step = stepName(label), member](const QString& typed) {
-                model_->edit(step,
-                             [&](CaseInput& input) { input.job.*member = typed.toStdString(); });
-            });
-    follow([this, field, member] {
-        const QString value = QString::fromStdString(model_->input().job.*member);
-        if (field->text() != value) {
-            field->setText(value);
-        }
-    });
-    order_ << field;
-    return field;
 }
 
-CheckedField* SheetForm::checked(FormSection* section, const QString& label, const QString& name,
-                                 const QString& hint, CheckedText text) {
-    auto* field = new CheckedField(
+void SheetForm::checked(const Field& description, CheckedText text) {
+    auto* field = ordered(new CheckedField(
         [text](const QString& typed) {
             return text.normal(typed).isEmpty() ? text.refusal(typed) : QString();
         },
-        section);
-    field->setObjectName(name);
+        current()));
+    field->setObjectName(QString::fromStdString(std::string(description.key)));
+    field->setPlaceholderText(shownText(description.placeholder));
     enlarge(field);
-    section->addWidget(label, field, {}, hint);
-    auto* trouble = wrapped(section, Theme::smallSize);
+    current()->addWidget(shownText(description.label), field, {}, shownText(description.hint));
+    QLabel* trouble = wrapped(current(), Theme::smallSize);
     trouble->hide();
-    section->addWide(trouble);
+    current()->addWide(trouble);
     connect(field, &CheckedField::troubleChanged, trouble, [trouble](const QString& words) {
         trouble->setText(words);
         trouble->setVisible(!words.isEmpty());
         colourText(trouble, Theme::instance().error());
     });
     connect(field, &CheckedField::valueEdited, this,
-            [this, step = stepName(label), text](const QString& typed) {
-                model_->edit(step,
-                             [&](CaseInput& input) { text.write(input, text.normal(typed)); });
+            [this, name = fieldName(description), text](const QString& typed) {
+                model_->edit(name, [&](Input& input) { text.write(input, text.normal(typed)); });
             });
-    follow([field, text, last = QString()]() mutable {
+    follow([field, text] {
+        // What was typed in another form stays as it was typed.
         const QString value = text.read();
-        const bool changed = value != last;
-        last = value;
-        // What was typed in another form, or refused, stays as it was typed.
-        if (text.normal(field->text()) != value && (field->trouble().isEmpty() || changed)) {
+        if (text.normal(field->value()) != value) {
             field->setValue(value);
         }
     });
-    order_ << field;
-    return field;
 }
 
-QComboBox* SheetForm::choice(FormSection* section, const QString& label, const QString& name,
-                             const QStringList& items, const QString& hint,
-                             std::function<void(int)> choose) {
-    auto* box = new QComboBox(section);
-    box->setObjectName(name);
-    box->addItems(items);
-    enlarge(box);
-    section->addWidget(label, box, {}, hint);
-    connect(box, &QComboBox::activated, this, std::move(choose));
-    order_ << box;
-    return box;
+QLabel* SheetForm::line(int pixelSize, std::function<QString()> text) {
+    QLabel* label = wrapped(current(), pixelSize);
+    current()->addWide(label);
+    follow([label, text = std::move(text)] {
+        label->setText(text());
+        label->setVisible(!label->text().isEmpty());
+    });
+    return label;
 }
 
-QStringList SheetForm::refused() const {
-    QStringList list;
-    for (const QWidget* each : order_) {
-        QString trouble;
-        if (const auto* number = qobject_cast<const NumberField*>(each)) {
-            trouble = number->trouble();
-        } else if (const auto* text = qobject_cast<const CheckedField*>(each)) {
-            trouble = text->trouble();
-        }
-        if (!trouble.isEmpty()) {
-            list << each->accessibleName() + QStringLiteral(": ") + trouble;
+void SheetForm::finish() {
+    static_cast<QVBoxLayout*>(layout())->addStretch();
+    QString used;
+    const auto take = [&used](const QString& text) {
+        const qsizetype at = text.indexOf(QLatin1Char('&'));
+        used += at < 0 ? QString() : text.mid(at + 1, 1).toLower();
+    };
+    for (const QAbstractButton* button : findChildren<QAbstractButton*>()) {
+        take(button->text());
+    }
+    QList<QLabel*> without;
+    for (QLabel* label : findChildren<QLabel*>()) {
+        if (label->buddy() != nullptr) {
+            take(label->text());
+            if (!label->text().contains(QLatin1Char('&'))) {
+                without << label;
+            }
         }
     }
-    return list;
+    for (QLabel* label : without) {
+        label->setText(withMnemonic(label->text(), used));
+    }
 }
 
 }  // namespace ravnoves

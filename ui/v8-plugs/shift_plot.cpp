@@ -3,22 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "text/number_text.h"
 #include "theme/theme.h"
 #include "v8-plugs/compensation.h"
-#include "v8-plugs/v8_text.h"
+#include "v8-plugs/model/v8_text.h"
 
 namespace ravnoves {
 
 using namespace v8_plugs;
 
 namespace {
-constexpr double millimetre = 1e-3;
+using units::mm;
 constexpr double widest = 1.4;  // right end of the x axis, mm
 constexpr int ownColour = 6;
 
 /// The ends of a line through the origin.
 std::vector<double> ends(double crankRadius) {
-    return {0.0, shift_coefficient(widest * millimetre, crankRadius)};
+    return {0.0, shift_coefficient(widest * mm, crankRadius)};
 }
 }  // namespace
 
@@ -30,11 +31,12 @@ ShiftPlot::ShiftPlot(QWidget* parent) : PlotView(tr("Shift of the plug's centre 
     for (std::size_t i = 0; i < shift_curves.size(); ++i) {
         const ShiftCurve& printed = shift_curves[i];
         CurveStyle style;
-        style.name = words.plain(printed.crank_radius / millimetre, 1);
-        style.toolTip = tr("r = %1: %2")
-                            .arg(v8_text::millimetres(words, printed.crank_radius, 1),
-                                 QString::fromUtf8(printed.engines.data(),
-                                                   static_cast<qsizetype>(printed.engines.size())));
+        style.name = words.plain(printed.crank_radius / mm, 1);
+        style.toolTip =
+            tr("r = %1: %2")
+                .arg(withUnit(words.plain(printed.crank_radius / mm, 1), words.unit(mm)),
+                     QString::fromUtf8(printed.engines.data(),
+                                       static_cast<qsizetype>(printed.engines.size())));
         style.colour = static_cast<int>(i);
         setCurve(addCurve(style), {0.0, widest}, ends(printed.crank_radius));
     }
@@ -48,7 +50,7 @@ ShiftPlot::ShiftPlot(QWidget* parent) : PlotView(tr("Shift of the plug's centre 
     QColor shade = Theme::instance().accent();
     shade.setAlphaF(0.12F);
     setYRange(Side::Left, 0.0, 0.036);
-    setBands({{smallest_shift / millimetre, largest_shift / millimetre, shade, tr("neglected")}});
+    setBands({{smallest_shift / mm, largest_shift / mm, shade, tr("neglected")}});
 }
 
 void ShiftPlot::showRadius(const std::optional<double>& crankRadius) {
@@ -63,8 +65,7 @@ void ShiftPlot::showRadius(const std::optional<double>& crankRadius) {
         const Words words;
         for (const double shift : {smallest_shift, largest_shift}) {
             const double k = shift_coefficient(shift, *crankRadius);
-            marks.push_back(
-                {shift / millimetre, k, words.number(k, 3), ownColour, Side::Left, true});
+            marks.push_back({shift / mm, k, words.number(k, 3), ownColour, Side::Left, true});
         }
     }
     setCurveShown(own_, crankRadius.has_value() && !listed);

@@ -2,7 +2,6 @@
 
 #include <QActionGroup>
 #include <QApplication>
-#include <QComboBox>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -17,11 +16,10 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "shell/language.h"
+#include "text/language.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "v8-plugs/answer_view.h"
-#include "v8-plugs/checked_field.h"
 #include "v8-plugs/compensation_plot.h"
 #include "v8-plugs/engine_sheet.h"
 #include "v8-plugs/job_card.h"
@@ -29,11 +27,12 @@
 #include "v8-plugs/journal_banner.h"
 #include "v8-plugs/journal_dialog.h"
 #include "v8-plugs/machine_sheet.h"
+#include "v8-plugs/model/v8_plugs_model.h"
 #include "v8-plugs/plug_sizes_sheet.h"
 #include "v8-plugs/shift_plot.h"
-#include "v8-plugs/v8_plugs_view_model.h"
 #include "v8-plugs/weigh_in_sheet.h"
-#include "widgets/number_field.h"
+#include "widgets/entry_field.h"
+#include "widgets/form_section.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {
@@ -45,7 +44,7 @@ constexpr int sheetWidth = 470;
 V8PlugsPage::V8PlugsPage(QWidget* parent) : V8PlugsPage(Journal::defaultPath(), parent) {}
 
 V8PlugsPage::V8PlugsPage(const QString& journalPath, QWidget* parent)
-    : ScenePage(parent), model_(new V8PlugsViewModel(journalPath, this)) {
+    : ScenePage(parent), model_(new V8PlugsModel(journalPath, this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     column->setSpacing(Theme::space);
@@ -60,16 +59,10 @@ V8PlugsPage::V8PlugsPage(const QString& journalPath, QWidget* parent)
     buildActions();
 
     connect(banner_, &JournalBanner::continued, this, &V8PlugsPage::continueDraft);
-    connect(model_, &V8PlugsViewModel::sheetChosen, sheets_, &QTabWidget::setCurrentIndex);
-    // What was typed is in the draft when the next field is entered.
-    connect(qApp, &QApplication::focusChanged, this, [this](QWidget* old, QWidget* /*now*/) {
-        if (old != nullptr && isAncestorOf(old)) {
-            model_->flushDraft();
-        }
-    });
+    connect(model_, &V8PlugsModel::sheetChosen, sheets_, &QTabWidget::setCurrentIndex);
 }
 
-SceneViewModel* V8PlugsPage::model() {
+SceneModel* V8PlugsPage::model() {
     return model_;
 }
 
@@ -101,11 +94,7 @@ QWidget* V8PlugsPage::buildSheets() {
 }
 
 void V8PlugsPage::addSheet(SheetForm* form, const QString& title) {
-    auto* scroll = new QScrollArea(sheets_);
-    scroll->setWidget(form);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* scroll = scrolled(form, sheets_);
     sheets_->addTab(scroll, title);
     forms_ << form;
     const QList<QWidget*>& order = form->order();
@@ -117,10 +106,8 @@ void V8PlugsPage::addSheet(SheetForm* form, const QString& title) {
             sheets_->tabBar()->setTabTextColor(
                 tab, form->refused().isEmpty() ? QColor() : Theme::instance().error());
         };
-        if (auto* number = qobject_cast<NumberField*>(field)) {
-            connect(number, &NumberField::troubleChanged, this, mark);
-        } else if (auto* text = qobject_cast<CheckedField*>(field)) {
-            connect(text, &CheckedField::troubleChanged, this, mark);
+        if (auto* entry = qobject_cast<EntryField*>(field)) {
+            connect(entry, &EntryField::troubleChanged, this, mark);
         }
     }
     for (qsizetype i = 1; i < order.size(); ++i) {
@@ -197,10 +184,6 @@ void V8PlugsPage::setActive(bool active) {
     }
 }
 
-void V8PlugsPage::resetZoom() {
-    answer_->resetZoom();
-}
-
 // -------------------------------------------------------------------------------- going on
 
 bool V8PlugsPage::eventFilter(QObject* watched, QEvent* event) {
@@ -211,9 +194,8 @@ bool V8PlugsPage::eventFilter(QObject* watched, QEvent* event) {
             goOn(static_cast<QWidget*>(watched));
             return true;
         }
-    } else if (event->type() == QEvent::Wheel && qobject_cast<QComboBox*>(watched) != nullptr) {
-        event->ignore();  // the form scrolls; a choice is not changed by accident
-        return true;
+    } else if (event->type() == QEvent::FocusOut) {
+        model_->flushDraft();  // what was typed is in the draft when the next field is entered
     } else if (event->type() == QEvent::FocusIn) {
         auto* field = static_cast<QWidget*>(watched);
         for (QWidget* parent = field->parentWidget(); parent != nullptr;
@@ -228,10 +210,8 @@ bool V8PlugsPage::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void V8PlugsPage::goOn(QWidget* from) {
-    const auto* number = qobject_cast<NumberField*>(from);
-    const auto* text = qobject_cast<CheckedField*>(from);
-    if ((number != nullptr && !number->trouble().isEmpty()) ||
-        (text != nullptr && !text->trouble().isEmpty())) {
+    const auto* entry = qobject_cast<EntryField*>(from);
+    if (entry != nullptr && !entry->trouble().isEmpty()) {
         QApplication::beep();  // a refused entry is not passed over
         return;
     }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "shell/scene_page.h"
-#include "v8-plugs/journal.h"
+#include "v8-plugs/model/journal.h"
 
 class QPrinter;
 class QTabWidget;
@@ -13,7 +13,7 @@ class JournalBanner;
 class MachineSheet;
 class PlotView;
 class SheetForm;
-class V8PlugsViewModel;
+class V8PlugsModel;
 
 /// The V-8 workshop page: the sheets of the job to the left, the answer with its options, bob
 /// weights, plug and plots to the right; journal and job card in the toolbar.
@@ -25,16 +25,14 @@ class V8PlugsPage : public ScenePage {
 
   public:
     explicit V8PlugsPage(QWidget* parent = nullptr);
-    ~V8PlugsPage() override { putAway(); }
     V8PlugsPage(const QString& journalPath, QWidget* parent);
 
-    SceneViewModel* model() override;
-    V8PlugsViewModel* viewModel() { return model_; }
+    SceneModel* model() override;
+    V8PlugsModel* viewModel() { return model_; }
     QList<QAction*> sceneActions() override;
     QString resultsAsText() const override;
     QString resultsAsCsv() const override;
     void setActive(bool active) override;
-    void resetZoom() override;
     std::optional<bool> askToSave() override;
 
     /// Opens the journal and offers drafts that a crash left; happens by itself once shown.
@@ -70,7 +68,7 @@ class V8PlugsPage : public ScenePage {
     void exportCard();
     void paintCard(QPrinter* printer);
 
-    V8PlugsViewModel* model_;
+    V8PlugsModel* model_;
     JournalBanner* banner_ = nullptr;
     QTabWidget* sheets_ = nullptr;
     QList<SheetForm*> forms_;  // in the order of the tabs

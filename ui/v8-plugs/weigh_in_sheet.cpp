@@ -1,17 +1,20 @@
 #include "v8-plugs/weigh_in_sheet.h"
 
 #include <QCheckBox>
-#include <QComboBox>
-#include <QGridLayout>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <algorithm>
 
+#include "text/message_text.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
-#include "v8-plugs/v8_plugs_view_model.h"
-#include "v8-plugs/v8_text.h"
-#include "widgets/form_section.h"
-#include "widgets/number_field.h"
+#include "v8-plugs/fields.h"
+#include "v8-plugs/model/v8_names.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {
@@ -22,135 +25,160 @@ namespace {
 
 constexpr int cellHeight = 30;  // all of the sheet has to be seen on 800 lines
 
-QString keyOf(Part part) {
-    const std::string_view key = part_key(part);
-    return QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size()));
+QVBoxLayout* columnOf(QWidget* sheet) {
+    return static_cast<QVBoxLayout*>(sheet->layout());
+}
+
+const Field& fieldOf(int row) {
+    return row == 0 ? field::nominal : row == 1 ? field::permitted_spread : field::part_mass;
+}
+
+template <typename Column>
+auto& valueOf(Column& column, int row) {
+    return row == 0   ? column.nominal
+           : row == 1 ? column.permitted_spread
+                      : column.mass[static_cast<std::size_t>(row - 2)];
+}
+
+WeighIn& weighIn(Input& input) {
+    return input.weigh_in ? *input.weigh_in : input.weigh_in.emplace();
+}
+
+/// The rows of a block, each with its cells; without a first row that has no number in it.
+QList<QStringList> cellsOf(const QString& text) {
+    QList<QStringList> rows;
+    for (QString line : text.split(QLatin1Char('\n'))) {
+        line.remove(QLatin1Char('\r'));
+        const QStringList cells = line.split(QLatin1Char('\t'));
+        const bool heading = rows.isEmpty() && !line.trimmed().isEmpty() &&
+                             std::none_of(cells.cbegin(), cells.cend(), [](const QString& cell) {
+                                 return readFormNumber(cell).has_value();
+                             });
+        if (!heading) {
+            rows << cells;
+        }
+    }
+    while (!rows.isEmpty() && rows.constLast().join(QString()).trimmed().isEmpty()) {
+        rows.removeLast();
+    }
+    return rows;
 }
 
 }  // namespace
 
-WeighInSheet::WeighInSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm(model, parent) {
-    column_->setSpacing(Theme::space);
-
-    auto* head = new QGridLayout;
-    head->setHorizontalSpacing(Theme::space);
-    use_ = new QCheckBox(tr("Take the mass changes &from this sheet"), this);
+WeighInSheet::WeighInSheet(V8PlugsModel* model, QWidget* parent) : SheetForm(model, parent) {
+    columnOf(this)->setSpacing(Theme::space);
+    section({});
+    use_ = ordered(new QCheckBox(tr("Take the mass changes &from this sheet"), this));
     use_->setObjectName(QStringLiteral("changes_from_weigh_in"));
-    use_->setToolTip(tr("Off: the changes typed on the sheet “Job” count."));
-    head->addWidget(use_, 0, 0, 1, 2);
-    auto* numberingLabel = new QLabel(tr("C&ylinders of a crankpin"), this);
-    numbering_ = new QComboBox(this);
-    numbering_->setObjectName(QStringLiteral("cylinder_numbering"));
-    numbering_->addItems({tr("1 and 5, 2 and 6, … (bank by bank)"), tr("1 and 2, 3 and 4, …")});
-    numbering_->setToolTip(tr("Which two cylinders share a crankpin."));
-    numbering_->setMinimumHeight(cellHeight);
-    numbering_->setAccessibleName(tr("Cylinders of a crankpin"));
-    numberingLabel->setBuddy(numbering_);
-    head->addWidget(numberingLabel, 1, 0);
-    head->addWidget(numbering_, 1, 1);
-    head->setColumnStretch(1, 1);
-    column_->addLayout(head);
-    order_ << use_ << numbering_;
+    use_->setToolTip(shownText(field::changes_source.hint));
+    current()->addWide(use_);
+    connect(use_, &QCheckBox::toggled, this, [this](bool on) {
+        model_->edit(fieldName(field::changes_source), [&](Input& input) {
+            weighIn(input);
+            input.changes_from_weigh_in = on;
+        });
+    });
+    QComboBox* numbering = choice("/weigh_in/cylinder_numbering");
+    numbering->setMinimumHeight(cellHeight);
+    numbering->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    numbering->setMinimumContentsLength(10);  // the grid below says how wide the sheet is
+    buildGrid();
+    buildFindings();
+    connect(&Theme::instance(), &Theme::changed, this, &WeighInSheet::showInput);
+    follow([this] { showInput(); });
+    finish();
+}
 
+void WeighInSheet::buildGrid() {
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(Theme::gap);
     grid->setVerticalSpacing(2);
-    const QStringList rows{tr("nominal, g"), tr("permitted spread, g")};
-    constexpr int firstCylinder = 3;
-    constexpr int meanRow = firstCylinder + cylinder_count;
-    const auto rowLabel = [&](int row, const QString& text) {
-        auto* label = new QLabel(text, this);
-        label->setFont(Theme::font(row < firstCylinder || row >= meanRow ? Theme::smallSize
-                                                                         : Theme::titleSize));
-        label->setWordWrap(true);
-        label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        grid->addWidget(label, row, 0);
-    };
-    rowLabel(1, rows.at(0));
-    rowLabel(2, rows.at(1));
-    for (int cylinder = 0; cylinder < cylinder_count; ++cylinder) {
-        rowLabel(firstCylinder + cylinder, QString::number(cylinder + 1));
-    }
-    rowLabel(meanRow, tr("mean, g"));
-    rowLabel(meanRow + 1, tr("to nominal, g"));
-    rowLabel(meanRow + 2, tr("spread, g"));
     grid->setColumnMinimumWidth(0, 58);
-
-    const Words words;
-    FieldSpec nominalSpec = part_mass_field;
-    int place = 1;
-    for (const Part part : all_parts) {
-        const QString name = v8_text::partName(words, part);
-        auto* heading = new QLabel(name, this);
-        heading->setFont(Theme::font(Theme::smallSize, true));
-        heading->setWordWrap(true);
-        heading->setAlignment(Qt::AlignCenter);
-        grid->addWidget(heading, 0, place);
-        grid->setColumnStretch(place, 1);
-        Column fields{};
-        fields.nominal =
-            addField(QStringLiteral("nominal_") + keyOf(part), tr("%1, nominal mass, g").arg(name),
-                     nominalSpec, tr("%1: mass by the drawing.").arg(name));
-        fields.permitted = addField(QStringLiteral("spread_") + keyOf(part),
-                                    tr("%1, permitted spread, g").arg(name), permitted_spread_field,
-                                    tr("%1: heaviest less lightest that the works manual permits. "
-                                       "Empty: no limit.")
-                                        .arg(name));
-        grid->addWidget(fields.nominal, 1, place);
-        grid->addWidget(fields.permitted, 2, place);
-        for (int cylinder = 0; cylinder < cylinder_count; ++cylinder) {
-            NumberField* field =
-                addField(QStringLiteral("mass_%1_%2").arg(keyOf(part)).arg(cylinder + 1),
-                         tr("%1 of cylinder %2, g").arg(name).arg(cylinder + 1), part_mass_field,
-                         tr("%1 of cylinder %2 as the scale says.").arg(name).arg(cylinder + 1));
-            fields.mass[static_cast<std::size_t>(cylinder)] = field;
-            grid->addWidget(field, firstCylinder + cylinder, place);
-            connect(field, &NumberField::valueEdited, this,
-                    [this, part, cylinder, name](std::optional<double> value) {
-                        model_->edit(
-                            tr("%1 %2").arg(name).arg(cylinder + 1), [&](CaseInput& input) {
-                                if (!input.weigh_in) {
-                                    input.weigh_in.emplace();
-                                }
-                                (*input.weigh_in)[part].mass[static_cast<std::size_t>(cylinder)] =
-                                    value ? std::optional(*value * 1e-3) : std::nullopt;
-                            });
-                    });
-        }
-        const auto bindColumn = [&](NumberField* field, std::optional<double> PartColumn::*member,
-                                    const QString& step) {
-            connect(field, &NumberField::valueEdited, this,
-                    [this, part, member, step](std::optional<double> value) {
-                        model_->edit(step, [&](CaseInput& input) {
-                            if (!input.weigh_in) {
-                                input.weigh_in.emplace();
-                            }
-                            (*input.weigh_in)[part].*member =
-                                value ? std::optional(*value * 1e-3) : std::nullopt;
-                        });
-                    });
-        };
-        bindColumn(fields.nominal, &PartColumn::nominal, tr("%1, nominal").arg(name));
-        bindColumn(fields.permitted, &PartColumn::permitted_spread, tr("%1, spread").arg(name));
-        const auto note = [&](int row) {
-            auto* label = new QLabel(this);
-            label->setFont(Theme::font(Theme::baseSize));
-            label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-            grid->addWidget(label, row, place);
-            return label;
-        };
-        fields.mean = note(meanRow);
-        fields.deviation = note(meanRow + 1);
-        fields.spread = note(meanRow + 2);
-        columns_.push_back(fields);
-        ++place;
+    constexpr int meanRow = 1 + rowCount;
+    const auto put = [&](int row, int column, const QString& text, int size, bool bold = false) {
+        auto* label = new QLabel(text, this);
+        label->setFont(Theme::font(size, bold));
+        label->setWordWrap(column == 0 || row == 0);
+        label->setAlignment(row == 0 ? Qt::AlignCenter : Qt::AlignRight | Qt::AlignVCenter);
+        grid->addWidget(label, row, column);
+        return label;
+    };
+    put(1, 0, tr("nominal, g"), Theme::smallSize);
+    put(2, 0, tr("permitted spread, g"), Theme::smallSize);
+    for (int cylinder = 1; cylinder <= cylinder_count; ++cylinder) {
+        put(firstCylinder + cylinder, 0, QString::number(cylinder), Theme::titleSize);
     }
-    column_->addLayout(grid);
-
+    put(meanRow, 0, tr("mean, g"), Theme::smallSize);
+    put(meanRow + 1, 0, tr("to nominal, g"), Theme::smallSize);
+    put(meanRow + 2, 0, tr("spread, g"), Theme::smallSize);
     trouble_ = new QLabel(this);
     trouble_->setWordWrap(true);
     trouble_->hide();
-    column_->addWidget(trouble_);
+    int place = 1;
+    for (const Part part : all_parts) {
+        put(0, place, v8_text::partName(Words(), part), Theme::smallSize, true);
+        grid->setColumnStretch(place, 1);
+        Column column{};
+        for (int row = 0; row < rowCount; ++row) {
+            column.cells[static_cast<std::size_t>(row)] = addCell(part, row);
+            grid->addWidget(column.cells[static_cast<std::size_t>(row)], row + 1, place);
+        }
+        column.mean = put(meanRow, place, {}, Theme::baseSize);
+        column.deviation = put(meanRow + 1, place, {}, Theme::baseSize);
+        column.spread = put(meanRow + 2, place, {}, Theme::baseSize);
+        columns_.push_back(column);
+        ++place;
+    }
+    columnOf(this)->addLayout(grid);
+    columnOf(this)->addWidget(trouble_);
+}
+
+NumberField* WeighInSheet::addCell(Part part, int row) {
+    const std::string_view word = part_word(part).word;
+    const QString key = QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size()));
+    const QString name = v8_text::partName(Words(), part);
+    auto* field = ordered(new NumberField(fieldOf(row), this));
+    QString step;
+    if (row == 0) {
+        field->setObjectName(QStringLiteral("nominal_") + key);
+        field->setAccessibleName(tr("%1, nominal mass, g").arg(name));
+        field->setHint(tr("%1: mass by the drawing.").arg(name));
+        step = tr("%1, nominal").arg(name);
+    } else if (row == 1) {
+        field->setObjectName(QStringLiteral("spread_") + key);
+        field->setAccessibleName(tr("%1, permitted spread, g").arg(name));
+        field->setHint(tr("%1: heaviest less lightest that the works manual permits. "
+                          "Empty: no limit.")
+                           .arg(name));
+        step = tr("%1, spread").arg(name);
+    } else {
+        const int cylinder = row - firstCylinder + 1;
+        field->setObjectName(QStringLiteral("mass_%1_%2").arg(key).arg(cylinder));
+        field->setAccessibleName(tr("%1 of cylinder %2, g").arg(name).arg(cylinder));
+        field->setHint(tr("%1 of cylinder %2 as the scale says.").arg(name).arg(cylinder));
+        step = tr("%1 %2").arg(name).arg(cylinder);
+    }
+    field->setOptional(true);
+    field->setMinimumWidth(44);
+    field->setMinimumHeight(cellHeight);
+    field->setFont(Theme::font(Theme::titleSize));
+    field->installEventFilter(this);
+    connect(field, &NumberField::valueEdited, this,
+            [this, part, row, step](std::optional<double> value) {
+                model_->edit(step, [&](Input& input) {
+                    valueOf(weighIn(input)[part], row) =
+                        value ? std::optional(*value * units::gram) : std::nullopt;
+                });
+            });
+    connect(field, &NumberField::troubleChanged, this, [this, field](const QString& trouble) {
+        say(trouble.isEmpty() ? QString()
+                              : field->accessibleName() + QStringLiteral(": ") + trouble);
+    });
+    return field;
+}
+
+void WeighInSheet::buildFindings() {
     summary_ = new QLabel(this);
     summary_->setWordWrap(true);
     summary_->setFont(Theme::font(Theme::baseSize, true));
@@ -159,9 +187,8 @@ WeighInSheet::WeighInSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm
     move_->setToolTip(tr("The weights change places on this sheet as the parts do."));
     move_->setMinimumHeight(cellHeight);
     connect(move_, &QPushButton::clicked, this, [this] {
-        const auto assignment = model_->solution().assignment;
-        if (assignment) {
-            model_->edit(tr("Move parts"), [&](CaseInput& input) {
+        if (const auto assignment = model_->solution().assignment) {
+            model_->edit(tr("Move parts"), [&](Input& input) {
                 input.weigh_in = reassigned(input.weigh_in.value(), *assignment);
             });
         }
@@ -169,88 +196,98 @@ WeighInSheet::WeighInSheet(V8PlugsViewModel* model, QWidget* parent) : SheetForm
     auto* found = new QHBoxLayout;
     found->addWidget(summary_, 1);
     found->addWidget(move_, 0, Qt::AlignTop);
-    column_->addLayout(found);
-    crankpins_ = new ResultTable(this);
-    crankpins_->setAccessibleName(tr("Excess on each crankpin, as weighed and after moving"));
-    crankpins_->setColumns(model_->crankpinColumns());
-    crankpins_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    column_->addWidget(crankpins_);
-    assignment_ = new ResultTable(this);
-    assignment_->setAccessibleName(tr("Which set goes to which cylinder"));
-    assignment_->setColumns(model_->assignmentColumns());
-    assignment_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    column_->addWidget(assignment_);
-    column_->addStretch();
-
-    connect(use_, &QCheckBox::toggled, this, [this](bool on) {
-        model_->edit(tr("Source of the mass changes"), [&](CaseInput& input) {
-            if (on && !input.weigh_in) {
-                input.weigh_in.emplace();
-            }
-            input.changes_from_weigh_in = on;
-        });
-    });
-    connect(numbering_, &QComboBox::activated, this, [this](int which) {
-        model_->edit(tr("Cylinders of a crankpin"), [&](CaseInput& input) {
-            if (!input.weigh_in) {
-                input.weigh_in.emplace();
-            }
-            input.weigh_in->numbering =
-                which == 0 ? CylinderNumbering::bank_by_bank : CylinderNumbering::alternating;
-        });
-    });
-    connect(&Theme::instance(), &Theme::changed, this, &WeighInSheet::showInput);
-    follow([this] { showInput(); });
+    columnOf(this)->addLayout(found);
+    const auto table = [this](const QString& name, const QStringList& columns) {
+        auto* made = new ResultTable(this);
+        made->setAccessibleName(name);
+        made->setColumns(columns);
+        made->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        columnOf(this)->addWidget(made);
+        return made;
+    };
+    crankpins_ = table(tr("Excess on each crankpin, as weighed and after moving"),
+                       model_->crankpinColumns());
+    assignment_ = table(tr("Which set goes to which cylinder"), model_->assignmentColumns());
 }
 
-NumberField* WeighInSheet::addField(const QString& name, const QString& accessible,
-                                    const FieldSpec& spec, const QString& hint) {
-    auto* field = new NumberField(spec, this);
-    field->setObjectName(name);
-    field->setOptional(true);
-    field->setAccessibleName(accessible);
-    field->setHint(hint);
-    field->setMinimumWidth(44);
-    field->setMinimumHeight(cellHeight);
-    field->setFont(Theme::font(Theme::titleSize));
-    connect(field, &NumberField::troubleChanged, this, [this, accessible](const QString& trouble) {
-        trouble_->setText(trouble.isEmpty() ? QString()
-                                            : accessible + QStringLiteral(": ") + trouble);
-        trouble_->setVisible(!trouble.isEmpty());
-        colourText(trouble_, Theme::instance().error());
-    });
-    order_ << field;
-    return field;
+bool WeighInSheet::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress &&
+        static_cast<QKeyEvent*>(event)->matches(QKeySequence::Paste)) {
+        const QString text = QGuiApplication::clipboard()->text();
+        for (std::size_t column = 0; column < columns_.size(); ++column) {
+            const auto& cells = columns_[column].cells;
+            const auto cell = std::find(cells.begin(), cells.end(), watched);
+            if (cell != cells.end() &&
+                (text.contains(QLatin1Char('\n')) || text.contains(QLatin1Char('\t')))) {
+                pasteBlock(text, static_cast<int>(column), static_cast<int>(cell - cells.begin()));
+                return true;
+            }
+        }
+    }
+    return SheetForm::eventFilter(watched, event);
+}
+
+void WeighInSheet::pasteBlock(const QString& text, int column, int row) {
+    WeighIn sheet = model_->input().weigh_in.value_or(WeighIn{});
+    const QList<QStringList> rows = cellsOf(text);
+    if (rows.isEmpty()) {
+        say(tr("Nothing is pasted: “%1” is no mass in grams.").arg(text.simplified()));
+        return;
+    }
+    for (qsizetype i = 0; i < rows.size(); ++i) {
+        for (qsizetype j = 0; j < rows.at(i).size(); ++j) {
+            const QString typed = rows.at(i).at(j).trimmed();
+            const auto value = readFormNumber(typed);
+            const auto to = static_cast<std::size_t>(column + j);
+            const int at = row + static_cast<int>(i);
+            if (typed.isEmpty()) {
+                continue;  // a gap leaves what is there
+            }
+            if (to >= all_parts.size() || at >= rowCount) {
+                say(tr("Nothing is pasted: the block does not fit on the sheet from here."));
+                return;
+            }
+            if (!value || !fieldOf(at).range.contains(*value)) {
+                say(tr("Nothing is pasted: “%1” is no mass in grams.").arg(typed));
+                return;
+            }
+            valueOf(sheet[all_parts[to]], at) = *value * units::gram;
+        }
+    }
+    say({});
+    model_->finishDrag();
+    model_->edit(tr("Paste weights"), [&](Input& input) { input.weigh_in = sheet; });
+    model_->finishDrag();
+}
+
+void WeighInSheet::say(const QString& trouble) {
+    trouble_->setText(trouble);
+    trouble_->setVisible(!trouble.isEmpty());
+    colourText(trouble_, Theme::instance().error());
 }
 
 void WeighInSheet::showInput() {
-    const CaseInput& input = model_->input();
+    const Input& input = model_->input();
     const QSignalBlocker block(use_);
     use_->setChecked(input.changes_from_weigh_in);
-    numbering_->setCurrentIndex(
-        input.weigh_in && input.weigh_in->numbering == CylinderNumbering::alternating ? 1 : 0);
-    static const PartColumn empty;
-    const auto shown = [](const std::optional<double>& mass) {
-        return mass ? std::optional(in_unit(*mass, part_mass_field)) : std::nullopt;
-    };
+    const WeighIn sheet = input.weigh_in.value_or(WeighIn{});
+    const Theme& theme = Theme::instance();
     for (std::size_t i = 0; i < columns_.size(); ++i) {
-        const Part part = all_parts[i];
-        const PartColumn& column = input.weigh_in ? (*input.weigh_in)[part] : empty;
-        Column& fields = columns_[i];
-        fields.nominal->setValue(shown(column.nominal));
-        fields.permitted->setValue(shown(column.permitted_spread));
-        for (std::size_t cylinder = 0; cylinder < column.mass.size(); ++cylinder) {
-            fields.mass[cylinder]->setValue(shown(column.mass[cylinder]));
+        const PartColumn& column = sheet[all_parts[i]];
+        const Column& shown = columns_[i];
+        for (int row = 0; row < rowCount; ++row) {
+            const auto& mass = valueOf(column, row);
+            shown.cells[static_cast<std::size_t>(row)]->setValue(
+                mass ? std::optional(from_si(fieldOf(row), *mass)) : std::nullopt);
         }
-        const auto note = model_->columnNote(part);
-        fields.mean->setText(note.mean);
-        fields.spread->setText(note.tooWide ? note.spread + QStringLiteral(" !") : note.spread);
-        fields.spread->setToolTip(note.toolTip);
-        fields.mean->setToolTip(note.toolTip);
-        fields.deviation->setText(note.deviation);
-        fields.deviation->setToolTip(note.toolTip);
-        const Theme& theme = Theme::instance();
-        colourText(fields.spread, note.tooWide ? theme.error() : theme.text());
+        const auto note = model_->columnNote(all_parts[i]);
+        shown.mean->setText(note.mean);
+        shown.deviation->setText(note.deviation);
+        shown.spread->setText(note.tooWide ? note.spread + QStringLiteral(" !") : note.spread);
+        colourText(shown.spread, note.tooWide ? theme.error() : theme.text());
+        for (QLabel* label : {shown.mean, shown.deviation, shown.spread}) {
+            label->setToolTip(note.toolTip);
+        }
     }
     QStringList summary = model_->weighInGaps();
     summary << model_->assignmentText();

@@ -1,6 +1,6 @@
 #include "widgets/decimal_spin_box.h"
 
-#include "widgets/number_text.h"
+#include "text/number_text.h"
 
 namespace ravnoves {
 

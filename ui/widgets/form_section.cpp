@@ -1,18 +1,30 @@
 #include "widgets/form_section.h"
 
+#include "text/message_text.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/number_text.h"
 
 namespace ravnoves {
+
+QScrollArea* scrolled(QWidget* form, QWidget* parent) {
+    auto* scroll = new QScrollArea(parent);
+    scroll->setWidget(form);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    return scroll;
+}
+
+void colourText(QLabel* label, const QColor& colour) {
+    QPalette palette = label->palette();
+    palette.setColor(QPalette::WindowText, colour);
+    label->setPalette(palette);
+}
 
 namespace {
 
 void paintMuted(QLabel* label) {
-    const auto apply = [label] {
-        QPalette palette = label->palette();
-        palette.setColor(QPalette::WindowText, Theme::instance().mutedText());
-        label->setPalette(palette);
-    };
+    const auto apply = [label] { colourText(label, Theme::instance().mutedText()); };
     apply();
     QObject::connect(&Theme::instance(), &Theme::changed, label, apply);
 }
@@ -63,20 +75,13 @@ NumberField* FormSection::addNumber(const QString& label, const FieldSpec& spec,
         QString::fromUtf8(spec.key.data(), static_cast<qsizetype>(spec.key.size())));
     field->setMaximumWidth(96);
     addWidget(label, field, shownUnit, {});
-
-    auto* trouble = new QLabel(this);
-    trouble->setWordWrap(true);
-    trouble->setFont(Theme::font(Theme::smallSize));
-    trouble->hide();
-    grid_->addWidget(trouble, row_++, 0, 1, 3);
-    connect(field, &NumberField::troubleChanged, trouble, [trouble](const QString& text) {
-        QPalette palette = trouble->palette();
-        palette.setColor(QPalette::WindowText, Theme::instance().error());
-        trouble->setPalette(palette);
-        trouble->setText(text);
-        trouble->setVisible(!text.isEmpty());
-    });
     return field;
+}
+
+NumberField* FormSection::addNumber(const Field& field) {
+    NumberField* number = addNumber(shownText(field.label), field, shownText(field.hint));
+    number->setPlaceholderText(shownText(field.placeholder));
+    return number;
 }
 
 void FormSection::addWidget(const QString& label, QWidget* field, const QString& unit,
@@ -105,6 +110,18 @@ void FormSection::addWidget(const QString& label, QWidget* field, const QString&
         grid_->addWidget(unitLabel, row_, 2);
     }
     ++row_;
+    if (auto* entry = qobject_cast<EntryField*>(field)) {
+        auto* trouble = new QLabel(this);
+        trouble->setWordWrap(true);
+        trouble->setFont(Theme::font(Theme::smallSize));
+        trouble->hide();
+        grid_->addWidget(trouble, row_++, 0, 1, 3);
+        connect(entry, &EntryField::troubleChanged, trouble, [trouble](const QString& text) {
+            colourText(trouble, Theme::instance().error());
+            trouble->setText(text);
+            trouble->setVisible(!text.isEmpty());
+        });
+    }
 }
 
 void FormSection::addWide(QWidget* widget) {

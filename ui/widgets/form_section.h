@@ -2,8 +2,10 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QWidget>
 
+#include "case-file/field.h"
 #include "widgets/number_field.h"
 
 namespace ravnoves {
@@ -20,6 +22,8 @@ class FormSection : public QWidget {
     /// @param hint  what the value means and its source, for the tooltip
     NumberField* addNumber(const QString& label, const FieldSpec& spec, const QString& hint,
                            const QString& unit = {});
+    /// A row for a field as core describes it.
+    NumberField* addNumber(const Field& field);
     /// A row with any widget; unit and hint may be empty.
     void addWidget(const QString& label, QWidget* field, const QString& unit = {},
                    const QString& hint = {});
@@ -33,6 +37,10 @@ class FormSection : public QWidget {
     int row_ = 0;
 };
 
+/// A form that scrolls up and down where it is higher than its place.
+QScrollArea* scrolled(QWidget* form, QWidget* parent = nullptr);
+/// Gives a label's text a colour of its own.
+void colourText(QLabel* label, const QColor& colour);
 /// A muted, wrapping caption.
 QLabel* captionLabel(const QString& text, QWidget* parent = nullptr);
 /// A section heading in the type scale.

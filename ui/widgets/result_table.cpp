@@ -8,8 +8,8 @@
 #include <QMenu>
 #include <algorithm>
 
+#include "text/csv_format.h"
 #include "theme/theme.h"
-#include "widgets/csv_format.h"
 
 namespace ravnoves {
 

@@ -77,7 +77,29 @@ double rounded_to(double value, int decimals) {
     return std::round(value * unit) / unit;
 }
 
-ValidationRow PaperRows::row(std::string quantity, std::string unit, std::string reason) const {
+Message in_text(Message place) {
+    return joined(CORE_TEXT("methods", "text"), std::move(place));
+}
+Message table(int number) {
+    return {CORE_TEXT("methods", "Table %1"), number};
+}
+Message figure(int number) {
+    return {CORE_TEXT("methods", "Fig. %1"), number};
+}
+Message equation(int number) {
+    return {CORE_TEXT("methods", "eq. (%1)"), number};
+}
+Message after_equation(int number) {
+    return {CORE_TEXT("methods", "after eq. (%1)"), number};
+}
+Message lower_end(Text quantity) {
+    return joined(quantity, CORE_TEXT("methods", "from"));
+}
+Message upper_end(Text quantity) {
+    return joined(quantity, CORE_TEXT("methods", "to"));
+}
+
+ValidationRow PaperRows::row(Message quantity, std::string unit, Message reason) const {
     ValidationRow row;
     row.scene = scene_;
     row.place = place_;
@@ -97,15 +119,15 @@ void PaperRows::add(Claim claim, ValidationRow row, std::string_view printed, do
     rows_.push_back(std::move(row));
 }
 
-void PaperRows::reproduced(std::string quantity, std::string unit, std::string_view printed,
-                           double ours, std::string reason, double tolerance) {
+void PaperRows::reproduced(Message quantity, std::string unit, std::string_view printed,
+                           double ours, Message reason, double tolerance) {
     ValidationRow added = row(std::move(quantity), std::move(unit), std::move(reason));
     added.ours = ours;
     add(Claim::reproduced, std::move(added), printed, tolerance);
 }
 
-void PaperRows::artefact(std::string quantity, std::string unit, std::string_view printed,
-                         std::optional<double> ours, double by_slip, std::string reason,
+void PaperRows::artefact(Message quantity, std::string unit, std::string_view printed,
+                         std::optional<double> ours, double by_slip, Message reason,
                          double tolerance) {
     ValidationRow added = row(std::move(quantity), std::move(unit), std::move(reason));
     added.ours = ours;
@@ -113,17 +135,16 @@ void PaperRows::artefact(std::string quantity, std::string unit, std::string_vie
     add(Claim::artefact, std::move(added), printed, tolerance);
 }
 
-void PaperRows::slip(std::string quantity, std::string unit, std::string_view printed,
-                     std::optional<double> ours, double by_slip, std::string reason,
-                     double tolerance) {
+void PaperRows::slip(Message quantity, std::string unit, std::string_view printed,
+                     std::optional<double> ours, double by_slip, Message reason, double tolerance) {
     ValidationRow added = row(std::move(quantity), std::move(unit), std::move(reason));
     added.ours = ours;
     added.by_slip = by_slip;
     add(Claim::slip, std::move(added), printed, tolerance);
 }
 
-void PaperRows::slip_shown(std::string quantity, std::string unit, std::string_view printed,
-                           double ours, bool shown, std::string reason) {
+void PaperRows::slip_shown(Message quantity, std::string unit, std::string_view printed,
+                           double ours, bool shown, Message reason) {
     ValidationRow added = row(std::move(quantity), std::move(unit), std::move(reason));
     added.ours = ours;
     add(Claim::reproduced, std::move(added), printed, 0.0);
@@ -133,8 +154,8 @@ void PaperRows::slip_shown(std::string quantity, std::string unit, std::string_v
     }
 }
 
-void PaperRows::not_derivable(std::string quantity, std::string unit, std::string_view printed,
-                              std::string reason, std::optional<double> ours) {
+void PaperRows::not_derivable(Message quantity, std::string unit, std::string_view printed,
+                              Message reason, std::optional<double> ours) {
     ValidationRow added = row(std::move(quantity), std::move(unit), std::move(reason));
     added.ours = ours;
     add(Claim::not_derivable, std::move(added), printed, 0.0);

@@ -38,41 +38,49 @@ class PaperRows {
     explicit PaperRows(std::string_view scene) : scene_(scene) {}
 
     /// The place of the rows that follow.
-    void at(std::string place) { place_ = std::move(place); }
+    void at(Message place) { place_ = std::move(place); }
 
     /// @param tolerance  in the row's unit; 0: half a unit of the last printed digit
-    void reproduced(std::string quantity, std::string unit, std::string_view printed, double ours,
-                    std::string reason, double tolerance = 0.0);
-    void artefact(std::string quantity, std::string unit, std::string_view printed,
-                  std::optional<double> ours, double by_slip, std::string reason,
+    void reproduced(Message quantity, std::string unit, std::string_view printed, double ours,
+                    Message reason, double tolerance = 0.0);
+    void artefact(Message quantity, std::string unit, std::string_view printed,
+                  std::optional<double> ours, double by_slip, Message reason,
                   double tolerance = 0.0);
-    void slip(std::string quantity, std::string unit, std::string_view printed,
-              std::optional<double> ours, double by_slip, std::string reason,
-              double tolerance = 0.0);
+    void slip(Message quantity, std::string unit, std::string_view printed,
+              std::optional<double> ours, double by_slip, Message reason, double tolerance = 0.0);
     /// A slip that no number but a comparison shows.
-    void slip_shown(std::string quantity, std::string unit, std::string_view printed, double ours,
-                    bool shown, std::string reason);
-    void not_derivable(std::string quantity, std::string unit, std::string_view printed,
-                       std::string reason, std::optional<double> ours = std::nullopt);
+    void slip_shown(Message quantity, std::string unit, std::string_view printed, double ours,
+                    bool shown, Message reason);
+    void not_derivable(Message quantity, std::string unit, std::string_view printed, Message reason,
+                       std::optional<double> ours = std::nullopt);
 
     std::vector<ValidationRow> take() { return std::move(rows_); }
 
   private:
     void add(Claim claim, ValidationRow row, std::string_view printed, double tolerance);
-    ValidationRow row(std::string quantity, std::string unit, std::string reason) const;
+    ValidationRow row(Message quantity, std::string unit, Message reason) const;
 
     std::string scene_;
-    std::string place_;
+    Message place_;
     std::vector<ValidationRow> rows_;
 };
+
+// Places in a paper, and the ends of what it gives as a range.
+Message in_text(Message place);
+Message table(int number);
+Message figure(int number);
+Message equation(int number);
+Message after_equation(int number);
+Message lower_end(Text quantity);
+Message upper_end(Text quantity);
 
 /// Rounded to so many decimals, as a paper that computes on with what it prints.
 double rounded_to(double value, int decimals);
 
 // The papers, one file each.
-std::vector<ValidationRow> validate_balance_shaft();
-std::vector<ValidationRow> validate_elastic_hinge();
-std::vector<ValidationRow> validate_v8_plugs();
-std::vector<ValidationRow> validate_inertia_moments();
+std::vector<ValidationRow> validate_gots_klevtsov();
+std::vector<ValidationRow> validate_zotov_sviridov();
+std::vector<ValidationRow> validate_nazarov();
+std::vector<ValidationRow> validate_chainov_vallejo_maldonado();
 
 }  // namespace ravnoves::methods

@@ -7,13 +7,14 @@
 #include <cmath>
 #include <vector>
 
-#include "balance-shaft/balance_shaft.h"
 #include "balance-shaft/best_range.h"
 #include "balance-shaft/cycle_extrema.h"
+#include "balance-shaft/presets.h"
+#include "balance-shaft/solver.h"
 #include "balance-shaft/speed_study.h"
-#include "case-file/case_file.h"
 #include "case-file/text_file.h"
 #include "numerics/periodic_piecewise.h"
+#include "scenes/scenes.h"
 
 namespace {
 

@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include "elastic-hinge/guide_export.h"
+#include "elastic-hinge/presets.h"
 #include "elastic-hinge/solver.h"
 
 namespace ravnoves::elastic_hinge {

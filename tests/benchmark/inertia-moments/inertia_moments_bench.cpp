@@ -2,7 +2,7 @@
 
 #include "case-file/case_file.h"
 #include "case-file/json.h"
-#include "inertia-moments/case_io.h"
+#include "inertia-moments/scene.h"
 #include "inertia-moments/solver.h"
 
 namespace ravnoves::inertia_moments {

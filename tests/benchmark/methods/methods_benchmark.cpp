@@ -19,7 +19,7 @@ using namespace ravnoves::methods;
             const MethodInfo& info = kernel.methods[method];
             for (std::size_t setting = 0; setting < info.settings.size(); ++setting) {
                 const std::string name =
-                    kernel.id + "/" + info.id + "/" + info.settings[setting].label;
+                    kernel.id + "/" + info.id + "/" + info.settings[setting].label.english();
                 benchmark::RegisterBenchmark(
                     name.c_str(), [problem, method, setting](benchmark::State& state) {
                         const Run run = problem->prepare(method, setting);
@@ -34,7 +34,7 @@ using namespace ravnoves::methods;
                         state.counters["operations"] = problem->operations(method, setting);
                         const Result result = evaluate(*problem, method, setting);
                         if (result.refused()) {
-                            state.SetLabel(result.refusal);
+                            state.SetLabel(result.refusal.english());
                         } else {
                             state.counters["error"] = result.error;
                         }

@@ -15,13 +15,13 @@
 #include <vector>
 
 #include "balance-shaft/balance_shaft_page.h"
-#include "balance-shaft/balance_shaft_view_model.h"
+#include "balance-shaft/model/balance_shaft_model.h"
 #include "elastic-hinge/elastic_hinge_page.h"
-#include "elastic-hinge/elastic_hinge_view_model.h"
+#include "elastic-hinge/model/elastic_hinge_model.h"
 #include "inertia-moments/inertia_moments_page.h"
-#include "inertia-moments/inertia_moments_view_model.h"
+#include "inertia-moments/model/inertia_moments_model.h"
 #include "methods/methods_page.h"
-#include "shell/language.h"
+#include "text/language.h"
 #include "theme/theme.h"
 
 namespace {
@@ -71,7 +71,7 @@ std::map<std::string, std::function<Drag()>> drags() {
         {"methods",
          [] {
              auto* page = new MethodsPage;
-             MethodsViewModel* model = page->viewModel();
+             MethodsModel* model = page->viewModel();
              // With a measurement in the charts; the drag itself measures nothing.
              page->setActive(true);
              while (model->shown() == nullptr || model->isStale()) {

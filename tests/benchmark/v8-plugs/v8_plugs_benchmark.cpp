@@ -3,8 +3,9 @@
 #include <filesystem>
 #include <random>
 
-#include "case-file/case_file.h"
 #include "case-file/text_file.h"
+#include "scenes/scenes.h"
+#include "v8-plugs/scene.h"
 #include "v8-plugs/solver.h"
 
 namespace {
@@ -52,7 +53,7 @@ BENCHMARK(bm_best_assignment_with_ties)->Unit(benchmark::kMillisecond);
 void bm_solve(benchmark::State& state) {
     const ravnoves::CaseFile file = ravnoves::parse_case(ravnoves::read_text_file(
         std::filesystem::path(RAVNOVES_EXAMPLES) / "v8-4.25-repair.case.json"));
-    CaseInput input = read_input(file.input);
+    Input input = read_input(file.input);
     input.weigh_in.emplace();
     std::mt19937 generator(1);
     std::uniform_real_distribution<double> deviation(-0.005, 0.005);

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "balance-shaft/engine_torque.h"
+#include "balance-shaft/scene.h"
 #include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
@@ -381,14 +382,14 @@ TEST(ComputedTorque, ExtremeFiniteCyclesGiveNumbersOrWords) {
     EXPECT_GT(solved, 50);
 }
 
-TEST(PressureTraceText, KnowsUnitsAndClosesTheCycle) {
+TEST(ParsedPressureTrace, KnowsUnitsAndClosesTheCycle) {
     const auto read = parse_pressure_trace("deg;MPa\n0;0,1\n180;0,1\n360;6\n540;0,3\n720;0,102\n");
     EXPECT_EQ(read.pressure_unit, "MPa");
     EXPECT_TRUE(read.closed);
     EXPECT_NEAR(read.trace.pressure[2], 6e6, 1e-6);
     EXPECT_NEAR(read.trace.pressure.front(), 0.101e6, 1e-6);
     EXPECT_EQ(read.trace.pressure.front(), read.trace.pressure.back());
-    EXPECT_EQ(read.describe(),
+    EXPECT_EQ(read.describe().english(),
               "5 rows, separated by semicolons, decimal comma, angles in degrees, with a header, "
               "pressure in MPa, end joined to the start");
     const auto open = parse_pressure_trace("0 1\n180 1\n360 60\n540 3\n");

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "balance-shaft/presets.h"
+
 namespace ravnoves::balance_shaft {
 namespace {
 

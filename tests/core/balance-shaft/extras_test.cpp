@@ -4,6 +4,7 @@
 
 #include "balance-shaft/crank_balance.h"
 #include "balance-shaft/gear_error.h"
+#include "balance-shaft/presets.h"
 #include "balance-shaft/scene.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"

@@ -6,6 +6,8 @@
 #include <numeric>
 
 #include "balance-shaft/engine_torque.h"
+#include "balance-shaft/presets.h"
+#include "balance-shaft/scene.h"
 #include "case-file/json.h"
 #include "test_cases.h"
 
@@ -27,7 +29,7 @@ TEST(InertiaCheck, FindsHalfTheInertiaInThePapersTable) {
     EXPECT_NEAR(check.matching_speed / rpm, 2600.0, 10.0);
     EXPECT_NEAR(check.matching_mass, 0.69, 0.005);
     EXPECT_EQ(check.stroke_begin_deg, 0.0);
-    EXPECT_EQ(result.notes.front().kind, Note::Kind::inertia_mismatch);
+    EXPECT_EQ(result.notes.front(), check.text);
     const Json json = write_result(result).at("inertia_check");
     EXPECT_EQ(json.at("consistent"), false);
     EXPECT_EQ(json.at("fitted_m_r2_w2_Nm"), *check.fitted);
@@ -118,8 +120,8 @@ TEST(InertiaCheck, RecoversKnownMassesThroughNoiseAndWarnsAtAQuarterOff) {
         EXPECT_NEAR(*right.fitted / right.entered, 1.0, 0.05) << seed;
         EXPECT_NEAR(right.fitted_lambda, truth.crank_radius / rod, 0.05) << seed;
         EXPECT_TRUE(*right.consistent);
-        EXPECT_FALSE(solve(entered).notes.size() > 0 &&
-                     solve(entered).notes[0].kind == Note::Kind::inertia_mismatch);
+        const Result solved = solve(entered);
+        EXPECT_FALSE(solved.notes.size() > 0 && solved.notes[0] == solved.inertia_check.text);
         for (const double factor : {0.75, 1.25}) {
             entered.reciprocating_masses[0].mass = mass * factor;
             const InertiaCheck wrong = check_inertia(table, entered);

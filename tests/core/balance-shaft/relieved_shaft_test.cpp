@@ -9,6 +9,7 @@
 #include <map>
 #include <sstream>
 
+#include "balance-shaft/presets.h"
 #include "balance-shaft/scene.h"
 #include "case-file/json.h"
 #include "test_cases.h"
@@ -57,7 +58,7 @@ TEST(RelievedShaft, UnbalanceAndStiffnessAgreeWithQuadrature) {
 TEST(RelievedShaft, SizesWhatIsMissing) {
     const RelievedShaft by_depth =
         design_relieved_shaft({0.050, std::nullopt, 0.45}, needed, speed);
-    ASSERT_TRUE(by_depth.feasible) << by_depth.reason;
+    ASSERT_TRUE(by_depth.feasible) << by_depth.reason.english();
     EXPECT_NEAR(by_depth.unbalance, needed, 1e-12 * needed);
     EXPECT_LT(by_depth.depth, 0.025);
     const RelievedShaft by_length =
@@ -71,7 +72,7 @@ TEST(RelievedShaft, SizesWhatIsMissing) {
     EXPECT_TRUE(checked.feasible);
     const RelievedShaft weak = design_relieved_shaft({0.050, 0.005, 0.45}, needed, speed);
     EXPECT_FALSE(weak.feasible);
-    EXPECT_NE(weak.reason.find("% of the unbalance"), std::string::npos);
+    EXPECT_NE(weak.reason.english().find("% of the unbalance"), std::string::npos);
 }
 
 TEST(RelievedShaft, TheCriticalSizesAreThoseOfHalfABar) {
@@ -86,7 +87,7 @@ TEST(RelievedShaft, TheCriticalSizesAreThoseOfHalfABar) {
     const RelievedShaft below =
         design_relieved_shaft({critical * (1.0 - 1e-9), std::nullopt, 0.3}, needed, speed);
     EXPECT_FALSE(below.feasible);
-    EXPECT_EQ(below.reason.rfind("The bar is too thin", 0), 0U);
+    EXPECT_EQ(below.reason.english().rfind("The bar is too thin", 0), 0U);
     // And the critical length of that bar is the length asked for.
     EXPECT_NEAR(below.critical_length, 0.3, 1e-6);
     const RelievedShaft longer = design_relieved_shaft(
@@ -96,7 +97,7 @@ TEST(RelievedShaft, TheCriticalSizesAreThoseOfHalfABar) {
     const RelievedShaft beyond =
         design_relieved_shaft({0.060, 0.060 - shaft.depth, 0.3}, needed, speed);
     EXPECT_TRUE(beyond.feasible);
-    EXPECT_NE(beyond.note.find("More than half"), std::string::npos);
+    EXPECT_NE(beyond.note.english().find("More than half"), std::string::npos);
     EXPECT_GT(beyond.sag, shaft.sag);
 }
 

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "balance-shaft/balance_shaft.h"
+#include "balance-shaft/presets.h"
+#include "balance-shaft/solver.h"
 #include "case-file/input_error.h"
 
 namespace ravnoves::balance_shaft::test {

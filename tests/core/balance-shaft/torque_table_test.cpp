@@ -15,7 +15,7 @@ std::string refusal(const std::string& text) {
     return error_of([&] { parse_torque_table(text); });
 }
 
-TEST(TorqueTableText, ReadsEverySeparatorAndDecimalSign) {
+TEST(ParsedTorqueTable, ReadsEverySeparatorAndDecimalSign) {
     const std::vector<std::string> texts = {
         "0,0\n180,-90.5\n360,893\n540,30\n720,0\n",
         "0, 0\n180, -90.5\n360, 893\n540, 30\n720, 0\n",
@@ -34,24 +34,24 @@ TEST(TorqueTableText, ReadsEverySeparatorAndDecimalSign) {
                   "no error")
             << text;
     }
-    EXPECT_EQ(parse_torque_table(texts[6]).describe(),
+    EXPECT_EQ(parse_torque_table(texts[6]).describe().english(),
               "5 rows, separated by semicolons, angles in degrees, with a header");
-    EXPECT_EQ(parse_torque_table(texts[3]).describe(),
+    EXPECT_EQ(parse_torque_table(texts[3]).describe().english(),
               "5 rows, separated by tabs, decimal comma, angles in degrees");
 }
 
-TEST(TorqueTableText, RoundTrip) {
+TEST(ParsedTorqueTable, RoundTrip) {
     const TorqueTable table = test::random_table(3, 99);
     EXPECT_EQ(parse_torque_table(write_torque_table(table)).table, table);
 }
 
-TEST(TorqueTableText, RepeatsOneTurn) {
+TEST(ParsedTorqueTable, RepeatsOneTurn) {
     const auto read = parse_torque_table("0;1\n90;2\n180;3\n360;1\n");
     EXPECT_TRUE(read.repeated);
     EXPECT_EQ(read.table, (TorqueTable{{0, 90, 180, 360, 450, 540, 720}, {1, 2, 3, 1, 2, 3, 1}}));
 }
 
-TEST(TorqueTableText, KnowsRadians) {
+TEST(ParsedTorqueTable, KnowsRadians) {
     const auto by_span = parse_torque_table("0;1\n3.14159265;2\n6.28319;3\n12.56637;1\n");
     EXPECT_TRUE(by_span.in_radians);
     EXPECT_FALSE(by_span.repeated);
@@ -70,12 +70,12 @@ TEST(TorqueTableText, KnowsRadians) {
     EXPECT_FALSE(parse_torque_table("crank radius 46;M\n0;1\n180;2\n720;1\n").in_radians);
 }
 
-TEST(TorqueTableText, KeepsAnyStartOfTheCycle) {
+TEST(ParsedTorqueTable, KeepsAnyStartOfTheCycle) {
     const auto read = parse_torque_table("-360;5\n0;7\n360;5\n");
     EXPECT_EQ(read.table, (TorqueTable{{-360, 0, 360}, {5, 7, 5}}));
 }
 
-TEST(TorqueTableText, ErrorsNameLineAndColumn) {
+TEST(ParsedTorqueTable, ErrorsNameLineAndColumn) {
     EXPECT_EQ(refusal("0;0\n180;x\n720;0\n"),
               "line 2, column 2: must be a finite number, got \"x\"");
     EXPECT_EQ(refusal("a;b\n0;0\n\n1O;5\n720;0\n"),
@@ -112,7 +112,7 @@ TEST(TorqueTableText, ErrorsNameLineAndColumn) {
               "once; separate the columns by semicolons, got \"0,5,1,5\"");
 }
 
-TEST(TorqueTableText, RefusesWhatIsNoTable) {
+TEST(ParsedTorqueTable, RefusesWhatIsNoTable) {
     EXPECT_EQ(refusal(""), "the torque table must have at least 3 rows, got 0");
     EXPECT_EQ(refusal("\n\n  \n"), "the torque table must have at least 3 rows, got 0");
     EXPECT_EQ(refusal("phi;M\n"), "the torque table must have at least 3 rows, got 0");
@@ -135,7 +135,7 @@ TEST(TorqueTableText, RefusesWhatIsNoTable) {
     EXPECT_NE(refusal(noise), "no error");
 }
 
-TEST(TorqueTableText, AMillionRowsAreReadAndMoreAreRefused) {
+TEST(ParsedTorqueTable, AMillionRowsAreReadAndMoreAreRefused) {
     const TorqueTable table = test::random_table(7, largest_torque_table);
     std::string text = write_torque_table(table);
     EXPECT_EQ(parse_torque_table(text).table, table);
@@ -143,7 +143,7 @@ TEST(TorqueTableText, AMillionRowsAreReadAndMoreAreRefused) {
     EXPECT_EQ(refusal(text), "line 1000002: the table must have at most 1000000 rows");
 }
 
-TEST(TorqueTableText, NeverCrashesOnDamagedText) {
+TEST(ParsedTorqueTable, NeverCrashesOnDamagedText) {
     const std::string whole = write_torque_table(small);
     std::mt19937 generator(11);
     for (int i = 0; i < 20'000; ++i) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <sstream>
 
+#include "elastic-hinge/presets.h"
 #include "support.h"
 
 namespace ravnoves::elastic_hinge {
@@ -81,7 +82,7 @@ class ElasticHingeExport : public testing::TestWithParam<Branch> {};
 
 TEST_P(ElasticHingeExport, DxfReadsBackClosedAndWithinItsTolerance) {
     const Guide guide = deep_guide(GetParam());
-    ASSERT_TRUE(guide.feasible) << guide.reason;
+    ASSERT_TRUE(guide.feasible) << guide.reason.english();
     GuideDrawing drawing;
     drawing.branch = GetParam();
     drawing.roller_radius = 0.006;
@@ -187,7 +188,7 @@ TEST(ElasticHingeExportOfTheRod, UsesTheHingesOwnAngle) {
     Input input = preset_zotov();
     input.spring = Spring{2e5, 0.2, 0.085};
     const Guide guide = solve(input).rod_guide;
-    ASSERT_TRUE(guide.feasible) << guide.reason;
+    ASSERT_TRUE(guide.feasible) << guide.reason.english();
     GuideDrawing drawing;
     drawing.guide_turns = false;
     std::stringstream stream(guide_csv(guide, drawing, 90));

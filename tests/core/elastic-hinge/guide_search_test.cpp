@@ -1,5 +1,6 @@
 #include "elastic-hinge/guide_search.h"
 
+#include "elastic-hinge/presets.h"
 #include "support.h"
 
 namespace ravnoves::elastic_hinge {
@@ -17,10 +18,10 @@ TEST_P(ElasticHingeSearch, FindsASpringThatGivesWhatWasWanted) {
             const GuideWish wish{relief, 0.24, {}};
             const GuideProposal found = search_guide(before.design, Hinge::crank, sign, GetParam(),
                                                      0.2, input.roller_radius, wish);
-            ASSERT_TRUE(found.found) << found.reason;
+            ASSERT_TRUE(found.found) << found.reason.english();
             input.spring = found.spring;
             const Guide guide = solve(input).crank_guide;
-            ASSERT_TRUE(guide.feasible) << guide.reason;
+            ASSERT_TRUE(guide.feasible) << guide.reason.english();
             EXPECT_EQ(guide.branch, GetParam());
             EXPECT_NEAR(guide.relief, relief, 1e-9 * relief);
             EXPECT_FALSE(guide.summary().undercut);
@@ -65,12 +66,13 @@ TEST(ElasticHingeSearchLimits, TheImpossibleIsRefusedWithASize) {
         search_guide(result.design, Hinge::crank, GuideSign::energy, Branch::compressed, 0.2, 0.0,
                      GuideWish{1e-3, 0.5, 0.1985});
     EXPECT_EQ(bulky.problem, SearchProblem::spring_too_short);
-    EXPECT_NE(tight.reason.find("at least"), std::string::npos) << tight.reason;
+    EXPECT_NE(tight.reason.english().find("at least"), std::string::npos) << tight.reason.english();
     const GuideProposal stretched =
         search_guide(result.design, Hinge::crank, GuideSign::energy, Branch::stretched, 0.2, 0.01,
                      GuideWish{1e-3, 0.2, {}});
     EXPECT_FALSE(stretched.found);
-    EXPECT_NE(stretched.reason.find("222.2 mm"), std::string::npos) << stretched.reason;
+    EXPECT_NE(stretched.reason.english().find("222.2 mm"), std::string::npos)
+        << stretched.reason.english();
 }
 
 TEST(ElasticHingeSearchLimits, ABigRollerGetsASmootherGuideOrNone) {
@@ -81,7 +83,7 @@ TEST(ElasticHingeSearchLimits, ABigRollerGetsASmootherGuideOrNone) {
                                 roller, GuideWish{16e-3, 0.4, 0.02});
         };
         const GuideProposal small = search(1e-4);
-        ASSERT_TRUE(small.found) << small.reason;
+        ASSERT_TRUE(small.found) << small.reason.english();
         bool smoother = false;
         bool refused = false;
         for (double roller = 0.001; roller < 0.15; roller *= 1.02) {

@@ -1,5 +1,6 @@
 #include "elastic-hinge/motion.h"
 
+#include "elastic-hinge/presets.h"
 #include "support.h"
 
 namespace ravnoves::elastic_hinge {
@@ -109,6 +110,20 @@ TEST(ElasticHingeMotion, FreeFallFromRestFollowsTheEnergyIntegral) {
         const double square = 2 * potential_amplitude(m) * (std::sin(80.0 * degree) - s) / I;
         EXPECT_NEAR(motion.speed[i] * motion.speed[i], square, 1e-6);
     }
+}
+
+TEST(ElasticHingeMotion, ExtremeSpeedsAreThoseOfTheMotionNotOfItsSamples) {
+    const Result result = solve(preset_zotov());
+    MotionSetup setup;
+    setup.start_speed = 100.0;
+    setup.turns = 2.0;
+    setup.samples_per_turn = 4;
+    const Motion coarse = simulate(result.design, result.crank_guide, setup);
+    setup.samples_per_turn = 20000;
+    const Motion fine = simulate(result.design, result.crank_guide, setup);
+    EXPECT_NEAR(coarse.max_speed, *std::max_element(fine.speed.begin(), fine.speed.end()), 1e-5);
+    EXPECT_NEAR(coarse.max_speed, fine.max_speed, 1e-8);
+    EXPECT_NEAR(coarse.min_speed, fine.min_speed, 1e-8);
 }
 
 TEST(ElasticHingeMotion, HingeIsExactAtItsDesignSpeedOnly) {

@@ -1,6 +1,7 @@
 #include "elastic-hinge/rod_hinge_moment.h"
 
 #include "elastic-hinge/motion.h"
+#include "elastic-hinge/presets.h"
 #include "support.h"
 
 namespace ravnoves::elastic_hinge {
@@ -143,7 +144,7 @@ TEST(ElasticHingeRod, GuideDoesTheWorkOfTheMomentOverItsOwnAngle) {
         input.rod_hinge_spring = Spring{1e5, 0.2, 0.06};
         const Result result = solve(input);
         const Guide& guide = result.rod_guide;
-        ASSERT_TRUE(guide.feasible) << guide.reason;
+        ASSERT_TRUE(guide.feasible) << guide.reason.english();
         const double mean = result.design->rod_hinge_mean();
         for (std::size_t i = 1; i < guide.polar_angle.size(); ++i) {
             EXPECT_GT(guide.polar_angle[i], guide.polar_angle[i - 1]);  // monotonic for λ < 1
@@ -172,8 +173,9 @@ TEST(ElasticHingeRod, BothHingesTogetherKeepTheEnergy) {
                                     : preset_zotov();
         input.spring = Spring{1e5, 0.2, 0.05};
         const Result result = solve(input);
-        ASSERT_TRUE(result.crank_guide_with_rod.feasible) << result.crank_guide_with_rod.reason;
-        ASSERT_TRUE(result.rod_guide.feasible) << result.rod_guide.reason;
+        ASSERT_TRUE(result.crank_guide_with_rod.feasible)
+            << result.crank_guide_with_rod.reason.english();
+        ASSERT_TRUE(result.rod_guide.feasible) << result.rod_guide.reason.english();
         const auto total = [&](double phi) {
             return result.design->demand(Hinge::crank, phi).energy +
                    result.crank_guide_with_rod.shape->energy(

@@ -37,10 +37,10 @@ class EveryKernel : public ::testing::TestWithParam<std::size_t> {
 };
 
 TEST_P(EveryKernel, SaysWhatItIs) {
-    for (const std::string* text :
-         {&kernel.id, &kernel.title, &kernel.quantity, &kernel.error_measure, &kernel.evaluation,
-          &kernel.check_text}) {
-        EXPECT_FALSE(text->empty());
+    EXPECT_FALSE(kernel.id.empty());
+    for (const Text& text : {kernel.title, kernel.quantity, kernel.error_measure, kernel.evaluation,
+                             kernel.check_text}) {
+        EXPECT_FALSE(text.empty());
     }
     EXPECT_EQ(find_kernel(kernel.id), &kernel);
     EXPECT_EQ(kernel.choice.kernel, kernel.id);
@@ -87,7 +87,7 @@ TEST_P(EveryKernel, TheMethodInUseHoldsItsTolerance) {
             const auto problem = kernel.problem(sweep, value);
             const Result result =
                 evaluate(*problem, kernel.chosen_method(), kernel.chosen_setting());
-            EXPECT_EQ(result.refusal, "") << info.id << " = " << value;
+            EXPECT_EQ(result.refusal.english(), "") << info.id << " = " << value;
             EXPECT_LE(result.error, kernel.choice.tolerance) << info.id << " = " << value;
             EXPECT_EQ(problem->scene_refusal(), "") << info.id << " = " << value;
         }
@@ -163,7 +163,7 @@ TEST_P(EveryKernel, NothingCheaperWouldHaveHeld) {
     for (const Candidate& candidate : cheaper) {
         const MethodInfo& method = kernel.methods[candidate.method];
         EXPECT_TRUE(candidate.failed)
-            << method.title << " (" << method.settings[candidate.setting].label
+            << method.title.english << " (" << method.settings[candidate.setting].label.english()
             << ") is cheaper and holds " << kernel.choice.tolerance << " as well";
     }
 }

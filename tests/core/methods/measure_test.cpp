@@ -73,7 +73,8 @@ TEST(Measure, CancelsInTheMidstOfALongRun) {
         const auto problem = kernel.problem(turns, 3e5);
         int asked = 0;
         const CancelScope scope([&] { return ++asked < 3; });
-        const ravnoves::methods::Run run = problem->prepare(method, kernel.methods[method].settings.size() - 1);
+        const ravnoves::methods::Run run =
+            problem->prepare(method, kernel.methods[method].settings.size() - 1);
         std::vector<double> out(problem->outputs());
         const auto start = std::chrono::steady_clock::now();
         EXPECT_THROW(static_cast<void>(run(out)), Cancelled);
@@ -92,7 +93,7 @@ TEST(Measure, TellsWhereAMethodFails) {
         for (const double error : errors) {
             curve.results.push_back({std::abs(error), error < 0.0 ? "refused" : ""});
         }
-        return failing_text(map, curve, 1.0);
+        return failing_text(map, curve, 1.0).english();
     };
     EXPECT_EQ(text({0, 0, 0, 0}), "nowhere");
     EXPECT_EQ(text({2, 2, -1, 2}), "everywhere");

@@ -4,12 +4,15 @@
 
 #include <cmath>
 
-#include "balance-shaft/balance_shaft.h"
+#include "balance-shaft/presets.h"
+#include "balance-shaft/scene.h"
+#include "balance-shaft/solver.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "elastic-hinge/case_io.h"
-#include "inertia-moments/case_io.h"
-#include "inertia-moments/preset.h"
+#include "elastic-hinge/presets.h"
+#include "elastic-hinge/scene.h"
+#include "inertia-moments/presets.h"
+#include "inertia-moments/scene.h"
 #include "numerics/constants.h"
 
 namespace ravnoves::methods {

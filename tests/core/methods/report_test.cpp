@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "csv_lines.h"
-#include "methods/table_text.h"
+#include "methods/plain_text.h"
 
 namespace ravnoves::methods {
 namespace {
@@ -33,15 +33,15 @@ TEST(MethodsReport, HasARowForEveryMethodAndSetting) {
               1);
     std::size_t with_limit = 0;
     for (const MethodRow& row : report.rows) {
-        EXPECT_EQ(row.title, kernel.methods[row.method].title);
-        EXPECT_EQ(row.limits, kernel.methods[row.method].limits);
+        EXPECT_EQ(row.title.english, kernel.methods[row.method].title.english);
+        EXPECT_EQ(row.limits.english, kernel.methods[row.method].limits.english);
         EXPECT_EQ(row.holds, !row.result.refused() && row.result.error <= kernel.choice.tolerance);
         EXPECT_GT(row.timing.median, 0.0);
         EXPECT_GT(row.operations, 0.0);
         with_limit += row.fails ? 1 : 0;
         if (row.in_use) {
             EXPECT_TRUE(row.holds);
-            EXPECT_EQ(row.fails, "nowhere");
+            EXPECT_EQ(row.fails->english(), "nowhere");
         }
     }
     EXPECT_EQ(with_limit, kernel.methods.size());
@@ -56,7 +56,7 @@ TEST(MethodsReport, ShowsThePapersMeanForWhatItIs) {
                    report.kernel->methods[candidate.method].id == "nodes-end-twice";
         });
     ASSERT_NE(row, report.rows.end());
-    EXPECT_EQ(row->fails, "everywhere");
+    EXPECT_EQ(row->fails->english(), "everywhere");
     EXPECT_FALSE(row->holds);
     ASSERT_TRUE(row->order);
     EXPECT_NEAR(*row->order, 1.0, 0.3);
@@ -66,15 +66,16 @@ TEST(MethodsReport, TheParagraphNamesSceneMethodAndWhy) {
     for (const Kernel& kernel : kernels()) {
         const std::string paragraph = choice_paragraph(kernel);
         EXPECT_TRUE(says(paragraph, std::string(kernel.choice.scene))) << paragraph;
-        EXPECT_TRUE(says(paragraph, kernel.methods[kernel.chosen_method()].title)) << paragraph;
-        EXPECT_TRUE(says(paragraph, std::string(kernel.choice.reason))) << paragraph;
+        EXPECT_TRUE(says(paragraph, kernel.methods[kernel.chosen_method()].title.english))
+            << paragraph;
+        EXPECT_TRUE(says(paragraph, kernel.choice.reason.english)) << paragraph;
     }
 }
 
 TEST(MethodsReport, TextAndCsvHoldTheSameRows) {
     const KernelReport report = measure_kernel(*find_kernel("moment-range"), quick);
     const std::string text = write_text(report);
-    EXPECT_TRUE(says(text, report.kernel->title));
+    EXPECT_TRUE(says(text, report.kernel->title.english));
     // Wrapped, so the words are compared without the line feeds between them.
     std::string one_line = text;
     std::replace(one_line.begin(), one_line.end(), '\n', ' ');
@@ -91,13 +92,13 @@ TEST(MethodsReport, TextAndCsvHoldTheSameRows) {
         const MethodRow& row = report.rows[i];
         const auto& fields = lines[i + 1];
         ASSERT_EQ(fields.size(), lines.front().size());
-        EXPECT_TRUE(says(text, row.title)) << row.title;
+        EXPECT_TRUE(says(text, row.title.english)) << row.title.english;
         EXPECT_EQ(fields[column("kernel")], "moment-range");
-        EXPECT_EQ(fields[column("setting")], row.label);
+        EXPECT_EQ(fields[column("setting")], row.label.english());
         EXPECT_EQ(std::stod(fields[column("median_ns")]), row.timing.median);
         EXPECT_EQ(fields[column("error")].empty(), row.result.refused());
         EXPECT_EQ(fields[column("in_use")], row.in_use ? "yes" : "no");
-        EXPECT_EQ(fields[column("limits")], row.limits);
+        EXPECT_EQ(fields[column("limits")], row.limits.english);
     }
 }
 
@@ -116,7 +117,7 @@ TEST(MethodsReport, ProgressRunsOnceFromEndToEndAndCancels) {
                  Cancelled);
 }
 
-TEST(TableText, CsvQuotesWhatWouldSplit) {
+TEST(PlainText, CsvQuotesWhatWouldSplit) {
     EXPECT_EQ(csv_line({"a", "", "b c"}), "a,,b c\n");
     EXPECT_EQ(csv_line({"a,b", "say \"x\"", "two\nlines"}),
               "\"a,b\",\"say \"\"x\"\"\",\"two\nlines\"\n");
@@ -124,14 +125,14 @@ TEST(TableText, CsvQuotesWhatWouldSplit) {
     EXPECT_EQ(back.front(), (std::vector<std::string>{"a,b", "say \"x\"", "two\nlines"}));
 }
 
-TEST(TableText, WidthCountsCharactersNotBytes) {
+TEST(PlainText, WidthCountsCharactersNotBytes) {
     EXPECT_EQ(shown_width("N·m"), 3U);
     EXPECT_EQ(shown_width("φ = 3°20′"), 9U);
     EXPECT_EQ(shown_width("z\xCC\x84"), 1U);  // z with a bar over it
 }
 
-TEST(TableText, AlignsAndWrapsTheLastColumn) {
-    TextTable table({{"λ"}, {"ns", true}, {"why"}});
+TEST(PlainText, AlignsAndWrapsTheLastColumn) {
+    AlignedTable table({{"λ"}, {"ns", true}, {"why"}});
     table.add({"a", "5", "one two three four five six seven"});
     table.add({"bb", "100", "short"});
     EXPECT_EQ(table.text(29),

@@ -8,13 +8,13 @@
 #include <filesystem>
 #include <string>
 
-#include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "elastic-hinge/motion.h"
 #include "inertia-moments/engine.h"
 #include "methods/kernel.h"
+#include "scenes/scenes.h"
 
 namespace ravnoves::methods {
 namespace {

@@ -8,15 +8,16 @@
 #include <numeric>
 
 #include "balance-shaft/best_range.h"
-#include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "elastic-hinge/presets.h"
 #include "elastic-hinge/solver.h"
 #include "methods/hinge_mechanism.h"
 #include "methods/kernel.h"
 #include "methods/torque_cycle.h"
 #include "numerics/constants.h"
+#include "scenes/scenes.h"
 
 namespace ravnoves::methods {
 namespace {
@@ -43,12 +44,12 @@ std::string refusal_of(const char* kernel_id, const char* sweep, double value, c
     const std::size_t m = kernel.find_method(method);
     return evaluate(*kernel.problem(kernel.find_sweep(sweep), value), m,
                     kernel.find_setting(m, setting))
-        .refusal;
+        .refusal.english();
 }
 
 std::string scene_refusal(const char* kernel_id, const char* sweep, double value) {
     const Kernel& kernel = *find_kernel(kernel_id);
-    return kernel.problem(kernel.find_sweep(sweep), value)->scene_refusal();
+    return kernel.problem(kernel.find_sweep(sweep), value)->scene_refusal().english();
 }
 
 bool says(const std::string& text, const char* part) {
@@ -210,14 +211,14 @@ TEST(GuideStability, ThePreloadTouchesTheLeastOne) {
         return elastic_hinge::solve(input).crank_guide;
     };
     const auto just = guide_with(least * (1.0 + 1e-13));
-    EXPECT_TRUE(just.feasible) << just.reason;
+    EXPECT_TRUE(just.feasible) << just.reason.english();
     for (const double radius : just.radius_compressed) {
         EXPECT_TRUE(std::isfinite(radius));
     }
     EXPECT_LT(just.smallest_deflection, 1e-6 * least);
     const auto missing = guide_with(least * (1.0 - 1e-9));
     EXPECT_FALSE(missing.feasible);
-    EXPECT_TRUE(says(missing.reason, "preload")) << missing.reason;
+    EXPECT_TRUE(says(missing.reason.english(), "preload"));
 }
 
 TEST(GuideStability, TheOdeIsSingularThereAndTheClosedFormIsNot) {

@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "csv_lines.h"
-#include "methods/table_text.h"
+#include "methods/plain_text.h"
 #include "methods/validation/rows.h"
 
 namespace ravnoves::methods {
@@ -26,7 +26,7 @@ const ValidationReport& report() {
 std::vector<ValidationRow> rows_of(const char* scene, const std::string& quantity) {
     std::vector<ValidationRow> found;
     for (const ValidationRow& row : report().rows) {
-        if (row.scene == scene && row.quantity.starts_with(quantity)) {
+        if (row.scene == scene && row.quantity.english().starts_with(quantity)) {
             found.push_back(row);
         }
     }
@@ -36,8 +36,8 @@ std::vector<ValidationRow> rows_of(const char* scene, const std::string& quantit
 TEST(Validation, NoPrintedNumberIsWithoutAnExplanation) {
     for (const ValidationRow& row : report().rows) {
         EXPECT_NE(row.verdict, Verdict::differs)
-            << row.scene << ", " << row.place << ", " << row.quantity << ": printed "
-            << row.printed_text << ", ours " << row.ours_text() << ", by slip "
+            << row.scene << ", " << row.place.english() << ", " << row.quantity.english()
+            << ": printed " << row.printed_text << ", ours " << row.ours_text() << ", by slip "
             << row.by_slip.value_or(std::nan(""));
     }
     EXPECT_EQ(report().count(Verdict::differs), 0U);
@@ -66,7 +66,7 @@ TEST(Validation, CoversThePapers) {
 /// What a verdict claims holds in the row's own numbers.
 TEST(Validation, EveryVerdictIsShownByItsNumbers) {
     for (const ValidationRow& row : report().rows) {
-        const std::string what = row.scene + ", " + row.quantity;
+        const std::string what = row.scene + ", " + row.quantity.english();
         EXPECT_EQ(row.printed, read_printed(row.printed_text).value) << what;
         const bool agrees = row.ours && std::abs(*row.ours - row.printed) <= 1.001 * row.tolerance;
         EXPECT_EQ(row.verdict == Verdict::reproduced, agrees) << what;
@@ -81,7 +81,8 @@ TEST(Validation, EveryVerdictIsShownByItsNumbers) {
         }
         // A wider rule than half a digit is never silent.
         if (row.verdict == Verdict::reproduced && row.tolerance > 0.51 * row.last_digit) {
-            EXPECT_TRUE(row.reason.starts_with("To ")) << what << ": " << row.reason;
+            EXPECT_TRUE(row.reason.english().starts_with("To "))
+                << what << ": " << row.reason.english();
         }
     }
 }
@@ -89,12 +90,12 @@ TEST(Validation, EveryVerdictIsShownByItsNumbers) {
 TEST(Validation, EveryRowSaysWhatWhereAndWhy) {
     std::set<std::string> seen;
     for (const ValidationRow& row : report().rows) {
-        EXPECT_FALSE(row.place.empty()) << row.quantity;
-        EXPECT_FALSE(row.quantity.empty()) << row.place;
-        EXPECT_FALSE(row.reason.empty()) << row.quantity;
-        EXPECT_EQ(row.reason.back(), '.') << row.reason;
-        EXPECT_TRUE(seen.insert(row.scene + row.place + row.quantity).second)
-            << row.place << ", " << row.quantity << " stands there twice";
+        EXPECT_FALSE(row.place.empty()) << row.quantity.english();
+        EXPECT_FALSE(row.quantity.empty()) << row.place.english();
+        EXPECT_FALSE(row.reason.empty()) << row.quantity.english();
+        EXPECT_EQ(row.reason.english().back(), '.') << row.reason.english();
+        EXPECT_TRUE(seen.insert(row.scene + row.place.english() + row.quantity.english()).second)
+            << row.place.english() << ", " << row.quantity.english() << " stands there twice";
         EXPECT_TRUE(std::any_of(papers().begin(), papers().end(),
                                 [&](const Paper& paper) { return paper.scene == row.scene; }));
     }
@@ -103,7 +104,7 @@ TEST(Validation, EveryRowSaysWhatWhereAndWhy) {
 TEST(Validation, GotsAndKlevtsov) {
     EXPECT_EQ(rows_of("balance-shaft", "M_s(").size(), 25U * 11U);
     for (const ValidationRow& row : rows_of("balance-shaft", "M_s(")) {
-        EXPECT_EQ(row.verdict, Verdict::reproduced) << row.quantity;
+        EXPECT_EQ(row.verdict, Verdict::reproduced) << row.quantity.english();
     }
     // The means of Table 3 are of counting the end twice, but for those that are 0 anyway.
     const auto means = rows_of("balance-shaft", "mean M_sm");
@@ -129,13 +130,13 @@ TEST(Validation, GotsAndKlevtsov) {
 
 TEST(Validation, ZotovAndSviridov) {
     for (const ValidationRow& row : rows_of("elastic-hinge", "∮")) {
-        EXPECT_EQ(row.verdict, Verdict::reproduced) << row.place;
+        EXPECT_EQ(row.verdict, Verdict::reproduced) << row.place.english();
     }
     const auto factors = rows_of("elastic-hinge", "factor of M₁₂");
     ASSERT_EQ(factors.size(), 2U);
     for (const ValidationRow& row : factors) {
-        EXPECT_EQ(row.verdict, Verdict::slip) << row.place;
-        EXPECT_NEAR(*row.ours, 1.0, 1e-9) << row.place;  // by virtual power
+        EXPECT_EQ(row.verdict, Verdict::slip) << row.place.english();
+        EXPECT_NEAR(*row.ours, 1.0, 1e-9) << row.place.english();  // by virtual power
     }
     const auto preload = rows_of("elastic-hinge", "ρ₀");
     ASSERT_EQ(preload.size(), 1U);
@@ -146,7 +147,7 @@ TEST(Validation, ZotovAndSviridov) {
 TEST(Validation, Nazarov) {
     for (const char* quantity : {"k_", "Δm_y", "slope"}) {
         for (const ValidationRow& row : rows_of("v8-plugs", quantity)) {
-            EXPECT_EQ(row.verdict, Verdict::reproduced) << row.quantity;
+            EXPECT_EQ(row.verdict, Verdict::reproduced) << row.quantity.english();
         }
     }
     // A steel cup of that thread weighs six times what is printed.
@@ -156,7 +157,7 @@ TEST(Validation, Nazarov) {
 TEST(Validation, ChainovAndVallejoMaldonado) {
     int coefficients = 0;
     for (const ValidationRow& row : rows_of("inertia-moments", "ΣM")) {
-        EXPECT_EQ(row.verdict, Verdict::reproduced) << row.quantity;
+        EXPECT_EQ(row.verdict, Verdict::reproduced) << row.quantity.english();
         ++coefficients;
     }
     EXPECT_EQ(coefficients, 16);
@@ -229,14 +230,15 @@ TEST(Validation, TheTextBeginsWithTheCountsAndFitsItsWidth) {
               std::string::npos);
     EXPECT_EQ(report().summary().find("differs"), std::string::npos);
     for (const Paper& paper : papers()) {
-        EXPECT_NE(text.find(std::string(paper.citation)), std::string::npos);
+        EXPECT_NE(text.find(paper.citation.english()), std::string::npos);
     }
     std::size_t begin = 0;
     while (begin < text.size()) {
         const std::size_t end = text.find('\n', begin);
         const std::string line = text.substr(begin, end - begin);
-        const bool is_citation = std::any_of(papers().begin(), papers().end(),
-                                             [&](const auto& p) { return p.citation == line; });
+        const bool is_citation = std::any_of(papers().begin(), papers().end(), [&](const auto& p) {
+            return p.citation.english() == line;
+        });
         EXPECT_TRUE(is_citation || shown_width(line) <= 120) << line;
         begin = end + 1;
     }
@@ -250,14 +252,14 @@ TEST(Validation, TheCsvReadsBack) {
         const auto& fields = lines[i + 1];
         ASSERT_EQ(fields.size(), lines.front().size());
         EXPECT_EQ(fields[0], row.scene);
-        EXPECT_EQ(fields[2], row.quantity);
+        EXPECT_EQ(fields[2], row.quantity.english());
         EXPECT_EQ(std::stod(fields[4]), row.printed);
         EXPECT_EQ(fields[5].empty(), !row.ours);
         if (row.ours) {
             EXPECT_EQ(std::stod(fields[5]), *row.ours);
         }
         EXPECT_EQ(fields[7], verdict_id(row.verdict));
-        EXPECT_EQ(fields[8], row.reason);
+        EXPECT_EQ(fields[8], row.reason.english());
     }
 }
 

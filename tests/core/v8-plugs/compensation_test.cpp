@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "support.h"
+#include "v8-plugs/presets.h"
 
 namespace ravnoves::v8_plugs {
 namespace {
@@ -120,7 +121,7 @@ TEST(Compensation, AdviceIsTheCheapestThatWorksOnTheCrankshaftFitted) {
                                 ->feasible);
             }
         }
-        const std::string words = describe(advice, excess, plugs.crank_radius, tolerance);
+        const std::string words = describe(advice, excess, plugs.crank_radius, tolerance).english();
         EXPECT_TRUE(words.ends_with(".")) << words;
         EXPECT_EQ(words.find("nan"), std::string::npos) << words;
     }
@@ -137,7 +138,7 @@ TEST(Compensation, WordsOfATechnician) {
     const double limit = 5 * gram_millimetre;
     const auto words = [&](double excess_g, Crankshaft crankshaft = Crankshaft::standard) {
         const Advice advice = advise(plugs, crankshaft, excess_g * gram, limit);
-        return describe(advice, excess_g * gram, r, limit);
+        return describe(advice, excess_g * gram, r, limit).english();
     };
     EXPECT_EQ(words(4.3225), "Machine all 8 steel plugs by 1.83 g each.");
     EXPECT_EQ(words(5.0), "Replace all 8 plugs by aluminium ones lightened by 0.28 g each.");
@@ -146,19 +147,21 @@ TEST(Compensation, WordsOfATechnician) {
               "the 5.0 g·mm allowed.");
     EXPECT_EQ(words(4.7),
               "Machine all 8 steel plugs by 1.95 g each. This leaves 0.10 g too much on each "
-              "crankpin, 3.8 g·mm, within the 5.0 g·mm allowed.");
+              "crankpin: 3.8 g·mm, within the 5.0 g·mm allowed.");
     EXPECT_EQ(words(7.0),
               "No plug of this crankshaft can be made light enough. The nearest is "
-              "steel-to-aluminium, which leaves 1.05 g too much on each crankpin: 42.1 g·mm "
-              "against the 5.0 g·mm allowed. A crankshaft made for the new plugs would do "
-              "(new-steel-to-aluminium).");
+              "“Aluminium plugs”, which leaves 1.05 g too much on each crankpin: 42.1 g·mm "
+              "against the 5.0 g·mm allowed. A crankshaft made for the new plugs would do: "
+              "“New crankshaft, aluminium plugs”.");
     EXPECT_EQ(words(-1.0),
               "The parts are 1.00 g per crankpin lighter than nominal (40.0 g·mm), and plugs can "
               "only be lightened: heavier parts or heavier plugs are needed.");
     EXPECT_EQ(words(1.0, Crankshaft::new_plugs),
               "No plug of this crankshaft has the mass that is needed. The nearest is "
-              "new-steel-to-steel, which over-compensates by 0.92 g on each crankpin: 36.8 g·mm "
-              "against the 5.0 g·mm allowed. A standard crankshaft would do (steel-machined).");
+              "“New crankshaft, today's steel plugs”, which over-compensates by 0.92 g on each "
+              "crankpin: 36.8 g·mm "
+              "against the 5.0 g·mm allowed. A standard crankshaft would do: “Machine today's "
+              "steel plugs”.");
     EXPECT_EQ(words(1.92, Crankshaft::new_plugs), "Fit today's 8 steel plugs as they are.");
 }
 

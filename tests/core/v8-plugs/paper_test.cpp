@@ -6,6 +6,7 @@
 
 #include "support.h"
 #include "v8-plugs/compensation.h"
+#include "v8-plugs/presets.h"
 
 namespace ravnoves::v8_plugs {
 namespace {

@@ -54,8 +54,8 @@ TEST(PlugGeometryTest, SolidPlugBoredNineTenths) {
     const Boring boring = plan_boring(plug, limits, 1.83 * gram, steel_density);
     EXPECT_NEAR(boring.deeper / millimetre, 1.83 / (7.85e-3 * 100 * pi), 1e-9);
     EXPECT_EQ(boring.limit, Boring::Limit::none);
-    EXPECT_EQ(describe(boring, limits),
-              "Bore 0.74 mm deeper with a 20 mm cutter, 8.74 mm from the face.");
+    EXPECT_EQ(describe(boring, limits).english(),
+              "Bore 0.74 mm deeper with a 20 mm cutter, to 8.74 mm from the face.");
 }
 
 TEST(PlugGeometryTest, BoringRemovesExactlyWhatWasAsked) {
@@ -102,7 +102,7 @@ TEST(PlugGeometryTest, BoringRemovesExactlyWhatWasAsked) {
             }
         } else {
             EXPECT_GT(reduction, boring.max_reduction * (1 - 1e-6) - 1e-9);
-            EXPECT_NE(describe(boring, limits).find("cannot"), std::string::npos);
+            EXPECT_NE(describe(boring, limits).english().find("cannot"), std::string::npos);
         }
     }
     EXPECT_GT(bored, 500);

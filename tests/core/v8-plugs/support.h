@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "v8-plugs/case_input.h"
+#include "v8-plugs/input.h"
 
 namespace ravnoves::v8_plugs::test {
 

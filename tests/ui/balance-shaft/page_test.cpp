@@ -12,10 +12,10 @@
 #include <QTableView>
 #include <QTemporaryDir>
 
-#include "balance-shaft/balance_shaft_view_model.h"
 #include "balance-shaft/mechanism_view.h"
+#include "balance-shaft/model/balance_shaft_model.h"
+#include "balance-shaft/model/torque_table_model.h"
 #include "balance-shaft/torque_table_editor.h"
-#include "balance-shaft/torque_table_model.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "events.h"
@@ -43,7 +43,7 @@ class BalanceShaftPageTest : public ::testing::Test {
     }
 
     BalanceShaftPage page;
-    BalanceShaftViewModel* model = nullptr;
+    BalanceShaftModel* model = nullptr;
 };
 
 TEST_F(BalanceShaftPageTest, SliderDragMovesEverythingLive) {
@@ -77,6 +77,7 @@ TEST_F(BalanceShaftPageTest, KeysWheelAndBoxMoveTheShaft) {
     EXPECT_NEAR(model->shaftAngleDeg(), 45.1, 1e-9);
     QTest::keyClick(page.angleSlider()->slider(), Qt::Key_PageUp);
     EXPECT_NEAR(model->shaftAngleDeg(), 55.1, 1e-9);
+    page.angleSlider()->slider()->setFocus();
     test::turnWheel(page.angleSlider()->slider(), QPoint(20, 8), -1);
     EXPECT_LT(model->shaftAngleDeg(), 55.1);
     auto* box = page.angleSlider()->box();
@@ -231,10 +232,10 @@ TEST_F(BalanceShaftPageTest, ImportNamesFileLineAndColumn) {
 }
 
 TEST_F(BalanceShaftPageTest, MeansCanBeChosen) {
-    model->setMeans(BalanceShaftViewModel::Means::CycleIntegral);
+    model->setMeans(BalanceShaftModel::Means::CycleIntegral);
     EXPECT_TRUE(page.meanPlot()->isCurveShown(0));
     EXPECT_FALSE(page.meanPlot()->isCurveShown(2));
-    model->setMeans(BalanceShaftViewModel::Means::PrintedNodes);
+    model->setMeans(BalanceShaftModel::Means::PrintedNodes);
     EXPECT_FALSE(page.meanPlot()->isCurveShown(0));
     EXPECT_TRUE(page.meanPlot()->isCurveShown(2));
     // The paper's artefact: 17.2 N·m from a pure sine at α = 90°.

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "balance-shaft/balance_shaft_page.h"
-#include "balance-shaft/balance_shaft_view_model.h"
 #include "balance-shaft/cycle_view.h"
+#include "balance-shaft/model/balance_shaft_model.h"
 #include "case-file/text_file.h"
 #include "events.h"
 #include "widgets/number_field.h"
@@ -32,7 +32,7 @@ class TorqueSourceTest : public ::testing::Test {
     }
 
     BalanceShaftPage page;
-    BalanceShaftViewModel* model = nullptr;
+    BalanceShaftModel* model = nullptr;
     TorqueSourceEditor* source = nullptr;
 };
 
@@ -71,6 +71,7 @@ TEST_F(TorqueSourceTest, FieldsOfTheCycleEditTheCase) {
     ratio->selectAll();
     QTest::keyClicks(ratio, QStringLiteral("16,5"));
     EXPECT_DOUBLE_EQ(model->input().torque.cycle.compression_ratio, 16.5);
+    QTest::keyClick(ratio, Qt::Key_Return);
     QTest::keyClicks(ratio, QStringLiteral("x"));
     EXPECT_FALSE(ratio->trouble().isEmpty());
     EXPECT_DOUBLE_EQ(model->input().torque.cycle.compression_ratio, 16.5);

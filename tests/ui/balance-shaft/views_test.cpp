@@ -7,14 +7,14 @@
 #include <cmath>
 
 #include "balance-shaft/balance_shaft_page.h"
-#include "balance-shaft/balance_shaft_view_model.h"
 #include "balance-shaft/envelope_view.h"
 #include "balance-shaft/forces_view.h"
+#include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/orders_view.h"
 #include "balance-shaft/speed_view.h"
 #include "balance-shaft/torque_source_editor.h"
 #include "events.h"
-#include "widgets/background_job.h"
+#include "model/background_job.h"
 #include "widgets/value_slider.h"
 
 namespace ravnoves {
@@ -36,7 +36,7 @@ class BalanceShaftViewsTest : public ::testing::Test {
     }
 
     BalanceShaftPage page;
-    BalanceShaftViewModel* model = nullptr;
+    BalanceShaftModel* model = nullptr;
 };
 
 TEST_F(BalanceShaftViewsTest, OrdersFollowTheShaft) {

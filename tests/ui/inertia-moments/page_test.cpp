@@ -24,11 +24,12 @@
 #include "events.h"
 #include "inertia-moments/crank_views.h"
 #include "inertia-moments/cylinder_editor.h"
-#include "inertia-moments/cylinder_table_model.h"
 #include "inertia-moments/engine_view.h"
-#include "inertia-moments/inertia_moments_view_model.h"
+#include "inertia-moments/model/cylinder_table_model.h"
+#include "inertia-moments/model/inertia_moments_model.h"
 #include "inertia-moments/order_bars.h"
 #include "inertia-moments/shaft_view.h"
+#include "plot/plot_view.h"
 #include "theme/theme.h"
 #include "widgets/decimal_spin_box.h"
 #include "widgets/number_field.h"
@@ -38,7 +39,7 @@ namespace ravnoves {
 namespace {
 
 using inertia_moments::RotatingPair;
-using Tabs = InertiaMomentsViewModel::Tabs;
+using Tabs = InertiaMomentsModel::Tabs;
 
 class InertiaMomentsPageTest : public ::testing::Test {
   protected:
@@ -56,7 +57,7 @@ class InertiaMomentsPageTest : public ::testing::Test {
         QTest::keyClick(target, Qt::Key_Return);
     }
     void tab(Tabs group, const char* name) {
-        const QStringList names = InertiaMomentsViewModel::tabNames(group);
+        const QStringList names = InertiaMomentsModel::tabNames(group);
         model->setTab(group, static_cast<int>(names.indexOf(QString::fromLatin1(name))));
         QApplication::processEvents();
     }
@@ -77,35 +78,36 @@ class InertiaMomentsPageTest : public ::testing::Test {
     }
 
     InertiaMomentsPage page;
-    InertiaMomentsViewModel* model = nullptr;
+    InertiaMomentsModel* model = nullptr;
 };
 
 TEST_F(InertiaMomentsPageTest, DraggingTheBankAngleUpdatesEverythingLive) {
     const QString before = page.resultsAsText();
-    drag(page.bankSlider()->slider(), 40);
+    drag(page.sliders()->bank()->slider(), 40);
     EXPECT_GT(model->bankAngleDeg(), 25.0);
-    EXPECT_NEAR(page.bankSlider()->box()->value(), model->bankAngleDeg(), 0.051);
+    EXPECT_NEAR(page.sliders()->bank()->box()->value(), model->bankAngleDeg(), 0.051);
     EXPECT_NE(page.resultsAsText(), before);
     // The plots show the new moments: curve 2 is the exact My.
     const RotatingPair& pair = model->result().exact.order(1).moment;
-    EXPECT_NEAR(*page.momentPlot(1)->valueAt(2, 30.0), pair.at(30.0 * degree).imag(), 1e-9);
-    EXPECT_NEAR(*page.momentPlot(2)->valueAt(3, 30.0),
+    EXPECT_NEAR(*page.charts()->moment(1)->valueAt(2, 30.0), pair.at(30.0 * degree).imag(), 1e-9);
+    EXPECT_NEAR(*page.charts()->moment(2)->valueAt(3, 30.0),
                 model->result().exact.order(2).moment.at(60.0 * degree).real(), 1e-9);
     EXPECT_EQ(model->history()->count(), 1);
     model->history()->undo();
-    EXPECT_NEAR(page.bankSlider()->value(), 15.0, 1e-9);
+    EXPECT_NEAR(page.sliders()->bank()->value(), 15.0, 1e-9);
 }
 
 TEST_F(InertiaMomentsPageTest, EverySliderMovesItsValue) {
-    drag(page.offsetSlider()->slider(), -30);
+    drag(page.sliders()->offset()->slider(), -30);
     EXPECT_LT(model->offsetMm(), 12.0);
-    drag(page.speedSlider()->slider(), -30);
+    drag(page.sliders()->speed()->slider(), -30);
     EXPECT_LT(model->speedRpm(), 6100.0);
-    drag(page.referenceSlider()->slider(), 20);
+    drag(page.sliders()->reference()->slider(), 20);
     EXPECT_GT(model->referenceMm(), 2.0);
-    QTest::keyClick(page.speedSlider()->slider(), Qt::Key_Right);
-    test::turnWheel(page.speedSlider()->slider(), QPoint(20, 8), 1);
-    auto* box = page.offsetSlider()->box();
+    QTest::keyClick(page.sliders()->speed()->slider(), Qt::Key_Right);
+    page.sliders()->speed()->slider()->setFocus();
+    test::turnWheel(page.sliders()->speed()->slider(), QPoint(20, 8), 1);
+    auto* box = page.sliders()->offset()->box();
     box->setFocus();
     box->selectAll();
     QTest::keyClicks(box, QStringLiteral("10,25"));
@@ -123,16 +125,16 @@ TEST_F(InertiaMomentsPageTest, EverySliderMovesItsValue) {
 
 TEST_F(InertiaMomentsPageTest, SlidersThatMeanNothingAreOff) {
     model->chooseLayout(QStringLiteral("i4"));
-    EXPECT_FALSE(page.bankSlider()->isEnabled());
-    EXPECT_TRUE(page.offsetSlider()->isEnabled());
+    EXPECT_FALSE(page.sliders()->bank()->isEnabled());
+    EXPECT_TRUE(page.sliders()->offset()->isEnabled());
     model->chooseLayout(QStringLiteral("table"));
-    EXPECT_FALSE(page.offsetSlider()->isEnabled());
+    EXPECT_FALSE(page.sliders()->offset()->isEnabled());
     model->chooseLayout(QStringLiteral("vr6"));
-    EXPECT_TRUE(page.bankSlider()->isEnabled());
+    EXPECT_TRUE(page.sliders()->bank()->isEnabled());
 }
 
 TEST_F(InertiaMomentsPageTest, LayoutsAreChosenFromTheList) {
-    QComboBox* box = page.layoutChoice();
+    QComboBox* box = page.engineForm()->layoutChoice();
     box->setFocus();
     QTest::keyClick(box, Qt::Key_Home);
     for (int i = 0; i < box->count() - 1; ++i) {
@@ -176,7 +178,7 @@ TEST_F(InertiaMomentsPageTest, BadFieldsAreRefusedInWords) {
     const Json before = model->inputJson();
     type(field("lambda"), QStringLiteral("0.95"));
     ASSERT_GE(status.size(), 1);
-    EXPECT_TRUE(status.last().at(0).toString().contains(QStringLiteral("locks with its crank at")));
+    EXPECT_TRUE(status.last().at(0).toString().contains(QStringLiteral("locks with the crank at")));
     EXPECT_EQ(model->inputJson(), before);
     auto* order = page.findChild<QLineEdit*>(QStringLiteral("firing_order"));
     type(order, QStringLiteral("1-2-3"));
@@ -197,15 +199,15 @@ TEST_F(InertiaMomentsPageTest, RigidRodIsSwitchedOnAsTwoMasses) {
 
 TEST_F(InertiaMomentsPageTest, ClickOnAShaftShowsWhatItCancels) {
     tab(Tabs::Charts, "shafts");
-    ShaftView* view = page.shaftView();
+    ShaftView* view = page.charts()->shaftView();
     ASSERT_TRUE(view->isVisible());
     const double before = model->result().remaining.order(1).moment.max();
     // No curve of what is left while nothing acts on order 1 but weights that balance each other.
-    EXPECT_FALSE(page.momentPlot(1)->valueAt(4, 90.0).has_value());
+    EXPECT_FALSE(page.charts()->moment(1)->valueAt(4, 90.0).has_value());
     QTest::mouseClick(view, Qt::LeftButton, {}, view->cell(0).center().toPoint());
     EXPECT_TRUE(model->input().shafts[0].enabled);
     EXPECT_LT(model->result().remaining.order(1).moment.max(), before);
-    EXPECT_NEAR(*page.momentPlot(1)->valueAt(4, 90.0),
+    EXPECT_NEAR(*page.charts()->moment(1)->valueAt(4, 90.0),
                 model->result().remaining.order(1).moment.at(90.0 * degree).imag(), 1e-9);
     QTest::keyClick(view, Qt::Key_Right);
     QTest::keyClick(view, Qt::Key_Space);
@@ -258,7 +260,7 @@ TEST_F(InertiaMomentsPageTest, CylindersAreEditedAsATable) {
     tab(Tabs::Inputs, "cylinders");
     CylinderTableModel* table = page.cylinderEditor()->tableModel();
     ASSERT_EQ(table->rowCount(), 5);
-    QSignalSpy trouble(table, &CylinderTableModel::troubleChanged);
+    QSignalSpy trouble(table, &EditableTable::troubleChanged);
     EXPECT_TRUE(table->setData(table->index(1, CylinderTableModel::CrankpinAngle),
                                QStringLiteral("200,5"), Qt::EditRole));
     EXPECT_EQ(model->layoutName(), QStringLiteral("table"));
@@ -266,11 +268,17 @@ TEST_F(InertiaMomentsPageTest, CylindersAreEditedAsATable) {
     EXPECT_FALSE(table->setData(table->index(1, CylinderTableModel::Offset), QStringLiteral("x"),
                                 Qt::EditRole));
     EXPECT_FALSE(trouble.last().at(0).toString().isEmpty());
+    // What was refused stays where it was typed.
+    const auto refused = table->index(1, CylinderTableModel::Offset);
+    EXPECT_TRUE(table->setData(table->index(2, CylinderTableModel::CrankpinAngle),
+                               QStringLiteral("100"), Qt::EditRole));
+    EXPECT_EQ(refused.data().toString(), QStringLiteral("x"));
+    EXPECT_TRUE(refused.data(EditableTable::TroubleRole).toBool());
     // An offset at which cylinder 1 locks.
     EXPECT_FALSE(table->setData(table->index(0, CylinderTableModel::Offset), QStringLiteral("150"),
                                 Qt::EditRole));
     EXPECT_TRUE(trouble.last().at(0).toString().contains(QStringLiteral("locks")));
-    QTest::mouseClick(page.findChild<QToolButton*>(QStringLiteral("add_cylinder")), Qt::LeftButton);
+    QTest::mouseClick(page.findChild<QToolButton*>(QStringLiteral("add_row")), Qt::LeftButton);
     EXPECT_EQ(table->rowCount(), 6);
     table->removeRowRange(0, 6);
     EXPECT_EQ(table->rowCount(), 6);  // one at least
@@ -289,7 +297,8 @@ TEST_F(InertiaMomentsPageTest, CylindersAreTypedPastedAndCopied) {
     view->setFocus();
     // A V-twin from a spreadsheet over the first rows.
     view->setCurrentIndex(view->model()->index(0, 0));
-    QApplication::clipboard()->setText(QStringLiteral("0\t22,5\t0\t0\r\n0\t-22,5\t0\t0\r\n"));
+    QApplication::clipboard()->setText(
+        QStringLiteral("z\tβ\te\tκ\r\n0\t22,5\t0\t0\r\n0\t-22,5\t0\t0\r\n"));
     QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
     EXPECT_NEAR(model->input().cylinders.at(1).bank_angle / degree, -22.5, 1e-9);
     EXPECT_EQ(model->input().cylinders.size(), 5U);
@@ -321,18 +330,18 @@ TEST_F(InertiaMomentsPageTest, CylindersAreTypedPastedAndCopied) {
 }
 
 TEST_F(InertiaMomentsPageTest, TheCursorTurnsTheCrankInEveryView) {
-    PlotView* plot = page.momentPlot(1);
+    PlotView* plot = page.charts()->moment(1);
     const QPoint p(plot->toPixel(400.0, 0.0).toPoint().x(),
                    plot->plotArea().center().toPoint().y());
     QMouseEvent move(QEvent::MouseMove, p, plot->mapToGlobal(p), Qt::NoButton, Qt::NoButton,
                      Qt::NoModifier);
     QApplication::sendEvent(plot, &move);
     EXPECT_NEAR(model->crankAngleDeg(), 400.0, 3.0);
-    EXPECT_NEAR(page.crankSlider()->value(), model->crankAngleDeg(), 0.51);
+    EXPECT_NEAR(page.answer()->picturePanel()->slider()->value(), model->crankAngleDeg(), 0.51);
 }
 
 TEST_F(InertiaMomentsPageTest, PicturePlaysPausesAndTurns) {
-    EngineView* picture = page.picture();
+    EngineView* picture = page.answer()->picture();
     picture->setFocus();
     const double before = model->crankAngleDeg();
     QTest::keyClick(picture, Qt::Key_Space);
@@ -360,7 +369,7 @@ TEST_F(InertiaMomentsPageTest, PicturePlaysPausesAndTurns) {
 
 TEST_F(InertiaMomentsPageTest, BarsShowExactBesideTwoTerm) {
     tab(Tabs::Charts, "orders");
-    OrderBars* bars = page.orderBars();
+    OrderBars* bars = page.charts()->bars();
     ASSERT_TRUE(bars->isVisible());
     const auto groups = bars->groups();
     ASSERT_EQ(groups.size(), 12U);
@@ -383,13 +392,13 @@ TEST_F(InertiaMomentsPageTest, BarsShowExactBesideTwoTerm) {
 }
 
 TEST_F(InertiaMomentsPageTest, HodographsHoldTheVectors) {
-    const QString csv = page.momentHodograph()->dataAsCsv();
+    const QString csv = page.charts()->hodograph(false)->dataAsCsv();
     EXPECT_TRUE(csv.contains(QStringLiteral("1st")));
-    const auto [low, high] = page.momentHodograph()->yInterval(PlotView::Side::Left);
+    const auto [low, high] = page.charts()->hodograph(false)->yInterval(PlotView::Side::Left);
     EXPECT_GT(high, model->result().exact.order(2).moment.max());
     EXPECT_NEAR(low, -high, 1e-6 * high);
     // One newton-metre is as long in x as in y.
-    PlotView* plot = page.momentHodograph();
+    PlotView* plot = page.charts()->hodograph(false);
     const QPointF zero = plot->toPixel(0, 0);
     const QPointF x = plot->toPixel(100, 0);
     const QPointF y = plot->toPixel(0, 100);
@@ -403,10 +412,10 @@ TEST_F(InertiaMomentsPageTest, HodographsHoldTheVectors) {
 TEST_F(InertiaMomentsPageTest, EveryTabOfEveryLayoutDrawsInBothThemes) {
     for (const auto mode : {Theme::Mode::Light, Theme::Mode::Dark}) {
         Theme::instance().setMode(mode);
-        for (const QString& name : InertiaMomentsViewModel::layoutNames()) {
+        for (const QString& name : InertiaMomentsModel::layoutNames()) {
             model->chooseLayout(name);
             for (const Tabs group : {Tabs::Inputs, Tabs::Charts, Tabs::Answer}) {
-                for (int i = 0; i < InertiaMomentsViewModel::tabNames(group).size(); ++i) {
+                for (int i = 0; i < InertiaMomentsModel::tabNames(group).size(); ++i) {
                     model->setTab(group, i);
                 }
             }
@@ -416,7 +425,7 @@ TEST_F(InertiaMomentsPageTest, EveryTabOfEveryLayoutDrawsInBothThemes) {
     Theme::instance().setMode(Theme::Mode::Light);
     // A firing order that the crank cannot run through, and no shafts, no weights.
     model->chooseLayout(QStringLiteral("v8-cross-plane"));
-    model->setFiringOrderText(QStringLiteral("1-2-3-4-5-6-7-8"));
+    model->setFiringOrder({1, 2, 3, 4, 5, 6, 7, 8});
     model->edit(QStringLiteral("bare"), [](inertia_moments::Input& input) {
         input.shafts.clear();
         input.end_webs.reset();

@@ -22,12 +22,12 @@
 #include "events.h"
 #include "language/catalogue.h"
 #include "methods/methods_page.h"
+#include "model/background_job.h"
 #include "shell/help_window.h"
-#include "shell/language.h"
 #include "shell/main_window.h"
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
-#include "widgets/background_job.h"
+#include "text/language.h"
 
 namespace ravnoves {
 namespace {

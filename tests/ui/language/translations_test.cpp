@@ -42,12 +42,22 @@ std::vector<CatalogueEntry> textsOfToday() {
     const QString copy = folder.filePath(u"ru.ts"_s);
     EXPECT_TRUE(QFile::copy(test::russianFile(), copy));
     QFile::setPermissions(copy, QFile::ReadOwner | QFile::WriteOwner);
-    QStringList arguments{u"-silent"_s, u"-no-obsolete"_s, u"-locations"_s,
-                          u"none"_s,    u"-I"_s,           QStringLiteral(RAVNOVES_SOURCE "/ui")};
-    for (QDirIterator files(QStringLiteral(RAVNOVES_SOURCE "/ui"), {u"*.cpp"_s, u"*.h"_s},
-                            QDir::Files, QDirIterator::Subdirectories);
-         files.hasNext();) {
-        arguments << files.next();
+    // As the target update-translations does.
+    QStringList arguments{u"-silent"_s,
+                          u"-no-obsolete"_s,
+                          u"-locations"_s,
+                          u"none"_s,
+                          u"-tr-function-alias"_s,
+                          u"QT_TRANSLATE_NOOP+=CORE_TEXT"_s,
+                          u"-I"_s,
+                          QStringLiteral(RAVNOVES_SOURCE "/ui")};
+    for (const QString& layer :
+         {QStringLiteral(RAVNOVES_SOURCE "/core"), QStringLiteral(RAVNOVES_SOURCE "/ui")}) {
+        for (QDirIterator files(layer, {u"*.cpp"_s, u"*.h"_s}, QDir::Files,
+                                QDirIterator::Subdirectories);
+             files.hasNext();) {
+            arguments << files.next();
+        }
     }
     arguments << u"-ts"_s << copy;
     QProcess lupdate;

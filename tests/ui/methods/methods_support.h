@@ -5,20 +5,20 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "methods/methods_view_model.h"
+#include "methods/model/methods_model.h"
 
 namespace ravnoves::test {
 
 inline constexpr int patience = 60'000;  ///< ms: the machine may be busy
 
 /// Waits until what is chosen has been measured.
-inline void waitUntilMeasured(MethodsViewModel& model) {
+inline void waitUntilMeasured(MethodsModel& model) {
     ASSERT_TRUE(
         QTest::qWaitFor([&] { return model.shown() != nullptr && !model.isStale(); }, patience));
 }
 
 /// Measures without the page being in front.
-inline void measureNow(MethodsViewModel& model) {
+inline void measureNow(MethodsModel& model) {
     QSignalSpy measured(model.measurements(), &MethodMeasurements::measured);
     model.measurements()->start(model.kernel(), model.sweepIndex(), model.value(),
                                 MeasurementEffort::quick);

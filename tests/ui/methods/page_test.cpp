@@ -19,7 +19,7 @@
 
 #include "events.h"
 #include "methods/method_plots.h"
-#include "methods/method_words.h"
+#include "methods/model/method_words.h"
 #include "methods/validation_view.h"
 #include "methods_support.h"
 #include "shell/main_window.h"
@@ -71,7 +71,7 @@ class MethodsPageTest : public ::testing::Test {
     }
 
     MethodsPage page;
-    MethodsViewModel* model = nullptr;
+    MethodsModel* model = nullptr;
     QTemporaryDir folder;
 };
 
@@ -178,6 +178,7 @@ TEST_F(MethodsPageTest, SliderAndFieldSetTheValue) {
     EXPECT_NE(field->trouble(), QString());
     EXPECT_EQ(model->value(), 0.9999);
     QTest::keyClick(field, Qt::Key_Escape);
+    slider->setFocus();
     test::turnWheel(slider, QPoint(20, y), -1);
     EXPECT_LT(model->value(), 0.9999);
     QTest::mouseClick(find<QPushButton>("take_case"), Qt::LeftButton);

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "events.h"
+#include "plot/model/ticks.h"
 #include "plot/plot_view.h"
-#include "plot/ticks.h"
 
 namespace ravnoves {
 namespace {

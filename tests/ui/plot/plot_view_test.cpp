@@ -11,8 +11,7 @@
 
 #include "events.h"
 #include "plot/legend_item.h"
-#include "plot/thin_polyline.h"
-#include "plot/ticks.h"
+#include "plot/model/ticks.h"
 
 namespace ravnoves {
 namespace {
@@ -33,36 +32,6 @@ std::vector<double> sine(const std::vector<double>& x, double amplitude) {
         y.push_back(amplitude * std::sin(v * pi / 180.0));
     }
     return y;
-}
-
-TEST(ThinPolyline, DropsOnlyWhatMovesNoPixel) {
-    std::vector<QPointF> points;
-    for (int i = 0; i <= 720; ++i) {
-        points.emplace_back(i, 120.0 * std::sin(i * pi / 180.0));
-    }
-    const std::vector<QPointF> thinned = thinPolyline(points, 0.25);
-    EXPECT_LT(thinned.size(), 200U);
-    EXPECT_GT(thinned.size(), 20U);
-    // Every dropped point lies within a quarter pixel of the line that remains.
-    std::size_t segment = 0;
-    for (const QPointF& p : points) {
-        while (thinned[segment + 1].x() < p.x()) {
-            ++segment;
-        }
-        const QPointF a = thinned[segment];
-        const QPointF d = thinned[segment + 1] - a;
-        const double distance =
-            std::abs(d.x() * (p.y() - a.y()) - d.y() * (p.x() - a.x())) / std::hypot(d.x(), d.y());
-        EXPECT_LE(distance, 0.25 + 1e-12);
-    }
-}
-
-TEST(ThinPolyline, HandlesFewAndEqualPoints) {
-    EXPECT_TRUE(thinPolyline({}).empty());
-    EXPECT_EQ(thinPolyline({{1, 1}}).size(), 1U);
-    EXPECT_EQ(thinPolyline({{1, 1}, {1, 1}, {1, 1}}).size(), 2U);
-    // A closed curve keeps its far side.
-    EXPECT_EQ(thinPolyline({{0, 0}, {10, 0}, {10, 10}, {0, 0}}).size(), 4U);
 }
 
 TEST(Ticks, AreWhatAPersonWouldChoose) {
@@ -217,6 +186,40 @@ TEST_F(PlotViewTest, TellsWhichCurveIsSwitched) {
     EXPECT_FALSE(toggled[0][1].toBool());
 }
 
+TEST_F(PlotViewTest, AFamilyShowsTheVariantsThatAreThere) {
+    const auto family = plot.addFamily(3, {.name = {}, .colour = 2});
+    const int first = family.first;
+    EXPECT_EQ(plot.curveCount(), 4);
+    const std::vector<double> x{0.0, 720.0};
+    plot.setFamily(family, x, {{QStringLiteral("a"), {1, 1}}, {QStringLiteral("b"), {2, 2}}});
+    EXPECT_TRUE(plot.isCurveShown(first) && plot.isCurveShown(first + 1));
+    EXPECT_FALSE(plot.isCurveShown(first + 2));
+    EXPECT_EQ(plot.curveName(first + 1), QStringLiteral("b"));
+    EXPECT_EQ(plot.valueAt(first + 1, 360.0), 2.0);
+    // What the legend hides stays hidden, until the variant goes and comes back.
+    plot.setCurveShown(first, false);
+    plot.setFamily(family, x, {{QStringLiteral("c"), {3, 3}}, {QStringLiteral("b"), {}}});
+    EXPECT_FALSE(plot.isCurveShown(first));
+    EXPECT_FALSE(plot.isCurveShown(first + 1));
+    EXPECT_EQ(plot.curveName(first + 1), QString());
+    plot.setFamily(family, x, {});
+    plot.setFamily(family, x, {{QStringLiteral("c"), {3, 3}}});
+    EXPECT_TRUE(plot.isCurveShown(first));
+}
+
+TEST_F(PlotViewTest, AllPlotsOfAPageAreReset) {
+    QWidget page;
+    plot.setParent(&page);
+    plot.grab();
+    const auto whole = plot.xInterval();
+    QTest::keyClick(&plot, Qt::Key_Plus);
+    EXPECT_TRUE(plot.isZoomed());
+    resetAllZoom(&page);
+    plot.grab();
+    EXPECT_EQ(plot.xInterval(), whole);
+    plot.setParent(nullptr);
+}
+
 TEST_F(PlotViewTest, KeysZoomMoveAndReset) {
     const auto whole = plot.xInterval();
     QTest::keyClick(&plot, Qt::Key_Plus);
@@ -227,27 +230,6 @@ TEST_F(PlotViewTest, KeysZoomMoveAndReset) {
     QSignalSpy moved(&plot, &PlotView::cursorMoved);
     QTest::keyClick(&plot, Qt::Key_Right);
     EXPECT_EQ(moved.size(), 1);
-}
-
-TEST_F(PlotViewTest, LeavesOutWhatIsNotFinite) {
-    const double bad = std::nan("");
-    plot.setCurve(curve, {0, 1, 2, 3}, {1, bad, INFINITY, 4});
-    plot.grab();
-    EXPECT_NEAR(*plot.valueAt(curve, 1.5), 2.5, 1e-12);
-    EXPECT_TRUE(std::isfinite(plot.yInterval(PlotView::Side::Left).second));
-    plot.setCurve(curve, {}, {});
-    plot.grab();
-}
-
-TEST_F(PlotViewTest, AxisRestsWhileTheDataFit) {
-    const auto x = ramp(721, 720.0);
-    const auto before = plot.yInterval(PlotView::Side::Left);
-    plot.setCurve(curve, x, sine(x, 80.0));
-    plot.grab();
-    EXPECT_EQ(plot.yInterval(PlotView::Side::Left), before);
-    plot.setCurve(curve, x, sine(x, 20.0));
-    plot.grab();
-    EXPECT_LT(plot.yInterval(PlotView::Side::Left).second, before.second);
 }
 
 TEST_F(PlotViewTest, ExportsPictureAndData) {

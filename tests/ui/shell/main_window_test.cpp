@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QFile>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QTemporaryDir>
 #include <QTextBrowser>
@@ -16,6 +17,7 @@
 #include "case-file/text_file.h"
 #include "events.h"
 #include "shell/help_window.h"
+#include "shell/scene_list.h"
 #include "shell/scene_page.h"
 #include "shell/screenshot.h"
 #include "theme/icons.h"

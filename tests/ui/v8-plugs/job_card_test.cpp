@@ -2,6 +2,7 @@
 // with what the command line computes from the same case.
 
 #include "v8-plugs/job_card.h"
+#include "v8-plugs/scene.h"
 
 #include <gtest/gtest.h>
 
@@ -13,16 +14,15 @@
 #include <cmath>
 #include <random>
 
-#include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "scenes/scenes.h"
 
 namespace ravnoves {
 namespace {
 
 using namespace Qt::StringLiterals;
-using v8_plugs::CaseInput;
-using v8_plugs::Completeness;
+using v8_plugs::Input;
 
 class JobCardTest : public ::testing::Test {
   protected:

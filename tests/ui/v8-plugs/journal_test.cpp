@@ -1,4 +1,4 @@
-#include "v8-plugs/journal.h"
+#include "v8-plugs/model/journal.h"
 
 #include <gtest/gtest.h>
 

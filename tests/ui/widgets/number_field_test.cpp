@@ -2,14 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <QComboBox>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QVBoxLayout>
 
 #include "events.h"
+#include "text/number_text.h"
 #include "widgets/decimal_spin_box.h"
-#include "widgets/number_text.h"
 #include "widgets/value_slider.h"
+#include "widgets/wheel_guard.h"
 
 namespace ravnoves {
 namespace {
@@ -19,12 +21,15 @@ class NumberFieldTest : public ::testing::Test {
     NumberFieldTest() {
         field.setRange(Range::greater_than(0, 100), QStringLiteral("mm"));
         field.setValue(46.0);
-        test::showAt(field, {120, 30});
+        field.setGeometry(0, 0, 120, 30);
+        test::showAt(box, {120, 80});
+        box.activateWindow();
         field.setFocus();
         field.selectAll();
     }
 
-    NumberField field;
+    QWidget box;
+    NumberField field{&box};
 };
 
 TEST_F(NumberFieldTest, TakesCommaAndPoint) {
@@ -45,12 +50,59 @@ TEST_F(NumberFieldTest, RefusesInWordsAndKeepsTheLastValue) {
               QStringLiteral("The value must be greater than 0 and at most 100\u00A0mm."));
     EXPECT_EQ(field.text(), QStringLiteral("-3"));  // nothing is lost
     EXPECT_TRUE(edited.isEmpty());
-    // What is typed follows at once, so a valid beginning ("10" of "101") has been a value.
-    for (const char* bad : {"nan", "inf", "1e999", "abc", "1 2", "0", "101"}) {
+    // A valid beginning ("10" of "101") shows its effect, but does not count.
+    for (const char* bad : {"nan", "inf", "1e999", "abc", "1 2", "0", "101", "56.7.1"}) {
         field.selectAll();
         QTest::keyClicks(&field, QString::fromLatin1(bad));
         EXPECT_FALSE(field.trouble().isEmpty()) << bad;
+        EXPECT_EQ(field.value(), 46.0) << bad;
     }
+    EXPECT_EQ(edited.last().at(0).value<std::optional<double>>(), 46.0);
+}
+
+TEST_F(NumberFieldTest, RefusedTextStaysUntilAnotherValueIsSet) {
+    QLineEdit other(&box);
+    other.setGeometry(0, 40, 120, 30);
+    other.show();
+    QTest::keyClicks(&field, QStringLiteral("56.7.1"));
+    QTest::mouseClick(&other, Qt::LeftButton);
+    ASSERT_TRUE(other.hasFocus());
+    field.setValue(46.0);  // as a model does whenever something changed
+    EXPECT_EQ(field.text(), QStringLiteral("56.7.1"));
+    EXPECT_FALSE(field.trouble().isEmpty());
+    QTest::mouseClick(&field, Qt::LeftButton);
+    QTest::keyClick(&field, Qt::Key_Escape);
+    EXPECT_EQ(field.text(), QStringLiteral("46"));
+    EXPECT_TRUE(field.trouble().isEmpty());
+    field.selectAll();
+    QTest::keyClicks(&field, QStringLiteral("x"));
+    field.setValue(47.0);
+    EXPECT_EQ(field.text(), QStringLiteral("47"));
+    EXPECT_TRUE(field.trouble().isEmpty());
+}
+
+TEST_F(NumberFieldTest, EscapeUndoesTheWholeEditing) {
+    QSignalSpy edited(&field, &NumberField::valueEdited);
+    QSignalSpy begun(&field, &EntryField::editingBegun);
+    QSignalSpy ended(&field, &EntryField::editingEnded);
+    QTest::keyClicks(&field, QStringLiteral("12,5"));
+    EXPECT_EQ(field.value(), 12.5);
+    EXPECT_EQ(begun.size(), 1);
+    EXPECT_TRUE(ended.isEmpty());
+    QTest::keyClick(&field, Qt::Key_Escape);
+    EXPECT_EQ(field.value(), 46.0);
+    EXPECT_EQ(field.text(), QStringLiteral("46"));
+    EXPECT_EQ(edited.last().at(0).value<std::optional<double>>(), 46.0);
+    EXPECT_EQ(ended.size(), 1);
+    // Enter ends an editing: Escape after it undoes nothing.
+    field.selectAll();
+    QTest::keyClicks(&field, QStringLiteral("12,50"));
+    QTest::keyClick(&field, Qt::Key_Return);
+    EXPECT_EQ(field.text(), QStringLiteral("12.5"));
+    QTest::keyClick(&field, Qt::Key_Escape);
+    EXPECT_EQ(field.value(), 12.5);
+    EXPECT_EQ(begun.size(), 2);
+    EXPECT_EQ(ended.size(), 2);
 }
 
 TEST_F(NumberFieldTest, EscapeBringsTheLastValueBack) {
@@ -107,6 +159,7 @@ TEST_F(ValueSliderTest, KeysMoveByStepAndPage) {
 }
 
 TEST_F(ValueSliderTest, WheelAndGrooveMoveIt) {
+    slider.slider()->setFocus();
     test::turnWheel(slider.slider(), slider.slider()->rect().center(), 1);
     EXPECT_GT(slider.value(), 45.0);
     const double before = slider.value();
@@ -129,6 +182,44 @@ TEST_F(ValueSliderTest, SettingTheValueSaysNothing) {
     slider.setValue(100.0);
     EXPECT_TRUE(edited.isEmpty());
     EXPECT_NEAR(slider.slider()->value(), 1000, 1);
+}
+
+TEST(WheelGuard, TheWheelChangesOnlyWhatHasTheFocus) {
+    guardWheel();
+    QWidget window;
+    auto* column = new QVBoxLayout(&window);
+    auto* first = new QLineEdit;
+    auto* choice = new QComboBox;
+    choice->addItems({QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")});
+    auto* slider = new QSlider(Qt::Horizontal);
+    slider->setFocusPolicy(Qt::StrongFocus);
+    auto* box = new DecimalSpinBox;
+    for (QWidget* each : {static_cast<QWidget*>(first), static_cast<QWidget*>(choice),
+                          static_cast<QWidget*>(slider), static_cast<QWidget*>(box)}) {
+        column->addWidget(each);
+    }
+    test::showAt(window, {300, 200});
+    window.activateWindow();
+    const auto turn = [&] {
+        test::turnWheel(choice, choice->rect().center(), -1);
+        test::turnWheel(slider, slider->rect().center(), 1);
+        test::turnWheel(box, box->rect().center(), 1);
+    };
+    first->setFocus();
+    turn();
+    EXPECT_EQ(choice->currentIndex(), 0);
+    EXPECT_EQ(slider->value(), 0);
+    EXPECT_EQ(box->value(), 0.0);
+    // A real turn of the wheel would give them the focus first.
+    EXPECT_EQ(choice->focusPolicy(), Qt::StrongFocus);
+    EXPECT_EQ(box->focusPolicy(), Qt::StrongFocus);
+    choice->setFocus();
+    turn();
+    EXPECT_EQ(choice->currentIndex(), 1);
+    box->setFocus();
+    turn();
+    EXPECT_EQ(choice->currentIndex(), 1);
+    EXPECT_EQ(box->value(), 1.0);
 }
 
 TEST(LogarithmicSlider, GoesByDecades) {

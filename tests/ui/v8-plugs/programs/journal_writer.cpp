@@ -7,7 +7,7 @@
 #include <QJsonObject>
 #include <cstdio>
 
-#include "v8-plugs/journal.h"
+#include "v8-plugs/model/journal.h"
 
 int main(int argc, char** argv) {
     QCoreApplication app(argc, argv);

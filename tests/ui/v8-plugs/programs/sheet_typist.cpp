@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <cstdio>
 
-#include "v8-plugs/v8_plugs_view_model.h"
+#include "v8-plugs/model/v8_plugs_model.h"
 
 int main(int argc, char** argv) {
     QCoreApplication app(argc, argv);
@@ -12,14 +12,14 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "usage: sheet_typist FILE\n");
         return 2;
     }
-    ravnoves::V8PlugsViewModel model(QCoreApplication::arguments().at(1), nullptr);
+    ravnoves::V8PlugsModel model(QCoreApplication::arguments().at(1), nullptr);
     if (!model.openJournal()) {
         std::fprintf(stderr, "%s\n", qPrintable(model.journalTrouble()));
         return 1;
     }
     for (int field = 0; field < 100000; ++field) {
         const double grams = 600.0 + field % 997;
-        model.edit(QString::number(field), [&](ravnoves::v8_plugs::CaseInput& input) {
+        model.edit(QString::number(field), [&](ravnoves::v8_plugs::Input& input) {
             if (!input.weigh_in) {
                 input.weigh_in.emplace();
             }

@@ -1,0 +1,223 @@
+#include "balance-shaft/fields.h"
+
+#include <algorithm>
+
+#include "balance-shaft/input.h"
+#include "case-file/field_visitor.h"
+#include "case-file/input_error.h"
+
+namespace ravnoves::balance_shaft {
+
+namespace {
+
+NamedMass& named(std::vector<NamedMass>& masses, const std::string& name) {
+    const auto found = std::find_if(masses.begin(), masses.end(),
+                                    [&](const NamedMass& part) { return part.name == name; });
+    if (found != masses.end()) {
+        return *found;
+    }
+    // A case that gave only the sum: it stays as one part beside the named ones.
+    for (NamedMass& part : masses) {
+        part.name = part.name.empty() ? "other" : part.name;
+    }
+    return masses.emplace_back(NamedMass{name, 0.0});
+}
+
+Field field_of(const NamedMass& part) {
+    for (const Field& listed : field::mass_parts) {
+        if (listed.key == part.name) {
+            return listed;
+        }
+    }
+    return {.key = part.name, .unit = units::kg, .range = field::mass_parts[0].range};
+}
+
+void visit_masses(FieldVisitor& visitor, Input& input) {
+    std::vector<NamedMass>& masses = input.reciprocating_masses;
+    const bool sum_alone = masses.size() == 1 && masses[0].name.empty();
+    const int which =
+        visitor.one_of({field::reciprocating_masses.key, field::reciprocating_mass.key}, sum_alone);
+    const bool all = which < 0;
+    if (which != 0) {
+        double sum = input.reciprocating_mass();
+        visitor.number(field::reciprocating_mass, sum);
+        if (visitor.is_reading() || (sum_alone && sum != masses[0].mass)) {
+            masses = {{"", sum}};
+        }
+    }
+    if (which != 1 || visitor.creates_objects()) {
+        visitor.object_of(field::reciprocating_masses, true, true, [&] {
+            std::vector<std::string> names;
+            for (const NamedMass& part : masses) {
+                names.push_back(part.name);
+            }
+            if (all) {
+                for (const Field& listed : field::mass_parts) {
+                    names.emplace_back(listed.key);
+                }
+            }
+            for (const std::string& name : visitor.names(std::move(names))) {
+                NamedMass& part = named(masses, name);
+                visitor.number(field_of(part), part.mass);
+            }
+        });
+    }
+}
+
+void visit_cylinder(FieldVisitor& visitor, Input& input) {
+    constexpr CylinderSizes usual;
+    CylinderSizes& sizes = input.torque.cylinder;
+    visitor.number(field::bore, sizes.bore);
+    visitor.required(field::rod_length, input.rod_length);
+    visitor.number(field::offset, sizes.offset, usual.offset);
+    visitor.number(field::crankcase_pressure, sizes.crankcase_pressure, usual.crankcase_pressure);
+}
+
+void visit_cycle(FieldVisitor& visitor, GasCycle& cycle) {
+    constexpr GasCycle usual;
+    visitor.number(field::compression_ratio, cycle.compression_ratio);
+    visitor.number(field::intake_pressure, cycle.intake_pressure, usual.intake_pressure);
+    visitor.number(field::exhaust_pressure, cycle.exhaust_pressure, usual.exhaust_pressure);
+    visitor.number(field::polytropic_compression, cycle.polytropic_compression,
+                   usual.polytropic_compression);
+    visitor.number(field::polytropic_expansion, cycle.polytropic_expansion,
+                   usual.polytropic_expansion);
+    visitor.number(field::heat, cycle.heat);
+    visitor.number(field::imep, cycle.imep);
+    visitor.number(field::combustion_start, cycle.combustion_start);
+    visitor.number(field::combustion_duration, cycle.combustion_duration);
+    visitor.number(field::wiebe_m, cycle.wiebe_m, usual.wiebe_m);
+}
+
+void visit_torque(FieldVisitor& visitor, Input& input) {
+    using Kind = TorqueSource::Kind;
+    TorqueSource& source = input.torque;
+    int given = 0;
+    visitor.object_of(field::torque, true, true, [&] {
+        const auto has = [&](const Field& field, Kind kind) {
+            return visitor.has(field.key, source.kind == kind);
+        };
+        const bool angles = has(field::table_angle, Kind::table);
+        const bool table = has(field::table_torque, Kind::table) || angles;
+        const bool csv = has(field::csv, Kind::csv);
+        const bool pressure = has(field::pressure, Kind::pressure);
+        const bool cycle = has(field::cycle, Kind::cycle);
+        given = table + csv + pressure + cycle;
+        if (visitor.is_reading()) {
+            if (given != 1) {
+                return;  // a misspelt key is named first
+            }
+            source.kind = csv        ? Kind::csv
+                          : pressure ? Kind::pressure
+                          : cycle    ? Kind::cycle
+                                     : Kind::table;
+        }
+        if (table) {
+            visitor.numbers(field::table_angle, source.table.crank_angle_deg);
+            visitor.numbers(field::table_torque, source.table.torque);
+        }
+        if (csv) {
+            visitor.text(field::csv, source.csv);
+        }
+        if (pressure) {
+            visitor.object_of(field::pressure, true, true, [&] {
+                visitor.text(field::csv, source.csv);
+                visit_cylinder(visitor, input);
+            });
+        }
+        if (cycle) {
+            visitor.object_of(field::cycle, true, true, [&] {
+                visit_cylinder(visitor, input);
+                visit_cycle(visitor, source.cycle);
+            });
+        }
+    });
+    if (visitor.is_reading() && given != 1) {
+        throw InputError(
+            "/input/torque",
+            CORE_TEXT("balance-shaft",
+                      "must hold one of: crank_angle_deg with torque_Nm, csv, pressure, cycle"),
+            given == 0 ? CORE_TEXT("balance-shaft", "none of them")
+                       : CORE_TEXT("balance-shaft", "more than one of them"));
+    }
+}
+
+}  // namespace
+
+void visit_fields(FieldVisitor& visitor, EnvelopeSizes& sizes) {
+    visitor.number(field::cylinder_bore, sizes.cylinder_bore);
+    visitor.number(field::cylinder_top, sizes.cylinder_top);
+    visitor.number(field::crank_swing_radius, sizes.crank_swing_radius);
+    visitor.number(field::shaft_swing_radius, sizes.shaft_swing_radius);
+    visitor.number(field::gear_tip_radius, sizes.gear_tip_radius);
+    visitor.number(field::wall, sizes.wall, 0.0);
+}
+
+void visit_fields(FieldVisitor& visitor, GearPair& gears) {
+    constexpr GearPair usual;
+    visitor.integer(field::teeth, gears.teeth, usual.teeth);
+    visitor.integer(field::shifted_teeth, gears.shifted_teeth, usual.shifted_teeth);
+    visitor.number(field::backlash, gears.backlash, usual.backlash);
+}
+
+void visit_fields(FieldVisitor& visitor, SpeedBand& band) {
+    visitor.number(field::band_from, band.from);
+    visitor.number(field::band_to, band.to);
+    visitor.integer(field::band_speeds, band.speeds, SpeedBand{}.speeds);
+    visitor.flag(field::band_map, band.map, false);
+}
+
+void visit_fields(FieldVisitor& visitor, RelievedShaftSizes& sizes) {
+    if (visitor.is_reading()) {
+        sizes.diameter.reset();
+        sizes.depth.reset();
+        sizes.length.reset();
+    }
+    visitor.number(field::bar_diameter, sizes.diameter);
+    visitor.number(field::relief_depth, sizes.depth);
+    visitor.number(field::relief_length, sizes.length);
+    visitor.number(field::density, sizes.density, RelievedShaftSizes{}.density);
+    visitor.number(field::elastic_modulus, sizes.elastic_modulus,
+                   RelievedShaftSizes{}.elastic_modulus);
+}
+
+void visit_fields(FieldVisitor& visitor, Input& input) {
+    using Written = FieldVisitor::Written;
+    const int speed =
+        visitor.one_of({field::speed.key, field::angular_speed.key}, input.speed_in_rpm ? 0 : 1);
+    const bool all = speed < 0;
+    if (speed != 1) {
+        visitor.number(field::speed, input.angular_speed);
+    }
+    if (speed != 0) {
+        visitor.number(field::angular_speed, input.angular_speed);
+    }
+    if (visitor.is_reading()) {
+        input.speed_in_rpm = speed == 0;
+    }
+    visitor.number(field::crank_radius, input.crank_radius);
+    visit_masses(visitor, input);
+    visitor.number(field::counterweight_radius, input.counterweight_radius);
+    visitor.number(field::counterweight_mass, input.counterweight_mass);
+    visitor.number(field::centre_distance, input.centre_distance);
+    visitor.number(field::shaft_angle, input.shaft_angle);
+    visit_torque(visitor, input);
+    visitor.choice(field::interpolation, input.interpolation, Interpolation::linear,
+                   Written::always);
+    visitor.number(field::step, input.step_deg, 1.0, Written::always);
+    if (all || !input.torque.is_computed()) {
+        visitor.number(field::rod_length, input.rod_length);
+    } else if (visitor.has(field::rod_length.key, false)) {
+        throw InputError(
+            visitor.pointer() + "/" + std::string(field::rod_length.key),
+            CORE_TEXT("balance-shaft", "must be left out where the torque's own object gives it"));
+    }
+    visitor.number(field::rod_mass, input.rod_mass);
+    visitor.number(field::crank_share, input.crank_share, 0.5);
+    visitor.object_with_defaults(field::gears, input.gears);
+    visitor.object_with_defaults(field::envelope, input.envelope);
+    visitor.object(field::relieved_shaft, input.relieved_shaft);
+    visitor.object(field::speed_band, input.speed_band);
+}
+
+}  // namespace ravnoves::balance_shaft

@@ -1,0 +1,344 @@
+#pragma once
+
+#include <array>
+
+#include "case-file/field.h"
+
+/// The inputs of the scene, each described once. Source of the values named as examples:
+/// [gots-klevtsov], Tables 1 and 2.
+namespace ravnoves::balance_shaft::field {
+
+inline constexpr Field speed{
+    .key = "speed_rpm",
+    .unit = units::rpm,
+    .range = Range::greater_than(0),
+    .label = CORE_TEXT("balance-shaft", "&Speed n"),
+    .symbol = "n",
+    .hint = CORE_TEXT("balance-shaft",
+                      "Crankshaft speed. TMZ-650D: 3600 min⁻¹ (the paper prints ω = 376.8 rad/s, "
+                      "with π ≈ 3.14).")};
+inline constexpr Field angular_speed{.key = "angular_speed_rad_s",
+                                     .unit = units::rad_per_s,
+                                     .range = Range::greater_than(0),
+                                     .symbol = "ω"};
+inline constexpr Field crank_radius{
+    .key = "crank_radius_mm",
+    .unit = units::mm,
+    .range = Range::greater_than(0),
+    .label = CORE_TEXT("balance-shaft", "&Crank radius r"),
+    .symbol = "r",
+    .hint = CORE_TEXT("balance-shaft", "Half the stroke. TMZ-650D: 46 mm (stroke 92 mm).")};
+/// The object {name: kg}; its parts must add up to more than 0.
+inline constexpr Field reciprocating_masses{.key = "reciprocating_masses_kg", .unit = units::kg};
+/// The sum, where the parts are not given one by one.
+inline constexpr Field reciprocating_mass{.key = "reciprocating_mass_kg",
+                                          .unit = units::kg,
+                                          .range = Range::greater_than(0),
+                                          .symbol = "mⱼ"};
+/// The parts that the form lists, in the paper's order; others have the same range.
+inline constexpr std::array mass_parts{
+    Field{.key = "piston",
+          .unit = units::kg,
+          .range = Range::at_least(0),
+          .label = CORE_TEXT("balance-shaft", "&Piston"),
+          .hint = CORE_TEXT("balance-shaft",
+                            "Mass of the piston. TMZ-650D: 0.645 kg (0.640). Source: Gots and "
+                            "Klevtsov, Table 1.")},
+    Field{.key = "pin",
+          .unit = units::kg,
+          .range = Range::at_least(0),
+          .label = CORE_TEXT("balance-shaft", "Piston p&in"),
+          .hint = CORE_TEXT("balance-shaft",
+                            "Mass of the piston pin. TMZ-650D: 0.241 kg. Source: Table 1.")},
+    Field{.key = "rings",
+          .unit = units::kg,
+          .range = Range::at_least(0),
+          .label = CORE_TEXT("balance-shaft", "Rin&gs"),
+          .hint = CORE_TEXT("balance-shaft",
+                            "Mass of the piston rings. TMZ-650D: 0.1 kg. Source: Table 1.")},
+    Field{.key = "rod_small_end",
+          .unit = units::kg,
+          .range = Range::at_least(0),
+          .label = CORE_TEXT("balance-shaft", "Rod, small-&end share"),
+          .hint = CORE_TEXT("balance-shaft",
+                            "Part of the rod's mass that moves with the piston. TMZ-650D: 0.33 kg "
+                            "of 0.950 kg. Source: Table 1.")}};
+/// Bounds its small-end share.
+inline constexpr Field rod_mass{
+    .key = "rod_mass_kg",
+    .unit = units::kg,
+    .range = Range::greater_than(0),
+    .label = CORE_TEXT("balance-shaft", "Whole rod with she&lls"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "Its small-end share above is a part of it; the rest turns with the crankpin "
+                      "and is balanced by the crank's own counterweights. TMZ-650D: 0.950 ± 0.015 "
+                      "kg. Source: Table 1."),
+    .placeholder = CORE_TEXT("balance-shaft", "any")};
+inline constexpr Field counterweight_radius{
+    .key = "counterweight_radius_mm",
+    .unit = units::mm,
+    .range = Range::greater_than(0),
+    .label = CORE_TEXT("balance-shaft", "Coun&terweight radius ρ₁"),
+    .symbol = "ρ₁",
+    .hint = CORE_TEXT("balance-shaft",
+                      "From the axis to the centre of mass of each of the two equal "
+                      "counterweights. TMZ-650D: 46 mm.")};
+inline constexpr Field counterweight_mass{
+    .key = "counterweight_mass_kg",
+    .unit = units::kg,
+    .range = Range::at_least(0),
+    .label = CORE_TEXT("balance-shaft", "Counterweight &mass m₁"),
+    .symbol = "m₁",
+    .hint = CORE_TEXT("balance-shaft",
+                      "Empty: by equation (1), m₁ = mⱼ r / (2 ρ₁). A number overrides it. "
+                      "TMZ-650D: 0.658 kg."),
+    .placeholder = CORE_TEXT("balance-shaft", "by (1)")};
+inline constexpr Field centre_distance{
+    .key = "centre_distance_mm",
+    .unit = units::mm,
+    .range = Range::at_least(0),
+    .label = CORE_TEXT("balance-shaft", "Centre &distance l"),
+    .symbol = "l",
+    .hint = CORE_TEXT("balance-shaft",
+                      "From the crank axis to the shaft axis. The paper does not print it; 100.15 "
+                      "mm follows from the printed amplitude 430.39 N·m.")};
+inline constexpr Field shaft_angle{.key = "shaft_angle_deg",
+                                   .unit = units::degree,
+                                   .range = Range::between(-3600, 3600),
+                                   .symbol = "α"};
+inline constexpr Word interpolation_words[] = {
+    {"linear", CORE_TEXT("balance-shaft", "straight lines")},
+    {"periodic-cubic", CORE_TEXT("balance-shaft", "periodic cubic spline")}};
+inline constexpr Field interpolation{
+    .key = "interpolation",
+    .label = CORE_TEXT("balance-shaft", "I&nterpolation"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "The paper's table has a row every 15°; criteria are those of the curve "
+                      "between the rows, not of the rows alone."),
+    .words = interpolation_words};
+/// In the struct in degrees too.
+inline constexpr Field step{
+    .key = "step_deg", .unit = {units::degree.name}, .range = Range::between(0.01, 90)};
+inline constexpr Field rod_length{
+    .key = "rod_length_mm",
+    .unit = units::mm,
+    .range = Range::greater_than(0),
+    .label = CORE_TEXT("balance-shaft", "Rod lengt&h L"),
+    .symbol = "L",
+    .hint = CORE_TEXT("balance-shaft",
+                      "Between the centres of the rod's eyes; only the picture uses it. Empty: r "
+                      "/ 0.3."),
+    .placeholder = CORE_TEXT("balance-shaft", "auto")};
+/// Part of m_j r that an engine without a shaft balances on the crank.
+inline constexpr Field crank_share{
+    .key = "crank_share",
+    .range = Range::between(0, 1),
+    .label = CORE_TEXT("balance-shaft", "Share &κ"),
+    .symbol = "κ",
+    .hint = CORE_TEXT("balance-shaft",
+                      "Part of mⱼ r balanced on the crank alone, without a shaft. The force then "
+                      "runs on an ellipse: a line at 0 and 1, a circle at ½.")};
+
+inline constexpr Field envelope{.key = "envelope"};
+inline constexpr Field cylinder_bore{.key = "cylinder_bore_mm",
+                                     .unit = units::mm,
+                                     .range = Range::greater_than(0),
+                                     .label = CORE_TEXT("balance-shaft", "Cylinder &bore"),
+                                     .hint = CORE_TEXT("balance-shaft", "Empty: the stroke, 2 r."),
+                                     .placeholder = CORE_TEXT("balance-shaft", "auto")};
+inline constexpr Field cylinder_top{
+    .key = "cylinder_top_mm", .unit = units::mm, .range = Range::greater_than(0)};
+inline constexpr Field crank_swing_radius{
+    .key = "crank_swing_radius_mm",
+    .unit = units::mm,
+    .range = Range::greater_than(0),
+    .label = CORE_TEXT("balance-shaft", "Crank swing radi&us"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "Circle swept by crank and counterweight. Empty: 1.3 times the larger of r "
+                      "and ρ₁."),
+    .placeholder = CORE_TEXT("balance-shaft", "auto")};
+inline constexpr Field shaft_swing_radius{
+    .key = "shaft_swing_radius_mm",
+    .unit = units::mm,
+    .range = Range::greater_than(0),
+    .label = CORE_TEXT("balance-shaft", "Shaft swin&g radius"),
+    .hint = CORE_TEXT("balance-shaft", "Circle swept by the balance shaft. Empty: 1.3 ρ₁."),
+    .placeholder = CORE_TEXT("balance-shaft", "auto")};
+inline constexpr Field gear_tip_radius{
+    .key = "gear_tip_radius_mm",
+    .unit = units::mm,
+    .range = Range::greater_than(0),
+    .label = CORE_TEXT("balance-shaft", "Gear tip r&adius"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "Tip circle of each of the two gears. Empty: l/2, the pitch circle."),
+    .placeholder = CORE_TEXT("balance-shaft", "auto")};
+inline constexpr Field wall{.key = "wall_mm",
+                            .unit = units::mm,
+                            .range = Range::at_least(0),
+                            .label = CORE_TEXT("balance-shaft", "Housing &wall and gap"),
+                            .hint = CORE_TEXT("balance-shaft", "Added around every circle.")};
+
+inline constexpr Field gears{.key = "gears"};
+inline constexpr Field teeth{
+    .key = "teeth",
+    .range = Range::between(6, 1000),
+    .symbol = "z",
+    .hint = CORE_TEXT("balance-shaft", "Teeth of each of the two equal gears.")};
+inline constexpr Field shifted_teeth{
+    .key = "shifted_teeth",
+    .range = Range::between(-999, 999),
+    .symbol = "k",
+    .hint = CORE_TEXT("balance-shaft",
+                      "The shaft is assembled k teeth ahead of its right place: a phase error of "
+                      "360° k / z.")};
+inline constexpr Field backlash{
+    .key = "backlash_mm",
+    .unit = units::mm,
+    .range = Range::between(0, 10),
+    .hint = CORE_TEXT("balance-shaft",
+                      "Circumferential play at the pitch circle, whose radius is l/2.")};
+
+inline constexpr Field torque{.key = "torque"};
+inline constexpr Field table_angle{
+    .key = "crank_angle_deg", .unit = {units::degree.name}, .range = Range::between(-1e5, 1e5)};
+inline constexpr Field table_torque{
+    .key = "torque_Nm", .unit = units::N_m, .range = Range::between(-1e12, 1e12)};
+inline constexpr Field csv{.key = "csv"};
+inline constexpr Field pressure{.key = "pressure"};
+inline constexpr Field cycle{.key = "cycle"};
+inline constexpr Field bore{
+    .key = "bore_mm",
+    .unit = units::mm,
+    .range = Range::greater_than(0, 10000),
+    .label = CORE_TEXT("balance-shaft", "&Bore"),
+    .hint = CORE_TEXT("balance-shaft", "Diameter of the cylinder. TMZ-650D: 95.5 mm.")};
+inline constexpr Field offset{
+    .key = "offset_mm",
+    .unit = units::mm,
+    .label = CORE_TEXT("balance-shaft", "O&ffset e"),
+    .symbol = "e",
+    .hint = CORE_TEXT("balance-shaft",
+                      "Distance of the cylinder axis from the crank axis, positive on the side to "
+                      "which the crankpin moves first.")};
+inline constexpr Field crankcase_pressure{
+    .key = "crankcase_pressure_bar",
+    .unit = units::bar,
+    .range = Range::between(0, 1e3),
+    .label = CORE_TEXT("balance-shaft", "Crankcase &pressure"),
+    .symbol = "p₀",
+    .hint = CORE_TEXT("balance-shaft", "Absolute pressure under the piston, p₀.")};
+inline constexpr Field compression_ratio{
+    .key = "compression_ratio",
+    .range = Range::greater_than(1, 100),
+    .label = CORE_TEXT("balance-shaft", "Compression &ratio ε"),
+    .symbol = "ε",
+    .hint = CORE_TEXT("balance-shaft", "Largest over smallest volume.")};
+inline constexpr Field intake_pressure{
+    .key = "intake_pressure_bar",
+    .unit = units::bar,
+    .range = Range::greater_than(0, 1e3),
+    .label = CORE_TEXT("balance-shaft", "&Intake pressure"),
+    .hint = CORE_TEXT("balance-shaft", "Absolute, constant over intake.")};
+inline constexpr Field exhaust_pressure{
+    .key = "exhaust_pressure_bar",
+    .unit = units::bar,
+    .range = Range::greater_than(0, 1e3),
+    .label = CORE_TEXT("balance-shaft", "E&xhaust pressure"),
+    .hint = CORE_TEXT("balance-shaft", "Absolute, constant over exhaust.")};
+inline constexpr Field polytropic_compression{
+    .key = "polytropic_compression",
+    .range = Range::between(1, 2),
+    .label = CORE_TEXT("balance-shaft", "Exponent, &compression"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "Polytropic exponent until combustion begins; about 1.32 to 1.38.")};
+inline constexpr Field polytropic_expansion{
+    .key = "polytropic_expansion",
+    .range = Range::greater_than(1, 2),
+    .label = CORE_TEXT("balance-shaft", "Exponent, ex&pansion"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "Polytropic exponent of combustion and expansion; about 1.22 to 1.32.")};
+inline constexpr Field heat{
+    .key = "heat_J",
+    .unit = units::joule,
+    .range = Range::between(0, 1e12),
+    .label = CORE_TEXT("balance-shaft", "&Heat"),
+    .hint = CORE_TEXT("balance-shaft", "Heat released per cycle; instead of the IMEP."),
+    .placeholder = CORE_TEXT("balance-shaft", "from the other")};
+inline constexpr Field imep{
+    .key = "indicated_mean_effective_pressure_bar",
+    .unit = units::bar,
+    .range = Range::between(-1e3, 1e3),
+    .label = CORE_TEXT("balance-shaft", "I&MEP"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "Indicated mean effective pressure over 720°; the heat that gives it is "
+                      "found."),
+    .placeholder = CORE_TEXT("balance-shaft", "from the other")};
+inline constexpr Field combustion_start{
+    .key = "combustion_start_deg",
+    .unit = units::degree,
+    .range = Range::between(270, 450),
+    .label = CORE_TEXT("balance-shaft", "&Start of combustion"),
+    .hint = CORE_TEXT("balance-shaft", "Crank angle; 360° is the firing top dead centre.")};
+inline constexpr Field combustion_duration{
+    .key = "combustion_duration_deg",
+    .unit = units::degree,
+    .range = Range::between(1, 180),
+    .label = CORE_TEXT("balance-shaft", "&Duration"),
+    .hint = CORE_TEXT("balance-shaft", "Crank angle from the start to the end of heat release.")};
+inline constexpr Field wiebe_m{
+    .key = "wiebe_m",
+    .range = Range::between(0, 10),
+    .label = CORE_TEXT("balance-shaft", "&Wiebe exponent m"),
+    .symbol = "m",
+    .hint = CORE_TEXT("balance-shaft",
+                      "Form exponent of Wiebe's law; 0.5 to 1.5 for diesels, 2 to 4 for petrol "
+                      "engines.")};
+
+inline constexpr Field speed_band{.key = "speed_band"};
+inline constexpr Field band_from{
+    .key = "from_rpm", .unit = units::rpm, .range = Range::greater_than(0)};
+inline constexpr Field band_to{
+    .key = "to_rpm", .unit = units::rpm, .range = Range::greater_than(0)};
+inline constexpr Field band_speeds{.key = "speeds", .range = Range::between(2, 1000)};
+inline constexpr Field band_map{.key = "map"};
+
+inline constexpr Field relieved_shaft{.key = "relieved_shaft"};
+inline constexpr Field bar_diameter{
+    .key = "diameter_mm",
+    .unit = units::mm,
+    .range = Range::greater_than(0, 1e5),
+    .label = CORE_TEXT("balance-shaft", "&Diameter D"),
+    .symbol = "D",
+    .hint = CORE_TEXT("balance-shaft", "Of the round bar; also the circle that the shaft sweeps.")};
+inline constexpr Field relief_depth{
+    .key = "depth_mm",
+    .unit = units::mm,
+    .range = Range::greater_than(0, 1e5),
+    .label = CORE_TEXT("balance-shaft", "Depth &h"),
+    .symbol = "h",
+    .hint =
+        CORE_TEXT("balance-shaft", "Of the segment that is milled away, from the bar's surface.")};
+inline constexpr Field relief_length{
+    .key = "length_mm",
+    .unit = units::mm,
+    .range = Range::greater_than(0, 1e5),
+    .label = CORE_TEXT("balance-shaft", "&Length b"),
+    .symbol = "b",
+    .hint = CORE_TEXT("balance-shaft", "Over which the segment is milled away.")};
+inline constexpr Field density{
+    .key = "density_kg_m3",
+    .unit = units::kg_m3,
+    .range = Range::between(100, 30000),
+    .label = CORE_TEXT("balance-shaft", "Densit&y"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "Of the bar. Steel 7850, cast iron 7200, tungsten alloy 17500.")};
+inline constexpr Field elastic_modulus{
+    .key = "elastic_modulus_GPa",
+    .unit = units::GPa,
+    .range = Range::between(1, 1000),
+    .label = CORE_TEXT("balance-shaft", "&Elastic modulus"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "For the sag under the shaft's own centrifugal load. Steel 210, cast iron "
+                      "170, tungsten alloy 360.")};
+
+}  // namespace ravnoves::balance_shaft::field

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "balance-shaft/cylinder_gas.h"
+#include "balance-shaft/relieved_shaft.h"
+#include "balance-shaft/torque_table.h"
+#include "numerics/constants.h"
+
+namespace ravnoves {
+class FieldVisitor;
+}
+
+/// The balance shaft of a single-cylinder engine.
+///
+/// Source: [gots-klevtsov] of the bibliography; equation numbers below are that paper's.
+///
+/// Front view; crank axis at the origin, cylinder axis = +y, crank angle φ from top dead centre,
+/// positive in the direction of rotation, which is clockwise in the view. The balance shaft's axis
+/// lies at the distance l from the crank axis on a line at the angle α from the cylinder axis,
+/// measured in the direction of rotation (α = 90°: beside the crank, to the right). It is geared
+/// 1:1 and turns the opposite way. Two equal counterweights m₁ at the radius ρ₁, one on the crank,
+/// one on the shaft, both point down at top dead centre. Moments are positive in the direction of
+/// rotation.
+namespace ravnoves::balance_shaft {
+
+/// One of the masses that move with the piston (the paper's Table 1).
+struct NamedMass {
+    std::string name;   ///< "piston", "pin", "rings", "rod_small_end" or any other
+    double mass = 0.0;  ///< kg
+    bool operator==(const NamedMass&) const = default;
+};
+
+/// How torque is read between the rows of its table.
+enum class Interpolation {
+    linear,          ///< straight lines
+    periodic_cubic,  ///< the periodic cubic spline
+};
+
+/// Where the engine torque comes from.
+struct TorqueSource {
+    enum class Kind {
+        table,     ///< the table itself stands in the case file
+        csv,       ///< the case file names a file beside it
+        pressure,  ///< gas torque from a measured pressure trace, inertia torque from the masses
+        cycle,     ///< gas torque from a computed cycle, inertia torque from the masses
+    };
+    Kind kind = Kind::table;
+    TorqueTable table;       ///< the rows, for table and csv
+    std::string csv;         ///< path as the case file has it, for csv and pressure
+    PressureTrace trace;     ///< for pressure
+    GasCycle cycle;          ///< for cycle
+    CylinderSizes cylinder;  ///< for pressure and cycle
+
+    /// The torque follows the speed and the masses entered.
+    bool is_computed() const { return kind == Kind::pressure || kind == Kind::cycle; }
+    bool operator==(const TorqueSource&) const = default;
+};
+
+/// Sizes for the front view; what is empty has a default made from the other inputs.
+struct EnvelopeSizes {
+    std::optional<double> cylinder_bore;       ///< m; default: the torque source's bore, else 2 r
+    std::optional<double> cylinder_top;        ///< m above the crank axis; default r + L + bore/2
+    std::optional<double> crank_swing_radius;  ///< m, circle swept by crank and counterweight;
+                                               ///< default 1.3 max(r, ρ₁)
+    std::optional<double> shaft_swing_radius;  ///< m, circle swept by the shaft; default 1.3 ρ₁
+    std::optional<double> gear_tip_radius;     ///< m; default l/2, the pitch circles in contact
+    double wall = 0.0;                         ///< m, clearance and wall around every circle
+    bool operator==(const EnvelopeSizes&) const = default;
+};
+
+/// The gears between crank and shaft, 1:1.
+struct GearPair {
+    int teeth = 40;         ///< z of each gear, 6 to 1000
+    int shifted_teeth = 0;  ///< k: the shaft is assembled k teeth ahead of its right place, |k| < z
+    double backlash = 0.0;  ///< circumferential play at the pitch circle l/2, m
+    bool operator==(const GearPair&) const = default;
+};
+
+/// A band of speeds to study, equally spaced, both ends included.
+struct SpeedBand {
+    double from = 0.0;  ///< rad/s
+    double to = 0.0;    ///< rad/s, ≥ from
+    int speeds = 60;
+    bool map = false;  ///< the command line prints the map over (α, speed) too
+    bool operator==(const SpeedBand&) const = default;
+};
+
+inline constexpr double default_lambda = 0.3;  ///< r/L where the rod's length is not given
+
+/// The input of the scene.
+struct Input {
+    double angular_speed = 0.0;  ///< ω, rad/s
+    bool speed_in_rpm = true;    ///< the case file gives the speed in min⁻¹ (not rad/s)
+    double crank_radius = 0.0;   ///< r, m
+    /// Their sum is m_j, kg. One entry with an empty name stands for reciprocating_mass_kg.
+    std::vector<NamedMass> reciprocating_masses;
+    std::optional<double> rod_mass;     ///< kg, the whole rod with shells (the paper's Table 1)
+    double counterweight_radius = 0.0;  ///< ρ₁, m
+    std::optional<double> counterweight_mass;  ///< m₁, kg; empty: by equation (1)
+    double centre_distance = 0.0;              ///< l, m
+    double shaft_angle = 0.0;                  ///< α, rad
+    TorqueSource torque;                       ///< M_id
+    Interpolation interpolation = Interpolation::linear;
+    double step_deg = 1.0;  ///< step of the curves and of the sweep, °
+    /// L, m; default r / default_lambda. Needed where the torque is computed.
+    std::optional<double> rod_length;
+    EnvelopeSizes envelope;
+    double crank_share = 0.5;  ///< κ of the comparison without a shaft
+    GearPair gears;
+    std::optional<SpeedBand> speed_band;
+    std::optional<RelievedShaftSizes> relieved_shaft;
+
+    double reciprocating_mass() const;    ///< m_j, kg
+    double effective_rod_length() const;  ///< L, m, given or by default
+    bool operator==(const Input&) const = default;
+};
+
+/// The input's fields as fields.h describes them, for read_fields() and its like.
+void visit_fields(FieldVisitor& visitor, Input& input);
+void visit_fields(FieldVisitor& visitor, EnvelopeSizes& sizes);
+void visit_fields(FieldVisitor& visitor, GearPair& gears);
+void visit_fields(FieldVisitor& visitor, SpeedBand& band);
+void visit_fields(FieldVisitor& visitor, RelievedShaftSizes& sizes);
+
+/// Checks the ranges and that the sizes taken together stay in the range of numbers.
+/// @throws InputError that names the JSON pointer, as read_input() would
+void check_input(const Input& input);
+/// @throws InputError that names the JSON pointer below /input/speed_band
+void check_speed_band(const SpeedBand& band);
+
+}  // namespace ravnoves::balance_shaft

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "balance-shaft/cylinder_gas.h"
+#include "balance-shaft/envelope.h"
+#include "balance-shaft/inertia_check.h"
+#include "case-file/message.h"
+
+namespace ravnoves::balance_shaft {
+
+/// Criteria of one moment over the continuous cycle (not over its samples).
+struct MomentMetrics {
+    double mean = 0.0;       ///< N·m, cycle integral / 4π
+    double max = 0.0;        ///< N·m
+    double min = 0.0;        ///< N·m
+    double range = 0.0;      ///< max − min, N·m
+    double rms = 0.0;        ///< N·m, about the mean
+    double max_angle = 0.0;  ///< crank angle of the maximum, rad, 0…4π
+    double min_angle = 0.0;  ///< crank angle of the minimum, rad, 0…4π
+};
+
+/// Moments over the cycle, sampled at every step_deg, both ends included.
+struct MomentCurves {
+    std::vector<double> crank_angle_deg;  ///< 0…720
+    std::vector<double> M_up;             ///< tipping moment −M_id, N·m
+    std::vector<double> M_s;              ///< moment of the shaft, (4), N·m
+    std::vector<double> M_ups;            ///< moment on the mounts, (5), N·m
+    // Where the torque is computed, else empty:
+    std::vector<double> M_gas;      ///< gas torque, a part of M_id = −M_up, N·m
+    std::vector<double> M_inertia;  ///< inertia torque, the other part, N·m
+    std::vector<double> pressure;   ///< Pa
+    std::vector<double> volume;     ///< m³; of a pressure trace without the clearance volume
+};
+
+/// Criteria over the shaft's angle, at every step_deg, both ends included. The means are cycle
+/// integrals; the printed ones average nodes as the paper did, with the cycle's end counted twice.
+struct AngleSweep {
+    std::vector<double> shaft_angle_deg;     ///< 0…360
+    std::vector<double> range;               ///< ΔM_ups, N·m
+    std::vector<double> rms;                 ///< of M_ups about its mean, N·m
+    std::vector<double> mean_M_s;            ///< N·m, 0 for every α
+    std::vector<double> mean_M_ups;          ///< N·m, the same for every α
+    std::vector<double> printed_mean_M_s;    ///< M_sm of 25 nodes, N·m (the paper's Fig. 4)
+    std::vector<double> printed_mean_M_ups;  ///< M_upsm: printed_mean_M_s + node mean of M_up
+};
+
+/// The shaft angle with the least value of a criterion.
+struct Optimum {
+    std::optional<double> shaft_angle;  ///< rad, 0…2π; empty: no α is better than another
+    double value = 0.0;                 ///< N·m, the criterion there
+    Message note;                       ///< why there is no angle, as a sentence; else empty
+};
+
+/// One line of an order spectrum: amplitude × sin(order × φ + phase).
+struct OrderLine {
+    double order = 0.0;      ///< multiples of the crank's speed; a four-stroke has halves
+    double amplitude = 0.0;  ///< N·m
+    double phase = 0.0;      ///< rad
+};
+
+inline constexpr std::size_t spectrum_lines = 24;  ///< orders ½, 1 … 12
+
+/// Everything that the page shows and that the command line prints.
+struct Result {
+    // What the shaft's angle does not change.
+    double angular_speed = 0.0;        ///< ω, rad/s
+    double reciprocating_mass = 0.0;   ///< m_j, kg
+    double inertia_force_1_max = 0.0;  ///< P_j1 max = m_j r ω², N
+    double counterweight_mass = 0.0;   ///< m₁, kg, (1) or as given
+    double counterweight_force = 0.0;  ///< P₁ = m₁ ρ₁ ω², N
+    double moment_amplitude = 0.0;     ///< P₁ l, N·m
+    MomentMetrics M_up;
+    double order_1_amplitude = 0.0;  ///< amplitude of M_up's first order, N·m
+    double order_1_phase = 0.0;      ///< rad: that order is amplitude × sin(φ + phase)
+    /// Part of M_up's variance that is of the first order, 0…1; empty where M_up is constant.
+    std::optional<double> order_1_share;
+    double printed_mean_M_up = 0.0;  ///< mean over the table's rows, both ends, N·m
+    InertiaCheck inertia_check;
+    std::vector<OrderLine> spectrum_M_up;     ///< spectrum_lines, exact for the interpolant
+    std::optional<IndicatedCycle> indicated;  ///< where the torque is computed
+    double indicated_power = 0.0;             ///< work × ω / 4π, W; where the torque is computed
+    Optimum best_range;
+    Optimum best_rms;
+    AngleSweep sweep;
+    std::vector<Message> notes;  ///< what the user should know beyond the numbers
+
+    // What follows the shaft's angle: updated by Solver::move_shaft().
+    double shaft_angle = 0.0;  ///< α, rad, 0…2π
+    MomentMetrics M_s;
+    MomentMetrics M_ups;
+    double printed_mean_M_s = 0.0;    ///< mean over the paper's 25 nodes, N·m
+    double printed_mean_M_ups = 0.0;  ///< printed_mean_M_s + printed_mean_M_up, N·m
+    /// Change of range and RMS against the engine without a shaft, as a fraction (−0.1 is 10 %
+    /// less); empty where M_up is constant.
+    std::optional<double> range_change;
+    std::optional<double> rms_change;
+    MomentCurves curves;  ///< crank_angle_deg and M_up do not follow
+    Envelope envelope;
+    std::vector<OrderLine> spectrum_M_ups;  ///< differs from M_up's in order 1 alone
+};
+
+}  // namespace ravnoves::balance_shaft

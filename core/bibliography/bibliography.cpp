@@ -1,0 +1,66 @@
+#include "bibliography/bibliography.h"
+
+#include <algorithm>
+#include <array>
+
+#include "numerics/demand.h"
+
+namespace ravnoves {
+
+namespace {
+
+/// Standards are cited in English in every language.
+constexpr Source standard(std::string_view key, const char* number, const char* title) {
+    return {key, {"", number}, {"", "ISO"}, {"", title}, number, 0, "", ""};
+}
+
+constexpr std::array<Source, 8> sources{{
+    {"gots-klevtsov", CORE_TEXT("core", "Gots, Klevtsov"),
+     CORE_TEXT("core", "A. N. Gots, V. S. Klevtsov"),
+     CORE_TEXT("core",
+               "Selection of the optimal scheme of stabilization of the one-cylinder engine"),
+     "", 0, "", ""},
+    {"zotov-sviridov", CORE_TEXT("core", "Zotov, Sviridov"),
+     CORE_TEXT("core", "A. N. Zotov, A. S. Sviridov"),
+     CORE_TEXT("core", "Crank-and-rod mechanism with elastic hinges of given characteristics"),
+     "Problemy mashinostroeniya i nadezhnosti mashin, no. 5", 2021, "14–22", ""},
+    {"nazarov", CORE_TEXT("core", "Nazarov"), CORE_TEXT("core", "A. D. Nazarov"),
+     CORE_TEXT("core",
+               "Compensating the total unbalanced mass of crank-gear parts of V-8 engines in "
+               "manufacture and repair"),
+     "", 0, "", ""},
+    {"chainov-vallejo-maldonado", CORE_TEXT("core", "Chainov, Vallejo Maldonado"),
+     CORE_TEXT("core", "N. D. Chainov, P. R. Vallejo Maldonado"),
+     CORE_TEXT("core",
+               "Balancing the moments of a VR5 engine taking into account a desaxial crank "
+               "mechanism and cylinder camber angle"),
+     "Izvestiya vysshikh uchebnykh zavedeniy. Mashinostroenie, no. 5", 2020, "41–49",
+     "10.18698/0536-1044-2020-5-41-49"},
+    standard("iso-68-1", "ISO 68-1", "ISO general purpose screw threads: basic profile, metric"),
+    standard("iso-724", "ISO 724", "ISO general-purpose metric screw threads: basic dimensions"),
+    standard("iso-21940-11", "ISO 21940-11",
+             "Mechanical vibration, rotor balancing: procedures and tolerances for rotors with "
+             "rigid behaviour"),
+    standard("iso-80000-3", "ISO 80000-3", "Quantities and units: space and time"),
+}};
+
+}  // namespace
+
+std::span<const Source> bibliography() {
+    return sources;
+}
+
+const Source& source(std::string_view key) {
+    const auto found = std::find_if(sources.begin(), sources.end(),
+                                    [&](const Source& entry) { return entry.key == key; });
+    RAVNOVES_DEMAND(found != sources.end(), "the bibliography holds " + std::string(key));
+    return *found;
+}
+
+Message citation(const Source& source) {
+    return source.year == 0 ? Message(CORE_TEXT("core", "%1, \"%2\""), source.authors, source.title)
+                            : Message(CORE_TEXT("core", "%1, \"%2\", %3"), source.authors,
+                                      source.title, source.year);
+}
+
+}  // namespace ravnoves

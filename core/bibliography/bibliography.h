@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "case-file/message.h"
+
+namespace ravnoves {
+
+/// A source that the program rests on. Comments cite it by its key in brackets: [nazarov]. What its
+/// copy does not say (journal, year) stays empty.
+struct Source {
+    std::string_view key;      ///< "gots-klevtsov"
+    Text cited_as;             ///< "Gots, Klevtsov"
+    Text authors;              ///< "A. N. Gots, V. S. Klevtsov"; of a standard who issues it
+    Text title;                ///< in English
+    std::string_view journal;  ///< with its number, or the standard's number
+    int year = 0;              ///< 0: not known
+    std::string_view pages;    ///< "14–22"
+    std::string_view doi;
+};
+
+/// Every source: the papers in the order of the scenes, then the standards.
+std::span<const Source> bibliography();
+
+/// The source of that key, which must be there.
+const Source& source(std::string_view key);
+
+/// Authors, title and year in one line: `A. Author, "Title", 2021`.
+Message citation(const Source& source);
+
+}  // namespace ravnoves

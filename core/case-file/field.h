@@ -1,0 +1,47 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "case-file/message.h"
+#include "case-file/range.h"
+#include "numerics/units.h"
+
+namespace ravnoves {
+
+/// One of the words of a choice.
+struct Word {
+    std::string_view word;  ///< in the case file
+    Text label{};           ///< in the form
+};
+
+/// One input of a scene, described once: the reader, the writer, the range check, the form, the
+/// undo step, the table of the help and the studies all follow from it.
+struct Field {
+    std::string_view key;  ///< key in the case file, for example "crank_radius_mm"
+    Unit unit = units::none;
+    Range range{};  ///< in the unit; of whole numbers too
+    /// Name in the form, with & before its mnemonic; without it the name of the undo step.
+    Text label{};
+    std::string_view symbol{};      ///< in formulas, for example "r"
+    Text hint{};                    ///< what it means, an example, its source
+    Text placeholder{};             ///< what an empty field of the form stands for ("auto")
+    std::span<const Word> words{};  ///< of a choice, in the order of its enumeration
+
+    /// For what takes only key, unit and range.
+    constexpr operator FieldSpec() const { return {key, unit.name, range, unit.to_si}; }
+};
+
+/// The value in the field's unit, as a person would write it: of the doubles that read back to this
+/// SI value, the one with the shortest decimal text.
+double from_si(const Field& field, double si);
+
+/// An SI value rounded to so many significant digits in the field's unit.
+double rounded(double si, const Field& field, int digits);
+
+/// Throws where a value in the field's unit is not in its range.
+/// @param parent  JSON pointer of the object that holds the field
+/// @throws InputError
+void check_range(const Field& field, double value, std::string_view parent);
+
+}  // namespace ravnoves

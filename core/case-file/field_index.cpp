@@ -1,0 +1,172 @@
+#include "case-file/field_index.h"
+
+#include <algorithm>
+
+#include "case-file/field_walker.h"
+
+namespace ravnoves {
+
+namespace {
+
+class Index final : public FieldWalker {
+  public:
+    explicit Index(bool all) : FieldWalker(""), all_(all) {}
+
+    std::vector<FieldEntry> take() { return std::move(entries_); }
+
+    int one_of(std::initializer_list<std::string_view> /*keys*/, int present) override {
+        return all_ ? -1 : present;
+    }
+    bool has(std::string_view /*key*/, bool present) override { return all_ || present; }
+    void numbers(const Field& field, std::vector<double>& /*values*/) override {
+        add(field, FieldKind::list, {});
+    }
+    void integers(const Field& field, std::vector<int>& /*values*/) override {
+        add(field, FieldKind::list, {});
+    }
+    void custom(const Field& field, bool /*required*/, Custom& /*value*/) override {
+        add(field, FieldKind::custom, {});
+    }
+
+  protected:
+    void visit_number(const Field& field, double& si, const double* fallback,
+                      bool /*always*/) override {
+        add(field, FieldKind::number, from_si(field, si), fallback != nullptr);
+    }
+    void visit_optional(const Field& field, std::optional<double>& si, bool /*required*/) override {
+        add(field, FieldKind::number, si ? FieldValue(from_si(field, *si)) : FieldValue(), true);
+    }
+    void visit_integer(const Field& field, int& value, const int* /*fallback*/,
+                       bool /*always*/) override {
+        add(field, FieldKind::integer, value);
+    }
+    void visit_flag(const Field& field, bool& value, const bool* /*fallback*/,
+                    bool /*always*/) override {
+        add(field, FieldKind::flag, value);
+    }
+    void visit_text(const Field& field, std::string& value, bool /*required*/) override {
+        add(field, FieldKind::text, value);
+    }
+    void visit_choice(const Field& field, int& index, const int* /*fallback*/,
+                      bool /*always*/) override {
+        add(field, FieldKind::choice, index);
+    }
+    bool begin_object(const Field& field, bool required, bool /*is_there*/) override {
+        if (!field.label.empty() || !field.hint.empty()) {
+            add(field, FieldKind::object, {});
+        }
+        return FieldWalker::begin_object(field, required, true);
+    }
+    bool begin_list(const Field& field, std::size_t& count) override {
+        add(field, FieldKind::list, {});
+        if (all_) {
+            count = 1;
+        }
+        return FieldWalker::begin_list(field, count);
+    }
+
+  private:
+    void add(const Field& field, FieldKind kind, FieldValue value, bool may_be_empty = false) {
+        entries_.push_back({pointer_to(field.key), field, kind, may_be_empty, std::move(value)});
+    }
+
+    bool all_;
+    std::vector<FieldEntry> entries_;
+};
+
+class Setter final : public FieldWalker {
+  public:
+    Setter(std::string_view target, const FieldValue& value)
+        : FieldWalker(""), target_(target), value_(value) {}
+
+    bool done() const { return done_; }
+    bool creates_objects() const override { return true; }
+    std::vector<std::string> names(std::vector<std::string> present) override {
+        const std::string here = pointer() + "/";
+        if (target_.starts_with(here)) {
+            std::string name(target_.substr(here.size()));
+            if (std::find(present.begin(), present.end(), name) == present.end()) {
+                present.push_back(std::move(name));
+            }
+        }
+        return present;
+    }
+
+  protected:
+    void visit_number(const Field& field, double& si, const double* fallback,
+                      bool /*always*/) override {
+        if (const double* number = wanted<double>(field)) {
+            si = *number * field.unit;
+        } else if (fallback != nullptr && wanted<std::monostate>(field) != nullptr) {
+            si = *fallback;
+        }
+    }
+    void visit_optional(const Field& field, std::optional<double>& si, bool /*required*/) override {
+        if (const double* number = wanted<double>(field)) {
+            si = *number * field.unit;
+        } else if (wanted<std::monostate>(field) != nullptr) {
+            si.reset();
+        }
+    }
+    void visit_integer(const Field& field, int& value, const int* /*fallback*/,
+                       bool /*always*/) override {
+        take(field, value);
+    }
+    void visit_flag(const Field& field, bool& value, const bool* /*fallback*/,
+                    bool /*always*/) override {
+        take(field, value);
+    }
+    void visit_text(const Field& field, std::string& value, bool /*required*/) override {
+        take(field, value);
+    }
+    void visit_choice(const Field& field, int& index, const int* /*fallback*/,
+                      bool /*always*/) override {
+        take(field, index);
+    }
+    bool begin_object(const Field& field, bool required, bool /*is_there*/) override {
+        const std::string place = pointer_to(field.key) + "/";
+        return target_.starts_with(place) && FieldWalker::begin_object(field, required, true);
+    }
+
+  private:
+    /// The value where it is of this type and meant for this field.
+    template <typename Value>
+    const Value* wanted(const Field& field) {
+        const Value* value = std::get_if<Value>(&value_);
+        if (done_ || value == nullptr || pointer_to(field.key) != target_) {
+            return nullptr;
+        }
+        done_ = true;
+        return value;
+    }
+    template <typename Value>
+    void take(const Field& field, Value& target) {
+        if (const Value* value = wanted<Value>(field)) {
+            target = *value;
+        }
+    }
+
+    std::string_view target_;
+    const FieldValue& value_;
+    bool done_ = false;
+};
+
+}  // namespace
+
+namespace detail {
+
+std::vector<FieldEntry> index_with(VisitInput visit, void* input, bool all) {
+    Index index(all);
+    visit(index, input);
+    return index.take();
+}
+
+bool set_with(VisitInput visit, void* input, std::string_view pointer, const FieldValue& value) {
+    Setter setter(pointer, value);
+    visit(setter, input);
+    return setter.done();
+}
+
+}  // namespace detail
+
+}  // namespace ravnoves

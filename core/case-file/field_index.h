@@ -1,0 +1,62 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "case-file/field.h"
+
+namespace ravnoves {
+
+class FieldVisitor;
+
+/// The value of a field as a form shows it: nothing, a number in the field's unit, a whole number
+/// (of a choice: the place of its word), yes or no, a text.
+using FieldValue = std::variant<std::monostate, double, int, bool, std::string>;
+
+enum class FieldKind { number, integer, flag, text, choice, object, list, custom };
+
+/// One field of an input at its place.
+struct FieldEntry {
+    std::string pointer;  ///< below "input", for example "/spring/stiffness_N_m"
+    Field field;
+    FieldKind kind = FieldKind::number;
+    bool may_be_empty = false;  ///< a number that may be left out
+    FieldValue value;
+};
+
+namespace detail {
+using VisitInput = void (*)(FieldVisitor& visitor, void* input);
+std::vector<FieldEntry> index_with(VisitInput visit, void* input, bool all);
+bool set_with(VisitInput visit, void* input, std::string_view pointer, const FieldValue& value);
+
+template <typename Input>
+void visit_input(FieldVisitor& visitor, void* input) {
+    visit_fields(visitor, *static_cast<Input*>(input));
+}
+}  // namespace detail
+
+/// The fields of an input with their present values. Objects that are absent are listed with the
+/// values that they would begin with.
+template <typename Input>
+std::vector<FieldEntry> list_fields(const Input& input) {
+    return detail::index_with(detail::visit_input<Input>, const_cast<Input*>(&input), false);
+}
+
+/// Every field that a case of the scene may have, one element for each list: the table of the help.
+template <typename Input>
+std::vector<FieldEntry> describe_fields() {
+    Input input;
+    return detail::index_with(detail::visit_input<Input>, &input, true);
+}
+
+/// Sets one scalar by its pointer below "input"; an object that was absent comes into being, and so
+/// does a name in an object of free names. Nothing sets what has a default back to it.
+/// Nothing is checked. @return false where there is no such field or the kind of value is wrong
+template <typename Input>
+bool set_field(Input& input, std::string_view pointer, const FieldValue& value) {
+    return detail::set_with(detail::visit_input<Input>, &input, pointer, value);
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,91 @@
+#include "case-file/message.h"
+
+#include <array>
+#include <charconv>
+
+#include "case-file/range.h"
+
+namespace ravnoves {
+
+namespace {
+
+/// Without "-0".
+std::string fixed(double value, int decimals) {
+    std::array<char, 400> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                   std::chars_format::fixed, decimals)
+                         .ptr;
+    std::string text(buffer.data(), end);
+    if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos) {
+        text.erase(0, 1);
+    }
+    return text;
+}
+
+struct EnglishWriter {
+    std::string operator()(const std::string& word) const { return word; }
+    std::string operator()(const Message& message) const { return message.english(); }
+    std::string operator()(const Number& number) const {
+        std::string text = number.digits < 0    ? fixed(number.value, -number.digits)
+                           : number.digits == 0 ? format_number(number.value)
+                                                : format_number(number.value, number.digits);
+        if (!number.unit.name.empty()) {
+            text += number.unit == units::degree ? "" : " ";
+            text += number.unit.name;
+        }
+        return text;
+    }
+};
+
+}  // namespace
+
+std::string fill_pattern(std::string_view pattern, const std::vector<std::string>& values) {
+    std::string text;
+    for (std::size_t at = 0; at < pattern.size(); ++at) {
+        const bool place = pattern[at] == '%' && at + 1 < pattern.size() &&
+                           pattern[at + 1] >= '1' &&
+                           static_cast<std::size_t>(pattern[at + 1] - '1') < values.size();
+        if (place) {
+            text += values[static_cast<std::size_t>(pattern[++at] - '1')];
+        } else {
+            text += pattern[at];
+        }
+    }
+    return text;
+}
+
+Message::Message(Number number) : pattern_{"", "%1"}, arguments_{number} {}
+
+Message joined(Message a, Message b) {
+    return {Text{"", "%1, %2"}, std::move(a), std::move(b)};
+}
+
+Message line_place(std::size_t line) {
+    return {CORE_TEXT("core", "line %1"), line};
+}
+
+Message table_place(std::size_t line, int column) {
+    return {CORE_TEXT("core", "line %1, column %2"), line, column};
+}
+
+Message quoted_list(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) {
+        text += (text.empty() ? "\"" : ", \"") + word + "\"";
+    }
+    return text;
+}
+
+std::string Message::english() const {
+    if (pattern_.empty()) {
+        return verbatim_;
+    }
+    std::vector<std::string> values;
+    values.reserve(arguments_.size());
+    for (const Argument& argument : arguments_) {
+        values.push_back(std::visit(EnglishWriter{}, argument));
+    }
+    return fill_pattern(pattern_.english, values);
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,193 @@
+#include "case-file/two_columns.h"
+
+#include <algorithm>
+#include <array>
+
+#include "case-file/decimal.h"
+#include "case-file/input_error.h"
+
+namespace ravnoves {
+
+namespace {
+
+std::string_view trim(std::string_view text) {
+    const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v'; };
+    while (!text.empty() && is_blank(text.front())) {
+        text.remove_prefix(1);
+    }
+    while (!text.empty() && is_blank(text.back())) {
+        text.remove_suffix(1);
+    }
+    return text;
+}
+
+std::string quote(std::string_view text) {
+    constexpr std::size_t longest = 40;
+    std::string shown(text.substr(0, longest));
+    // Bytes that are not ASCII may be cut in the middle or be of another code page.
+    for (char& c : shown) {
+        if (static_cast<unsigned char>(c) >= 0x7F || static_cast<unsigned char>(c) < 0x20) {
+            c = '?';
+        }
+    }
+    return "\"" + shown + (text.size() > longest ? "…\"" : "\"");
+}
+
+/// Fields of a line; a blank separator stands for any run of blanks. Quotes around a field go.
+void split(std::string_view line, char separator, std::vector<std::string_view>& fields) {
+    fields.clear();
+    line = separator == '\t' ? line : trim(line);
+    while (true) {
+        std::size_t end = 0;
+        if (!line.empty() && line.front() == '"') {
+            end = line.find('"', 1);
+            end = end == std::string_view::npos ? 0 : end;
+        }
+        end = separator == ' ' ? line.find_first_of(" \t", end) : line.find(separator, end);
+        std::string_view text = trim(line.substr(0, end));
+        if (text.size() >= 2 && text.front() == '"' && text.back() == '"') {
+            text = trim(text.substr(1, text.size() - 2));
+        }
+        fields.push_back(text);
+        if (end == std::string_view::npos) {
+            break;
+        }
+        line.remove_prefix(end + 1);
+        if (separator == ' ') {
+            line = trim(line);
+        }
+    }
+    if (fields.size() > 2 && fields.back().empty()) {
+        fields.pop_back();  // a separator at the end of the line
+    }
+}
+
+bool looks_like_number(std::string_view text) {
+    text = trim(text);
+    while (!text.empty() && text.front() == '"') {
+        text.remove_prefix(1);
+    }
+    if (text.empty()) {
+        return false;
+    }
+    const char c = text.front();
+    return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == ',' ||
+           text.substr(0, 3) == "\xE2\x88\x92";
+}
+
+bool is_not_a_number_word(std::string_view text) {
+    std::string word;
+    for (const char c : text) {
+        if (c != '"' && c != '-' && c != '+' && c != ' ') {
+            word += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+        }
+    }
+    return word.starts_with("nan") || word.starts_with("inf") || word.starts_with("#n/a");
+}
+
+/// The separator that a line of two numbers uses.
+char find_separator(std::string_view line, std::size_t number) {
+    if (line.find(';') != std::string_view::npos) {
+        return ';';
+    }
+    if (line.find('\t') != std::string_view::npos) {
+        return '\t';
+    }
+    if (line.find(',') == std::string_view::npos) {
+        return ' ';
+    }
+    std::vector<std::string_view> fields;
+    split(line, ' ', fields);
+    if (fields.size() == 2 && !fields[0].ends_with(',') && !fields[1].starts_with(',')) {
+        return ' ';
+    }
+    split(line, ',', fields);
+    if (fields.size() == 4 && line.find('"') == std::string_view::npos) {
+        throw InputError(table_place(number, 1),
+                         CORE_TEXT("core",
+                                   "must not separate columns by commas and use decimal commas at "
+                                   "once; separate the columns by semicolons"),
+                         quote(line));
+    }
+    return ',';
+}
+
+}  // namespace
+
+TwoColumns read_two_columns(std::string_view text, const TwoColumnsRule& rule) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (text.starts_with(byte_order_mark)) {
+        text.remove_prefix(byte_order_mark.size());
+    }
+    TwoColumns rows;
+    std::vector<std::string_view> fields;
+    std::size_t number = 0;
+    std::size_t header_lines = 0;
+    bool separator_known = false;
+    while (!text.empty()) {
+        ++number;
+        const std::size_t end = text.find_first_of("\r\n");
+        const std::string_view line = text.substr(0, end);
+        if (end == std::string_view::npos) {
+            text = {};
+        } else {
+            text.remove_prefix(end + (text.substr(end, 2) == "\r\n" ? 2 : 1));
+        }
+        const auto bad = std::find_if(line.begin(), line.end(), [](char c) {
+            const auto byte = static_cast<unsigned char>(c);
+            return (byte < 0x20 && c != '\t' && c != '\v' && c != '\f') || byte == 0x7F;
+        });
+        if (bad != line.end()) {
+            throw InputError(line_place(number),
+                             CORE_TEXT("core", "must be text; this looks like a binary file"));
+        }
+        if (trim(line).empty() || trim(line).front() == '#') {
+            continue;
+        }
+        if (rows.first.empty() && !looks_like_number(line) && !is_not_a_number_word(line) &&
+            header_lines < 2) {
+            ++header_lines;  // names, and units below them
+            rows.header.append(line).append("\n");
+            rows.has_header = true;
+            continue;
+        }
+        if (!separator_known) {
+            rows.separator = find_separator(line, number);
+            separator_known = true;
+        }
+        split(line, rows.separator, fields);
+        if (fields.size() != 2) {
+            throw InputError(
+                line_place(number),
+                {CORE_TEXT("core", "must hold two columns, %1 and %2"), rule.first, rule.second},
+                fields.size() == 1 ? Message(quote(fields[0]))
+                                   : Message(CORE_TEXT("core", "%1 columns"), fields.size()));
+        }
+        std::array<double, 2> values{};
+        for (std::size_t column = 0; column < 2; ++column) {
+            const auto value = parse_decimal(fields[column]);
+            if (!value) {
+                throw InputError(table_place(number, static_cast<int>(column) + 1),
+                                 CORE_TEXT("core", "must be a finite number"),
+                                 quote(fields[column]));
+            }
+            values[column] = *value;
+            rows.decimal_comma =
+                rows.decimal_comma || fields[column].find(',') != std::string_view::npos;
+        }
+        if (!rule.first_range.contains(values[0])) {
+            throw InputError(table_place(number, 1), rule.first_range.message(), Number{values[0]});
+        }
+        if (rows.first.size() >= rule.most_rows) {
+            throw InputError(
+                line_place(number),
+                {CORE_TEXT("core", "the table must have at most %1 rows"), rule.most_rows});
+        }
+        rows.first.push_back(values[0]);
+        rows.second.push_back(values[1]);
+        rows.line.push_back(number);
+    }
+    return rows;
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,272 @@
+#pragma once
+
+#include "case-file/field.h"
+#include "inertia-moments/input.h"
+
+/// Every input of the scene, described once.
+namespace ravnoves::inertia_moments::field {
+
+inline constexpr Field crank_radius{
+    .key = "crank_radius_mm",
+    .unit = units::mm,
+    .range = Range::greater_than(0),
+    .label = CORE_TEXT("inertia-moments", "&Crank radius R"),
+    .symbol = "R",
+    .hint = CORE_TEXT("inertia-moments",
+                      "Half the stroke (a little less with offset). Volkswagen VR5: 45 mm.")};
+inline constexpr Field lambda{
+    .key = "lambda",
+    .range = Range::greater_than(0),
+    .label = CORE_TEXT("inertia-moments", "&λ = R / L"),
+    .symbol = "λ",
+    .hint = CORE_TEXT("inertia-moments",
+                      "Crank radius over rod length. Volkswagen VR5: 0.265. The crank turns where "
+                      "λ (1 + |e|/R) < 1.")};
+inline constexpr Field speed{
+    .key = "speed_rpm",
+    .unit = units::rpm,
+    .range = Range::greater_than(0),
+    .label = CORE_TEXT("inertia-moments", "Speed &n"),
+    .symbol = "n",
+    .hint =
+        CORE_TEXT("inertia-moments", "Crankshaft speed; forces and moments grow with its square.")};
+inline constexpr Field reciprocating_mass{
+    .key = "reciprocating_mass_kg",
+    .unit = units::kg,
+    .range = Range::greater_than(0),
+    .label = CORE_TEXT("inertia-moments", "Re&ciprocating mass"),
+    .hint = CORE_TEXT("inertia-moments",
+                      "Of one cylinder: piston with pin and rings, and the rod's share unless the "
+                      "rod is a rigid body below. Volkswagen VR5: 0.622 kg.")};
+inline constexpr Field rotating_mass{
+    .key = "rotating_mass_kg",
+    .unit = units::kg,
+    .range = Range::at_least(0),
+    .label = CORE_TEXT("inertia-moments", "R&otating mass"),
+    .hint = CORE_TEXT("inertia-moments",
+                      "Of one throw, reduced to the crank radius: unbalanced part of the throw and "
+                      "the rod's share unless the rod is a rigid body.")};
+inline constexpr Field reference_position{
+    .key = "reference_position_mm",
+    .unit = units::mm,
+    .label = CORE_TEXT("inertia-moments", "Centre of mass &z"),
+    .symbol = "z",
+    .hint = CORE_TEXT("inertia-moments",
+                      "Axial position of the point that moments refer to, in the coordinates of "
+                      "the cylinders; positive towards cylinder 1.")};
+inline constexpr Field step{
+    .key = "step_deg", .unit = units::degree, .range = Range::between(0.01, 90)};
+/// Of a table; also of a layout.
+inline constexpr Field firing_order{
+    .key = "firing_order",
+    .range = Range::between(1, most_cylinders),
+    .label = CORE_TEXT("inertia-moments", "&Firing order"),
+    .hint = CORE_TEXT("inertia-moments",
+                      "Numbers of the cylinders, for example 1-2-4-5-3. Layouts with crankpins for "
+                      "even firing follow it.")};
+
+// Of each entry of "cylinders".
+inline constexpr Field cylinders{.key = "cylinders"};
+inline constexpr Field axial_position{
+    .key = "axial_position_mm",
+    .unit = units::mm,
+    .symbol = "z",
+    .hint = CORE_TEXT("inertia-moments", "Axial position, positive towards cylinder 1")};
+inline constexpr Field bank_angle{
+    .key = "bank_angle_deg",
+    .unit = units::degree,
+    .range = Range::between(-3600, 3600),
+    .symbol = "β",
+    .hint = CORE_TEXT("inertia-moments",
+                      "Direction of the cylinder's axis, counter-clockwise from up")};
+inline constexpr Field offset{
+    .key = "offset_mm",
+    .unit = units::mm,
+    .symbol = "e",
+    .hint = CORE_TEXT("inertia-moments",
+                      "Distance of the cylinder's axis from the crank axis, positive on the "
+                      "counter-clockwise side")};
+inline constexpr Field crankpin_angle{
+    .key = "crankpin_angle_deg",
+    .unit = units::degree,
+    .range = Range::between(-3600, 3600),
+    .symbol = "κ",
+    .hint = CORE_TEXT("inertia-moments", "Crankpin, counter-clockwise from crankpin 1")};
+
+// Of the object "layout".
+enum class LayoutType { vr, library };
+inline constexpr Word layout_types[] = {{"vr"}, {"library"}};
+inline constexpr Field layout{.key = "layout"};
+inline constexpr Field layout_type{.key = "type", .words = layout_types};
+inline constexpr Field layout_name{.key = "name"};
+inline constexpr Field layout_cylinders{.key = "cylinders",
+                                        .range = Range::between(1, most_cylinders)};
+inline constexpr Field included_angle{
+    .key = "bank_angle_deg",
+    .unit = units::degree,
+    .range = Range::between(0, 180),
+    .label = CORE_TEXT("inertia-moments", "Bank an&gle γ"),
+    .symbol = "γ",
+    .hint = CORE_TEXT("inertia-moments",
+                      "Between the banks, 0 to 180°. Crankpins for even firing follow it; those of "
+                      "a table stay, and its bank angles are scaled.")};
+inline constexpr Field layout_offset{
+    .key = "offset_mm",
+    .unit = units::mm,
+    .label = CORE_TEXT("inertia-moments", "O&ffset e"),
+    .symbol = "e",
+    .hint = CORE_TEXT("inertia-moments",
+                      "Distance of the cylinder axes from the crank axis, as far as the mechanism "
+                      "does not lock. Of a table: the largest; the others are scaled with it.")};
+inline constexpr Field spacing{
+    .key = "spacing_mm",
+    .unit = units::mm,
+    .range = Range::greater_than(0),
+    .label = CORE_TEXT("inertia-moments", "&Spacing a"),
+    .symbol = "a",
+    .hint = CORE_TEXT("inertia-moments",
+                      "Between neighbouring crankpins (in V engines: throws) along the crank. "
+                      "Volkswagen VR5: 63 mm.")};
+inline constexpr Field stagger{
+    .key = "stagger_mm",
+    .unit = units::mm,
+    .label = CORE_TEXT("inertia-moments", "Sta&gger"),
+    .hint = CORE_TEXT("inertia-moments",
+                      "From bank 1's cylinder to bank 2's at the same throw, along the crank. 0 "
+                      "where the rods are forked.")};
+inline constexpr Field first_position{
+    .key = "first_position_mm",
+    .unit = units::mm,
+    .label = CORE_TEXT("inertia-moments", "&Position of cylinder 1"),
+    .symbol = "z",
+    .hint = CORE_TEXT("inertia-moments",
+                      "Axial position z of cylinder 1. Volkswagen VR5: 3 a + l_cm = 204.8 mm, with "
+                      "the centre of mass at z = 0.")};
+
+// Of the object "rod".
+inline constexpr Field rod{.key = "rod"};
+inline constexpr Field rod_mass{.key = "mass_kg",
+                                .unit = units::kg,
+                                .range = Range::at_least(0),
+                                .label = CORE_TEXT("inertia-moments", "Rod &mass"),
+                                .hint = CORE_TEXT("inertia-moments", "Whole rod")};
+inline constexpr Field rod_centre{
+    .key = "centre_from_big_end_mm",
+    .unit = units::mm,
+    .label = CORE_TEXT("inertia-moments", "Centre from &big end"),
+    .hint = CORE_TEXT("inertia-moments", "Centre of mass, from the big end towards the small end")};
+inline constexpr Field rod_inertia{
+    .key = "inertia_kg_m2",
+    .unit = units::kg_m2,
+    .range = Range::at_least(0),
+    .label = CORE_TEXT("inertia-moments", "&Inertia"),
+    .hint = CORE_TEXT("inertia-moments", "About its centre of mass")};
+
+// Of each entry of "balance_shafts", and what they are designed for.
+inline constexpr Word bases[] = {{"exact", CORE_TEXT("inertia-moments", "exact orders")},
+                                 {"two-term", CORE_TEXT("inertia-moments", "two-term form")}};
+inline constexpr Word directions[] = {{"forward", CORE_TEXT("inertia-moments", "+kω")},
+                                      {"backward", CORE_TEXT("inertia-moments", "−kω")}};
+inline constexpr Word tasks[] = {{"moment", CORE_TEXT("inertia-moments", "moment")},
+                                 {"force", CORE_TEXT("inertia-moments", "force")}};
+inline constexpr Range weight_range = Range::between(1e-3, 1e9);
+inline constexpr Field shaft_basis{
+    .key = "balance_shaft_basis",
+    .label = CORE_TEXT("inertia-moments", "&Designed for"),
+    .hint = CORE_TEXT("inertia-moments",
+                      "The paper designs its shafts for the two-term form; what they leave of the "
+                      "exact order is then what the two-term form leaves out."),
+    .words = bases};
+inline constexpr Field shafts{.key = "balance_shafts"};
+inline constexpr Field shaft_order{
+    .key = "order",
+    .range = Range::between(1, highest_order),
+    .label = CORE_TEXT("inertia-moments", "Order of the shaft"),
+    .symbol = "k",
+    .hint = CORE_TEXT("inertia-moments",
+                      "Order that the shaft cancels; it turns k times as fast as the crank. "
+                      "1 to 12.")};
+inline constexpr Field shaft_direction{
+    .key = "direction",
+    .label = CORE_TEXT("inertia-moments", "Direction of the shaft"),
+    .hint = CORE_TEXT("inertia-moments", "With the crank (+kω) or against it (−kω)"),
+    .words = directions};
+inline constexpr Field shaft_task{
+    .key = "balances",
+    .label = CORE_TEXT("inertia-moments", "Task of the shaft"),
+    .hint =
+        CORE_TEXT("inertia-moments", "Two opposite weights against a moment, one against a force"),
+    .words = tasks};
+inline constexpr Field weight_distance{
+    .key = "weight_distance_mm",
+    .unit = units::mm,
+    .range = weight_range,
+    .label = CORE_TEXT("inertia-moments", "Distance of the shaft's weights"),
+    .symbol = "L",
+    .hint = CORE_TEXT("inertia-moments", "Distance between the two weights along the shaft")};
+inline constexpr Field shaft_position{
+    .key = "axial_position_mm",
+    .unit = units::mm,
+    .label = CORE_TEXT("inertia-moments", "Place of the shaft"),
+    .symbol = "z",
+    .hint = CORE_TEXT("inertia-moments",
+                      "Axial position of the weight; empty: at the point that moments refer to"),
+    .placeholder = CORE_TEXT("inertia-moments", "c. m.")};
+inline constexpr Field weight_radius{
+    .key = "weight_radius_mm",
+    .unit = units::mm,
+    .range = weight_range,
+    .label = CORE_TEXT("inertia-moments", "Radius of the shaft's weights"),
+    .symbol = "ρ",
+    .hint = CORE_TEXT("inertia-moments",
+                      "Radius of the weights' centres of mass; gives their mass. Empty: only mρ is "
+                      "given.")};
+inline constexpr Field phase_error{
+    .key = "phase_error_deg",
+    .unit = units::degree,
+    .range = Range::between(-360, 360),
+    .label = CORE_TEXT("inertia-moments", "Phase of the shaft"),
+    .symbol = "δ",
+    .hint = CORE_TEXT("inertia-moments",
+                      "Error of the shaft's phase, ahead in its own direction: 0 when it is timed "
+                      "right.")};
+inline constexpr Field shaft_enabled{
+    .key = "enabled",
+    .label = CORE_TEXT("inertia-moments", "Shaft on"),
+    .hint = CORE_TEXT("inertia-moments", "Switched on, the shaft counts in what is left over.")};
+
+// Of the object "counterweights".
+inline constexpr Field end_webs{.key = "counterweights"};
+inline constexpr Field front_position{
+    .key = "front_position_mm",
+    .unit = units::mm,
+    .label = CORE_TEXT("inertia-moments", "&Front web at z"),
+    .hint = CORE_TEXT("inertia-moments", "Axial position of the front weight")};
+inline constexpr Field rear_position{
+    .key = "rear_position_mm",
+    .unit = units::mm,
+    .label = CORE_TEXT("inertia-moments", "R&ear web at z"),
+    .hint = CORE_TEXT("inertia-moments", "Axial position of the rear weight")};
+inline constexpr Field front_radius{
+    .key = "front_radius_mm",
+    .unit = units::mm,
+    .range = weight_range,
+    .label = CORE_TEXT("inertia-moments", "Front &radius ρ"),
+    .hint = CORE_TEXT("inertia-moments", "Of the front weight's centre of mass")};
+inline constexpr Field rear_radius{
+    .key = "rear_radius_mm",
+    .unit = units::mm,
+    .range = weight_range,
+    .label = CORE_TEXT("inertia-moments", "Rear ra&dius ρ"),
+    .hint = CORE_TEXT("inertia-moments", "Of the rear weight's centre of mass")};
+inline constexpr Field first_order_share{
+    .key = "first_order_share",
+    .range = Range::between(0, 1),
+    .label = CORE_TEXT("inertia-moments", "&Share of order 1"),
+    .hint = CORE_TEXT("inertia-moments",
+                      "Of the forward part of the reciprocating first order; 1 in a cross-plane V8 "
+                      "cancels it wholly, in a single it is the balance for half the reciprocating "
+                      "mass.")};
+inline constexpr Field webs_enabled{.key = "enabled"};
+
+}  // namespace ravnoves::inertia_moments::field

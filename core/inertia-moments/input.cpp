@@ -1,0 +1,150 @@
+#include "inertia-moments/input.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "case-file/field_visitor.h"
+#include "case-file/field_writer.h"
+#include "case-file/input_error.h"
+#include "inertia-moments/engine.h"
+#include "inertia-moments/fields.h"
+#include "inertia-moments/layouts.h"
+
+namespace ravnoves::inertia_moments {
+
+namespace {
+
+/// Forces, moments and torques outside these bounds (N, N·m) would leave the range of numbers.
+constexpr double largest_effect = 1e200;
+constexpr double smallest_effect = 1e-200;
+
+void check_firing_order(const std::vector<int>& order, int count, const std::string& pointer) {
+    if (const Message trouble = firing_order_trouble(order, count); !trouble.empty()) {
+        throw InputError(pointer, trouble, firing_order_text(order));
+    }
+}
+
+void check_layout(const Layout& layout) {
+    if (layout.name != "vr" && find_layout(layout.name) == nullptr) {
+        throw InputError("/input/layout/name",
+                         CORE_TEXT("inertia-moments", "must be a layout of the library"),
+                         layout.name);
+    }
+    check_firing_order(layout.firing_order, cylinder_count(layout), "/input/layout/firing_order");
+}
+
+void check_table(const Input& input) {
+    if (input.cylinders.empty() ||
+        input.cylinders.size() > static_cast<std::size_t>(most_cylinders)) {
+        throw InputError(
+            "/input/cylinders",
+            {CORE_TEXT("inertia-moments", "must list from 1 to %1 cylinders"), most_cylinders},
+            Number{static_cast<double>(input.cylinders.size())});
+    }
+    if (!input.firing_order.empty()) {
+        check_firing_order(input.firing_order, static_cast<int>(input.cylinders.size()),
+                           "/input/firing_order");
+    }
+}
+
+void check_locking(const Input& input, const std::vector<Cylinder>& cylinders) {
+    const auto locking = find_locking(input.crank_radius, input.lambda, cylinders);
+    if (!locking) {
+        return;
+    }
+    const double limit = (input.rod_length() - input.crank_radius) / units::mm;  // of |e|
+    if (!(limit > 0.0)) {
+        throw InputError(
+            "/input/lambda",
+            {CORE_TEXT("inertia-moments", "must be less than 1; %1"), describe(*locking)},
+            Number{input.lambda});
+    }
+    const std::string pointer =
+        input.layout ? "/input/layout/offset_mm"
+                     : "/input/cylinders/" + std::to_string(locking->cylinder) + "/offset_mm";
+    throw InputError(pointer,
+                     {CORE_TEXT("inertia-moments",
+                                "must be less than %1 in size (rod length less crank radius); %2"),
+                      Number{.value = limit, .digits = 6}, describe(*locking)},
+                     Number{.value = cylinders[locking->cylinder].offset / units::mm, .digits = 6});
+}
+
+void check_end_webs(const EndWebs& webs) {
+    constexpr double least_distance = 1e-6;  // m
+    const double size = std::max(std::abs(webs.front_position), std::abs(webs.rear_position));
+    if (!(std::abs(webs.front_position - webs.rear_position) >
+          std::max(1e-9 * size, least_distance))) {
+        throw InputError(
+            "/input/counterweights/rear_position_mm",
+            {CORE_TEXT("inertia-moments", "must differ from front_position_mm by more than %1"),
+             least_distance / units::mm},
+            Number{from_si(field::rear_position, webs.rear_position)});
+    }
+}
+
+void check_size(const Input& input, const Engine& engine) {
+    if (input.rod && !(engine.reciprocating_mass > 0.0 && engine.rotating_mass >= 0.0)) {
+        throw InputError("/input/rod/centre_from_big_end_mm",
+                         CORE_TEXT("inertia-moments",
+                                   "must leave both ends of the rod a mass that is not negative"),
+                         Number{.value = input.rod->centre_from_big_end / units::mm, .digits = 6});
+    }
+    double lever = engine.crank_radius;
+    for (const Cylinder& cylinder : engine.cylinders) {
+        lever = std::max({lever, std::abs(cylinder.axial_position),
+                          std::abs(cylinder.axial_position - engine.reference_position),
+                          std::abs(cylinder.offset)});
+    }
+    if (input.end_webs) {
+        lever = std::max({lever, std::abs(input.end_webs->front_position),
+                          std::abs(input.end_webs->rear_position)});
+    }
+    const double omega_2 = engine.angular_speed * engine.angular_speed;
+    const double force =
+        std::max(engine.reciprocating_mass, engine.rotating_mass) * engine.crank_radius * omega_2;
+    const double couple = std::abs(engine.rod_couple_inertia) * omega_2;
+    for (const double effect : {engine.force_unit(), force, force * lever, couple}) {
+        if (!(effect <= largest_effect)) {
+            throw InputError("/input",
+                             CORE_TEXT("inertia-moments",
+                                       "sizes, masses and speed together must keep forces and "
+                                       "moments under 1e200 N and N·m"),
+                             Number{.value = effect, .digits = 6});
+        }
+    }
+    const double smallest =
+        std::min({engine.force_unit(), engine.force_unit() * engine.crank_radius, omega_2,
+                  engine.crank_radius});
+    if (!(smallest >= smallest_effect)) {
+        throw InputError("/input",
+                         CORE_TEXT("inertia-moments",
+                                   "sizes, masses and speed together must keep m R ω² over 1e-200 "
+                                   "N"),
+                         Number{.value = engine.force_unit(), .digits = 6});
+    }
+}
+
+}  // namespace
+
+void check_input(const Input& input) {
+    check_fields(input);
+    if (input.layout) {
+        check_layout(*input.layout);
+        // Only the offsets matter for locking; crankpins would need a top dead centre.
+        check_locking(input, {Cylinder{0.0, 0.0, input.layout->offset, 0.0}});
+    } else {
+        check_table(input);
+        check_locking(input, input.cylinders);
+    }
+    if (input.shafts.size() > static_cast<std::size_t>(most_shafts)) {
+        throw InputError("/input/balance_shafts",
+                         {CORE_TEXT("inertia-moments", "must list at most %1 shafts"), most_shafts},
+                         Number{static_cast<double>(input.shafts.size())});
+    }
+    if (input.end_webs) {
+        check_end_webs(*input.end_webs);
+    }
+    check_size(input, reduce(input));
+}
+
+}  // namespace ravnoves::inertia_moments

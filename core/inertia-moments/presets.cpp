@@ -1,0 +1,78 @@
+#include "inertia-moments/presets.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "inertia-moments/fields.h"
+#include "inertia-moments/layouts.h"
+
+namespace ravnoves::inertia_moments {
+
+namespace {
+
+/// Lowest and highest axial position.
+std::pair<double, double> extent(const std::vector<Cylinder>& cylinders) {
+    const auto [low, high] = std::minmax_element(
+        cylinders.begin(), cylinders.end(),
+        [](const Cylinder& a, const Cylinder& b) { return a.axial_position < b.axial_position; });
+    return {low->axial_position, high->axial_position};
+}
+
+/// As a person would enter it.
+double tidy(double length) {
+    return rounded(length, field::front_position, 5);
+}
+
+}  // namespace
+
+EndWebs usual_end_webs(const std::vector<Cylinder>& cylinders, double crank_radius) {
+    const auto [low, high] = extent(cylinders);
+    EndWebs webs;
+    webs.front_position = tidy(high + 0.6 * crank_radius);
+    webs.rear_position = tidy(low - 0.6 * crank_radius);
+    webs.front_radius = webs.rear_radius = tidy(crank_radius);
+    return webs;
+}
+
+std::vector<Shaft> usual_shafts(const std::vector<Cylinder>& cylinders, double crank_radius) {
+    const auto [low, high] = extent(cylinders);
+    std::vector<Shaft> shafts;
+    for (const int order : {1, 2}) {
+        for (const Direction direction : {Direction::forward, Direction::backward}) {
+            Shaft shaft;
+            shaft.order = order;
+            shaft.direction = direction;
+            shaft.balances = Balances::moment;
+            shaft.weight_distance = tidy(std::max(high - low, 2.0 * crank_radius));
+            shaft.weight_radius = tidy(crank_radius / 2.0);
+            shaft.enabled = false;
+            shafts.push_back(shaft);
+        }
+    }
+    return shafts;
+}
+
+Input preset_vw_vr5() {
+    Input input;
+    input.crank_radius = 45.0 * units::mm;
+    input.lambda = 0.265;
+    input.angular_speed = 6200.0 * units::rpm;
+    input.reciprocating_mass = 0.622;
+    input.rotating_mass = 0.8;
+    Layout layout;
+    layout.name = "vr";
+    layout.cylinders = 5;
+    layout.bank_angle = 15.0 * units::degree;
+    layout.offset = 12.51 * units::mm;
+    layout.spacing = 63.0 * units::mm;
+    layout.first_position = 204.8 * units::mm;
+    layout.firing_order = {1, 2, 4, 5, 3};
+    const std::vector<Cylinder> cylinders =
+        make_cylinders(layout, input.crank_radius, input.lambda);
+    input.layout = layout;
+    input.end_webs = usual_end_webs(cylinders, input.crank_radius);
+    input.shafts = usual_shafts(cylinders, input.crank_radius);
+    return input;
+}
+
+}  // namespace ravnoves::inertia_moments

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "inertia-moments/input.h"
+
+namespace ravnoves::inertia_moments {
+
+/// The Volkswagen VR5 of the paper: γ 15°, e 12.5 mm (K = 0.278 as printed), λ 0.265, R 45 mm,
+/// m_j 0.622 kg, a 63 mm, 6200 min⁻¹, order 1-2-4-5-3, the centre of mass 15.8 mm from crankpin 4.
+/// The rotating mass (0.8 kg) and the places of the counterweights are not in the paper; the four
+/// shafts of its Figs. 7 and 8 are there, switched off.
+Input preset_vw_vr5();
+
+/// End webs half a spacing beyond the outer crankpins of these cylinders, at the crank's radius.
+EndWebs usual_end_webs(const std::vector<Cylinder>& cylinders, double crank_radius);
+
+/// The four shafts against the moments of orders 1 and 2, switched off, their weights as far apart
+/// as the cylinders.
+std::vector<Shaft> usual_shafts(const std::vector<Cylinder>& cylinders, double crank_radius);
+
+}  // namespace ravnoves::inertia_moments

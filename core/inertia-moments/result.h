@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "inertia-moments/balance_shafts.h"
+#include "inertia-moments/comparison.h"
+#include "inertia-moments/engine.h"
+#include "inertia-moments/layouts.h"
+#include "inertia-moments/orders.h"
+#include "inertia-moments/rotating_masses.h"
+
+namespace ravnoves::inertia_moments {
+
+/// Everything that the page shows and that the command line prints.
+struct Result {
+    Engine engine;                    ///< cylinders with their crankpins 0…2π
+    std::optional<double> tdc_angle;  ///< of a layout, |θ_tdc|, rad
+    EngineOrders two_term;            ///< reciprocating parts, orders 1…4
+    EngineOrders exact;               ///< reciprocating parts, orders 1…12
+    RotatingMasses rotating;
+    std::vector<ShaftDesign> shafts;
+    std::optional<CounterweightDesign> counterweights;
+    /// Exact orders with the rotating masses, the enabled counterweights and the enabled shafts:
+    /// what is left over.
+    EngineOrders remaining;
+    std::vector<Difference> differences;
+    std::vector<FiringEvent> firing;  ///< empty without a firing order that fits
+    WrenchCurves curves;              ///< exact, reciprocating parts
+    WrenchCurves remaining_curves;    ///< with rotating masses, counterweights and shafts
+};
+
+}  // namespace ravnoves::inertia_moments

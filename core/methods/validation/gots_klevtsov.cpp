@@ -1,0 +1,293 @@
+/// The numbers of [gots-klevtsov].
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "balance-shaft/presets.h"
+#include "balance-shaft/solver.h"
+#include "methods/validation/gots_klevtsov_tables.h"
+#include "methods/validation/rows.h"
+#include "numerics/constants.h"
+
+namespace ravnoves::methods {
+
+namespace {
+
+using balance_shaft::Result;
+using balance_shaft::Solver;
+
+constexpr double cycle_deg = 720.0;
+
+/// The mean of a moment over nodes of the cycle with both ends, as the paper averages.
+template <typename Moment>
+double node_mean(const Moment& moment, double step_deg) {
+    const auto steps = static_cast<int>(std::round(cycle_deg / step_deg));
+    double sum = 0.0;
+    for (int i = 0; i <= steps; ++i) {
+        sum += moment(step_deg * i * degree);
+    }
+    return sum / (steps + 1);
+}
+
+/// All that the rows are taken from.
+struct Engine {
+    Solver solver{balance_shaft::preset_tmz_650d()};
+    Result result = solver.result();
+
+    double M_s(double phi_deg, double alpha_deg) const {
+        return solver.M_s(phi_deg * degree, alpha_deg * degree);
+    }
+    double M_up(double phi_deg) const { return solver.M_up(phi_deg * degree); }
+    double range(double alpha_deg) const { return solver.range(alpha_deg * degree); }
+    /// M_sm: of nodes, the cycle's end counted twice.
+    double mean_of_nodes(double alpha_deg, double step_deg) const {
+        return node_mean([&](double phi) { return solver.M_s(phi, alpha_deg * degree); }, step_deg);
+    }
+    /// Whether nodes of that step give the largest mean that Table 3 prints, that of α = 90°.
+    bool has_printed_mean(double step_deg) const {
+        const Printed printed = read_printed(gots_klevtsov::table_3_means[3]);
+        return std::abs(mean_of_nodes(90.0, step_deg) - printed.value) <= 0.5 * printed.last_digit;
+    }
+    /// By how much a shaft lowers the node mean of the moment on the mounts, %.
+    double cut_of_node_mean(double alpha_deg) const {
+        return -100.0 * mean_of_nodes(alpha_deg, gots_klevtsov::table_2_step) /
+               result.printed_mean_M_up;
+    }
+    /// The true cut, %.
+    double cut_of_mean() const { return 100.0 * (1.0 - result.M_ups.mean / result.M_up.mean); }
+};
+
+void first_order_forces(const Engine& engine, PaperRows& rows) {
+    const Result& r = engine.result;
+    const auto& input = engine.solver.input();
+    constexpr double rounded_pi = 3.14;
+    const Printed speed = read_printed("3600");  // min⁻¹
+    const Printed stroke = read_printed("9.2");  // cm, of the type 1Ch9.55/9.2
+    rows.at(in_text(CORE_TEXT("methods", "dynamic calculation")));
+    rows.slip({CORE_TEXT("methods", "angular speed ω at %1 min⁻¹"), 3600}, "rad/s", "376.8",
+              speed.value * rpm, speed.value * rounded_pi / 30.0,
+              CORE_TEXT("methods", "π is rounded to 3.14."));
+    rows.reproduced(CORE_TEXT("methods", "crank radius r"), "m", "0.046", stroke.value / 200.0,
+                    CORE_TEXT("methods", "Half the stroke of 9.2 cm in the engine's type."));
+    rows.reproduced(CORE_TEXT("methods", "reciprocating mass m_j"), "kg", "1.316",
+                    r.reciprocating_mass,
+                    CORE_TEXT("methods", "The sum of Table 1 with the heavier piston."));
+    rows.reproduced(CORE_TEXT("methods", "first-order inertia force P_j1 max"), "N", "8594.8",
+                    r.inertia_force_1_max,
+                    CORE_TEXT("methods", "m_j r ω² at the printed 376.8 rad/s."));
+    rows.reproduced(
+        CORE_TEXT("methods", "counterweight m₁"), "kg", "0.658",
+        input.reciprocating_mass() * input.crank_radius / (2.0 * input.counterweight_radius),
+        CORE_TEXT("methods", "Equation (1)."));
+    rows.reproduced(CORE_TEXT("methods", "counterweight's force P₁"), "N", "4297.4",
+                    r.counterweight_force, CORE_TEXT("methods", "m₁ ρ₁ ω²."));
+    rows.not_derivable(CORE_TEXT("methods", "rated power"), "kW", "12",
+                       CORE_TEXT("methods",
+                                 "The friction losses are not printed; ours is the indicated power "
+                                 "of Table 2 at the printed speed."),
+                       r.M_up.mean * -r.angular_speed / 1000.0);
+    rows.not_derivable(
+        CORE_TEXT("methods", "speed of Table 2"), "min⁻¹", "3600",
+        CORE_TEXT("methods",
+                  "The program that made Table 2 is not published; ours is the speed at which the "
+                  "inertia torque within it belongs to the masses of Table 1."),
+        r.inertia_check.matching_speed / rpm);
+}
+
+void table_2(const Engine& engine, PaperRows& rows) {
+    rows.at(table(2));
+    double phi = 0.0;
+    for (const std::string_view printed : gots_klevtsov::table_2) {
+        rows.reproduced({Text{"", "M_up(φ = %1°)"}, phi}, "N·m", printed, engine.M_up(phi),
+                        CORE_TEXT("methods", "M_up = −M_id."), 1e-9);
+        phi += gots_klevtsov::table_2_step;
+    }
+    const Text reason = CORE_TEXT("methods",
+                                  "The mean of the 49 rows counts the end of the cycle, 720° = 0°, "
+                                  "twice; ours is the cycle integral.");
+    const double mean = engine.result.M_up.mean;
+    const double of_rows = engine.result.printed_mean_M_up;
+    rows.artefact(CORE_TEXT("methods", "mean of M_id"), "N·m", "37.9", -mean, -of_rows, reason);
+    rows.artefact(CORE_TEXT("methods", "mean of M_up"), "N·m", "-37.9", mean, of_rows, reason);
+}
+
+void table_3(const Engine& engine, PaperRows& rows) {
+    using gots_klevtsov::table_3_columns;
+    using gots_klevtsov::table_3_step;
+    constexpr double scatter = 0.01;
+    const Text reason =
+        CORE_TEXT("methods",
+                  "To 0.01 N·m: l is not printed, ours follows from the largest entry and is "
+                  "rounded to 0.01 mm, and equal entries scatter by 0.01 in print.");
+    for (std::size_t i = 0; i < gots_klevtsov::table_3.size(); ++i) {
+        const double phi = table_3_step * static_cast<double>(i);
+        rows.at(table(3));
+        for (std::size_t k = 0; k < table_3_columns; ++k) {
+            const double alpha = table_3_step * static_cast<double>(k);
+            const std::string_view printed = gots_klevtsov::table_3[i][k];
+            if (k + 1 < table_3_columns) {
+                rows.reproduced({Text{"", "M_s(φ = %1°, α = %2°)"}, phi, alpha}, "N·m", printed,
+                                engine.M_s(phi, alpha), reason, scatter);
+            } else {
+                rows.slip(
+                    joined(CORE_TEXT("methods", "last column"),
+                           Message{Text{"", "M_up(φ = %1°)"}, phi}),
+                    "N·m", printed, engine.M_up(phi), engine.M_s(phi, alpha),
+                    CORE_TEXT("methods", "The column is headed M_up but holds M_s of α = 330°."),
+                    scatter);
+            }
+        }
+    }
+    for (std::size_t k = 0; k + 1 < table_3_columns; ++k) {
+        const double alpha = table_3_step * static_cast<double>(k);
+        rows.artefact({CORE_TEXT("methods", "mean M_sm(α = %1°)"), alpha}, "N·m",
+                      gots_klevtsov::table_3_means[k], 0.0,
+                      engine.mean_of_nodes(alpha, table_3_step),
+                      CORE_TEXT("methods",
+                                "The mean of the 25 rows counts the end of the cycle twice; the "
+                                "cycle mean of a sine is 0 for every α."));
+    }
+    rows.artefact(CORE_TEXT("methods", "mean under the last column"), "N·m",
+                  gots_klevtsov::table_3_means.back(), engine.result.M_up.mean,
+                  engine.result.printed_mean_M_up,
+                  CORE_TEXT("methods",
+                            "The mean of the 49 rows of Table 2, not of the 25 values above it; "
+                            "the end of the cycle is counted twice."));
+}
+
+/// The coarsest step whose node mean of M_s is the printed one; 0 where none is.
+double step_of_printed_means(const Engine& engine) {
+    constexpr double steps[] = {30.0, 15.0, 10.0, 5.0};
+    const auto* const found = std::find_if(std::begin(steps), std::end(steps), [&](double step) {
+        return engine.has_printed_mean(step);
+    });
+    return found == std::end(steps) ? 0.0 : *found;
+}
+
+/// The last α from which on, up to a whole turn, M_sm of the nodes stays below zero.
+double begin_of_negative_means(const Engine& engine) {
+    const auto& sweep = engine.result.sweep;
+    constexpr double rounding = 1e-9;
+    std::size_t begin = sweep.shaft_angle_deg.size() - 1;
+    while (begin > 0 && sweep.printed_mean_M_s[begin - 1] < rounding) {
+        --begin;
+    }
+    return sweep.shaft_angle_deg[begin];
+}
+
+/// The paper says "cosine" of α = 180°: the α at which M_s is P₁ l cos φ.
+double angle_of_cosine(const Engine& engine) {
+    const auto& angles = engine.result.sweep.shaft_angle_deg;
+    return *std::max_element(angles.begin(), angles.end(), [&](double a, double b) {
+        return engine.M_s(0.0, a) < engine.M_s(0.0, b);
+    });
+}
+
+void means_over_the_angle(const Engine& engine, PaperRows& rows) {
+    const double negative_from = begin_of_negative_means(engine);
+    const double turn = engine.result.sweep.shaft_angle_deg.back();
+    rows.at(in_text(Message{CORE_TEXT("methods", "before Table %1"), 3}));
+    const double step = step_of_printed_means(engine);
+    rows.slip_shown(CORE_TEXT("methods", "step of the means M_sm in Table 3"), "°", "5", step,
+                    engine.has_printed_mean(step) && !engine.has_printed_mean(5.0),
+                    CORE_TEXT("methods",
+                              "Only the 25 printed rows give the printed means; rows every 5° "
+                              "would give a sixth of them."));
+    rows.at(in_text(CORE_TEXT("methods", "results")));
+    rows.slip(CORE_TEXT("methods", "α at which M_s is a cosine"), "°", "180",
+              angle_of_cosine(engine), negative_from,
+              CORE_TEXT("methods",
+                        "At 180° the mean of the nodes is 0 as well, but there M_s is a sine; it "
+                        "is a cosine at 90°."));
+    rows.artefact(CORE_TEXT("methods", "upper end of the α that lower the mean"), "°", "180",
+                  std::nullopt, negative_from,
+                  CORE_TEXT("methods",
+                            "The mean of the nodes is positive up to there; the cycle mean of M_s "
+                            "is 0 for every α."));
+    rows.slip(
+        CORE_TEXT("methods", "upper end of the α with M_sm < 0"), "°", "60", turn,
+        std::fmod(turn, 100.0),
+        CORE_TEXT("methods",
+                  "360 without its first digit: M_sm of the nodes is negative from 180° to 360°."));
+    rows.artefact(CORE_TEXT("methods", "α from which M_sm changes its sign"), "°", "180",
+                  std::nullopt, negative_from,
+                  CORE_TEXT("methods", "So do the nodes; the cycle mean of M_s is 0 for every α."));
+    rows.artefact(CORE_TEXT("methods", "α from which M_sm is negative"), "°", "180", std::nullopt,
+                  negative_from,
+                  CORE_TEXT("methods", "So do the nodes; the cycle mean of M_s is 0 for every α."));
+    rows.at(CORE_TEXT("methods", "abstract"));
+    const Text reason = CORE_TEXT(
+        "methods",
+        "The mean of the 49 rows falls by that at α = 30° and at the 45° of Fig. 2, because the "
+        "end of the cycle is counted twice; no shaft changes the cycle mean.");
+    rows.artefact(lower_end(CORE_TEXT("methods", "cut of the mean moment")), "%", "12",
+                  engine.cut_of_mean(), engine.cut_of_node_mean(30.0), reason);
+    rows.artefact(upper_end(CORE_TEXT("methods", "cut of the mean moment")), "%", "16",
+                  engine.cut_of_mean(), engine.cut_of_node_mean(45.0), reason);
+}
+
+/// Where the range equals that of the engine without a shaft, going from the best α outwards.
+double end_of_gain(const Engine& engine, double direction) {
+    const double without = engine.result.M_up.range;
+    const double best = *engine.result.best_range.shaft_angle / degree;
+    double inside = best;
+    double outside = best + 90.0 * direction;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = std::midpoint(inside, outside);
+        (engine.range(middle) < without ? inside : outside) = middle;
+    }
+    return inside;
+}
+
+void ranges(const Engine& engine, PaperRows& rows) {
+    const auto& sweep = engine.result.sweep;
+    const auto worst = std::max_element(sweep.range.begin(), sweep.range.end());
+    const double worst_angle =
+        sweep.shaft_angle_deg[static_cast<std::size_t>(worst - sweep.range.begin())];
+    rows.at(in_text(CORE_TEXT("methods", "results")));
+    rows.reproduced(CORE_TEXT("methods", "α of the largest ΔM_ups"), "°", "240", worst_angle,
+                    CORE_TEXT("methods", "The largest of the sweep over α."));
+    rows.not_derivable(
+        CORE_TEXT("methods", "largest ΔM_ups"), "N·m", "1802",
+        CORE_TEXT(
+            "methods",
+            "It was read from a torque table of 5° that is not printed; ours is of the 15° table."),
+        engine.range(240.0));
+    rows.not_derivable(lower_end(CORE_TEXT("methods", "rational α")), "°", "30",
+                       CORE_TEXT("methods",
+                                 "No criterion is printed from which it follows; ours is where the "
+                                 "range begins to be smaller than without a shaft."),
+                       end_of_gain(engine, -1.0));
+    const Text upper = CORE_TEXT("methods", "Beyond it the range is larger than without a shaft.");
+    rows.reproduced(upper_end(CORE_TEXT("methods", "rational α")), "°", "90",
+                    end_of_gain(engine, 1.0), upper);
+    rows.not_derivable(CORE_TEXT("methods", "α below which the overall size shrinks"), "°", "180",
+                       CORE_TEXT("methods", "No sizes of the engine are printed."));
+    rows.at(CORE_TEXT("methods", "abstract"));
+    rows.reproduced(CORE_TEXT("methods", "largest α advised"), "°", "90", end_of_gain(engine, 1.0),
+                    upper);
+    rows.at(CORE_TEXT("methods", "conclusions"));
+    rows.not_derivable(lower_end(CORE_TEXT("methods", "advised α")), "°", "30",
+                       CORE_TEXT("methods",
+                                 "No criterion is printed from which it follows; ours is where the "
+                                 "range begins to be smaller than without a shaft."),
+                       end_of_gain(engine, -1.0));
+    rows.reproduced(upper_end(CORE_TEXT("methods", "advised α")), "°", "90",
+                    end_of_gain(engine, 1.0), upper);
+}
+
+}  // namespace
+
+std::vector<ValidationRow> validate_gots_klevtsov() {
+    const Engine engine;
+    PaperRows rows("balance-shaft");
+    first_order_forces(engine, rows);
+    table_2(engine, rows);
+    table_3(engine, rows);
+    means_over_the_angle(engine, rows);
+    ranges(engine, rows);
+    return rows.take();
+}
+
+}  // namespace ravnoves::methods

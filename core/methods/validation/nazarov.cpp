@@ -1,0 +1,219 @@
+/// The numbers of [nazarov].
+
+#include <string>
+
+#include "methods/validation/rows.h"
+#include "numerics/units.h"
+#include "v8-plugs/compensation.h"
+#include "v8-plugs/engine.h"
+#include "v8-plugs/plug_geometry.h"
+#include "v8-plugs/presets.h"
+
+namespace ravnoves::methods {
+
+namespace {
+
+using v8_plugs::Coefficients;
+using v8_plugs::Engine;
+using v8_plugs::OptionId;
+using v8_plugs::PlugSet;
+
+constexpr int decimals = 3;  // of the paper's tables
+
+/// What the paper prints of one engine's plugs, column by column.
+struct Column {
+    const char* preset;  ///< name of the engine in the program
+    double litres;       ///< of the column's title
+    double also;         ///< litres of a second engine in it; 0 without
+    const char *k_p, *k_p_new, *k_y, *k_y_new;
+    const char *aluminium, *new_steel, *new_aluminium;                          ///< (12)–(14)
+    const char *aluminium_max, *new_steel_max, *new_aluminium_max, *steel_max;  ///< (19)–(22)
+    const char* slope;                                                          ///< (24)
+    const char *steel_reduction, *equivalent_reduction;                         ///< of the text
+    const char *new_aluminium_mass, *aluminium_reduction;                       ///< m_aн, Δm_am
+};
+
+constexpr Column columns[] = {
+    {"4.25 l", 4.25, 0.0, "1.180", "1.233", "2.360", "2.465", "4.333", "1.920", "6.253", "5.947",
+     "6.524", "7.867", "4.604", "2.360", "1.951", "2.520", "1.179", "0.684"},
+    {"6 l", 6.0, 7.0, "1.295", "1.331", "2.589", "2.661", "6.869", "3.537", "10.405", "9.492",
+     "10.646", "13.028", "7.109", "2.589", "2.746", "3.666", "1.794", "1.013"},
+};
+
+/// The plugs with the coefficients rounded as Table 2 prints them: the paper computes on with
+/// those.
+PlugSet with_printed_coefficients(const Engine& engine) {
+    PlugSet plugs = v8_plugs::plug_set(engine).value();
+    const Coefficients k = plugs.coefficients();
+    plugs.plug_radius = rounded_to(k.k_y, decimals) / 2.0;
+    plugs.new_design->radius = rounded_to(*k.k_y_new, decimals) / 2.0;
+    plugs.crank_radius = 1.0;
+    return plugs;
+}
+
+v8_plugs::Option option_of(const PlugSet& plugs, OptionId id, double excess = 0.0) {
+    return v8_plugs::evaluate_option(id, plugs, excess, 0.0).value();
+}
+
+Message litres(double engine) {
+    return {CORE_TEXT("methods", "%1 l"), engine};
+}
+
+Message litres(double engine, double other) {
+    return {CORE_TEXT("methods", "%1 and %2 l"), engine, other};
+}
+
+Message of(Message quantity, const Column& column) {
+    return joined(std::move(quantity),
+                  column.also > 0.0 ? litres(column.litres, column.also) : litres(column.litres));
+}
+
+void table_2(const Column& c, const Engine& engine, PaperRows& rows) {
+    const Coefficients k = v8_plugs::plug_set(engine)->coefficients();
+    const Text one = CORE_TEXT("methods", "r_p / r.");
+    const Text both = CORE_TEXT("methods", "2 r_p / r, eq. (11).");
+    rows.at(table(2));
+    rows.reproduced(of("k_p", c), "", c.k_p, k.k_p, one);
+    rows.reproduced(of("k_pн", c), "", c.k_p_new, *k.k_y_new / 2.0, one);
+    rows.reproduced(of("k_y", c), "", c.k_y, k.k_y, both);
+    rows.reproduced(of("k_yн", c), "", c.k_y_new, *k.k_y_new, both);
+    // Aluminium in the place of steel: one ratio of densities for all plugs.
+    const Engine& other = *v8_plugs::find_preset("6 l");
+    const double ratio = *other.aluminium_plug_mass / *other.steel_plug_mass;
+    rows.reproduced(of("m_aн", c), "g", c.new_aluminium_mass,
+                    ratio * *engine.new_steel_plug_mass / units::gram,
+                    CORE_TEXT("methods",
+                              "m_pн with the ratio of aluminium to steel of today's plugs of the 6 "
+                              "and 7 l engines."));
+}
+
+void table_3(const Column& c, const Engine& engine, PaperRows& rows) {
+    const PlugSet plugs = with_printed_coefficients(engine);
+    const auto constant = [&](OptionId id) { return option_of(plugs, id).constant / units::gram; };
+    // The maxima are sums of what the same table prints.
+    const auto maximum = [&](OptionId id) {
+        const v8_plugs::Option option = option_of(plugs, id);
+        return rounded_to(option.constant / units::gram, decimals) +
+               (option.maximum - option.constant) / units::gram;
+    };
+    const Text from_printed = CORE_TEXT(
+        "methods",
+        "From k_y and k_yн as Table 2 prints them; unrounded ones move it by up to 0.003 g.");
+    const Text from_rounded = CORE_TEXT("methods",
+                                        "From k_y and the constant part as the tables print them; "
+                                        "unrounded ones move it by up to 0.003 g.");
+    rows.at(table(3));
+    rows.reproduced(of("Δm_yra (12)", c), "g", c.aluminium, constant(OptionId::steel_to_aluminium),
+                    from_printed);
+    rows.reproduced(of("Δm_yhr (13)", c), "g", c.new_steel, constant(OptionId::new_steel_to_steel),
+                    from_printed);
+    rows.reproduced(of("Δm_yna (14)", c), "g", c.new_aluminium,
+                    constant(OptionId::new_steel_to_aluminium), from_printed);
+    rows.reproduced(of("Δm_yk1m (19)", c), "g", c.aluminium_max,
+                    maximum(OptionId::steel_to_aluminium), from_rounded);
+    rows.reproduced(of("Δm_yk2m (20)", c), "g", c.new_steel_max,
+                    maximum(OptionId::new_steel_to_steel), from_rounded);
+    rows.reproduced(of("Δm_yk3m (21)", c), "g", c.new_aluminium_max,
+                    maximum(OptionId::new_steel_to_aluminium), from_rounded);
+    rows.reproduced(of("Δm_ykm (22)", c), "g", c.steel_max, maximum(OptionId::steel_machined),
+                    from_printed);
+    rows.reproduced(of(CORE_TEXT("methods", "slope d(Δm_yk)/d(Δm) (24)"), c), "", c.slope,
+                    v8_plugs::plug_set(engine)->coefficients().k_y, CORE_TEXT("methods", "k_y."));
+    rows.reproduced(
+        of("Δm_pm", c), "g", c.steel_reduction,
+        option_of(plugs, OptionId::steel_machined, read_printed(c.steel_max).value * units::gram)
+                .required_reduction /
+            units::gram,
+        CORE_TEXT("methods",
+                  "The lightening of a steel plug that the printed maximum (22) asks for."));
+    const double left = read_printed(c.aluminium_max).value - read_printed(c.aluminium).value;
+    rows.reproduced(
+        of("Δm_am", c), "g", c.aluminium_reduction,
+        left / option_of(plugs, OptionId::steel_to_aluminium).slope,
+        CORE_TEXT("methods", "What the printed maximum (19) leaves for the lightening."));
+}
+
+void text(const Column& c, const Engine& engine, PaperRows& rows) {
+    const PlugSet plugs = with_printed_coefficients(engine);
+    const auto reduction = [&](const char* excess) {
+        return option_of(plugs, OptionId::steel_machined, read_printed(excess).value * units::gram)
+                   .required_reduction /
+               units::gram;
+    };
+    const Text inverse = CORE_TEXT("methods", "Equation (18) solved for Δm.");
+    rows.at(in_text(after_equation(24)));
+    rows.reproduced(of(CORE_TEXT("methods", "excess that today's steel plugs compensate"), c), "g",
+                    c.steel_max, option_of(plugs, OptionId::steel_machined).maximum / units::gram,
+                    CORE_TEXT("methods", "Equation (22)."));
+    rows.reproduced(of(CORE_TEXT("methods", "lightening of a steel plug that takes"), c), "g",
+                    c.steel_reduction, reduction(c.steel_max), inverse);
+    rows.reproduced(
+        of(CORE_TEXT("methods", "excess that aluminium plugs compensate"), c), "g", c.aluminium_max,
+        rounded_to(option_of(plugs, OptionId::steel_to_aluminium).constant / units::gram,
+                   decimals) +
+            plugs.aluminium->max_reduction / units::gram *
+                option_of(plugs, OptionId::steel_to_aluminium).slope,
+        CORE_TEXT("methods", "Equation (19) from the printed constant part."));
+    rows.reproduced(of(CORE_TEXT("methods", "lightening of a steel plug equivalent to that"), c),
+                    "g", c.equivalent_reduction, reduction(c.aluminium_max), inverse);
+}
+
+void shifts(PaperRows& rows) {
+    using v8_plugs::shift_coefficient;
+    const auto& curves = v8_plugs::shift_curves;
+    const double largest = v8_plugs::largest_shift;
+    rows.at(in_text(figure(2)));
+    rows.reproduced(joined(CORE_TEXT("methods", "largest Δk"), litres(14.86)), "", "0.017",
+                    shift_coefficient(largest, curves.back().crank_radius),
+                    CORE_TEXT("methods", "Δr / r, eq. (1)."));
+    rows.reproduced(joined(CORE_TEXT("methods", "largest Δk"), litres(4.25)), "", "0.030",
+                    shift_coefficient(largest, curves.front().crank_radius),
+                    CORE_TEXT("methods", "Δr / r, eq. (1)."));
+    rows.reproduced(upper_end(CORE_TEXT("methods", "largest shift Δr")), "mm", "1.2",
+                    read_printed("0.030").value * curves.front().crank_radius / units::mm,
+                    CORE_TEXT("methods", "From the printed Δk of the 4.25 l engine."));
+    rows.not_derivable(
+        lower_end(CORE_TEXT("methods", "largest shift Δr")), "mm", "0.8",
+        CORE_TEXT("methods", "The machined shapes that it belongs to are not printed."));
+}
+
+void plug_masses(PaperRows& rows) {
+    // Thread, heights h and h_k and diameter d_b of Table 1: a cup with a flat bottom.
+    v8_plugs::PlugGeometry plug{v8_plugs::parse_thread("M30x1.5", ""),
+                                read_printed("11.0").value * units::mm};
+    plug.bore_diameter = read_printed("25.0").value * units::mm;
+    plug.bore_depth = read_printed("8.0").value * units::mm;
+    rows.at(table(1));
+    rows.not_derivable(
+        joined(CORE_TEXT("methods", "mass m_p of the plug"), litres(6, 7)), "g", "4.03",
+        CORE_TEXT("methods",
+                  "The drawing is not dimensioned in full; a steel cup of the printed thread and "
+                  "height, bored 25 mm wide and 8 mm deep, weighs ours."),
+        plug.volume() * v8_plugs::steel_density / units::gram);
+    rows.at(in_text(after_equation(24)));
+    rows.not_derivable(
+        joined(CORE_TEXT("methods", "excess that an M27×1.5 aluminium plug compensates"),
+               litres(4.25)),
+        "g", "9.685",
+        CORE_TEXT("methods", "The mass and the place of such a plug are not printed."));
+    rows.at(in_text(CORE_TEXT("methods", "experiments")));
+    rows.not_derivable(CORE_TEXT("methods", "residual unbalance in each correction plane"), "g·mm",
+                       "5", CORE_TEXT("methods", "A limit that was set, not computed."));
+}
+
+}  // namespace
+
+std::vector<ValidationRow> validate_nazarov() {
+    PaperRows rows("v8-plugs");
+    shifts(rows);
+    for (const Column& column : columns) {
+        const Engine& engine = *v8_plugs::find_preset(column.preset);
+        table_2(column, engine, rows);
+        table_3(column, engine, rows);
+        text(column, engine, rows);
+    }
+    plug_masses(rows);
+    return rows.take();
+}
+
+}  // namespace ravnoves::methods

@@ -1,0 +1,208 @@
+/// The numbers of [zotov-sviridov].
+
+#include <cmath>
+
+#include "case-file/range.h"
+#include "elastic-hinge/presets.h"
+#include "elastic-hinge/solver.h"
+#include "methods/validation/rows.h"
+#include "numerics/constants.h"
+
+namespace ravnoves::methods {
+
+namespace {
+
+using elastic_hinge::GuideSign;
+using elastic_hinge::Input;
+using elastic_hinge::Kinematics;
+using elastic_hinge::Mechanism;
+using elastic_hinge::Result;
+
+/// The paper's mechanism with the paper's series for M₁₂.
+Input paper_input(double speed) {
+    Input input = elastic_hinge::preset_zotov();
+    input.kinematics = Kinematics::series;
+    input.angular_speed = speed;
+    return input;
+}
+
+/// With a counterweight on the rod that (10) is solved for.
+Input with_counterweight(double speed, double distance) {
+    Input input = paper_input(speed);
+    input.rod_counterweight.emplace();
+    input.rod_counterweight->distance = distance;
+    return input;
+}
+
+/// The integral over one turn, and that of the size, by the trapezoid rule (exact to rounding for
+/// these smooth periodic curves).
+struct TurnIntegral {
+    double value = 0.0;
+    double size = 0.0;
+
+    explicit TurnIntegral(const std::vector<double>& samples) {
+        const std::size_t steps = samples.size() - 1;  // the last sample repeats the first
+        for (std::size_t i = 0; i < steps; ++i) {
+            value += samples[i];
+            size += std::abs(samples[i]);
+        }
+        value *= two_pi / static_cast<double>(steps);
+        size *= two_pi / static_cast<double>(steps);
+    }
+};
+
+void zero_integral(PaperRows& rows, Message place, Message quantity,
+                   const std::vector<double>& samples, Text reason) {
+    constexpr double rounding = 1e-9;
+    const TurnIntegral integral(samples);
+    rows.at(std::move(place));
+    rows.reproduced(std::move(quantity), "J", "0", integral.value, reason,
+                    rounding * integral.size);
+}
+
+void rod_hinge_integral(PaperRows& rows) {
+    rows.at(in_text(after_equation(4)));
+    for (const double speed : {100.0, 300.0, 500.0}) {
+        const Result result = elastic_hinge::solve(paper_input(speed));
+        const TurnIntegral integral(result.curves.rod_hinge_moment);
+        rows.reproduced({CORE_TEXT("methods", "∮ M₁₂ dφ at ω = %1 s⁻¹"), speed}, "J", "9.469",
+                        integral.value,
+                        CORE_TEXT("methods",
+                                  "With the paper's series for cos ψ; the inertia part is odd in φ "
+                                  "and drops out at every speed."));
+    }
+}
+
+void vanishing_integrals(PaperRows& rows) {
+    const Result plain = elastic_hinge::solve(paper_input(100.0));
+    const Result weighted = elastic_hinge::solve(with_counterweight(100.0, 0.1));
+    const Text rounding = CORE_TEXT("methods", "To rounding, 1e-9 of the integral of its size.");
+    zero_integral(rows, in_text(CORE_TEXT("methods", "introduction")), "∮ M dφ",
+                  plain.curves.crank_moment, rounding);
+    zero_integral(rows, equation(5), joined("∮ M₁₂ dφ", CORE_TEXT("methods", "potential part")),
+                  plain.curves.rod_hinge_moment_potential, rounding);
+    zero_integral(
+        rows, in_text(after_equation(8)), "∮ M₁ dφ", plain.curves.crank_moment_with_rod_hinge,
+        CORE_TEXT("methods",
+                  "To rounding, with M₁₂ outside the factor 0.5 of (8), where it belongs."));
+    zero_integral(rows, equation(10), "∮ M₁₂* dφ", weighted.curves.rod_hinge_moment,
+                  CORE_TEXT("methods", "To rounding, with the counterweight that (10) asks for."));
+    zero_integral(
+        rows, in_text(after_equation(11)), "∮ M₁* dφ", weighted.curves.crank_moment_with_rod_hinge,
+        CORE_TEXT("methods",
+                  "To rounding, with M₁₂* outside the factor 0.5 of (11), where it belongs."));
+}
+
+/// The factor of M₁₂ (1 + λ cos φ / cos ψ) in the crank's moment.
+///
+/// A hinge that puts the moment M₁₂ on the rod changes the side force R, and the moment balance
+/// about the crank axis says that the crank's moment changes by x_B ΔR. Fitted over the turn.
+double factor_of_rod_hinge(const Input& input) {
+    const Mechanism<double> mechanism = elastic_hinge::mechanism_of(input);
+    elastic_hinge::SolveOptions options;
+    options.samples = 73;
+    options.with_rod_guides = false;
+    const Result result = elastic_hinge::solve(input, options);
+    const auto grid = elastic_hinge::angle_grid(options.samples);
+    double product = 0.0;
+    double square = 0.0;
+    for (std::size_t i = 0; i < grid->size(); ++i) {
+        const auto rod =
+            elastic_hinge::rod_angle_exact(mechanism.lambda, grid->sin_phi[i], grid->cos_phi[i]);
+        const double moment = result.curves.rod_hinge_moment[i];
+        const double x_b =
+            mechanism.crank_radius * grid->cos_phi[i] + mechanism.rod_length() * rod.cos_psi;
+        const auto side_force = [&](double hinge_moment) {
+            return elastic_hinge::side_force(mechanism, grid->angle[i], input.angular_speed, 0.0,
+                                             hinge_moment);
+        };
+        const double change = x_b * (side_force(moment) - side_force(0.0));
+        const double printed_term = moment * (1.0 + rod.dpsi);
+        product += change * printed_term;
+        square += printed_term * printed_term;
+    }
+    return product / square;
+}
+
+void factor_in_crank_moment(PaperRows& rows) {
+    const auto add = [&](Message place, const Input& input) {
+        const double factor = factor_of_rod_hinge(input);
+        rows.at(std::move(place));
+        // The sum M + M₁₂ (…) has M = 0.5 (…): the bracket closes one term too late.
+        rows.slip(CORE_TEXT("methods", "factor of M₁₂ (1 + λ cos φ / cos ψ)"), "", "0.5", factor,
+                  0.5 * factor,
+                  CORE_TEXT("methods",
+                            "The bracket of 0.5 closes after M₁₂ in the place of before it; the "
+                            "moment balance about the crank axis gives ours."));
+    };
+    add(equation(8), paper_input(300.0));
+    add(equation(11), with_counterweight(300.0, 0.1));
+}
+
+void guide(PaperRows& rows) {
+    Input input = elastic_hinge::preset_zotov();
+    const double half = input.spring->free_length / 2.0;
+    const auto largest_radius = [&](GuideSign sign) {
+        input.guide_sign = sign;
+        return half - elastic_hinge::solve(input).crank_guide.minimum_preload;
+    };
+    const double energy = largest_radius(GuideSign::energy);
+    const double as_printed = largest_radius(GuideSign::as_printed);
+    const Mechanism<double> m = elastic_hinge::mechanism_of(input);
+    rows.at(equation(3));
+    rows.reproduced(CORE_TEXT("methods", "divisor of r² (P₁ + P₂) / g in I_pr(0)"), "", "3",
+                    m.crank_radius * m.crank_radius * (m.crank_mass + m.rod_mass) /
+                        elastic_hinge::reduced_inertia_at_zero(m),
+                    CORE_TEXT("methods", "From the mechanism's reduced inertia."), 1e-9);
+    rows.at(in_text(after_equation(3)));
+    constexpr double tolerance = 1e-5;  // m
+    rows.slip(CORE_TEXT("methods", "ρ₀ of guides 1, ℓ₀/2: largest that has a guide"), "m", "0.1",
+              energy, as_printed,
+              CORE_TEXT("methods",
+                        "To 0.01 mm, and only with the sign of (1), by which the spring takes up "
+                        "energy when the mechanism does; to keep ω constant it must give it out."),
+              tolerance);
+}
+
+void counterweight(PaperRows& rows) {
+    const auto weight = [](double distance) {
+        const Result result = elastic_hinge::solve(with_counterweight(100.0, distance));
+        return result.balancing_mass * elastic_hinge::preset_zotov().gravity;
+    };
+    const Text reason = CORE_TEXT("methods", "P₄ ℓ₂ = (P₃ + P₂/2) ℓ, at any speed.");
+    rows.at(in_text(after_equation(10)));
+    rows.reproduced({CORE_TEXT("methods", "P₄ at ℓ₂ = %1 m"), 0.05}, "N", "30.833", weight(0.05),
+                    reason);
+    rows.reproduced({CORE_TEXT("methods", "P₄ at ℓ₂ = %1 m"), 0.1}, "N", "15.4167", weight(0.1),
+                    reason);
+    rows.reproduced({CORE_TEXT("methods", "P₄ at ℓ₂ = %1 m"), 0.15}, "N", "10.278", weight(0.15),
+                    reason);
+    rows.at(in_text(figure(6)));
+    rows.reproduced(joined(Message{CORE_TEXT("methods", "P₄ at ℓ₂ = %1 m"), 0.1},
+                           CORE_TEXT("methods", "Fig. 6a")),
+                    "N", "15.4167", weight(0.1), reason);
+    rows.slip(joined(Message{CORE_TEXT("methods", "P₄ at ℓ₂ = %1 m"), 0.05},
+                     CORE_TEXT("methods", "Fig. 6b")),
+              "N", "30.8330", weight(0.05), rounded_to(weight(0.05), 3),
+              CORE_TEXT("methods", "The value rounded to three decimals, with a zero added."));
+    rows.reproduced(joined(Message{CORE_TEXT("methods", "P₄ at ℓ₂ = %1 m"), 0.1},
+                           CORE_TEXT("methods", "Fig. 6c")),
+                    "N", "15.4167", weight(0.1), reason);
+}
+
+}  // namespace
+
+std::vector<ValidationRow> validate_zotov_sviridov() {
+    PaperRows rows("elastic-hinge");
+    rows.at(in_text(CORE_TEXT("methods", "introduction")));
+    rows.not_derivable(CORE_TEXT("methods", "flywheel's part of an engine's inertia"), "%", "80",
+                       CORE_TEXT("methods", "Quoted from another paper."));
+    guide(rows);
+    rod_hinge_integral(rows);
+    vanishing_integrals(rows);
+    factor_in_crank_moment(rows);
+    counterweight(rows);
+    return rows.take();
+}
+
+}  // namespace ravnoves::methods

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <string_view>
+
+#include "numerics/constants.h"
+#include "numerics/text.h"
+
+namespace ravnoves {
+
+/// A unit as case files, forms and messages use it: `3 * units::mm` is 3 mm in SI, and
+/// `length / units::mm` is the number of millimetres.
+struct Unit {
+    std::string_view name;  ///< as the user sees it; empty for pure numbers
+    double to_si = 1.0;     ///< SI value of one such unit
+
+    bool operator==(const Unit&) const = default;
+};
+
+constexpr double operator*(double number, const Unit& unit) {
+    return number * unit.to_si;
+}
+constexpr double operator/(double si, const Unit& unit) {
+    return si / unit.to_si;
+}
+
+/// The one place for units: every conversion of the project is one of these. A language may write
+/// the marked ones with letters of its own.
+namespace units {
+inline constexpr Unit none{"", 1.0};
+inline constexpr Unit metre{CORE_TEXT("core", "m").english, 1.0};
+inline constexpr Unit mm{CORE_TEXT("core", "mm").english, 1e-3};
+inline constexpr Unit micrometre{CORE_TEXT("core", "µm").english, 1e-6};
+inline constexpr Unit litre{CORE_TEXT("core", "l").english, 1e-3};
+inline constexpr Unit cm3{CORE_TEXT("core", "cm³").english, 1e-6};
+inline constexpr Unit kg{CORE_TEXT("core", "kg").english, 1.0};
+inline constexpr Unit gram{CORE_TEXT("core", "g").english, 1e-3};
+inline constexpr Unit kg_m{CORE_TEXT("core", "kg·m").english, 1.0};
+inline constexpr Unit gram_mm{CORE_TEXT("core", "g·mm").english, 1e-6};
+inline constexpr Unit kg_m2{CORE_TEXT("core", "kg·m²").english, 1.0};
+inline constexpr Unit kg_m3{CORE_TEXT("core", "kg/m³").english, 1.0};
+inline constexpr Unit newton{CORE_TEXT("core", "N").english, 1.0};
+inline constexpr Unit kN{CORE_TEXT("core", "kN").english, 1e3};
+inline constexpr Unit N_m{CORE_TEXT("core", "N·m").english, 1.0};
+inline constexpr Unit N_per_m{CORE_TEXT("core", "N/m").english, 1.0};
+inline constexpr Unit kN_per_m{CORE_TEXT("core", "kN/m").english, 1e3};
+inline constexpr Unit joule{CORE_TEXT("core", "J").english, 1.0};
+inline constexpr Unit kW{CORE_TEXT("core", "kW").english, 1e3};
+inline constexpr Unit pascal{CORE_TEXT("core", "Pa").english, 1.0};
+inline constexpr Unit kPa{CORE_TEXT("core", "kPa").english, 1e3};
+inline constexpr Unit bar{CORE_TEXT("core", "bar").english, 1e5};
+inline constexpr Unit MPa{CORE_TEXT("core", "MPa").english, 1e6};
+inline constexpr Unit GPa{CORE_TEXT("core", "GPa").english, 1e9};
+inline constexpr Unit second{CORE_TEXT("core", "s").english, 1.0};
+inline constexpr Unit mm_per_s{CORE_TEXT("core", "mm/s").english, 1e-3};
+inline constexpr Unit m_per_s2{CORE_TEXT("core", "m/s²").english, 1.0};
+inline constexpr Unit radian{CORE_TEXT("core", "rad").english, 1.0};
+inline constexpr Unit degree{"°", ravnoves::degree};
+inline constexpr Unit rad_per_s{CORE_TEXT("core", "rad/s").english, 1.0};
+inline constexpr Unit rpm{CORE_TEXT("core", "min⁻¹").english, ravnoves::rpm};
+inline constexpr Unit percent{"%", 1e-2};
+}  // namespace units
+
+}  // namespace ravnoves

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "case-file/case_context.h"
+#include "case-file/case_file.h"
+#include "case-file/json_fwd.h"
+
+namespace ravnoves {
+
+inline constexpr std::string_view result_format = "ravnoves-result";
+
+/// A scene as the case file sees it. solve() takes the case's "input" object (its pointer is
+/// "/input") and returns the "result" object; it throws InputError for bad input. A design that
+/// cannot exist is a result with `"feasible": false` and a reason.
+struct SceneSolver {
+    std::string_view name;  ///< the word in the case file, for example "balance-shaft"
+    Json (*solve)(const Json& input, const CaseContext& context);
+};
+
+/// The scenes that have a solver, in the order of the navigation.
+std::span<const SceneSolver> scene_solvers();
+
+/// read_case() with the names of scene_solvers().
+/// @throws InputError
+CaseFile read_case(const Json& document);
+/// Parses UTF-8 JSON text, then read_case(). Syntax errors name line and column.
+/// @throws InputError
+CaseFile parse_case(std::string_view text);
+
+/// Solves a case and wraps the result in its envelope. Never holds NaN or infinity.
+/// @throws InputError for bad input, std::logic_error for a fault of ours
+Json solve_case(const CaseFile& file, const CaseContext& context);
+
+}  // namespace ravnoves

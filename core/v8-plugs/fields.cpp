@@ -1,0 +1,376 @@
+#include "v8-plugs/fields.h"
+
+#include <algorithm>
+
+#include "case-file/field_reader.h"
+#include "case-file/field_writer.h"
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "v8-plugs/presets.h"
+#include "v8-plugs/scene.h"
+
+namespace ravnoves::v8_plugs {
+
+namespace {
+
+/// The engine's values of an object. In the groups of plugs that an engine may lack, null says that
+/// there is no such plug.
+void read_engine_values(ObjectReader& reader, Engine& engine) {
+    const auto is_null = [&](const EngineField& each) {
+        return reader.has(each.field.key) && reader.raw(each.field.key).is_null();
+    };
+    for (const EngineGroup group : {EngineGroup::aluminium_plug, EngineGroup::new_plug}) {
+        std::string_view null_key;
+        for (const EngineField& each : engine_fields()) {
+            if (each.group == group && is_null(each)) {
+                null_key = each.field.key;
+            }
+        }
+        if (null_key.empty()) {
+            continue;
+        }
+        for (const EngineField& each : engine_fields()) {
+            if (each.group == group && reader.has(each.field.key) && !is_null(each)) {
+                throw InputError(
+                    reader.pointer_to(each.field.key),
+                    {CORE_TEXT("V8", "must be null or left out where %1 is null"), null_key},
+                    show(reader.raw(each.field.key)));
+            }
+        }
+        set_plugs(engine, group, false);
+    }
+    for (const EngineField& each : engine_fields()) {
+        if (!is_inapplicable(engine, each.group) && reader.has(each.field.key)) {
+            engine.*each.member = reader.si(each.field);
+        }
+    }
+}
+
+Json write_engine_values(const Engine& engine, const Engine& unless_equal) {
+    Json json = Json::object();
+    for (const auto& [field, member, group] : engine_fields()) {
+        const std::string key(field.key);
+        if (is_inapplicable(engine, group)) {
+            if (!is_inapplicable(unless_equal, group)) {
+                json[key] = nullptr;
+            }
+        } else if (engine.*member && engine.*member != unless_equal.*member) {
+            json[key] = from_si(field, *(engine.*member));
+        }
+    }
+    return json;
+}
+
+/// The preset that the engine is written as, with overrides; null where it is written out: an
+/// override can replace a value but not remove one.
+const Engine* written_preset(const Input& input) {
+    const Engine* preset = find_preset(input.preset);
+    const auto can_say = [&](const EngineField& each) {
+        return input.engine.*each.member || !(preset->*each.member) ||
+               is_inapplicable(input.engine, each.group);
+    };
+    const auto fields = engine_fields();
+    return preset != nullptr && std::all_of(fields.begin(), fields.end(), can_say) ? preset
+                                                                                   : nullptr;
+}
+
+/// "engine": the name of a preset, or an object with the values.
+struct EngineValue final : FieldVisitor::Custom {
+    explicit EngineValue(Input& it) : input(it) {}
+
+    void read(const Json& value, const std::string& pointer) override {
+        if (!value.is_string()) {
+            ObjectReader object(value, pointer);
+            input.engine.name = object.text("name", "");
+            read_engine_values(object, input.engine);
+            object.finish();
+            return;
+        }
+        const Engine* preset = find_preset(value.get_ref<const std::string&>());
+        if (preset == nullptr) {
+            std::vector<std::string> names;
+            for (const Engine& engine : engine_presets()) {
+                names.push_back(engine.name);
+            }
+            throw InputError(
+                pointer,
+                {CORE_TEXT("V8", "must be an engine object or one of %1"), quoted_list(names)},
+                show(value));
+        }
+        input.preset = preset->name;
+        input.engine = *preset;
+    }
+    Json write() override {
+        if (const Engine* preset = written_preset(input)) {
+            return preset->name;
+        }
+        Json engine = Json::object();
+        if (!input.engine.name.empty()) {
+            engine["name"] = input.engine.name;
+        }
+        engine.update(write_engine_values(input.engine, Engine{}));
+        return engine;
+    }
+
+    Input& input;
+};
+
+/// "engine_overrides": values that differ from the preset's.
+struct EngineOverrides final : FieldVisitor::Custom {
+    explicit EngineOverrides(Input& it) : input(it) {}
+
+    void read(const Json& value, const std::string& pointer) override {
+        if (input.preset.empty()) {
+            throw InputError(
+                pointer, CORE_TEXT("V8", "is allowed only where engine is the name of a preset"));
+        }
+        ObjectReader overrides(value, pointer);
+        read_engine_values(overrides, input.engine);
+        overrides.finish();
+    }
+    Json write() override {
+        const Engine* preset = written_preset(input);
+        Json values = preset != nullptr ? write_engine_values(input.engine, *preset) : Json();
+        return values.empty() ? Json() : values;
+    }
+
+    Input& input;
+};
+
+/// A thread by its name.
+struct ThreadValue final : FieldVisitor::Custom {
+    explicit ThreadValue(std::optional<Thread>& it) : thread(it) {}
+
+    void read(const Json& value, const std::string& pointer) override {
+        if (!value.is_string()) {
+            throw InputError(pointer, CORE_TEXT("core", "must be a text"), show(value));
+        }
+        thread = parse_thread(value.get_ref<const std::string&>(), pointer);
+    }
+    Json write() override { return thread ? Json(thread_name(*thread)) : Json(); }
+
+    std::optional<Thread>& thread;
+};
+
+/// The weights of a column; null for what is not weighed yet.
+struct Weights final : FieldVisitor::Custom {
+    explicit Weights(PartColumn& it) : column(it) {}
+
+    void read(const Json& masses, const std::string& pointer) override {
+        if (!masses.is_array() || masses.size() != cylinder_count) {
+            throw InputError(pointer,
+                             CORE_TEXT("V8", "must be a list of 8 masses, one for each cylinder"),
+                             show(masses));
+        }
+        for (std::size_t i = 0; i < masses.size(); ++i) {
+            const Json& mass = masses.at(i);
+            if (!mass.is_null() && !mass.is_number()) {
+                throw InputError(pointer + "/" + std::to_string(i),
+                                 CORE_TEXT("core", "must be a number"), show(mass));
+            }
+            column.mass[i] = mass.is_null()
+                                 ? std::nullopt
+                                 : std::optional(mass.get<double>() * field::part_mass.unit);
+        }
+        check(pointer);
+    }
+    Json write() override {
+        if (column.is_empty()) {
+            return {};
+        }
+        Json masses = Json::array();
+        for (const auto& mass : column.mass) {
+            masses.push_back(mass ? Json(from_si(field::part_mass, *mass)) : Json());
+        }
+        return masses;
+    }
+    void check(const std::string& pointer) override {
+        for (std::size_t i = 0; i < column.mass.size(); ++i) {
+            const auto& mass = column.mass[i];
+            if (mass && !field::part_mass.range.contains(from_si(field::part_mass, *mass))) {
+                throw InputError(pointer + "/" + std::to_string(i),
+                                 field::part_mass.range.message(),
+                                 Number{from_si(field::part_mass, *mass)});
+            }
+        }
+    }
+
+    PartColumn& column;
+};
+
+/// What no form lets happen, half filled or not.
+void check_choices(const Input& input) {
+    if (input.crankshaft == Crankshaft::new_plugs && !input.engine.has_new_plug) {
+        throw InputError(
+            "/input/crankshaft",
+            CORE_TEXT("V8", "must be \"standard\" where the engine has no plug of the new design"),
+            "\"new-plugs\"");
+    }
+    if (input.changes_from_weigh_in && !input.weigh_in) {
+        throw InputError("/input/weigh_in",
+                         CORE_TEXT("V8", "is required where mass_changes_from is \"weigh-in\""));
+    }
+}
+
+void check_engine(const Input& input) {
+    const std::string place = input.preset.empty() ? "/input/engine/" : "/input/engine_overrides/";
+    const auto missing = missing_fields(input.engine, true);
+    if (!missing.empty()) {
+        throw InputError(
+            place + std::string(missing.front()->field.key),
+            input.preset.empty()
+                ? Message(CORE_TEXT("core", "is required and missing"))
+                : Message(
+                      CORE_TEXT("V8", "is required and missing: the preset %1 does not give it"),
+                      quoted_list({input.preset})));
+    }
+    for (const auto& [reduction, plug_mass] : engine_conflicts(input.engine)) {
+        const Field& field = reduction->field;
+        throw InputError(
+            place + std::string(field.key),
+            {CORE_TEXT("V8", "must be less than the plug's mass %1"), from_si(field, plug_mass)},
+            Number{from_si(field, *(input.engine.*reduction->member))});
+    }
+}
+
+void check_plug(const PlugSheet& sheet) {
+    if (sheet.bore_diameter.has_value() != sheet.bore_depth.has_value()) {
+        throw InputError(
+            "/input/plug/" +
+                std::string((sheet.bore_diameter ? field::bore_depth : field::bore_diameter).key),
+            CORE_TEXT("V8", "is required where the bore's other size is given"));
+    }
+    if (const auto geometry = sheet.geometry()) {
+        if (const auto fault = geometry_fault(*geometry)) {
+            throw InputError("/input/plug",
+                             {CORE_TEXT("V8", "must be a plug that can exist: %1"), *fault});
+        }
+    }
+}
+
+}  // namespace
+
+void visit_fields(FieldVisitor& visitor, MassChanges& changes) {
+    for (const MassChangeField& each : mass_change_fields()) {
+        visitor.number(each.field, changes.*each.member, 0.0, FieldVisitor::Written::always);
+    }
+}
+
+void visit_fields(FieldVisitor& visitor, PartColumn& column) {
+    visitor.required(field::nominal, column.nominal);
+    visitor.number(field::permitted_spread, column.permitted_spread);
+    Weights weights(column);
+    visitor.custom(field::part_mass, true, weights);
+}
+
+void visit_fields(FieldVisitor& visitor, WeighIn& sheet) {
+    visitor.choice(field::numbering, sheet.numbering, CylinderNumbering::bank_by_bank,
+                   FieldVisitor::Written::always);
+    for (const Part part : all_parts) {
+        PartColumn& column = sheet[part];
+        visitor.object_of({.key = part_word(part).word}, false, column != PartColumn{},
+                          [&] { visit_fields(visitor, column); });
+    }
+}
+
+void visit_fields(FieldVisitor& visitor, PlugSheet& sheet) {
+    ThreadValue thread(sheet.thread);
+    visitor.custom(field::thread, true, thread);
+    visitor.required(field::plug_height, sheet.height);
+    visitor.number(field::bore_diameter, sheet.bore_diameter);
+    visitor.number(field::bore_depth, sheet.bore_depth);
+    visitor.number(field::cutter_diameter, sheet.cutter_diameter);
+    visitor.number(field::minimum_wall, sheet.minimum_wall);
+    visitor.number(field::minimum_bottom, sheet.minimum_bottom);
+    visitor.number(field::steel_density, sheet.steel_density, steel_density);
+    visitor.number(field::aluminium_density, sheet.aluminium_density, aluminium_density);
+}
+
+void visit_fields(FieldVisitor& visitor, BalancingSheet& sheet) {
+    visitor.required(field::grade, sheet.grade);
+    visitor.required(field::rotor_mass, sheet.rotor_mass);
+    visitor.required(field::service_speed, sheet.service_speed);
+    visitor.number(field::front_reading, sheet.front_reading);
+    visitor.number(field::rear_reading, sheet.rear_reading);
+    visitor.number(field::front_share, sheet.front_share, 0.5);
+}
+
+void visit_fields(FieldVisitor& visitor, JobHeader& job) {
+    visitor.optional_text(field::engine_number, job.engine_number);
+    visitor.optional_text(field::crankshaft_number, job.crankshaft_number);
+    visitor.optional_text(field::customer, job.customer);
+    visitor.optional_text(field::date, job.date);
+    visitor.optional_text(field::technician, job.technician);
+    visitor.optional_text(field::notes, job.notes);
+}
+
+void visit_fields(FieldVisitor& visitor, Input& input) {
+    if (!visitor.is_reading()) {
+        // Forms and checks see the engine's values, wherever they come from. The file may have its
+        // name instead: what follows is written over them.
+        visitor.object_of(field::engine, true, true, [&] {
+            for (const EngineField& each : engine_fields()) {
+                if (!is_inapplicable(input.engine, each.group)) {
+                    visitor.number(each.field, input.engine.*each.member);
+                }
+            }
+        });
+    }
+    EngineValue engine(input);
+    visitor.custom(field::engine, true, engine);
+    EngineOverrides overrides(input);
+    visitor.custom(field::engine_overrides, false, overrides);
+    visitor.choice(field::process, input.process);
+    visitor.choice(field::crankshaft, input.crankshaft, Crankshaft::standard);
+    const bool typed = visitor.has(field::mass_changes.key, true);
+    visitor.object_of(field::mass_changes, false, true,
+                      [&] { visit_fields(visitor, input.typed_changes); });
+    const bool weighed = visitor.has(field::weigh_in.key, input.weigh_in.has_value());
+    if (visitor.is_reading() || weighed) {
+        visitor.choice(field::changes_source, input.changes_from_weigh_in, weighed && !typed,
+                       FieldVisitor::Written::always);
+    }
+    visitor.object(field::weigh_in, input.weigh_in);
+    visitor.number(field::tolerance, input.tolerance, default_tolerance,
+                   FieldVisitor::Written::always);
+    visitor.object(field::plug, input.plug);
+    visitor.object(field::balancing, input.balancing);
+    visitor.object_with_defaults(field::job, input.job);
+}
+
+void check_input(const Input& input) {
+    check_fields(input);
+    check_choices(input);
+    check_engine(input);
+    for (const Part part : all_parts) {
+        if (!input.weigh_in || (*input.weigh_in)[part] == PartColumn{}) {
+            continue;
+        }
+        const auto& mass = (*input.weigh_in)[part].mass;
+        const auto gap = std::find(mass.begin(), mass.end(), std::nullopt);
+        if (gap != mass.end()) {
+            throw InputError("/input/weigh_in/" + std::string(part_word(part).word) + "/mass_g/" +
+                                 std::to_string(gap - mass.begin()),
+                             CORE_TEXT("core", "must be a number"), "null");
+        }
+    }
+    if (input.plug) {
+        check_plug(*input.plug);
+    }
+}
+
+Input read_input(const Json& json, Completeness completeness) {
+    const Input input = read_fields<Input>(json, completeness);
+    if (completeness == Completeness::required) {
+        check_input(input);
+    } else {
+        check_choices(input);
+    }
+    return input;
+}
+
+Json write_input(const Input& input) {
+    return write_fields(input);
+}
+
+}  // namespace ravnoves::v8_plugs

@@ -1,0 +1,185 @@
+#pragma once
+
+#include <array>
+
+#include "case-file/field.h"
+#include "v8-plugs/plug_geometry.h"
+
+/// The inputs of the scene, each described once; those of the engine are engine_fields().
+namespace ravnoves::v8_plugs {
+
+inline constexpr Word process_words[] = {{"manufacture", CORE_TEXT("V8", "Manufacture")},
+                                         {"repair", CORE_TEXT("V8", "Repair")}};
+inline constexpr Word crankshaft_words[] = {
+    {"standard", CORE_TEXT("V8", "Standard")},
+    {"new-plugs", CORE_TEXT("V8", "Made for plugs of the new design")}};
+inline constexpr Word numbering_words[] = {
+    {"bank-by-bank", CORE_TEXT("V8", "1 and 5, 2 and 6, … (bank by bank)")},
+    {"alternating", CORE_TEXT("V8", "1 and 2, 3 and 4, …")}};
+inline constexpr Word source_words[] = {{"typed"}, {"weigh-in"}};
+
+namespace field {
+
+inline constexpr Field engine{
+    .key = "engine",
+    .label = CORE_TEXT("V8", "&Engine"),
+    .hint = CORE_TEXT("V8", "Engines of the paper by displacement, then your own."),
+    .placeholder = CORE_TEXT("V8", "other")};
+inline constexpr Field engine_overrides{.key = "engine_overrides"};
+inline constexpr Field process{
+    .key = "process",
+    .label = CORE_TEXT("V8", "&Work"),
+    .hint = CORE_TEXT("V8", "In manufacture repair pistons and repair shells are not counted."),
+    .words = process_words};
+inline constexpr Field crankshaft{
+    .key = "crankshaft",
+    .label = CORE_TEXT("V8", "Cran&kshaft"),
+    .hint = CORE_TEXT("V8", "Which plugs the counterweights of the crankshaft were made for."),
+    .words = crankshaft_words};
+inline constexpr Field mass_changes{.key = "mass_changes_g"};
+inline constexpr Field changes_source{
+    .key = "mass_changes_from",
+    .label = CORE_TEXT("V8", "Source of the mass changes"),
+    .hint = CORE_TEXT("V8", "Off: the changes typed on the sheet “Job” count."),
+    .words = source_words};
+inline constexpr Field tolerance{
+    .key = "tolerance_g_mm",
+    .unit = units::gram_mm,
+    .range = Range::between(0, 1e6),
+    .label = CORE_TEXT("V8", "Residual unbalance &allowed"),
+    .hint = CORE_TEXT("V8", "In each correction plane. The paper accepts 5 g·mm.")};
+
+// ------------------------------------------------------------------------- weigh-in sheet
+inline constexpr Field weigh_in{.key = "weigh_in"};
+inline constexpr Field numbering{.key = "cylinder_numbering",
+                                 .label = CORE_TEXT("V8", "C&ylinders of a crankpin"),
+                                 .hint = CORE_TEXT("V8", "Which two cylinders share a crankpin."),
+                                 .words = numbering_words};
+inline constexpr Field nominal{
+    .key = "nominal_g", .unit = units::gram, .range = Range::between(0.001, 100'000)};
+inline constexpr Field permitted_spread{
+    .key = "permitted_spread_g", .unit = units::gram, .range = Range::between(0, 100'000)};
+inline constexpr Field part_mass{.key = "mass_g", .unit = units::gram, .range = nominal.range};
+
+// ----------------------------------------------------------------------------------- plug
+inline constexpr Field plug{.key = "plug"};
+inline constexpr Field thread{
+    .key = "thread",
+    .label = CORE_TEXT("V8", "&Thread"),
+    .hint = CORE_TEXT("V8", "Metric thread with its pitch, like M22x1.5."),
+    .placeholder = {"", "M22x1.5"}};
+inline constexpr Field plug_height{.key = "height_mm",
+                                   .unit = units::mm,
+                                   .range = Range::between(0.1, 200),
+                                   .label = CORE_TEXT("V8", "&Height h"),
+                                   .hint = CORE_TEXT("V8", "Of the whole plug.")};
+inline constexpr Field bore_diameter{
+    .key = "bore_diameter_mm",
+    .unit = units::mm,
+    .range = Range::between(0, 200),
+    .label = CORE_TEXT("V8", "&Bore diameter"),
+    .hint = CORE_TEXT("V8", "Of the bore that is there. Empty: a solid plug.")};
+inline constexpr Field bore_depth{
+    .key = "bore_depth_mm",
+    .unit = units::mm,
+    .range = Range::between(0, 200),
+    .label = CORE_TEXT("V8", "Bore de&pth"),
+    .hint = CORE_TEXT("V8", "From the outer face. Empty: a solid plug.")};
+inline constexpr Field cutter_diameter{.key = "cutter_diameter_mm",
+                                       .unit = units::mm,
+                                       .range = Range::between(0.1, 200),
+                                       .label = CORE_TEXT("V8", "&Cutter diameter"),
+                                       .hint = CORE_TEXT("V8", "Empty: no boring is planned.")};
+inline constexpr Field minimum_wall{
+    .key = "minimum_wall_mm",
+    .unit = units::mm,
+    .range = Range::between(0, 100),
+    .label = CORE_TEXT("V8", "&Wall that must stay"),
+    .hint = CORE_TEXT("V8", "Between the bore and the root of the thread. Empty: no limit.")};
+inline constexpr Field minimum_bottom{
+    .key = "minimum_bottom_mm",
+    .unit = units::mm,
+    .range = Range::between(0, 100),
+    .label = CORE_TEXT("V8", "B&ottom that must stay"),
+    .hint = CORE_TEXT("V8", "Between the bore and the inner face. Empty: no limit.")};
+inline constexpr Field steel_density{.key = "steel_density_kg_m3",
+                                     .unit = units::kg_m3,
+                                     .range = Range::between(1000, 25000),
+                                     .label = CORE_TEXT("V8", "&Steel"),
+                                     .hint = CORE_TEXT("V8", "Carbon steel 7850 kg/m³.")};
+inline constexpr Field aluminium_density{
+    .key = "aluminium_density_kg_m3",
+    .unit = units::kg_m3,
+    .range = Range::between(1000, 25000),
+    .label = CORE_TEXT("V8", "&Aluminium"),
+    .hint = CORE_TEXT("V8", "Wrought alloys 2640 to 2850 kg/m³.")};
+
+// ------------------------------------------------------------------------------- machine
+inline constexpr Field balancing{.key = "balancing"};
+inline constexpr Field grade{
+    .key = "grade_mm_s",
+    .unit = units::mm_per_s,
+    .range = Range::between(0.1, 10'000),
+    .label = CORE_TEXT("V8", "&Grade G"),
+    .hint = CORE_TEXT(
+        "V8",
+        "Balance quality grade. The standard's table has 0.4, 1, 2.5, 6.3, 16, 40, 100, 250, "
+        "630, 1600, 4000 mm/s; crankshaft drives of car, truck and locomotive engines G 100, "
+        "inherently balanced crankshafts better.")};
+inline constexpr Field rotor_mass{
+    .key = "rotor_mass_kg",
+    .unit = units::kg,
+    .range = Range::between(0.1, 100'000),
+    .label = CORE_TEXT("V8", "&Mass of the crankshaft"),
+    .hint = CORE_TEXT("V8", "As it lies on the machine, with the bob weights.")};
+inline constexpr Field service_speed{
+    .key = "service_speed_rpm",
+    .unit = units::rpm,
+    .range = Range::between(1, 100'000),
+    .label = CORE_TEXT("V8", "Service s&peed"),
+    .hint = CORE_TEXT("V8", "The highest speed in service, not that of the machine.")};
+inline constexpr Field front_share{
+    .key = "front_share",
+    .range = Range::between(0.3, 0.7),
+    .label = CORE_TEXT("V8", "&Share of the front plane"),
+    .hint = CORE_TEXT(
+        "V8",
+        "Half for a crankshaft whose mass lies midway between the planes; the standard allows "
+        "0.3 to 0.7.")};
+inline constexpr Field front_reading{
+    .key = "front_reading_g_mm",
+    .unit = units::gram_mm,
+    .range = Range::between(0, 1e9),
+    .label = CORE_TEXT("V8", "&Front plane (pulley)"),
+    .hint = CORE_TEXT("V8", "Residual unbalance after correction.")};
+inline constexpr Field rear_reading{
+    .key = "rear_reading_g_mm",
+    .unit = units::gram_mm,
+    .range = Range::between(0, 1e9),
+    .label = CORE_TEXT("V8", "&Rear plane (flywheel)"),
+    .hint = CORE_TEXT("V8", "Residual unbalance after correction.")};
+
+// ------------------------------------------------------------------------- head of the card
+inline constexpr Field job{.key = "job"};
+inline constexpr Field engine_number{.key = "engine_number",
+                                     .label = CORE_TEXT("V8", "Engine &number"),
+                                     .hint = CORE_TEXT("V8", "The journal finds the job by it.")};
+inline constexpr Field crankshaft_number{.key = "crankshaft_number",
+                                         .label = CORE_TEXT("V8", "Crankshaft num&ber"),
+                                         .hint = CORE_TEXT("V8", "As stamped on the crankshaft.")};
+inline constexpr Field customer{
+    .key = "customer",
+    .label = CORE_TEXT("V8", "C&ustomer"),
+    .hint = CORE_TEXT("V8", "Who brought the engine; the journal finds the job by it.")};
+inline constexpr Field date{.key = "date",
+                            .label = CORE_TEXT("V8", "&Date"),
+                            .hint = CORE_TEXT("V8", "Year-month-day or day.month.year.")};
+inline constexpr Field technician{.key = "technician",
+                                  .label = CORE_TEXT("V8", "&Technician"),
+                                  .hint = CORE_TEXT("V8", "Who does the work.")};
+inline constexpr Field notes{.key = "notes",
+                             .label = CORE_TEXT("V8", "&Notes"),
+                             .hint = CORE_TEXT("V8", "Printed on the job card.")};
+
+}  // namespace field
+}  // namespace ravnoves::v8_plugs

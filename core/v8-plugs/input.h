@@ -1,0 +1,110 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "case-file/field_visitor.h"
+#include "v8-plugs/compensation.h"
+#include "v8-plugs/engine.h"
+#include "v8-plugs/plug_geometry.h"
+#include "v8-plugs/residual_unbalance.h"
+#include "v8-plugs/weigh_in.h"
+
+namespace ravnoves::v8_plugs {
+
+inline constexpr double default_tolerance =
+    5 * units::gram_mm;  ///< kg·m, the paper's limit on the machine
+
+/// The mass changes of the case file, in the order of the contract.
+struct MassChangeField {
+    Field field;
+    double MassChanges::*member;
+    bool repair_only;
+};
+std::span<const MassChangeField> mass_change_fields();
+
+/// The plug's dimensions as far as they are known.
+struct PlugSheet {
+    std::optional<Thread> thread;
+    std::optional<double> height;           ///< m
+    std::optional<double> bore_diameter;    ///< m; a solid plug where not given
+    std::optional<double> bore_depth;       ///< m
+    std::optional<double> cutter_diameter;  ///< m; no boring is planned where not given
+    std::optional<double> minimum_wall;     ///< m; no limit where not given
+    std::optional<double> minimum_bottom;   ///< m
+    double steel_density = v8_plugs::steel_density;
+    double aluminium_density = v8_plugs::aluminium_density;
+
+    /// Nothing while thread or height are missing.
+    std::optional<PlugGeometry> geometry() const;
+    std::optional<BoreLimits> limits() const;
+    double density(PlugMaterial material) const {
+        return material == PlugMaterial::steel ? steel_density : aluminium_density;
+    }
+
+    friend bool operator==(const PlugSheet&, const PlugSheet&) = default;
+};
+
+/// The machine's part of the sheet as far as it is known.
+struct BalancingSheet {
+    std::optional<double> grade;          ///< m/s
+    std::optional<double> rotor_mass;     ///< kg
+    std::optional<double> service_speed;  ///< rad/s
+    double front_share = 0.5;
+    std::optional<double> front_reading;  ///< kg·m
+    std::optional<double> rear_reading;   ///< kg·m
+
+    /// Nothing while grade, mass or speed are missing.
+    std::optional<BalancingCheck> check() const;
+
+    friend bool operator==(const BalancingSheet&, const BalancingSheet&) = default;
+};
+
+/// The head of the job card.
+struct JobHeader {
+    std::string engine_number;
+    std::string crankshaft_number;
+    std::string customer;
+    std::string date;  ///< ISO 8601, "2024-05-31"
+    std::string technician;
+    std::string notes;
+
+    friend bool operator==(const JobHeader&, const JobHeader&) = default;
+};
+
+/// The input of the scene.
+struct Input {
+    std::string preset;  ///< name of the preset that the engine was made from; empty: custom
+    Engine engine;
+    Crankshaft crankshaft = Crankshaft::standard;
+    Process process = Process::repair;
+    MassChanges typed_changes;
+    bool changes_from_weigh_in = false;
+    std::optional<WeighIn> weigh_in;
+    double tolerance = default_tolerance;  ///< kg·m
+    std::optional<PlugSheet> plug;
+    std::optional<BalancingSheet> balancing;
+    JobHeader job;
+
+    /// Typed, or from the weigh-in sheet.
+    MassChanges changes() const;
+
+    friend bool operator==(const Input&, const Input&) = default;
+};
+
+void visit_fields(FieldVisitor& visitor, MassChanges& changes);
+void visit_fields(FieldVisitor& visitor, PartColumn& column);
+void visit_fields(FieldVisitor& visitor, WeighIn& sheet);
+void visit_fields(FieldVisitor& visitor, PlugSheet& sheet);
+void visit_fields(FieldVisitor& visitor, BalancingSheet& sheet);
+void visit_fields(FieldVisitor& visitor, JobHeader& job);
+void visit_fields(FieldVisitor& visitor, Input& input);
+
+/// Checks the ranges, that nothing which a result needs is missing, and the rules that join fields.
+/// @throws InputError
+void check_input(const Input& input);
+
+}  // namespace ravnoves::v8_plugs

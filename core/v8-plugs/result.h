@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "v8-plugs/compensation.h"
+#include "v8-plugs/plug_geometry.h"
+#include "v8-plugs/residual_unbalance.h"
+#include "v8-plugs/weigh_in.h"
+
+namespace ravnoves::v8_plugs {
+
+/// Where an option's values stand in the arrays below.
+constexpr std::size_t index(OptionId id) {
+    return static_cast<std::size_t>(id);
+}
+
+/// One material of plug: what its dimensions weigh against the mass in the method.
+struct PlugMass {
+    double geometry;  ///< kg
+    double typed;     ///< kg
+    bool fits;        ///< within mass_mismatch
+};
+
+/// Bob weights of one option.
+struct OptionBobWeight {
+    BobWeight after;
+    BobWeight nominal;  ///< of the crankshaft that the option is for
+};
+
+/// Everything the page, the job card and the result file show. Parts that need values which are
+/// not there yet are empty, so that a form half filled shows what can be known.
+struct Result {
+    MassChanges changes;
+    std::optional<double> unbalanced_mass;  ///< Δm_y, kg; needs k_ш
+    std::optional<PlugSet> plugs;
+    std::array<std::optional<Option>, 4> options;  ///< in the order of all_options
+    std::optional<Advice> advice;
+
+    // bob weights; need the nominal masses too
+    std::optional<BobWeight> nominal;  ///< of the crankshaft that is fitted
+    std::optional<BobWeight> before;   ///< these parts, the plugs the crankshaft was made for
+    std::array<std::optional<OptionBobWeight>, 4> bob_weights;
+
+    // weigh-in
+    std::optional<std::array<double, crankpin_count>> crankpin_excess;  ///< kg
+    std::optional<Assignment> assignment;
+    std::optional<std::array<double, crankpin_count>> assigned_excess;  ///< kg
+
+    // plug
+    std::optional<PlugMass> steel_plug;
+    std::optional<PlugMass> aluminium_plug;
+    std::array<std::optional<Boring>, 4> boring;  ///< for each option's reduction
+
+    std::optional<BalancingVerdict> balancing;
+
+    const std::optional<Option>& option(OptionId id) const { return options[index(id)]; }
+};
+
+}  // namespace ravnoves::v8_plugs

@@ -1,0 +1,231 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "balance-shaft/presets.h"
+#include "balance-shaft/scene.h"
+#include "balance-shaft/solver.h"
+#include "case-file/field_index.h"
+#include "case-file/field_visitor.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
+#include "scenes/scenes.h"
+#include "test_cases.h"
+
+namespace ravnoves::balance_shaft {
+namespace {
+
+using test::error_of;
+
+Json example() {
+    return parse_case(
+               read_text_file(std::filesystem::path(RAVNOVES_EXAMPLES) / "tmz-650d.case.json"))
+        .input;
+}
+
+/// The error of the example with a patch (RFC 7396: null takes a key away) on its input.
+std::string refusal(const std::string& patch) {
+    Json input = example();
+    input.merge_patch(parse_json(patch));
+    return error_of([&] { read_input(input, {}); });
+}
+
+TEST(BalanceShaftInput, ThePresetIsTheExample) {
+    Input preset = preset_tmz_650d();
+    EXPECT_EQ(read_input(write_input(preset), {}), preset);
+    // The example knows neither the whole rod nor the bore.
+    preset.envelope = {};
+    preset.rod_mass.reset();
+    EXPECT_EQ(read_input(example(), {}), preset);
+}
+
+TEST(BalanceShaftInput, RoundTripKeepsTheNumbersAsTyped) {
+    Json input = example();
+    input.merge_patch(parse_json(R"({"angular_speed_rad_s": null, "speed_rpm": 3599.7,
+        "reciprocating_masses_kg": null, "reciprocating_mass_kg": 1.3161,
+        "counterweight_mass_kg": 0.6573, "crank_radius_mm": 46.013, "shaft_angle_deg": 50.7,
+        "interpolation": "periodic-cubic", "step_deg": 0.3, "rod_length_mm": 153.7,
+        "envelope": {"cylinder_bore_mm": 95.51, "wall_mm": 5.3}})"));
+    const Json written = write_input(read_input(input, {}));
+    EXPECT_EQ(read_input(written, {}), read_input(input, {}));
+    for (const auto& item : input.items()) {
+        const Json& value = written.at(item.key());
+        if (value.is_number()) {
+            EXPECT_EQ(value.get<double>(), item.value().get<double>()) << item.key();
+        }
+    }
+}
+
+TEST(BalanceShaftInput, EveryFieldRefusesWhatItCannotBe) {
+    EXPECT_EQ(refusal(R"({"crank_radius_mm": -46})"),
+              "/input/crank_radius_mm: must be greater than 0, got -46");
+    EXPECT_EQ(refusal(R"({"angular_speed_rad_s": 0})"),
+              "/input/angular_speed_rad_s: must be greater than 0, got 0");
+    EXPECT_EQ(refusal(R"({"angular_speed_rad_s": null, "speed_rpm": 0})"),
+              "/input/speed_rpm: must be greater than 0, got 0");
+    EXPECT_EQ(refusal(R"({"speed_rpm": 3600})"),
+              "/input/angular_speed_rad_s: must be left out where speed_rpm is given");
+    EXPECT_EQ(refusal(R"({"angular_speed_rad_s": null})"),
+              "/input/speed_rpm: is required and missing (or angular_speed_rad_s)");
+    EXPECT_EQ(refusal(R"({"reciprocating_masses_kg": {"piston": -0.1}})"),
+              "/input/reciprocating_masses_kg/piston: must be at least 0, got -0.1");
+    EXPECT_EQ(refusal(R"({"reciprocating_masses_kg": {"piston": 0, "pin": 0, "rings": 0,
+                          "rod_small_end": 0}})"),
+              "/input/reciprocating_masses_kg: must add up to more than 0 and to a finite mass, "
+              "got 0");
+    EXPECT_EQ(refusal(R"({"reciprocating_masses_kg": null})"),
+              "/input/reciprocating_masses_kg: is required and missing (or reciprocating_mass_kg)");
+    EXPECT_EQ(refusal(R"({"reciprocating_mass_kg": 1})"),
+              "/input/reciprocating_mass_kg: must be left out where reciprocating_masses_kg is "
+              "given");
+    EXPECT_EQ(refusal(R"({"reciprocating_masses_kg": null, "reciprocating_mass_kg": -1})"),
+              "/input/reciprocating_mass_kg: must be greater than 0, got -1");
+    EXPECT_EQ(refusal(R"({"counterweight_radius_mm": 0})"),
+              "/input/counterweight_radius_mm: must be greater than 0, got 0");
+    EXPECT_EQ(refusal(R"({"counterweight_mass_kg": -1})"),
+              "/input/counterweight_mass_kg: must be at least 0, got -1");
+    EXPECT_EQ(refusal(R"({"centre_distance_mm": -1})"),
+              "/input/centre_distance_mm: must be at least 0, got -1");
+    EXPECT_EQ(refusal(R"({"shaft_angle_deg": 1e9})"),
+              "/input/shaft_angle_deg: must be from -3600 to 3600, got 1000000000");
+    EXPECT_EQ(refusal(R"({"step_deg": 0})"), "/input/step_deg: must be from 0.01 to 90, got 0");
+    EXPECT_EQ(refusal(R"({"rod_length_mm": 40})"),
+              "/input/rod_length_mm: must be greater than the crank radius, 46, got 40");
+    EXPECT_EQ(refusal(R"({"envelope": {"wall_mm": -1}})"),
+              "/input/envelope/wall_mm: must be at least 0, got -1");
+    EXPECT_EQ(refusal(R"({"interpolation": "cubic"})"),
+              "/input/interpolation: must be one of \"linear\", \"periodic-cubic\", got \"cubic\"");
+    EXPECT_EQ(refusal(R"({"crank_radius_mm": "46"})"),
+              "/input/crank_radius_mm: must be a number, got \"46\"");
+}
+
+TEST(BalanceShaftInput, AMassIsAFieldByItsName) {
+    Input input = preset_tmz_650d();
+    EXPECT_TRUE(set_field(input, "/reciprocating_masses_kg/pin", FieldValue(0.3)));
+    EXPECT_EQ(input.reciprocating_masses[1], (NamedMass{"pin", 0.3}));
+    EXPECT_TRUE(set_field(input, "/reciprocating_masses_kg/coating", FieldValue(0.01)));
+    EXPECT_EQ(input.reciprocating_masses.back(), (NamedMass{"coating", 0.01}));
+    const auto entries = list_fields(input);
+    EXPECT_TRUE(std::any_of(entries.begin(), entries.end(), [](const FieldEntry& entry) {
+        return entry.pointer == "/reciprocating_masses_kg/coating" &&
+               entry.value == FieldValue(0.01);
+    }));
+    // A sum stays as one part beside what is named.
+    input.reciprocating_masses = {{"", 1.3}};
+    EXPECT_TRUE(set_field(input, "/reciprocating_mass_kg", FieldValue(1.2)));
+    EXPECT_TRUE(set_field(input, "/reciprocating_masses_kg/piston", FieldValue(0.6)));
+    EXPECT_EQ(input.reciprocating_masses,
+              (std::vector<NamedMass>{{"other", 1.2}, {"piston", 0.6}}));
+}
+
+TEST(BalanceShaftInput, UnknownKeysNameTheNearest) {
+    EXPECT_EQ(refusal(R"({"shaft_angel_deg": 45})"),
+              "/input/shaft_angel_deg: is not a known key; the nearest is \"shaft_angle_deg\"");
+    EXPECT_EQ(refusal(R"({"torque": {"torque_nm": [0]}})"),
+              "/input/torque/torque_nm: is not a known key; the nearest is \"torque_Nm\"");
+    EXPECT_EQ(refusal(R"({"envelope": {"wal_mm": 1}})"),
+              "/input/envelope/wal_mm: is not a known key; the nearest is \"wall_mm\"");
+}
+
+TEST(BalanceShaftInput, TorqueTables) {
+    EXPECT_EQ(refusal(R"({"torque": null})"), "/input/torque: is required and missing");
+    EXPECT_EQ(refusal(R"({"torque": 5})"), "/input/torque: must be an object, got 5");
+    EXPECT_EQ(refusal(R"({"torque": {"crank_angle_deg": null, "torque_Nm": null}})"),
+              "/input/torque: must hold one of: crank_angle_deg with torque_Nm, csv, pressure, "
+              "cycle, got none of them");
+    EXPECT_EQ(refusal(R"({"torque": {"crank_angle_deg": [], "torque_Nm": []}})"),
+              "/input/torque/crank_angle_deg: must hold at least 3 numbers, got 0");
+    EXPECT_EQ(refusal(R"({"torque": {"crank_angle_deg": [0], "torque_Nm": [0]}})"),
+              "/input/torque/crank_angle_deg: must hold at least 3 numbers, got 1");
+    EXPECT_EQ(refusal(R"({"torque": {"crank_angle_deg": [0, 100, 50, 720],
+                                     "torque_Nm": [0, 1, 2, 0]}})"),
+              "/input/torque/crank_angle_deg/2: must be greater than the angle of the row before, "
+              "100, got 50");
+    EXPECT_EQ(refusal(R"({"torque": {"crank_angle_deg": [0, 100, 100, 720],
+                                     "torque_Nm": [0, 1, 2, 0]}})"),
+              "/input/torque/crank_angle_deg/2: must not repeat the angle of the row before, 100, "
+              "got 100");
+    EXPECT_EQ(refusal(R"({"torque": {"crank_angle_deg": [0, 100, 720],
+                                     "torque_Nm": [0, 1, 7]}})"),
+              "/input/torque/torque_Nm/2: must equal the first torque, 0 N·m, since the cycle "
+              "repeats, got 7 N·m");
+    EXPECT_EQ(refusal(R"({"torque": {"crank_angle_deg": [0, 100, 720],
+                                     "torque_Nm": [0, null, 0]}})"),
+              "/input/torque/torque_Nm/1: must be a number, got null");
+}
+
+TEST(BalanceShaftInput, NotFiniteValuesOfAProgramAreRefusedToo) {
+    const auto refusal_of = [](const auto& change) {
+        Input input = preset_tmz_650d();
+        change(input);
+        return error_of([&] { solve(input); });
+    };
+    const double nan = std::nan("");
+    EXPECT_EQ(refusal_of([&](Input& i) { i.crank_radius = nan; }),
+              "/input/crank_radius_mm: must be greater than 0, got not a number");
+    EXPECT_EQ(refusal_of([&](Input& i) { i.angular_speed = INFINITY; }),
+              "/input/angular_speed_rad_s: must be greater than 0, got infinity");
+    EXPECT_EQ(refusal_of([&](Input& i) { i.shaft_angle = nan; }),
+              "/input/shaft_angle_deg: must be from -3600 to 3600, got not a number");
+    EXPECT_EQ(refusal_of([&](Input& i) { i.reciprocating_masses[1].mass = nan; }),
+              "/input/reciprocating_masses_kg/pin: must be at least 0, got not a number");
+    EXPECT_EQ(refusal_of([&](Input& i) { i.torque.table.torque[3] = nan; }),
+              "/input/torque/torque_Nm/3: must be from -1000000000000 to 1000000000000, got not a "
+              "number");
+    EXPECT_EQ(refusal_of([&](Input& i) { i.torque.table = {}; }),
+              "/input/torque/crank_angle_deg: must hold at least 3 numbers, got 0");
+    EXPECT_EQ(refusal_of([&](Input& i) { i.reciprocating_masses.clear(); }),
+              "/input/reciprocating_masses_kg: must add up to more than 0 and to a finite mass, "
+              "got 0");
+}
+
+class CsvBesideTheCase : public testing::Test {
+  protected:
+    void SetUp() override {
+        folder_ =
+            std::filesystem::temp_directory_path() / ("ravnoves-csv-" + std::to_string(::getpid()));
+        std::filesystem::create_directories(folder_);
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    std::string refusal_with(const std::string& text) const {
+        write_text_file(folder_ / "torque.csv", text);
+        return error_of([&] { read_input(input(), CaseContext{folder_}); });
+    }
+    static Json input(const std::string& file = "torque.csv") {
+        Json json = example();
+        json["torque"] = {{"csv", file}};
+        return json;
+    }
+
+    std::filesystem::path folder_;
+};
+
+TEST_F(CsvBesideTheCase, GivesTheSameEngine) {
+    write_text_file(folder_ / "torque.csv", write_torque_table(preset_tmz_650d().torque.table));
+    const Input read = read_input(input(), CaseContext{folder_});
+    EXPECT_EQ(read.torque.kind, TorqueSource::Kind::csv);
+    EXPECT_EQ(read.torque.table, preset_tmz_650d().torque.table);
+    EXPECT_EQ(write_input(read).at("torque"), (Json{{"csv", "torque.csv"}}));
+}
+
+TEST_F(CsvBesideTheCase, ErrorsNameFileLineAndColumn) {
+    EXPECT_EQ(refusal_with("0;0\n180;x\n720;0\n"),
+              "/input/torque/csv: torque.csv: line 2, column 2: must be a finite number, got "
+              "\"x\"");
+    EXPECT_EQ(refusal_with(std::string("\0\1\2\3", 4)),
+              "/input/torque/csv: torque.csv: line 1: must be text; this looks like a binary file");
+    EXPECT_EQ(refusal_with(""),
+              "/input/torque/csv: torque.csv: the torque table must have at least 3 rows, got 0");
+    EXPECT_EQ(error_of([&] { read_input(input("absent.csv"), CaseContext{folder_}); }),
+              "/input/torque/csv: absent.csv: cannot be read: No such file or directory");
+    EXPECT_EQ(error_of([&] { read_input(input("."), CaseContext{folder_}); }),
+              "/input/torque/csv: .: must be a file, not a folder");
+    EXPECT_EQ(error_of([&] { read_input(input(""), CaseContext{folder_}); }),
+              "/input/torque/csv: must be a file name, got \"\"");
+}
+
+}  // namespace
+}  // namespace ravnoves::balance_shaft

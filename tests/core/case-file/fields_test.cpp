@@ -1,0 +1,222 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "case-file/case_file.h"
+#include "case-file/field_index.h"
+#include "case-file/field_reader.h"
+#include "case-file/field_writer.h"
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+
+namespace ravnoves {
+
+namespace {
+
+enum class Colour { red, green };
+constexpr Word colours[] = {{"red", {}}, {"green", {}}};
+
+struct Part {
+    double mass = 0.0;  // kg
+    bool operator==(const Part&) const = default;
+};
+
+struct Sample {
+    double length = 0.0;  // m
+    std::optional<double> depth;
+    double share = 0.5;
+    int teeth = 40;
+    bool closed = false;
+    std::string name;
+    Colour colour = Colour::red;
+    std::optional<Part> part;
+    std::vector<Part> parts;
+    bool in_rpm = true;
+    double speed = 0.0;  // rad/s
+    bool operator==(const Sample&) const = default;
+};
+
+namespace field {
+constexpr Field length{.key = "length_mm", .unit = units::mm, .range = Range::greater_than(0)};
+constexpr Field depth{.key = "depth_mm", .unit = units::mm, .range = Range::at_least(0)};
+constexpr Field share{.key = "share", .range = Range::between(0, 1)};
+constexpr Field teeth{.key = "teeth", .range = Range::between(6, 1000)};
+constexpr Field closed{.key = "closed"};
+constexpr Field name{.key = "name"};
+constexpr Field colour{.key = "colour", .words = colours};
+constexpr Field mass{.key = "mass_g", .unit = units::gram, .range = Range::at_least(0)};
+constexpr Field part{.key = "part"};
+constexpr Field parts{.key = "parts"};
+constexpr Field rpm{.key = "speed_rpm", .unit = units::rpm, .range = Range::greater_than(0)};
+constexpr Field speed{
+    .key = "speed_rad_s", .unit = units::rad_per_s, .range = Range::greater_than(0)};
+}  // namespace field
+
+void visit_fields(FieldVisitor& visitor, Part& part) {
+    visitor.number(field::mass, part.mass);
+}
+
+void visit_fields(FieldVisitor& visitor, Sample& sample) {
+    visitor.number(field::length, sample.length);
+    visitor.number(field::depth, sample.depth);
+    visitor.number(field::share, sample.share, 0.5);
+    visitor.integer(field::teeth, sample.teeth, 40);
+    visitor.flag(field::closed, sample.closed, false);
+    visitor.optional_text(field::name, sample.name);
+    visitor.choice(field::colour, sample.colour, Colour::red, FieldVisitor::Written::always);
+    visitor.object(field::part, sample.part);
+    if (visitor.has(field::parts.key, !sample.parts.empty())) {
+        visitor.list(field::parts, sample.parts);
+    }
+    const int which = visitor.one_of({field::rpm.key, field::speed.key}, sample.in_rpm ? 0 : 1);
+    if (which != 1) {
+        sample.in_rpm = true;
+        visitor.number(field::rpm, sample.speed);
+    }
+    if (which != 0) {
+        sample.in_rpm = which < 0;
+        visitor.number(field::speed, sample.speed);
+    }
+}
+
+Sample sample() {
+    Sample s;
+    s.length = 46 * units::mm;
+    s.depth = 0.1 * units::mm;
+    s.part = Part{0.645};
+    s.parts = {{0.1}, {0.2}};
+    s.colour = Colour::green;
+    s.speed = 3600 * units::rpm;
+    return s;
+}
+
+std::string refusal(const char* json) {
+    try {
+        read_fields<Sample>(Json::parse(json));
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+}  // namespace
+
+TEST(Fields, WhatIsWrittenReadsBackToTheSameInput) {
+    const Json json = write_fields(sample());
+    EXPECT_EQ(json.dump(),
+              R"({"length_mm":46.0,"depth_mm":0.1,"colour":"green","part":{"mass_g":645.0},)"
+              R"("parts":[{"mass_g":100.0},{"mass_g":200.0}],"speed_rpm":3600.0})");
+    EXPECT_EQ(read_fields<Sample>(json), sample());
+}
+
+TEST(Fields, RefusalsNamePlaceRuleAndFinding) {
+    EXPECT_EQ(refusal(R"({"length_mm":-46,"speed_rpm":1})"),
+              "/input/length_mm: must be greater than 0, got -46");
+    EXPECT_EQ(refusal(R"({"length_mm":1})"),
+              "/input/speed_rpm: is required and missing (or speed_rad_s)");
+    EXPECT_EQ(refusal(R"({"length_mm":1,"speed_rpm":1,"speed_rad_s":1})"),
+              "/input/speed_rad_s: must be left out where speed_rpm is given");
+    EXPECT_EQ(refusal(R"({"length_mm":1,"speed_rpm":1,"teeth":5})"),
+              "/input/teeth: must be a whole number from 6 to 1000, got 5");
+    EXPECT_EQ(refusal(R"({"length_mm":1,"speed_rpm":1,"colour":"blue"})"),
+              "/input/colour: must be one of \"red\", \"green\", got \"blue\"");
+    EXPECT_EQ(refusal(R"({"length_mm":1,"speed_rpm":1,"parts":[{"mass_g":1},{}]})"),
+              "/input/parts/1/mass_g: is required and missing");
+    EXPECT_EQ(refusal(R"({"length_mm":1,"speed_rpm":1,"depht_mm":1})"),
+              "/input/depht_mm: is not a known key; the nearest is \"depth_mm\"");
+}
+
+TEST(Fields, TheCheckRefusesWhatTheReaderRefuses) {
+    Sample bad = sample();
+    bad.parts[1].mass = -0.2;
+    EXPECT_THROW(
+        {
+            try {
+                check_fields(bad);
+            } catch (const InputError& error) {
+                EXPECT_STREQ(error.what(), "/input/parts/1/mass_g: must be at least 0, got -200");
+                throw;
+            }
+        },
+        InputError);
+    EXPECT_NO_THROW(check_fields(sample()));
+}
+
+TEST(Fields, EveryScalarIsReadAndSetByItsPointer) {
+    Sample s = sample();
+    for (const FieldEntry& entry : list_fields(s)) {
+        if (entry.kind == FieldKind::number) {
+            EXPECT_TRUE(set_field(s, entry.pointer, FieldValue(2.5))) << entry.pointer;
+        }
+    }
+    EXPECT_EQ(s.length, 2.5 * units::mm);
+    EXPECT_EQ(s.parts[1].mass, 2.5 * units::gram);
+    EXPECT_EQ(s.speed, 2.5 * units::rpm);
+    EXPECT_TRUE(set_field(s, "/depth_mm", FieldValue()));
+    EXPECT_FALSE(s.depth.has_value());
+    EXPECT_FALSE(set_field(s, "/length_mm", FieldValue())) << "a length cannot be empty";
+    EXPECT_TRUE(set_field(s, "/share", FieldValue()));
+    EXPECT_EQ(s.share, 0.5) << "what may be left out has its default when empty";
+    EXPECT_FALSE(set_field(s, "/nothing", FieldValue(1.0)));
+    s.part.reset();
+    EXPECT_TRUE(set_field(s, "/part/mass_g", FieldValue(7.0)));
+    ASSERT_TRUE(s.part.has_value());
+    EXPECT_EQ(s.part->mass, 7 * units::gram);
+}
+
+struct Weight {
+    std::optional<double> mass;  // kg; empty: by formula
+    std::optional<Part> other;
+    bool operator==(const Weight&) const = default;
+};
+
+void visit_fields(FieldVisitor& visitor, Weight& weight) {
+    visitor.number_or_word(field::mass, weight.mass, "solve");
+    visitor.object(field::part, weight.other,
+                   [&](Part& part) { visitor.number(field::mass, part.mass); });
+}
+
+TEST(Fields, ANumberMayBeAWord) {
+    const Json given = parse_json(R"({"mass_g": 46, "part": {"mass_g": 3}})");
+    const Weight weight = read_fields<Weight>(given);
+    EXPECT_EQ(weight.mass, 46 * units::gram);
+    EXPECT_EQ(weight.other->mass, 3 * units::gram);
+    EXPECT_EQ(write_fields(weight), given);
+    const Json solved = parse_json(R"({"mass_g": "solve"})");
+    EXPECT_EQ(read_fields<Weight>(solved), Weight());
+    EXPECT_EQ(write_fields(Weight()), solved);
+    try {
+        read_fields<Weight>(parse_json(R"({"mass_g": "auto"})"));
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(), "/input/mass_g: must be a number or \"solve\", got \"auto\"");
+    }
+    EXPECT_THROW(read_fields<Weight>(parse_json("{}")), InputError);
+}
+
+TEST(Fields, TheTableOfTheHelpListsEveryKey) {
+    std::string keys;
+    for (const FieldEntry& entry : describe_fields<Sample>()) {
+        keys += entry.pointer + " ";
+    }
+    EXPECT_EQ(keys,
+              "/length_mm /depth_mm /share /teeth /closed /name /colour /part/mass_g /parts "
+              "/parts/0/mass_g /speed_rpm /speed_rad_s ");
+}
+
+TEST(Fields, MessagesKeepTheirPatternAndTheirValues) {
+    const Message message(CORE_TEXT("core", "must be from %1 to %2"), 1.5, Number{3, units::mm});
+    EXPECT_EQ(message.english(), "must be from 1.5 to 3 mm");
+    EXPECT_STREQ(message.pattern().english, "must be from %1 to %2");
+    EXPECT_EQ(Message("plain").english(), "plain");
+    EXPECT_EQ(Message(Number{2, units::gram, -2}).english(), "2.00 g");
+    EXPECT_EQ(Message(Number{-0.004, units::none, -2}).english(), "0.00");
+    const Message nested(CORE_TEXT("core", "cannot be read: %1"), message);
+    EXPECT_EQ(nested.english(), "cannot be read: must be from 1.5 to 3 mm");
+    EXPECT_EQ(joined("a", line_place(4)).english(), "a, line 4");
+    const InputError error(table_place(4, 2), message, Number{20.5, units::degree});
+    EXPECT_EQ(error.message().english(), "line 4, column 2: must be from 1.5 to 3 mm, got 20.5°");
+    EXPECT_EQ(error.message().english(), error.what());
+}
+
+}  // namespace ravnoves

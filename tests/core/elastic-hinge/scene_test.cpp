@@ -1,0 +1,209 @@
+#include "elastic-hinge/scene.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
+#include "elastic-hinge/fields.h"
+#include "elastic-hinge/presets.h"
+#include "scenes/scenes.h"
+
+#include <random>
+
+#include "example_check.h"
+#include "support.h"
+
+namespace ravnoves::elastic_hinge {
+namespace {
+
+Json example(const std::string& name) {
+    return parse_json(read_text_file(std::string(RAVNOVES_EXAMPLES) + "/" + name + ".case.json"))
+        .at("input");
+}
+
+TEST(ElasticHingeCase, ExamplesOfTheContract) {
+    ravnoves::test::check_example("zotov-as-printed");
+    ravnoves::test::check_example("zotov-energy");
+    ravnoves::test::check_example("zotov-counterweight");
+}
+
+TEST(ElasticHingeCase, PresetIsTheExample) {
+    EXPECT_EQ(read_input(example("zotov-energy")), preset_zotov());
+}
+
+/// Every key that a case may hold.
+Json full_case(bool weights) {
+    Json json = parse_json(R"({
+        "gravity_m_s2": 9.82, "crank_radius_mm": 50.0, "lambda": 0.3, "angular_speed_rad_s": 100.0,
+        "kinematics": "series", "guide_sign": "as-printed",
+        "spring": {"stiffness_N_m": 2e7, "free_length_mm": 200.0, "guide_radius_at_zero_mm": 90.3},
+        "rod_hinge_spring": {"stiffness_N_m": 123456.7, "free_length_mm": 190.0,
+                             "guide_radius_at_zero_mm": 100.3},
+        "rod_counterweight": {"distance_mm": 77.7, "inertia": "newton-euler"},
+        "roller_radius_mm": 6.35, "profile_error_um": 3.3, "profile_error_waves": 5,
+        "guide_search": {"relief_mm": 1.1, "outer_diameter_mm": 310.0,
+                         "smallest_spring_length_mm": 70.7},
+        "motion": {"turns": 7.5, "start_speed_rad_s": 90.0, "start_angle_deg": 33.3,
+                   "crank_torque_Nm": 0.25, "with_profile_error": true}})");
+    const Json masses{{"crank", 5.1}, {"rod", 6.5}, {"slider", 6.3}};
+    json[weights ? "weights_N" : "masses_kg"] = masses;
+    json["rod_counterweight"][weights ? "weight_N" : "mass_kg"] = 1.23;
+    return json;
+}
+
+TEST(ElasticHingeCase, WritesWhatItReads) {
+    for (const bool weights : {true, false}) {
+        const Json json = full_case(weights);
+        const Input input = read_input(json);
+        EXPECT_EQ(read_input(write_input(input)), input);
+        // Numbers stay as they were typed, whatever the order of the keys.
+        EXPECT_EQ(nlohmann::json(write_input(input)), nlohmann::json(json));
+    }
+    Json solved = full_case(true);
+    solved["rod_counterweight"]["weight_N"] = "solve";
+    EXPECT_EQ(read_input(write_input(read_input(solved))), read_input(solved));
+    Input flat = preset_zotov();
+    flat.masses_as_weights = false;
+    flat.gravity = 0.0;
+    EXPECT_EQ(read_input(write_input(flat)), flat);
+}
+
+TEST(ElasticHingeCase, APreloadOfExactlyTheLeastIsFeasible) {
+    for (const char* name : {"zotov-energy", "zotov-as-printed", "zotov-counterweight"}) {
+        Json json = example(name);
+        const auto guide = [&] { return solve_scene(json, {}).at("guide"); };
+        const double least = guide().at("minimum_preload_mm").get<double>();
+        for (const double side : {-1.0, 1.0}) {
+            json["spring"]["guide_radius_at_zero_mm"] = 100.0 + side * least;
+            EXPECT_TRUE(guide().at("feasible").get<bool>()) << name << side;
+            json["spring"]["guide_radius_at_zero_mm"] = 100.0 + side * least * (1 - 1e-6);
+            EXPECT_FALSE(guide().at("feasible").get<bool>()) << name << side;
+        }
+    }
+}
+
+TEST(ElasticHingeCase, CounterweightIsByNewtonAndEulerUnlessAskedOtherwise) {
+    Json json = example("zotov-counterweight");
+    EXPECT_EQ(read_input(json).rod_counterweight->inertia, CounterweightInertia::newton_euler);
+    const Json right = solve_scene(json, {});
+    json["rod_counterweight"]["inertia"] = "as-printed";
+    const Json printed = solve_scene(json, {});
+    // The signs of a hinge's moment change no force of the mechanism without hinge.
+    EXPECT_EQ(printed.at("curves").at("side_force_without_hinge_N"),
+              right.at("curves").at("side_force_without_hinge_N"));
+    EXPECT_LT(right.at("side_force").at("largest_by_newton_euler_N").get<double>(), 1e-6);
+    EXPECT_NEAR(printed.at("side_force").at("largest_by_newton_euler_N").get<double>(), 14279.0,
+                1.0);
+}
+
+TEST(ElasticHingeCase, ResultHoldsMotionAndSearchWhereAsked) {
+    Json json = example("zotov-energy");
+    json["motion"] = {{"turns", 3}};
+    json["guide_search"] = {{"relief_mm", 1}, {"outer_diameter_mm", 250}};
+    const Json result = solve_scene(json, {});
+    EXPECT_EQ(result.at("motion").at("with_crank_hinge").at("end"), "completed");
+    EXPECT_LT(result.at("motion").at("with_crank_hinge").at("speed_ripple"), 1e-9);
+    EXPECT_GT(result.at("motion").at("without_hinge").at("speed_ripple"), 0.5);
+    EXPECT_EQ(result.at("guide_search").at("feasible"), true);
+    json["spring"] = result.at("guide_search").at("spring");
+    EXPECT_NEAR(solve_scene(json, {}).at("guide").at("relief_mm").get<double>(), 1.0, 1e-6);
+}
+
+TEST(ElasticHingeCase, ErrorsNameTheField) {
+    const auto error = [](const auto& change) {
+        Json json = full_case(true);
+        change(json);
+        return test::error_of([&] { read_input(json); });
+    };
+    EXPECT_EQ(error([](Json& j) { j["crank_radius_mm"] = -50; }).find("/input/crank_radius_mm: "),
+              0U);
+    EXPECT_EQ(error([](Json& j) { j["weights_N"]["rod"] = "x"; }),
+              "/input/weights_N/rod: must be a number, got \"x\"");
+    EXPECT_EQ(error([](Json& j) { j["weights_N"]["bar"] = 1; }).find("/input/weights_N/bar: "), 0U);
+    EXPECT_EQ(error([](Json& j) { j["masses_kg"] = j["weights_N"]; }).find("/input/masses_kg: "),
+              0U);
+    EXPECT_EQ(error([](Json& j) { j["lambda"] = 1.5; }),
+              "/input/lambda: must be from 1e-06 to 1, got 1.5");
+    EXPECT_EQ(error([](Json& j) {
+                  j["lambda"] = 1;
+                  j["kinematics"] = "exact";
+              }).find("/input/lambda: must be less than 1"),
+              0U);
+    EXPECT_EQ(error([](Json& j) { j["spring"].erase("free_length_mm"); }),
+              "/input/spring/free_length_mm: is required and missing");
+    EXPECT_EQ(error([](Json& j) { j["rod_counterweight"]["weight_N"] = "auto"; }),
+              "/input/rod_counterweight/weight_N: must be a number or \"solve\", got \"auto\"");
+    EXPECT_EQ(error([](Json& j) { j["gravity_m_s2"] = 0; }).find("/input/gravity_m_s2: "), 0U);
+    EXPECT_EQ(error([](Json& j) { j["angular_speed"] = 3; }),
+              "/input/angular_speed: is not a known key; the nearest is \"angular_speed_rad_s\"");
+    EXPECT_EQ(error([](Json& j) {
+                  j["weights_N"] = {{"crank", 0}, {"rod", 0}, {"slider", 0}};
+              }).find("/input/weights_N: must together be more than 0"),
+              0U);
+    for (const double huge : {1e300, -1e300, 5e-324}) {
+        for (const char* key : {"crank_radius_mm", "lambda", "gravity_m_s2"}) {
+            EXPECT_EQ(error([&](Json& j) { j[key] = huge; }).find(std::string("/input/") + key),
+                      0U);
+        }
+        EXPECT_EQ(error([&](Json& j) {
+                      j["spring"]["stiffness_N_m"] = huge;
+                  }).find("/input/spring/stiffness_N_m"),
+                  0U);
+    }
+}
+
+/// A number anywhere in its range, by its logarithm where the range spans decades.
+double anywhere(std::mt19937& random, const Range& range) {
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    const double u = unit(random);
+    if (u < 0.05) {
+        return range.min;
+    }
+    if (u > 0.95) {
+        return range.max;
+    }
+    const double low = std::max(range.min, range.max * 1e-20);
+    return range.min < 0 ? std::lerp(range.min, range.max, unit(random))
+                         : low * std::pow(range.max / low, unit(random));
+}
+
+TEST(ElasticHingeCase, AnyInputInRangeHasAFiniteAnswerOrAWordedRefusal) {
+    std::mt19937 random(20210712);
+    int solved = 0;
+    for (int i = 0; i < 400; ++i) {
+        Json json;
+        json["weights_N"] = {{"crank", anywhere(random, field::weight_range)},
+                             {"rod", anywhere(random, field::weight_range)},
+                             {"slider", anywhere(random, field::weight_range)}};
+        for (const Field* spec :
+             {&field::gravity, &field::crank_radius, &field::lambda, &field::angular_speed,
+              &field::roller_radius, &field::profile_error}) {
+            json[std::string(spec->key)] = anywhere(random, spec->range);
+        }
+        json["kinematics"] = i % 2 == 0 ? "exact" : "series";
+        json["guide_sign"] = i % 3 == 0 ? "as-printed" : "energy";
+        Json spring;
+        for (const Field* spec : {&field::stiffness, &field::free_length, &field::guide_radius}) {
+            spring[std::string(spec->key)] = anywhere(random, spec->range);
+        }
+        json["spring"] = spring;
+        if (i % 2 == 1) {
+            json["rod_counterweight"] = {
+                {"distance_mm", anywhere(random, field::counterweight_distance.range)},
+                {"weight_N", "solve"}};
+        }
+        json["guide_search"] = {
+            {"relief_mm", anywhere(random, field::wanted_relief.range)},
+            {"outer_diameter_mm", anywhere(random, field::outer_diameter.range)}};
+        const CaseFile file{"elastic-hinge", "", json};
+        try {
+            const Json result = ravnoves::solve_case(file, {}).at("result");  // refuses NaN itself
+            ++solved;
+            EXPECT_FALSE(result.at("guide").at("feasible").get<bool>() &&
+                         !result.at("guide").at("reason").get<std::string>().empty());
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.where().find("/input"), 0U) << error.what();
+        }
+    }
+    EXPECT_GT(solved, 200);
+}
+
+}  // namespace
+}  // namespace ravnoves::elastic_hinge

@@ -1,0 +1,256 @@
+#include "inertia-moments/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "engines.h"
+#include "scenes/scenes.h"
+
+namespace ravnoves::inertia_moments {
+namespace {
+
+Json vr5_json() {
+    return parse_json(R"({"crank_radius_mm": 45, "lambda": 0.265, "speed_rpm": 6200,
+        "reciprocating_mass_kg": 0.622, "rotating_mass_kg": 0.8, "reference_position_mm": 0,
+        "layout": {"type": "vr", "cylinders": 5, "bank_angle_deg": 15, "offset_mm": 12.51,
+                   "spacing_mm": 63, "firing_order": [1, 2, 4, 5, 3], "first_position_mm": 204.8}
+        })");
+}
+
+Json table_json() {
+    return parse_json(R"({"crank_radius_mm": 40, "lambda": 0.3, "speed_rpm": 3000,
+        "reciprocating_mass_kg": 0.5, "cylinders": [
+        {"axial_position_mm": 40, "bank_angle_deg": 0, "offset_mm": 0, "crankpin_angle_deg": 0},
+        {"axial_position_mm": -40, "bank_angle_deg": 0, "offset_mm": 0, "crankpin_angle_deg": 180}
+        ]})");
+}
+
+std::string error_of(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+std::string error_in(Json input) {
+    return error_of([&] { solve_scene(input, {}); });
+}
+
+TEST(CaseIo, WritesWhatItReads) {
+    Input full = test::irregular();
+    full.firing_order = {1, 3, 2, 4};
+    full.rod = RigidRod{0.55, 0.045, 0.0021};
+    full.shafts = {Shaft{}, Shaft{}};
+    full.shafts[1] = {2,
+                      Direction::backward,
+                      Balances::force,
+                      full.shafts[0].weight_distance,
+                      0.12,
+                      0.033,
+                      12.0 * degree,
+                      false};
+    full.shaft_basis = DesignBasis::two_term;
+    full.end_webs = EndWebs{0.2, -0.15, 0.05, 0.06, 0.5, false};
+    full.step = 5.0 * degree;
+    Input library = test::unit_engine("w12");
+    for (const Input& input : {full, test::vr5(), library}) {
+        const Json json = write_input(input);
+        EXPECT_EQ(write_input(read_input(json)), json) << json.dump(1);
+        // Through text, as a file does.
+        EXPECT_EQ(write_input(read_input(parse_json(json.dump()))), json);
+    }
+    EXPECT_EQ(read_input(vr5_json()), read_input(write_input(read_input(vr5_json()))));
+    // Numbers come back as people typed them.
+    EXPECT_EQ(write_input(read_input(vr5_json())), vr5_json());
+}
+
+TEST(CaseIo, KeysHaveTheContractsNamesAndNullRules) {
+    const Json twin = solve_scene(table_json(), {});
+    // Two pistons in antiphase: no first-order force, so it has no direction.
+    const Json& force_1 = twin["exact"]["order_1"]["force_N"];
+    EXPECT_TRUE(force_1["forward"]["angle_deg"].is_null());
+    EXPECT_TRUE(force_1["backward"]["angle_deg"].is_null());
+    EXPECT_LT(force_1["forward"]["amplitude"].get<double>(), 1e-9);
+    EXPECT_TRUE(twin["exact"]["order_2"]["force_N"]["forward"]["angle_deg"].is_number());
+    EXPECT_TRUE(twin["rotating"]["force_angle_deg"].is_null());
+    EXPECT_TRUE(twin["rotating"]["counterweight_force_lag_deg"].is_null());
+    EXPECT_NEAR(twin["rotating"]["moment_factor_m"].get<double>(), 0.08, 1e-15);
+    EXPECT_EQ(twin["rotating"]["force_N"].get<double>(), 0.0);
+    EXPECT_FALSE(twin.contains("tdc_angle_deg"));
+    const Json vr5 = solve_scene(vr5_json(), {});
+    for (const char* form : {"two_term", "exact"}) {
+        for (const char* order : {"order_1", "order_2", "order_4"}) {
+            for (const char* quantity : {"force_N", "moment_Nm"}) {
+                const Json& entry = vr5.at(form).at(order).at(quantity);
+                for (const char* plane : {"horizontal", "vertical"}) {
+                    EXPECT_TRUE(entry.at(plane).at("cos").is_number());
+                    EXPECT_TRUE(entry.at(plane).at("sin").is_number());
+                }
+                for (const char* way : {"forward", "backward"}) {
+                    EXPECT_TRUE(entry.at(way).contains("amplitude"));
+                    EXPECT_TRUE(entry.at(way).contains("angle_deg"));
+                }
+            }
+        }
+    }
+    EXPECT_NEAR(vr5.at("tdc_angle_deg").get<double>(), 3.338632158940555, 1e-12);
+    EXPECT_FALSE(vr5.contains("curves"));
+    Json with_step = vr5_json();
+    with_step["step_deg"] = 10;
+    const Json curves = solve_scene(with_step, {}).at("curves");
+    EXPECT_EQ(curves.at("crank_angle_deg").size(), 37U);
+    EXPECT_NEAR(curves.at("crank_angle_deg")[36].get<double>(), 360.0, 1e-12);
+}
+
+TEST(CaseIo, LayoutAndItsTableAreTheSameEngine) {
+    const Input layout = read_input(vr5_json());
+    Input table = layout;
+    table.cylinders = make_cylinders(*layout.layout, layout.crank_radius, layout.lambda);
+    table.layout.reset();
+    Json a = solve_scene(write_input(layout), {});
+    Json b = solve_scene(write_input(table), {});
+    // The table carries degrees, rounded once more than the layout.
+    const double x = a["exact"]["order_2"]["moment_Nm"]["vertical"]["cos"].get<double>();
+    const double y = b["exact"]["order_2"]["moment_Nm"]["vertical"]["cos"].get<double>();
+    EXPECT_NEAR(x, y, 1e-11 * std::abs(x));
+}
+
+TEST(CaseIo, RefusesWithPointerRuleAndFinding) {
+    Json json = vr5_json();
+    json["crank_radius_mm"] = -46;
+    EXPECT_EQ(error_in(json), "/input/crank_radius_mm: must be greater than 0, got -46");
+    json = vr5_json();
+    json["lamda"] = 0.3;
+    EXPECT_NE(error_in(json).find("the nearest is \"lambda\""), std::string::npos);
+    json = vr5_json();
+    json["layout"]["firing_order"] = {1, 2, 4, 5, 5};
+    EXPECT_EQ(error_in(json),
+              "/input/layout/firing_order: must name each cylinder from 1 to 5 once, got "
+              "1-2-4-5-5");
+    json = vr5_json();
+    json["layout"]["type"] = "library";
+    json["layout"].erase("cylinders");
+    json["layout"]["name"] = "vr66";
+    EXPECT_NE(error_in(json).find("(the nearest is \"vr"), std::string::npos);
+    json = vr5_json();
+    json.erase("layout");
+    EXPECT_NE(error_in(json).find("/input/cylinders: is required"), std::string::npos);
+    json["cylinders"] = Json::array();
+    EXPECT_NE(error_in(json).find("/input/cylinders: must list from 1"), std::string::npos);
+    json = table_json();
+    json["cylinders"][1]["ofset_mm"] = 1;
+    EXPECT_EQ(error_in(json),
+              "/input/cylinders/1/ofset_mm: is not a known key; the nearest is \"offset_mm\"");
+    json = table_json();
+    json["cylinders"][1].erase("crankpin_angle_deg");
+    EXPECT_EQ(error_in(json), "/input/cylinders/1/crankpin_angle_deg: is required and missing");
+    json = table_json();
+    json["balance_shafts"] = Json::array({{{"order", 13}}});
+    EXPECT_NE(error_in(json).find("/input/balance_shafts/0/order"), std::string::npos);
+    json = table_json();
+    json["rod"] = {{"mass_kg", 0.5}, {"centre_from_big_end_mm", -200}, {"inertia_kg_m2", 0.001}};
+    EXPECT_NE(error_in(json).find("/input/rod/centre_from_big_end_mm"), std::string::npos);
+}
+
+TEST(CaseIo, LockingMechanismsAreRefusedWithTheAngle) {
+    Json json = vr5_json();
+    json["lambda"] = 0.9;
+    json["layout"]["offset_mm"] = 10;
+    // L − R = 5 mm; turning forward the rod lies across at 180° + arcsin((L − e)/R).
+    const double forward = 180.0 + std::asin((50.0 - 10.0) / 45.0) / degree;
+    const std::string text = error_in(json);
+    EXPECT_NE(text.find("/input/layout/offset_mm: must be less than 5 in size"), std::string::npos)
+        << text;
+    std::array<char, 16> angle{};
+    std::snprintf(angle.data(), angle.size(), "%.1f°", forward);
+    EXPECT_NE(text.find(angle.data()), std::string::npos) << text;
+    EXPECT_NE(text.find(", got 10"), std::string::npos) << text;
+
+    json["lambda"] = 1.25;
+    json["layout"]["offset_mm"] = 0;
+    EXPECT_NE(error_in(json).find("/input/lambda: must be less than 1; the mechanism of cylinder 1 "
+                                  "locks with the crank at 53.13°"),
+              std::string::npos)
+        << error_in(json);
+
+    json = table_json();
+    json["cylinders"][1]["offset_mm"] = -93.4;
+    EXPECT_NE(error_in(json).find("/input/cylinders/1/offset_mm"), std::string::npos);
+    json["cylinders"][1]["offset_mm"] = -500;
+    EXPECT_NE(error_in(json).find("cannot be joined"), std::string::npos) << error_in(json);
+    // Just inside the limit it turns.
+    json["cylinders"][1]["offset_mm"] = -93.3;
+    EXPECT_EQ(error_in(json), "no error");
+}
+
+// Every number of the case in turn at the edges of double: a finite result or a worded refusal.
+TEST(CaseIo, ExtremeNumbersGiveFiniteResultsOrAWordedRefusal) {
+    Json full = table_json();
+    full["rotating_mass_kg"] = 0.4;
+    full["reference_position_mm"] = 3;
+    full["rod"] = {{"mass_kg", 0.5}, {"centre_from_big_end_mm", 40}, {"inertia_kg_m2", 0.001}};
+    full["balance_shafts"] = Json::array({{{"order", 2},
+                                           {"direction", "backward"},
+                                           {"balances", "moment"},
+                                           {"weight_distance_mm", 200},
+                                           {"weight_radius_mm", 30},
+                                           {"phase_error_deg", 3}},
+                                          {{"order", 1},
+                                           {"direction", "forward"},
+                                           {"balances", "force"},
+                                           {"axial_position_mm", 20}}});
+    full["counterweights"] = {{"front_position_mm", 50},
+                              {"rear_position_mm", -50},
+                              {"front_radius_mm", 40},
+                              {"rear_radius_mm", 40},
+                              {"first_order_share", 0.5}};
+    full["step_deg"] = 30;
+    const Json flat = full.flatten();
+    Json vr = vr5_json().flatten();
+    int solved = 0;
+    int refused = 0;
+    const auto attempt = [&](const Json& json) {
+        CaseFile file{"inertia-moments", "", json};
+        try {
+            const Json document = solve_case(file, {});  // throws where a number is not finite
+            EXPECT_TRUE(document.contains("result"));
+            ++solved;
+        } catch (const InputError& error) {
+            EXPECT_FALSE(error.where().empty());
+            ++refused;
+        }
+    };
+    for (const Json& base : {flat, vr}) {
+        for (const auto& item : base.items()) {
+            if (!item.value().is_number()) {
+                continue;
+            }
+            for (const double value : {1e300, -1e300, 1e-300, 5e-324, 1e150, -1e-150, 1e-9, 1e9,
+                                       0.0, 1.0, 1.7976931348623157e308}) {
+                Json changed = base;
+                changed[item.key()] = value;
+                attempt(changed.unflatten());
+            }
+        }
+    }
+    EXPECT_GT(solved, 50);
+    EXPECT_GT(refused, 50);
+    // Everything extreme at once.
+    for (const double value : {1e300, 1e-300, 1e100}) {
+        Json changed = flat;
+        for (const auto& item : flat.items()) {
+            if (item.value().is_number_float() || item.key() == "/speed_rpm") {
+                changed[item.key()] = value;
+            }
+        }
+        attempt(changed.unflatten());
+    }
+}
+
+}  // namespace
+}  // namespace ravnoves::inertia_moments

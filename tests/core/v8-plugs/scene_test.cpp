@@ -1,0 +1,365 @@
+// The scene as case files see it: the contract's examples, reading and writing, bad input.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "example_check.h"
+#include "scenes/scenes.h"
+#include "support.h"
+#include "v8-plugs/presets.h"
+#include "v8-plugs/residual_unbalance.h"
+#include "v8-plugs/scene.h"
+#include "v8-plugs/solver.h"
+
+namespace ravnoves::v8_plugs {
+namespace {
+
+using test::gram;
+using test::gram_millimetre;
+using test::millimetre;
+using test::Workshop;
+
+Json example() {
+    return parse_json(R"({
+        "engine": {
+            "crank_radius_mm": 40, "plug_radius_mm": 47.2, "new_plug_radius_mm": 49.3,
+            "steel_plug_mass_g": 2.79, "aluminium_plug_mass_g": 0.954,
+            "new_steel_plug_mass_g": 3.45, "new_aluminium_plug_mass_g": 1.179,
+            "max_steel_reduction_g": 1.951, "max_aluminium_reduction_g": 0.684,
+            "rod_coefficient": 0.445, "oil_mass_g": 20, "oil_coefficient": 1.0,
+            "reciprocating_mass_g": 1000, "rotating_mass_g": 650},
+        "process": "repair",
+        "mass_changes_g": {"piston": 0, "rod_big_end": 0.5, "repair_piston_and_rings": 2.0,
+                           "repair_bearing": 1.1}})");
+}
+
+Json full_example() {
+    Json input = example();
+    input["crankshaft"] = "standard";
+    input["tolerance_g_mm"] = 4.5;
+    input["weigh_in"] = parse_json(R"({
+        "cylinder_numbering": "alternating",
+        "piston": {"nominal_g": 600, "permitted_spread_g": 2,
+                   "mass_g": [600, 601, 602, 603, 604, 605, 606, 607]},
+        "rod_big_end": {"nominal_g": 700, "mass_g": [700, 700, 700, 701, 700, 700, 700, 700]}})");
+    input["mass_changes_from"] = "typed";
+    input["plug"] = parse_json(R"({"thread": "M30x1.5", "height_mm": 14, "bore_diameter_mm": 20,
+        "bore_depth_mm": 8, "cutter_diameter_mm": 20, "minimum_wall_mm": 1,
+        "minimum_bottom_mm": 2, "steel_density_kg_m3": 7800})");
+    input["balancing"] = parse_json(R"({"grade_mm_s": 16, "rotor_mass_kg": 30,
+        "service_speed_rpm": 3200, "front_reading_g_mm": 700, "rear_reading_g_mm": 800})");
+    input["job"] = parse_json(R"({"engine_number": "ЗМЗ-53 №123", "customer": "A", "date":
+        "2024-05-31", "technician": "B", "notes": "C"})");
+    return input;
+}
+
+Json solved(const Json& input) {
+    return solve_scene(input, {});
+}
+
+std::string error_of(const Json& input) {
+    try {
+        solved(input);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(Example, Repair) {
+    const Json document = ravnoves::test::check_example("v8-4.25-repair");
+    EXPECT_EQ(document.at("result").at("recommended"), "steel-machined");
+    EXPECT_EQ(document.at("result").at("reason"), "Machine all 8 steel plugs by 1.83 g each.");
+}
+
+TEST(Example, Manufacture) {
+    const Json document = ravnoves::test::check_example("v8-6-manufacture");
+    EXPECT_EQ(document.at("result").at("recommended"), "steel-to-aluminium");
+}
+
+TEST(Result, LinesAddUpToTheBobWeight) {
+    const Json result = solved(example());
+    const auto check = [](const Json& weight) {
+        double sum = 0.0;
+        for (const Json& line : weight.at("lines")) {
+            EXPECT_DOUBLE_EQ(line.at("product_g").get<double>(),
+                             line.at("factor").get<double>() * line.at("mass_g").get<double>());
+            sum += line.at("product_g").get<double>();
+        }
+        EXPECT_NEAR(sum, weight.at("sum_g").get<double>(), 1e-9);
+    };
+    check(result.at("bobweight").at("nominal"));
+    check(result.at("bobweight").at("before"));
+    for (const auto& option : result.at("options").items()) {
+        check(option.value().at("bobweight"));
+        EXPECT_NEAR(option.value().at("bobweight").at("sum_g").get<double>() -
+                        option.value().at("nominal_bobweight_g").get<double>(),
+                    option.value().at("residual_mass_g").get<double>(), 1e-9);
+    }
+    EXPECT_NEAR(result.at("bobweight").at("before").at("sum_g").get<double>() -
+                    result.at("bobweight").at("nominal").at("sum_g").get<double>(),
+                result.at("unbalanced_mass_g").get<double>(), 1e-9);
+}
+
+TEST(Result, PresetWithOverridesIsTheSameEngine) {
+    Json by_name = example();
+    by_name["engine"] = "4.25 l";
+    by_name["engine_overrides"] = {{"oil_mass_g", 20},
+                                   {"oil_coefficient", 1.0},
+                                   {"reciprocating_mass_g", 1000},
+                                   {"rotating_mass_g", 650}};
+    EXPECT_EQ(solved(by_name), solved(example()));
+    by_name["engine_overrides"]["crank_radius_mm"] = 41;
+    EXPECT_NE(solved(by_name).at("k_p"), solved(example()).at("k_p"));
+}
+
+TEST(Result, SheetsAddTheirParts) {
+    const Json result = solved(full_example());
+    EXPECT_EQ(result.at("recommended"), "steel-machined");
+    EXPECT_NE(
+        result.at("reason").get<std::string>().find("Bore 0.75 mm deeper with a 20 mm cutter"),
+        std::string::npos)
+        << result.at("reason");
+    EXPECT_FALSE(result.at("plug").at("steel").at("fits").get<bool>());
+    EXPECT_FALSE(result.at("weigh_in").at("piston").at("within_permitted_spread").get<bool>());
+    EXPECT_EQ(result.at("weigh_in").at("piston").at("heaviest_cylinder"), 8);
+    const Json& before = result.at("weigh_in").at("crankpins");
+    const Json& after = result.at("weigh_in").at("assignment").at("crankpins");
+    // Pistons 0…7 g over nominal, in pairs of equal sum; the heavy rod is worth 1.2225 g.
+    EXPECT_NEAR(before.at("spread_g").get<double>(), 6.0, 1e-9);
+    EXPECT_LE(after.at("spread_g").get<double>(), 1.2225);
+    // ISO 21940-11 by hand: 1000 · 30 · 16 / (3200 π/30) = 1432.4 g·mm, half in each plane.
+    EXPECT_NEAR(result.at("balancing").at("permissible_g_mm").get<double>(), 1432.394, 1e-3);
+    EXPECT_NEAR(result.at("balancing").at("front").at("permissible_g_mm").get<double>(), 716.197,
+                1e-3);
+    EXPECT_TRUE(result.at("balancing").at("front").at("passes").get<bool>());
+    EXPECT_FALSE(result.at("balancing").at("rear").at("passes").get<bool>());
+}
+
+TEST(Result, ChangesFromTheWeighInSheet) {
+    Json input = full_example();
+    input["mass_changes_from"] = "weigh-in";
+    const Json result = solved(input);
+    EXPECT_NEAR(result.at("mass_changes_g").at("repair_piston_and_rings").get<double>(), 3.5, 1e-9);
+    EXPECT_NEAR(result.at("mass_changes_g").at("rod_big_end").get<double>(), 0.125, 1e-9);
+    // The sheet alone is meant to be used.
+    input.erase("mass_changes_from");
+    input.erase("mass_changes_g");
+    EXPECT_EQ(solved(input), result);
+}
+
+TEST(Result, NullMeansThatThereIsNoSuchPlug) {
+    Json input = example();
+    for (const char* key :
+         {"new_plug_radius_mm", "new_steel_plug_mass_g", "new_aluminium_plug_mass_g"}) {
+        input["engine"][key] = nullptr;
+    }
+    const Json result = solved(input);
+    EXPECT_EQ(result.at("recommended"), "steel-machined");
+    EXPECT_TRUE(result.at("options").at("new-steel-to-steel").at("maximum_g").is_null());
+    EXPECT_FALSE(result.at("options").at("new-steel-to-steel").at("feasible").get<bool>());
+    EXPECT_TRUE(result.at("k_y_new").is_null());
+    input["crankshaft"] = "new-plugs";
+    EXPECT_NE(error_of(input).find("/input/crankshaft"), std::string::npos);
+    input["crankshaft"] = "standard";
+    input["engine"]["new_plug_radius_mm"] = 49.3;
+    EXPECT_EQ(error_of(input),
+              "/input/engine/new_plug_radius_mm: must be null or left out where "
+              "new_aluminium_plug_mass_g is null, got 49.3");
+}
+
+TEST(RoundTrip, WrittenInputReadsBackTheSame) {
+    for (const Json& input : {example(), full_example()}) {
+        const Input read = read_input(input);
+        const Json written = write_input(read);
+        EXPECT_EQ(read_input(written), read) << written.dump(2);
+        EXPECT_EQ(write_input(read_input(written)), written);
+    }
+    // The numbers that were typed are the numbers that are written.
+    const Json written = write_input(read_input(example()));
+    EXPECT_EQ(written.at("engine"), example().at("engine"));
+    EXPECT_EQ(written.at("mass_changes_g").at("repair_bearing"), 1.1);
+}
+
+TEST(RoundTrip, HalfFilledFormsKeepWhatIsThere) {
+    Input input;
+    input.preset = "8.32 l";
+    input.engine = *find_preset("8.32 l");
+    input.engine.oil_mass = 20.5 * gram;
+    input.weigh_in.emplace();
+    (*input.weigh_in)[Part::pin].mass[3] = 151.25 * gram;
+    input.plug.emplace();
+    input.plug->height = 12 * millimetre;
+    input.balancing.emplace();
+    input.balancing->rotor_mass = 31.0;
+    const Json written = write_input(input);
+    EXPECT_EQ(written.at("engine"), "8.32 l");
+    EXPECT_EQ(read_input(written, Completeness::as_is), input);
+    EXPECT_THROW(read_input(written), InputError);
+    // So is a sheet on which two values do not go together yet.
+    input.plug->thread = Thread{22 * millimetre, 1.5 * millimetre};
+    input.plug->bore_diameter = 30 * millimetre;
+    input.plug->bore_depth = 5 * millimetre;
+    input.engine.steel_plug_mass = 3 * gram;
+    input.engine.max_steel_reduction = 4 * gram;
+    EXPECT_EQ(read_input(write_input(input), Completeness::as_is), input);
+    // A preset value that was emptied cannot be an override: the engine is written out.
+    input.engine.crank_radius.reset();
+    EXPECT_FALSE(read_input(write_input(input), Completeness::as_is).engine.crank_radius);
+    const Result partial = solve(input);
+    EXPECT_FALSE(partial.steel_plug);
+    EXPECT_FALSE(partial.advice);
+    EXPECT_FALSE(partial.nominal);
+}
+
+TEST(RoundTrip, EveryTypedDecimalComesBack) {
+    Workshop workshop(8);
+    for (int round = 0; round < 20000; ++round) {
+        const double typed = std::round(workshop.between(0, 1e4) * 1e4) / 1e4;
+        const Field& mass = engine_field("steel_plug_mass_g").field;
+        ASSERT_EQ(from_si(mass, typed * mass.unit), typed);
+    }
+}
+
+TEST(BadInput, EveryEngineValueMissingNegativeOrAbsurd) {
+    for (const EngineField& field : engine_fields()) {
+        const std::string key(field.field.key);
+        const std::string pointer = "/input/engine/" + key + ": ";
+        Json input = example();
+        input["engine"].erase(key);
+        EXPECT_EQ(error_of(input), pointer + "is required and missing");
+        for (const double value :
+             {-1.0, -1e-300, 1e300, -1e300, std::numeric_limits<double>::max()}) {
+            input["engine"][key] = value;
+            EXPECT_EQ(error_of(input).substr(0, pointer.size()), pointer) << value;
+        }
+        for (const Json& value : {Json("x"), Json(true), Json::array(), Json::object()}) {
+            input["engine"][key] = value;
+            EXPECT_EQ(error_of(input).substr(0, pointer.size()), pointer) << value;
+        }
+        if (field.group == EngineGroup::basic || field.group == EngineGroup::bob_weight) {
+            input["engine"][key] = nullptr;
+            EXPECT_EQ(error_of(input).substr(0, pointer.size()), pointer);
+        }
+    }
+}
+
+TEST(BadInput, DenormalsGiveFiniteAnswersOrAreRefused) {
+    for (const EngineField& field : engine_fields()) {
+        Json input = example();
+        input["engine"][std::string(field.field.key)] = std::numeric_limits<double>::denorm_min();
+        try {
+            const Json result = solved(input);
+            EXPECT_EQ(result.dump().find("null,\"k"), std::string::npos);
+        } catch (const InputError&) {
+        }
+    }
+    Json input = example();
+    for (const char* key : {"piston", "rod_big_end", "repair_bearing"}) {
+        input["mass_changes_g"][key] = std::numeric_limits<double>::denorm_min();
+    }
+    EXPECT_EQ(error_of(input), "no error");
+    input["mass_changes_g"]["piston"] = 1e300;
+    EXPECT_NE(error_of(input).find("/input/mass_changes_g/piston: must be"), std::string::npos);
+}
+
+TEST(BadInput, NamesTheField) {
+    const auto with = [](const char* pointer, const Json& value) {
+        Json input = full_example();
+        input[Json::json_pointer(pointer)] = value;
+        return error_of(input);
+    };
+    EXPECT_EQ(with("/process", "overhaul"),
+              "/input/process: must be one of \"manufacture\", \"repair\", got \"overhaul\"");
+    EXPECT_EQ(with("/engine/crank_radus_mm", 40),
+              "/input/engine/crank_radus_mm: is not a known key; the nearest is "
+              "\"crank_radius_mm\"");
+    EXPECT_EQ(with("/engine", "5 l"),
+              "/input/engine: must be an engine object or one of \"4.25 l\", \"6 l\", \"7 l\", "
+              "\"8.32 l\", \"8.74 l\", \"10.85 l\", \"14.86 l\", got \"5 l\"");
+    EXPECT_EQ(with("/engine", "6 l"),
+              "/input/engine_overrides/oil_mass_g: is required and missing: the preset \"6 l\" "
+              "does not give it");
+    EXPECT_NE(with("/engine_overrides", Json::object()).find("/input/engine_overrides: is allowed"),
+              std::string::npos);
+    EXPECT_EQ(with("/engine/max_steel_reduction_g", 2.8),
+              "/input/engine/max_steel_reduction_g: must be less than the plug's mass 2.79, got "
+              "2.8");
+    EXPECT_EQ(with("/tolerance_g_mm", -1),
+              "/input/tolerance_g_mm: must be from 0 to 1000000, got -1");
+    EXPECT_NE(with("/mass_changes_g/pistn", 1).find("nearest is \"piston\""), std::string::npos);
+    EXPECT_EQ(with("/weigh_in/piston/mass_g/3", -600),
+              "/input/weigh_in/piston/mass_g/3: must be from 0.001 to 100000, got "
+              "-600");
+    EXPECT_EQ(with("/weigh_in/piston/mass_g/3", nullptr),
+              "/input/weigh_in/piston/mass_g/3: must be a number, got null");
+    EXPECT_NE(with("/weigh_in/pin", parse_json(R"({"nominal_g": 3, "mass_g": [1, 2]})"))
+                  .find("/input/weigh_in/pin/mass_g: must be a list of 8 masses"),
+              std::string::npos);
+    EXPECT_NE(with("/weigh_in/pin", parse_json(R"({"mass_g": [1,1,1,1,1,1,1,1]})"))
+                  .find("/input/weigh_in/pin/nominal_g: is required"),
+              std::string::npos);
+    EXPECT_NE(with("/plug/thread", "22").find("/input/plug/thread: must be a metric thread"),
+              std::string::npos);
+    EXPECT_NE(with("/plug/bore_depth_mm", 14).find("/input/plug: must be a plug that can exist"),
+              std::string::npos);
+    EXPECT_NE(with("/balancing/service_speed_rpm", 0).find("/input/balancing/service_speed_rpm"),
+              std::string::npos);
+    EXPECT_NE(with("/job/engine_number", 5).find("/input/job/engine_number: must be a text"),
+              std::string::npos);
+    Json input = example();
+    input["mass_changes_from"] = "weigh-in";
+    EXPECT_NE(error_of(input).find("/input/weigh_in: is required"), std::string::npos);
+    input = example();
+    input.erase("process");
+    EXPECT_EQ(error_of(input), "/input/process: is required and missing");
+    EXPECT_EQ(error_of(Json::object()), "/input/engine: is required and missing");
+}
+
+TEST(BadInput, RandomInputsInRangeAlwaysGiveFiniteResults) {
+    Workshop workshop(9);
+    for (int round = 0; round < 300; ++round) {
+        Json input = example();
+        for (const EngineField& field : engine_fields()) {
+            const double low = field.field.range.min;
+            const double high = field.field.range.max;
+            // from the very ends of the range as often as from within
+            const double pick = workshop.between(-1, 2);
+            double value = pick < 0 ? low : pick > 1 ? high : low + pick * (high - low);
+            if (!field.field.range.contains(value)) {
+                value = std::nextafter(low, high);
+            }
+            input["engine"][std::string(field.field.key)] = value;
+        }
+        for (const char* side : {"steel", "aluminium"}) {
+            const std::string mass = std::string(side) + "_plug_mass_g";
+            input["engine"]["max_" + std::string(side) + "_reduction_g"] =
+                input["engine"][mass].get<double>() * 0.5;
+        }
+        CaseFile file{"v8-plugs", "", input};
+        EXPECT_NO_THROW(solve_case(file, {})) << input.dump();
+    }
+}
+
+TEST(Iso21940, SharesAndScales) {
+    BalancingCheck check{};
+    check.grade = 6.3e-3;
+    check.rotor_mass = 25;
+    check.service_speed = 4000 * 3.14159265358979 / 30;
+    check.front_share = 0.4;
+    const BalancingVerdict verdict = judge(check);
+    EXPECT_NEAR(verdict.permissible / gram_millimetre,
+                1000 * 25 * 6.3 / (4000 * 3.14159265358979 / 30), 1e-9);
+    EXPECT_NEAR(verdict.front.permissible + verdict.rear.permissible, verdict.permissible, 1e-18);
+    EXPECT_NEAR(verdict.front.permissible / verdict.permissible, 0.4, 1e-12);
+    EXPECT_FALSE(verdict.front.passes.has_value());
+    check.front_reading = verdict.front.permissible;
+    EXPECT_TRUE(judge(check).front.passes.value());
+}
+
+}  // namespace
+}  // namespace ravnoves::v8_plugs

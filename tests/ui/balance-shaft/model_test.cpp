@@ -1,0 +1,93 @@
+#include "balance-shaft/model/balance_shaft_model.h"
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "example_check.h"
+#include "scenes/scenes.h"
+
+namespace ravnoves {
+namespace {
+
+TEST(BalanceShaftModel, ShowsWhatTheCommandLinePrints) {
+    BalanceShaftModel model;
+    model.setShaftAngleDeg(45.0);
+    const CaseFile file{"balance-shaft", "", model.inputJson()};
+    EXPECT_EQ(model.resultJson(), solve_case(file, {}).at("result"));
+}
+
+TEST(BalanceShaftModel, MovingTheShaftFollowsEverywhere) {
+    BalanceShaftModel model;
+    QSignalSpy moved(&model, &BalanceShaftModel::shaftMoved);
+    QSignalSpy changed(&model, &SceneModel::changed);
+    model.setShaftAngleDeg(240.0);
+    EXPECT_EQ(moved.size(), 1);
+    EXPECT_EQ(changed.size(), 0);
+    EXPECT_NEAR(model.result().M_ups.range, 1821.0, 1.0);
+    model.goToBestRange();
+    EXPECT_NEAR(model.shaftAngleDeg(), 50.65, 0.05);
+    EXPECT_NEAR(model.result().M_ups.range, 1066.75, 0.1);
+    model.goToBestRms();
+    EXPECT_NEAR(model.shaftAngleDeg(), 11.76, 0.05);
+}
+
+TEST(BalanceShaftModel, ADragIsOneStepOfTheHistory) {
+    BalanceShaftModel model;
+    const double before = model.shaftAngleDeg();
+    for (int i = 0; i < 50; ++i) {
+        model.setShaftAngleDeg(100.0 + i);
+    }
+    model.finishDrag();
+    model.setShaftAngleDeg(10.0);
+    EXPECT_EQ(model.history()->count(), 2);
+    model.history()->undo();
+    EXPECT_NEAR(model.shaftAngleDeg(), 149.0, 1e-9);
+    model.history()->undo();
+    EXPECT_NEAR(model.shaftAngleDeg(), before, 1e-9);
+    model.history()->redo();
+    EXPECT_NEAR(model.shaftAngleDeg(), 149.0, 1e-9);
+}
+
+TEST(BalanceShaftModel, RefusesInWordsAndKeepsTheOldInput) {
+    BalanceShaftModel model;
+    const Json before = model.inputJson();
+    QSignalSpy refused(&model, &BalanceShaftModel::refused);
+    const QString why =
+        model.edit(QStringLiteral("radius"), [](auto& input) { input.crank_radius = -1.0; });
+    EXPECT_TRUE(why.contains(QStringLiteral("crank_radius_mm"))) << why.toStdString();
+    EXPECT_EQ(refused.size(), 1);
+    EXPECT_EQ(model.inputJson(), before);
+    EXPECT_EQ(model.history()->count(), 0);
+    EXPECT_THROW(model.loadInput(Json{{"speed_rpm", 1}}, {}), InputError);
+    EXPECT_EQ(model.inputJson(), before);
+}
+
+TEST(BalanceShaftModel, SetsValuesByTheirKeys) {
+    BalanceShaftModel model;
+    model.setByKey(QStringLiteral("centre_distance_mm"), QStringLiteral("120"));
+    EXPECT_NEAR(model.input().centre_distance, 0.12, 1e-12);
+    model.setByKey(QStringLiteral("reciprocating_masses_kg/pin"), QStringLiteral("0.3"));
+    EXPECT_NEAR(model.mass("pin"), 0.3, 1e-12);
+    model.setByKey(QStringLiteral("crank_angle_deg"), QStringLiteral("370"));
+    EXPECT_NEAR(model.crankAngleDeg(), 370.0, 1e-12);
+    EXPECT_THROW(model.setByKey(QStringLiteral("crank_radus_mm"), QStringLiteral("1")), InputError);
+    EXPECT_THROW(model.setByKey(QStringLiteral("means"), QStringLiteral("x")), InputError);
+}
+
+TEST(BalanceShaftModel, TablesHoldNoEmptyCells) {
+    BalanceShaftModel model;
+    for (const auto& rows : {model.criteriaRows(), model.quantityRows()}) {
+        for (const QStringList& row : rows) {
+            for (const QString& cell : row) {
+                EXPECT_FALSE(cell.isEmpty());
+                EXPECT_FALSE(cell.contains(QStringLiteral("nan"))) << cell.toStdString();
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ravnoves

@@ -1,0 +1,327 @@
+#include "elastic-hinge/model/elastic_hinge_model.h"
+
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
+#include "elastic-hinge/presets.h"
+#include "elastic-hinge/scene.h"
+#include "example_check.h"
+#include "scenes/scenes.h"
+
+namespace ravnoves {
+namespace {
+
+using elastic_hinge::CounterweightInertia;
+using elastic_hinge::GuideSign;
+using elastic_hinge::Hinge;
+using elastic_hinge::Kinematics;
+using elastic_hinge::MotionWish;
+using elastic_hinge::RodCounterweight;
+using Level = ElasticHingeModel::Verdict::Level;
+
+MotionWish turns(double count) {
+    MotionWish wish;
+    wish.turns = count;
+    return wish;
+}
+
+/// Waits until the worker thread has computed the motions of the present input.
+void waitForMotions(ElasticHingeModel& model) {
+    QSignalSpy running(model.runner(), &MotionRunner::runningChanged);
+    while (model.runner()->isRunning()) {
+        ASSERT_TRUE(running.wait(20000));
+    }
+    ASSERT_NE(model.motions(), nullptr);
+}
+
+TEST(ElasticHingeModel, ShowsWhatTheCommandLinePrints) {
+    ElasticHingeModel model;
+    const CaseFile file{"elastic-hinge", "", model.inputJson()};
+    EXPECT_EQ(model.resultJson(), solve_case(file, {}).at("result"));
+    EXPECT_EQ(elastic_hinge::read_input(model.inputJson()), elastic_hinge::preset_zotov());
+}
+
+TEST(ElasticHingeModel, ADragIsOneStepOfTheHistory) {
+    ElasticHingeModel model;
+    const double relief = model.result().crank_guide.relief;
+    for (int i = 1; i <= 50; ++i) {
+        model.edit(QStringLiteral("speed"), [i](auto& input) { input.angular_speed = 100.0 + i; });
+    }
+    model.finishDrag();
+    model.edit(QStringLiteral("speed"), [](auto& input) { input.angular_speed = 300.0; });
+    EXPECT_EQ(model.history()->count(), 2);
+    EXPECT_GT(model.result().crank_guide.relief, 5 * relief);
+    model.history()->undo();
+    EXPECT_EQ(model.input().angular_speed, 150.0);
+    model.history()->undo();
+    EXPECT_EQ(model.input().angular_speed, 100.0);
+    EXPECT_EQ(model.result().crank_guide.relief, relief);
+    model.history()->redo();
+    EXPECT_EQ(model.input().angular_speed, 150.0);
+}
+
+TEST(ElasticHingeModel, RefusesInWordsAndKeepsTheOldInput) {
+    ElasticHingeModel model;
+    const Json before = model.inputJson();
+    QSignalSpy refused(&model, &ElasticHingeModel::refused);
+    QSignalSpy changed(&model, &SceneModel::changed);
+    const QString why =
+        model.edit(QStringLiteral("lambda"), [](auto& input) { input.lambda = 1.0; });
+    EXPECT_TRUE(why.contains(QStringLiteral("/input/lambda"))) << why.toStdString();
+    EXPECT_EQ(refused.size(), 1);
+    EXPECT_EQ(changed.size(), 0);
+    EXPECT_EQ(model.inputJson(), before);
+    EXPECT_EQ(model.history()->count(), 0);
+    EXPECT_THROW(model.loadInput(Json{{"lambda", 1}}, {}), InputError);
+    EXPECT_EQ(model.inputJson(), before);
+}
+
+TEST(ElasticHingeModel, SetsValuesByTheirKeys) {
+    ElasticHingeModel model;
+    model.setByKey(QStringLiteral("spring/stiffness_N_m"), QStringLiteral("3e5"));
+    EXPECT_EQ(model.input().spring->stiffness, 3e5);
+    model.setByKey(QStringLiteral("kinematics"), QStringLiteral("series"));
+    EXPECT_EQ(model.input().kinematics, Kinematics::series);
+    model.setByKey(QStringLiteral("crank_angle_deg"), QStringLiteral("400"));
+    EXPECT_NEAR(model.crankAngleDeg(), 40.0, 1e-12);
+    model.setByKey(QStringLiteral("exaggeration"), QStringLiteral("20"));
+    EXPECT_EQ(model.exaggeration(), 20.0);
+    model.setByKey(QStringLiteral("exaggeration"), QStringLiteral("auto"));
+    EXPECT_TRUE(model.hasAutomaticExaggeration());
+    model.setByKey(QStringLiteral("guide_shown"), QStringLiteral("rod"));
+    EXPECT_EQ(model.shownHinge(), Hinge::rod);
+    model.setByKey(QStringLiteral("animate"), QStringLiteral("off-design"));
+    EXPECT_EQ(model.animated(), ElasticHingeModel::Animated::OffDesign);
+    model.setByKey(QStringLiteral("compare_speeds"), QStringLiteral("50 150"));
+    EXPECT_EQ(model.result().by_speed.size(), 2U);
+    for (const auto& [key, value] :
+         {std::pair("lamda", "0.3"), std::pair("guide_shown", "wheel"),
+          std::pair("exaggeration", "0"), std::pair("compare_lambdas", "0.3 2"),
+          std::pair("compare_speeds", "x")}) {
+        EXPECT_THROW(model.setByKey(QString::fromLatin1(key), QString::fromLatin1(value)),
+                     InputError)
+            << key;
+    }
+}
+
+TEST(ElasticHingeModel, SaysThatThePapersGuideIsNoDesign) {
+    ElasticHingeModel model;
+    EXPECT_EQ(model.verdict().level, Level::Warning);
+    EXPECT_TRUE(model.verdict().text.contains(QStringLiteral("0.018 mm")))
+        << model.verdict().text.toStdString();
+    model.edit(QStringLiteral("c"), [](auto& input) { input.spring->stiffness = 3e5; });
+    EXPECT_EQ(model.verdict().level, Level::Good);
+    model.edit(QStringLiteral("sign"),
+               [](auto& input) { input.guide_sign = GuideSign::as_printed; });
+    EXPECT_EQ(model.verdict().level, Level::Warning);
+    EXPECT_TRUE(model.verdict().text.contains(QStringLiteral("printed sign")));
+    model.edit(QStringLiteral("roller"), [](auto& input) {
+        input.spring = elastic_hinge::Spring{23e3, 0.06, 0.012};
+        input.guide_sign = GuideSign::energy;
+        input.roller_radius = 0.2;
+    });
+    EXPECT_EQ(model.verdict().level, Level::Bad);
+    EXPECT_TRUE(model.verdict().text.contains(QStringLiteral("undercut")));
+}
+
+TEST(ElasticHingeModel, TooLittlePreloadIsMendedByEitherButton) {
+    for (const double radius : {0.0995, 0.1005}) {
+        ElasticHingeModel model;
+        model.edit(QStringLiteral("rho"),
+                   [&](auto& input) { input.spring->guide_radius_at_zero = radius; });
+        EXPECT_EQ(model.verdict().level, Level::Bad);
+        EXPECT_TRUE(model.verdict().text.contains(QStringLiteral("0.60002")))
+            << model.verdict().text.toStdString();
+        EXPECT_TRUE(model.verdict().text.contains(QStringLiteral("28801.8")))
+            << model.verdict().text.toStdString();
+        model.takeMinimumPreload();
+        EXPECT_TRUE(model.result().crank_guide.feasible);
+        EXPECT_NEAR(model.result().crank_guide.preload, 0.6006e-3, 1e-6);
+        EXPECT_EQ(model.result().crank_guide.branch == elastic_hinge::Branch::compressed,
+                  radius < 0.1);
+        model.history()->undo();
+        EXPECT_FALSE(model.result().crank_guide.feasible);
+        model.takeMinimumStiffness();
+        EXPECT_TRUE(model.result().crank_guide.feasible);
+        EXPECT_EQ(model.input().spring->guide_radius_at_zero, radius);
+        // There is nothing more to mend.
+        const Json mended = model.inputJson();
+        model.takeMinimumPreload();
+        model.takeMinimumStiffness();
+        EXPECT_EQ(model.inputJson(), mended);
+    }
+}
+
+TEST(ElasticHingeModel, TakesOverTheGuideFound) {
+    ElasticHingeModel model;
+    EXPECT_TRUE(model.proposal().found);
+    EXPECT_TRUE(model.proposalText().contains(QStringLiteral("relief 1.000 mm")))
+        << model.proposalText().toStdString();
+    model.takeProposal();
+    EXPECT_NEAR(model.result().crank_guide.relief, 1e-3, 1e-9);
+    EXPECT_EQ(model.verdict().level, Level::Good);
+    model.edit(QStringLiteral("wish"), [](auto& input) {
+        input.guide_search = elastic_hinge::GuideWish{1e-3, 0.05, {}};
+    });
+    EXPECT_FALSE(model.proposal().found);
+    EXPECT_TRUE(model.proposalText().contains(QStringLiteral("at least")));
+    const Json before = model.inputJson();
+    model.takeProposal();
+    EXPECT_EQ(model.inputJson(), before);
+}
+
+TEST(ElasticHingeModel, MotionsComeFromTheWorkerThread) {
+    ElasticHingeModel model;
+    waitForMotions(model);
+    EXPECT_LT(model.motions()->crank->ripple, 1e-8);
+    EXPECT_LT(model.motions()->both->ripple, 1e-8);
+    EXPECT_GT(model.motions()->without->ripple, 0.7);
+    EXPECT_NEAR(model.motions()->offSpeed, 120.0, 1e-9);
+    EXPECT_GT(model.motions()->offDesign->ripple, 0.1);
+    EXPECT_EQ(model.motionsText().count(QLatin1Char('\n')), 3);
+
+    // The printed sign: the crank turns back.
+    model.edit(QStringLiteral("sign"),
+               [](auto& input) { input.guide_sign = GuideSign::as_printed; });
+    waitForMotions(model);
+    EXPECT_EQ(model.motions()->crank->end, elastic_hinge::MotionEnd::reversed);
+    EXPECT_TRUE(model.motionsText().contains(QStringLiteral("turn back")));
+    bool told = false;
+    for (const QStringList& row : model.quantityRows()) {
+        told = told || row[1] == QStringLiteral("reverses");
+    }
+    EXPECT_TRUE(told);
+
+    // Where the guide does not exist only the bare mechanism moves.
+    model.edit(QStringLiteral("rho"), [](auto& input) {
+        input.guide_sign = GuideSign::energy;
+        input.spring->guide_radius_at_zero = 0.0999;
+    });
+    waitForMotions(model);
+    EXPECT_TRUE(model.motions()->without.has_value());
+    EXPECT_FALSE(model.motions()->crank.has_value());
+    EXPECT_EQ(model.animatedMotion(), nullptr);
+}
+
+TEST(ElasticHingeModel, TheNewestWishWinsAndLongRunsGiveWay) {
+    ElasticHingeModel model;
+    model.edit(QStringLiteral("turns"), [](auto& input) { input.motion = turns(1000.0); });
+    for (int i = 0; i < 30; ++i) {
+        model.edit(QStringLiteral("speed"), [i](auto& input) { input.angular_speed = 100.0 + i; });
+    }
+    model.edit(QStringLiteral("turns"), [](auto& input) { input.motion = turns(1.0); });
+    waitForMotions(model);
+    EXPECT_NEAR(model.motions()->without->crank_angle.back(), two_pi, 1e-6);
+    EXPECT_NEAR(model.motions()->without->speed.front(), 129.0, 1e-9);
+}
+
+TEST(ElasticHingeModel, ARunIsCancelledAndMayOutliveNothing) {
+    ElasticHingeModel model;
+    waitForMotions(model);
+    QSignalSpy arrived(&model, &ElasticHingeModel::motionsChanged);
+    model.edit(QStringLiteral("turns"), [](auto& input) { input.motion = turns(1000.0); });
+    EXPECT_TRUE(model.runner()->isRunning());
+    model.runner()->cancel();
+    QSignalSpy running(model.runner(), &MotionRunner::runningChanged);
+    while (model.runner()->isRunning()) {
+        ASSERT_TRUE(running.wait(20000));
+    }
+    EXPECT_EQ(arrived.size(), 0);
+    {
+        ElasticHingeModel shortLived;
+        shortLived.edit(QStringLiteral("turns"), [](auto& input) { input.motion = turns(1000.0); });
+    }
+    QCoreApplication::processEvents();
+}
+
+TEST(ElasticHingeModel, ThePictureFollowsTheMotion) {
+    ElasticHingeModel model;
+    waitForMotions(model);
+    model.setAnimated(ElasticHingeModel::Animated::WithoutHinge);
+    const auto* motion = model.animatedMotion();
+    ASSERT_NE(motion, nullptr);
+    const double time = 0.37 * motion->time.back();
+    model.setMotionTime(time);
+    EXPECT_NEAR(std::remainder(model.crankAngleDeg() - motion->angle_at(time) / degree, 360.0), 0.0,
+                1e-9);
+    EXPECT_NEAR(model.shownSpeed(), motion->speed_at(time), 1e-12);
+    EXPECT_GT(std::abs(model.shownSpeed() - 100.0), 1.0);
+    model.setMotionTime(std::nullopt);
+    EXPECT_EQ(model.shownSpeed(), 100.0);
+}
+
+TEST(ElasticHingeModel, ExaggerationIsChosenByTheRelief) {
+    ElasticHingeModel model;
+    EXPECT_EQ(model.exaggeration(), 500.0);
+    model.edit(QStringLiteral("c"), [](auto& input) { input.spring->stiffness = 3e5; });
+    EXPECT_EQ(model.exaggeration(), 10.0);
+    model.edit(QStringLiteral("rho"),
+               [](auto& input) { input.spring->guide_radius_at_zero = 0.0999; });
+    EXPECT_EQ(model.exaggeration(), 1.0);
+}
+
+TEST(ElasticHingeModel, WritesGuidesAndSaysWhyNot) {
+    const QTemporaryDir folder;
+    ElasticHingeModel model;
+    const QString dxf = folder.filePath(QStringLiteral("guide.dxf"));
+    const QString csv = folder.filePath(QStringLiteral("guide.csv"));
+    EXPECT_EQ(model.exportGuide(dxf, Hinge::crank, {}, 0.5), QString());
+    EXPECT_EQ(model.exportGuide(csv, Hinge::rod, {}, 10.0), QString());
+    EXPECT_NE(read_text_file(dxf.toStdString()).find("ROLLER_PATH"), std::string::npos);
+    const std::string table = read_text_file(csv.toStdString());
+    EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 37);
+    EXPECT_TRUE(model.exportGuide(QStringLiteral("/nowhere/guide.dxf"), Hinge::crank, {}, 1.0)
+                    .contains(QStringLiteral("/nowhere/guide.dxf")));
+    model.edit(QStringLiteral("rho"),
+               [](auto& input) { input.spring->guide_radius_at_zero = 0.0999; });
+    const QString why = model.exportGuide(dxf, Hinge::crank, {}, 1.0);
+    EXPECT_TRUE(why.contains(QStringLiteral("preload"))) << why.toStdString();
+}
+
+TEST(ElasticHingeModel, TablesHoldNoEmptyCellsWhateverTheInput) {
+    ElasticHingeModel model;
+    const auto check = [&] {
+        for (const QStringList& row : model.quantityRows()) {
+            ASSERT_EQ(row.size(), model.quantityColumns().size());
+            for (const QString& cell : row) {
+                EXPECT_FALSE(cell.isEmpty());
+                EXPECT_FALSE(cell.contains(QStringLiteral("nan"), Qt::CaseInsensitive));
+                EXPECT_FALSE(cell.contains(QStringLiteral("inf"), Qt::CaseInsensitive));
+            }
+        }
+        EXPECT_FALSE(model.verdict().text.isEmpty());
+        EXPECT_FALSE(model.proposalText().isEmpty());
+    };
+    check();
+    model.edit(QStringLiteral("series"), [](auto& input) {
+        input.kinematics = Kinematics::series;
+        input.lambda = 1.0;
+    });
+    check();
+    EXPECT_TRUE(model.verdict().text.contains(QStringLiteral("locks")));
+    EXPECT_FALSE(model.notesText().isEmpty());
+    model.edit(QStringLiteral("counterweight"), [](auto& input) {
+        input = elastic_hinge::preset_zotov();
+        input.rod_counterweight = RodCounterweight{0.1, {}, CounterweightInertia::as_printed};
+    });
+    check();
+    EXPECT_TRUE(model.notesText().contains(QStringLiteral("(9)")));
+    model.edit(QStringLiteral("no spring"), [](auto& input) { input.spring.reset(); });
+    check();
+    model.edit(QStringLiteral("nothing moves"), [](auto& input) {
+        input.masses_as_weights = false;
+        input.gravity = 0.0;
+        input.angular_speed = 0.0;
+        input.spring = elastic_hinge::Spring{1e5, 0.2, 0.09};
+    });
+    check();
+}
+
+}  // namespace
+}  // namespace ravnoves

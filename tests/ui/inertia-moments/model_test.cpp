@@ -1,0 +1,262 @@
+#include "inertia-moments/model/inertia_moments_model.h"
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <cmath>
+
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
+#include "example_check.h"
+#include "inertia-moments/layouts.h"
+#include "scenes/scenes.h"
+
+namespace ravnoves {
+namespace {
+
+using inertia_moments::Direction;
+using inertia_moments::Input;
+using inertia_moments::Shaft;
+
+double largest(const inertia_moments::RotatingPair& pair) {
+    return pair.max();
+}
+
+TEST(InertiaMomentsModel, ShowsWhatTheCommandLinePrints) {
+    InertiaMomentsModel model;
+    for (const QString& layout : {QStringLiteral("vw-vr5"), QStringLiteral("v6-90"),
+                                  QStringLiteral("w12"), QStringLiteral("table")}) {
+        model.chooseLayout(layout);
+        const CaseFile file{"inertia-moments", "", model.inputJson()};
+        EXPECT_EQ(model.resultJson(), solve_case(file, {}).at("result")) << layout.toStdString();
+    }
+}
+
+TEST(InertiaMomentsModel, OpensTheExampleAndKeepsTheExpectedNumbers) {
+    const CaseFile file =
+        parse_case(read_text_file(std::string(RAVNOVES_EXAMPLES) + "/vr5-volkswagen.case.json"));
+    InertiaMomentsModel model;
+    model.loadInput(file.input, {});
+    const Json expected = parse_json(
+        read_text_file(std::string(RAVNOVES_EXPECTED) + "/vr5-volkswagen.expected.json"));
+    test::expect_matches(expected.at("expected"), model.resultJson(), "", 0.0);
+    // What it opened it saves unchanged.
+    EXPECT_EQ(model.inputJson()["layout"], file.input["layout"]);
+}
+
+TEST(InertiaMomentsModel, StartsWithThePapersEngine) {
+    InertiaMomentsModel model;
+    EXPECT_EQ(model.layoutName(), QStringLiteral("vw-vr5"));
+    EXPECT_EQ(model.firingOrderText(), QStringLiteral("1-2-4-5-3"));
+    EXPECT_NEAR(model.bankAngleDeg(), 15.0, 1e-12);
+    EXPECT_NEAR(model.offsetMm(), 12.51, 1e-12);
+    EXPECT_NEAR(model.speedRpm(), 6200.0, 1e-9);
+    // Fig. 6: first order up to 440 N·m, second up to 1060.
+    EXPECT_NEAR(inertia_moments::amplitude(model.result().two_term.order(1).moment.horizontal()),
+                440.5, 0.1);
+    EXPECT_NEAR(inertia_moments::amplitude(model.result().two_term.order(2).moment.vertical()),
+                1059.5, 0.1);
+    EXPECT_TRUE(model.warningText().contains(QStringLiteral("Two-term is not enough")));
+}
+
+TEST(InertiaMomentsModel, EveryLayoutOfTheListCanBeChosenAndUndone) {
+    InertiaMomentsModel model;
+    const Json first = model.inputJson();
+    int steps = 0;
+    for (const QString& name : InertiaMomentsModel::layoutNames()) {
+        const int before = model.history()->index();
+        model.chooseLayout(name);
+        steps += model.history()->index() - before;
+        EXPECT_EQ(model.layoutName(), name) << name.toStdString();
+        EXPECT_FALSE(model.layoutTitle(name).isEmpty());
+        EXPECT_GE(model.orderRows().size(), 60);
+        for (const auto& rows : {model.orderRows(), model.rotatingRows(), model.shaftRows(),
+                                 model.weightRows(), model.remainingRows()}) {
+            for (const QStringList& row : rows) {
+                for (const QString& cell : row) {
+                    EXPECT_FALSE(cell.contains(QStringLiteral("nan"))) << name.toStdString();
+                    EXPECT_FALSE(cell.contains(QStringLiteral("inf"))) << name.toStdString();
+                }
+            }
+        }
+    }
+    for (int i = 0; i < steps; ++i) {
+        model.history()->undo();
+    }
+    EXPECT_EQ(model.inputJson(), first);
+}
+
+TEST(InertiaMomentsModel, SlidersChangeTheInputInTheirUnits) {
+    InertiaMomentsModel model;
+    QSignalSpy changed(&model, &SceneModel::changed);
+    model.setBankAngleDeg(20.5);
+    model.setOffsetMm(8.0);
+    model.setSpeedRpm(3000.0);
+    model.setReferenceMm(12.3);
+    EXPECT_EQ(changed.size(), 4);
+    EXPECT_NEAR(model.input().layout->bank_angle / degree, 20.5, 1e-12);
+    EXPECT_NEAR(model.input().layout->offset, 0.008, 1e-15);
+    EXPECT_NEAR(model.input().angular_speed, 3000.0 * rpm, 1e-12);
+    EXPECT_NEAR(model.input().reference_position, 0.0123, 1e-15);
+    EXPECT_EQ(model.inputJson()["reference_position_mm"], 12.3);
+    // Even firing follows the bank angle: 2nd crankpin at 360 − 144 − γ − 2 φ_TDC.
+    const double shift = 20.5 + 2.0 * *model.result().tdc_angle / degree;
+    EXPECT_NEAR(model.result().engine.cylinders[1].crankpin_angle / degree, 216.0 - shift, 1e-9);
+    // Force and moment grow with the square of the speed.
+    const double slow = largest(model.result().exact.order(1).moment);
+    model.setSpeedRpm(6000.0);
+    EXPECT_NEAR(largest(model.result().exact.order(1).moment) / slow, 4.0, 1e-12);
+}
+
+TEST(InertiaMomentsModel, ADragIsOneStepOfTheHistory) {
+    InertiaMomentsModel model;
+    for (int i = 0; i < 50; ++i) {
+        model.setBankAngleDeg(20.0 + i);
+    }
+    model.finishDrag();
+    for (int i = 0; i < 50; ++i) {
+        model.setBankAngleDeg(70.0 - i);
+    }
+    EXPECT_EQ(model.history()->count(), 2);
+    model.history()->undo();
+    EXPECT_NEAR(model.bankAngleDeg(), 69.0, 1e-9);
+    model.history()->undo();
+    EXPECT_NEAR(model.bankAngleDeg(), 15.0, 1e-9);
+    EXPECT_EQ(model.layoutName(), QStringLiteral("vw-vr5"));
+}
+
+TEST(InertiaMomentsModel, ATableScalesItsBanksAndOffsets) {
+    InertiaMomentsModel model;
+    const auto before = model.result().engine.cylinders;
+    const double moment = largest(model.result().exact.order(1).moment);
+    model.makeTable();
+    EXPECT_EQ(model.layoutName(), QStringLiteral("table"));
+    EXPECT_NEAR(largest(model.result().exact.order(1).moment), moment, 1e-9 * moment);
+    model.setBankAngleDeg(30.0);
+    model.setOffsetMm(6.255);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const auto& now = model.result().engine.cylinders[i];
+        EXPECT_NEAR(now.bank_angle, 2.0 * before[i].bank_angle, 1e-12);
+        EXPECT_NEAR(now.offset, 0.5 * before[i].offset, 1e-15);
+        EXPECT_NEAR(now.crankpin_angle, before[i].crankpin_angle, 1e-11);
+    }
+    // Even firing can be asked for again.
+    EXPECT_EQ(model.setEvenFiring(), QString());
+    EXPECT_NE(model.result().engine.cylinders[1].crankpin_angle, before[1].crankpin_angle);
+    ASSERT_EQ(model.result().firing.size(), 5U);
+    EXPECT_NEAR(model.result().firing[2].interval / degree, 144.0, 1e-9);
+}
+
+TEST(InertiaMomentsModel, LockingIsRefusedWithTheAngleAndTheOldInputHolds) {
+    InertiaMomentsModel model;
+    QSignalSpy refused(&model, &InertiaMomentsModel::refused);
+    const Json before = model.inputJson();
+    const QString why = model.edit(QStringLiteral("λ"), [](Input& input) { input.lambda = 0.9; });
+    EXPECT_TRUE(why.contains(QStringLiteral("locks"))) << why.toStdString();
+    // sin θ = −(L − e)/R with L = 50, e = 12.51, R = 45 mm.
+    const double forward = 180.0 + std::asin((50.0 - 12.51) / 45.0) / degree;
+    EXPECT_TRUE(why.contains(QString::number(forward, 'f', 1))) << why.toStdString();
+    EXPECT_EQ(refused.size(), 1);
+    EXPECT_EQ(model.inputJson(), before);
+    EXPECT_EQ(model.history()->count(), 0);
+    // The offset's slider ends before it.
+    const auto [least, most] = model.offsetLimitsMm();
+    model.setOffsetMm(most);
+    model.setOffsetMm(least);
+    EXPECT_EQ(refused.size(), 1);
+    EXPECT_NEAR(model.offsetMm(), least, 1e-9);
+}
+
+TEST(InertiaMomentsModel, ShaftsSwitchedOnCancelTheirOrder) {
+    InertiaMomentsModel model;
+    ASSERT_EQ(model.input().shafts.size(), 4U);
+    const double before = largest(model.result().remaining.order(1).moment);
+    EXPECT_GT(before, 400.0);
+    model.setShaftEnabled(0, true);
+    const double one = largest(model.result().remaining.order(1).moment);
+    EXPECT_LT(one, before);
+    EXPECT_GT(one, 100.0);
+    model.setShaftEnabled(1, true);
+    EXPECT_LT(largest(model.result().remaining.order(1).moment), 1e-10 * before);
+    // A wrong phase of 60° leaves as much as there was of that part.
+    model.editShaft(0, QStringLiteral("phase"),
+                    [](Shaft& shaft) { shaft.phase_error = 60.0 * degree; });
+    EXPECT_NEAR(largest(model.result().remaining.order(1).moment),
+                std::abs(model.result().exact.order(1).moment.forward), 1e-9);
+    EXPECT_EQ(model.shaftTitle(model.input().shafts[3]), QStringLiteral("M\u00A0−2ω"));
+}
+
+TEST(InertiaMomentsModel, ShaftsAreAddedInPairsAndRemoved) {
+    InertiaMomentsModel model;
+    model.addShaft();
+    model.addShaft();
+    ASSERT_EQ(model.input().shafts.size(), 6U);
+    EXPECT_EQ(model.input().shafts[4].order, 3);
+    EXPECT_EQ(model.input().shafts[4].direction, Direction::forward);
+    EXPECT_EQ(model.input().shafts[5].order, 3);
+    EXPECT_EQ(model.input().shafts[5].direction, Direction::backward);
+    EXPECT_LT(largest(model.result().remaining.order(3).moment), 1e-9);
+    model.removeShaft(5);
+    EXPECT_EQ(model.input().shafts.size(), 5U);
+    model.removeShaft(99);
+    EXPECT_EQ(model.input().shafts.size(), 5U);
+    model.history()->undo();
+    EXPECT_EQ(model.input().shafts.size(), 6U);
+}
+
+TEST(InertiaMomentsModel, FiringOrdersAreReadAsPeopleWriteThem) {
+    InertiaMomentsModel model;
+    EXPECT_EQ(model.setFiringOrder(InertiaMomentsModel::readOrder(QStringLiteral("1, 3, 5, 4, 2"))),
+              QString());
+    EXPECT_EQ(model.firingOrderText(), QStringLiteral("1-3-5-4-2"));
+    for (const QString& bad :
+         {QStringLiteral("1-2-3"), QStringLiteral("1-2-3-4-4"),
+          QStringLiteral("1-2-3-4-9999999999"), QString(), QStringLiteral("abc")}) {
+        const std::vector<int> order = InertiaMomentsModel::readOrder(bad);
+        EXPECT_FALSE(model.orderTrouble(order).isEmpty()) << bad.toStdString();
+        EXPECT_FALSE(model.setFiringOrder(order).isEmpty()) << bad.toStdString();
+    }
+    EXPECT_EQ(model.firingOrderText(), QStringLiteral("1-3-5-4-2"));
+    model.makeTable();
+    EXPECT_EQ(model.setFiringOrder({}), QString());
+    EXPECT_TRUE(model.firingOrderText().isEmpty());
+    EXPECT_FALSE(model.setEvenFiring().isEmpty());
+}
+
+TEST(InertiaMomentsModel, SettingsByKeyAsOnTheCommandLine) {
+    InertiaMomentsModel model;
+    model.setByKey(QStringLiteral("layout/bank_angle_deg"), QStringLiteral("20"));
+    EXPECT_NEAR(model.bankAngleDeg(), 20.0, 1e-12);
+    model.setByKey(QStringLiteral("crank_angle_deg"), QStringLiteral("400,5"));
+    EXPECT_NEAR(model.crankAngleDeg(), 400.5, 1e-12);
+    model.setByKey(QStringLiteral("layout_name"), QStringLiteral("i4"));
+    EXPECT_EQ(model.layoutName(), QStringLiteral("i4"));
+    model.setByKey(QStringLiteral("charts"), QStringLiteral("firing"));
+    EXPECT_EQ(model.tab(InertiaMomentsModel::Tabs::Charts), 5);
+    EXPECT_THROW(model.setByKey(QStringLiteral("charts"), QStringLiteral("nothing")), InputError);
+    EXPECT_THROW(model.setByKey(QStringLiteral("layout_name"), QStringLiteral("i7")), InputError);
+    EXPECT_THROW(model.setByKey(QStringLiteral("lambda"), QStringLiteral("2")), InputError);
+    EXPECT_THROW(model.setByKey(QStringLiteral("nonsense"), QStringLiteral("2")), InputError);
+    EXPECT_EQ(model.layoutName(), QStringLiteral("i4"));
+}
+
+TEST(InertiaMomentsModel, ABadCaseLeavesAllAsItWas) {
+    InertiaMomentsModel model;
+    const Json before = model.inputJson();
+    Json bad = before;
+    bad["crank_radius_mm"] = -1;
+    EXPECT_THROW(model.loadInput(bad, {}), InputError);
+    EXPECT_EQ(model.inputJson(), before);
+    EXPECT_EQ(model.history()->count(), 0);
+    // And the next good one is solved afresh.
+    Json good = before;
+    good["speed_rpm"] = 1000;
+    model.loadInput(good, {});
+    EXPECT_NEAR(model.result().engine.angular_speed, 1000.0 * rpm, 1e-9);
+    model.history()->undo();
+    EXPECT_NEAR(model.result().engine.angular_speed, 6200.0 * rpm, 1e-9);
+}
+
+}  // namespace
+}  // namespace ravnoves

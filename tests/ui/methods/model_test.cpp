@@ -1,0 +1,242 @@
+#include "methods/model/methods_model.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QSignalSpy>
+#include <cmath>
+
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "elastic-hinge/presets.h"
+#include "elastic-hinge/scene.h"
+#include "methods_support.h"
+
+namespace ravnoves {
+namespace {
+
+using test::measureNow;
+using test::waitUntilMeasured;
+
+std::size_t kernelIndex(const MethodsModel& model, const char* id) {
+    for (std::size_t i = 0; i < model.kernels().size(); ++i) {
+        if (model.kernels()[i].id == id) {
+            return i;
+        }
+    }
+    ADD_FAILURE() << id;
+    return 0;
+}
+
+TEST(MethodsModel, IsNoCase) {
+    MethodsModel model;
+    EXPECT_FALSE(model.hasCaseFile());
+    EXPECT_TRUE(model.inputJson().empty());
+    EXPECT_THROW(model.loadInput(Json{{"lambda", 0.3}}, {}), InputError);
+    try {
+        model.setByKey(QStringLiteral("lambda"), QStringLiteral("0.3"));
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.where(), "/input/lambda");
+        EXPECT_NE(error.allowed().find("kernel, sweep, value"), std::string::npos);
+    }
+    EXPECT_FALSE(model.history()->canUndo());
+}
+
+TEST(MethodsModel, SettingsAreChecked) {
+    MethodsModel model;
+    model.setByKey(QStringLiteral("kernel"), QStringLiteral("guide"));
+    model.setByKey(QStringLiteral("sweep"), QStringLiteral("lambda"));
+    model.setByKey(QStringLiteral("value"), QStringLiteral("0.9"));
+    EXPECT_EQ(model.kernel().id, "guide");
+    EXPECT_EQ(model.sweep().id, "lambda");
+    EXPECT_EQ(model.value(), 0.9);
+    const auto refused = [&](const char* key, const char* value, const char* allowed) {
+        try {
+            model.setByKey(QString::fromLatin1(key), QString::fromLatin1(value));
+            ADD_FAILURE() << key;
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.where(), key);
+            EXPECT_EQ(error.found(), value);
+            EXPECT_NE(error.allowed().find(allowed), std::string::npos) << error.what();
+        }
+    };
+    refused("kernel", "giude", "hinge-motion");
+    refused("sweep", "offset", "stiffness");
+    refused("value", "1.5", "from 0.01 to 1");
+    refused("value", "nan", "from 0.01 to 1");
+    EXPECT_EQ(model.value(), 0.9);
+}
+
+TEST(MethodsModel, TheValueFollowsTheOpenCaseUntilItIsSetByHand) {
+    MethodsModel model;
+    model.setKernel(kernelIndex(model, "guide"));
+    model.setSweep(model.kernel().find_sweep("lambda"));
+    elastic_hinge::Input hinge = elastic_hinge::preset_zotov();
+    hinge.lambda = 0.45;
+    QStringList asked;
+    model.setOpenCases([&](const QString& scene) -> std::optional<OpenCase> {
+        asked << scene;
+        return OpenCase{QStringLiteral("mine"), elastic_hinge::write_input(hinge), {}};
+    });
+    const auto lookUp = [&] {
+        QSignalSpy found(&model, &MethodsModel::caseChanged);
+        model.setActive(true);
+        ASSERT_TRUE(found.wait(5000));
+        model.setActive(false);
+    };
+    EXPECT_EQ(model.value(), 0.3);  // the preset, before anything is looked up
+    lookUp();
+    EXPECT_EQ(asked, QStringList{QStringLiteral("elastic-hinge")});
+    EXPECT_EQ(*model.caseValue(), 0.45);
+    EXPECT_EQ(model.value(), 0.45);
+    EXPECT_EQ(model.caseTitle(), QStringLiteral("mine"));
+    // The case changes on its own page; coming back shows it.
+    hinge.lambda = 0.6;
+    lookUp();
+    EXPECT_EQ(model.value(), 0.6);
+    model.setValue(0.8);
+    hinge.lambda = 0.7;
+    lookUp();
+    EXPECT_EQ(model.value(), 0.8);
+    EXPECT_EQ(*model.caseValue(), 0.7);
+    model.followCase();
+    EXPECT_EQ(model.value(), 0.7);
+}
+
+TEST(MethodsModel, ACaseBeyondTheSweepIsTakenAtItsEnd) {
+    MethodsModel model;
+    model.setKernel(kernelIndex(model, "guide"));
+    model.setSweep(model.kernel().find_sweep("speed"));
+    elastic_hinge::Input hinge = elastic_hinge::preset_zotov();
+    hinge.angular_speed = 5e5;
+    model.setOpenCases([&](const QString&) -> std::optional<OpenCase> {
+        return OpenCase{{}, elastic_hinge::write_input(hinge), {}};
+    });
+    QSignalSpy found(&model, &MethodsModel::caseChanged);
+    model.setActive(true);
+    ASSERT_TRUE(found.wait(5000));
+    EXPECT_EQ(*model.caseValue(), 5e5);
+    EXPECT_EQ(model.value(), model.sweep().to);
+}
+
+TEST(MethodsModel, MeasuresWhatIsChosenWhenItComesToTheFront) {
+    MethodsModel model;
+    QApplication::processEvents();
+    EXPECT_FALSE(model.measurements()->isRunning());
+    EXPECT_EQ(model.shown(), nullptr);
+    model.setActive(true);
+    waitUntilMeasured(model);
+    ASSERT_NE(model.shown(), nullptr);
+    EXPECT_FALSE(model.isStale());
+    EXPECT_EQ(&model.shown()->kernel(), &model.kernel());
+    std::size_t settings = 0;
+    for (const auto& method : model.kernel().methods) {
+        settings += method.settings.size();
+    }
+    EXPECT_EQ(model.shown()->report.rows.size(), settings);
+    EXPECT_EQ(model.shown()->map->curves.size(), model.kernel().methods.size());
+    for (const auto& row : model.shown()->report.rows) {
+        EXPECT_GT(row.timing.low, 0.0);
+        EXPECT_LE(row.timing.low, row.timing.median);
+        EXPECT_LE(row.timing.median, row.timing.high);
+        EXPECT_TRUE(std::isfinite(row.result.error));
+    }
+    const Json result = model.resultJson();
+    EXPECT_EQ(result.at("kernel"), model.kernel().id);
+    EXPECT_EQ(result.at("methods").size(), settings);
+}
+
+TEST(MethodsModel, KeepsWhatWasMeasured) {
+    MethodsModel model;
+    model.setActive(true);
+    waitUntilMeasured(model);
+    const MethodMeasurement* first = model.shown();
+    model.setKernel(kernelIndex(model, "guide"));
+    // The old measurement stays until the new one is complete.
+    EXPECT_EQ(model.shown(), first);
+    EXPECT_TRUE(model.isStale());
+    waitUntilMeasured(model);
+    EXPECT_EQ(model.shown()->kernel().id, "guide");
+    EXPECT_FALSE(model.isStale());
+    // Back at once, with nothing to measure.
+    QSignalSpy running(model.measurements(), &MethodMeasurements::runningChanged);
+    model.setKernel(0);
+    EXPECT_EQ(model.shown(), first);
+    EXPECT_FALSE(model.isStale());
+    QTest::qWait(300);
+    EXPECT_EQ(running.count(), 0);
+}
+
+TEST(MethodsModel, ADragIsMeasuredWhereItEnds) {
+    MethodsModel model;
+    model.setKernel(kernelIndex(model, "moment-range"));
+    model.setActive(true);
+    waitUntilMeasured(model);
+    QSignalSpy measured(model.measurements(), &MethodMeasurements::measured);
+    for (int angle = 100; angle <= 140; ++angle) {
+        model.setValue(angle);
+        EXPECT_TRUE(model.isStale());
+        QApplication::processEvents();
+    }
+    EXPECT_EQ(measured.count(), 0);
+    EXPECT_NE(model.shown(), nullptr);
+    ASSERT_TRUE(measured.wait(20000));
+    EXPECT_EQ(model.shown()->work.value, 140.0);
+    EXPECT_EQ(measured.count(), 1);
+}
+
+TEST(MethodsModel, CancelKeepsTheOldMeasurement) {
+    MethodsModel model;
+    model.setActive(true);
+    waitUntilMeasured(model);
+    const MethodMeasurement* old = model.shown();
+    model.measureAgain();
+    EXPECT_TRUE(model.measurements()->isRunning());
+    EXPECT_TRUE(model.isStale());
+    model.cancel();
+    EXPECT_FALSE(model.measurements()->isRunning());
+    EXPECT_FALSE(model.isStale());
+    QTest::qWait(200);
+    EXPECT_EQ(model.shown(), old);
+    // Leaving the page stops it as well.
+    model.measureAgain();
+    model.setActive(false);
+    EXPECT_FALSE(model.measurements()->isRunning());
+}
+
+/// Closing the page in the midst of the slowest kernel takes no longer than a moment.
+TEST(MethodsModel, EndsCleanlyWhileMeasuring) {
+    QElapsedTimer clock;
+    {
+        MethodsModel model;
+        model.setKernel(kernelIndex(model, "hinge-motion"));
+        model.setSweep(model.kernel().find_sweep("turns"));
+        model.setActive(true);
+        model.measureAgain();
+        QTest::qWait(400);
+        EXPECT_TRUE(model.measurements()->isRunning());
+        clock.start();
+    }
+    EXPECT_LT(clock.elapsed(), 3000);
+}
+
+TEST(MethodsModel, RefusesNothingSilently) {
+    // Near λ = 1 nothing moves: every method of the motion refuses, in words.
+    MethodsModel model;
+    model.setKernel(kernelIndex(model, "slider-crank"));
+    model.setSweep(model.kernel().find_sweep("lambda"));
+    model.setValue(1.0);
+    measureNow(model);
+    ASSERT_NE(model.shown(), nullptr);
+    for (const auto& row : model.shown()->report.rows) {
+        EXPECT_TRUE(row.result.refused() || std::isfinite(row.result.error));
+        EXPECT_TRUE(!row.result.refused() || !row.holds);
+    }
+    EXPECT_TRUE(std::any_of(model.shown()->report.rows.begin(), model.shown()->report.rows.end(),
+                            [](const auto& row) { return row.result.refused(); }));
+}
+
+}  // namespace
+}  // namespace ravnoves

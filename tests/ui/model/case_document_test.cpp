@@ -1,0 +1,196 @@
+// A document between file and model, and what it asks before something is lost.
+
+#include "model/case_document.h"
+
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <filesystem>
+
+#include "model/root_model.h"
+
+namespace ravnoves {
+namespace {
+
+using Answer = DocumentDialogs::Answer;
+
+class CaseDocumentTest : public ::testing::Test {
+  protected:
+    QString file(const char* name) const { return folder.filePath(QString::fromLatin1(name)); }
+    void open(const QString& path) { document.open(CaseDocument::read(path), path); }
+    /// A case file with the value.
+    QString written(const char* name, double square) {
+        test::RootModel other;
+        other.set("square", square);
+        other.setTitle(QStringLiteral("A title"));
+        EXPECT_EQ(CaseDocument(&other, {}).saveTo(file(name)), QString());
+        return file(name);
+    }
+
+    QTemporaryDir folder;
+    test::RootModel model;
+    QStringList asked;  ///< what was asked, in order
+    Answer answer = Answer::Stay;
+    std::optional<bool> elsewhere;
+    QString chosen;
+    CaseDocument document{&model,
+                          {[this] {
+                               asked << QStringLiteral("save?");
+                               return answer;
+                           },
+                           [this] {
+                               asked << QStringLiteral("elsewhere?");
+                               return elsewhere;
+                           },
+                           [this](const QString& suggestion) {
+                               asked << suggestion;
+                               return chosen;
+                           },
+                           [this](const QString& trouble) { asked << trouble; }}};
+};
+
+TEST_F(CaseDocumentTest, IsNamedByItsFileElseByItsTitle) {
+    QSignalSpy named(&document, &CaseDocument::nameChanged);
+    EXPECT_EQ(document.name(), QStringLiteral("Root of four"));
+    model.setTitle(QStringLiteral("Another"));
+    EXPECT_EQ(document.name(), QStringLiteral("Another"));
+    EXPECT_EQ(named.size(), 1);
+    open(written("nine.case.json", 9.0));
+    EXPECT_EQ(document.name(), QStringLiteral("nine.case.json"));
+    EXPECT_EQ(model.title(), QStringLiteral("A title"));
+    EXPECT_EQ(document.asOpenCase().title, QStringLiteral("A title"));
+    EXPECT_EQ(document.asOpenCase().input.at("crank_radius_mm"), 9.0);
+}
+
+TEST_F(CaseDocumentTest, FilesThatTheCaseNamesLieBesideIt) {
+    open(written("nine.case.json", 9.0));
+    EXPECT_EQ(model.context().directory, std::filesystem::path(folder.path().toStdString()));
+}
+
+TEST_F(CaseDocumentTest, NeedsSavingUntilItIsSaved) {
+    open(written("nine.case.json", 9.0));
+    EXPECT_FALSE(document.needsSaving());
+    QSignalSpy saved(&document, &CaseDocument::saved);
+    model.set("square", 16.0);
+    EXPECT_TRUE(document.needsSaving());
+    EXPECT_TRUE(document.save());
+    EXPECT_FALSE(document.needsSaving());
+    EXPECT_EQ(saved.size(), 1);
+    EXPECT_TRUE(asked.isEmpty());
+    model.set("square", 25.0);
+    open(document.path());
+    EXPECT_EQ(model.root(), 4.0);
+}
+
+TEST_F(CaseDocumentTest, UndoneToTheFileItNeedsNoSaving) {
+    open(written("nine.case.json", 9.0));
+    model.set("square", 16.0);
+    model.history()->undo();
+    EXPECT_FALSE(document.needsSaving());
+    EXPECT_TRUE(document.mayGo());
+    EXPECT_TRUE(asked.isEmpty());
+}
+
+TEST_F(CaseDocumentTest, ABadFileChangesNothing) {
+    open(written("nine.case.json", 9.0));
+    model.set("square", 16.0);
+    const QString bad = file("bad.case.json");
+    EXPECT_THROW(open(bad), InputError);  // is not there
+    document.saveTo(bad);
+    QFile text(bad);
+    ASSERT_TRUE(text.open(QIODevice::ReadWrite));
+    const QByteArray changed = text.readAll().replace("16.0", "-1.0");
+    text.seek(0);
+    text.write(changed);
+    text.close();
+    EXPECT_THROW(open(bad), InputError);
+    EXPECT_EQ(model.root(), 4.0);
+    EXPECT_EQ(model.title(), QStringLiteral("A title"));
+}
+
+TEST_F(CaseDocumentTest, WithoutAFileItAsksWhereToSave) {
+    model.set("square", 9.0);
+    EXPECT_FALSE(document.save());
+    EXPECT_EQ(asked, QStringList{QStringLiteral("balance-shaft.case.json")});
+    EXPECT_TRUE(document.path().isEmpty());
+    chosen = file("nine");
+    EXPECT_TRUE(document.save());
+    EXPECT_EQ(document.path(), file("nine.case.json"));
+    EXPECT_FALSE(document.needsSaving());
+    EXPECT_TRUE(QFile::exists(document.path()));
+    asked.clear();
+    chosen = file("copy.case.json");
+    EXPECT_TRUE(document.saveAs());
+    EXPECT_EQ(asked, QStringList{file("nine.case.json")});
+    EXPECT_EQ(document.path(), chosen);
+}
+
+TEST_F(CaseDocumentTest, SaysWhatCannotBeWritten) {
+    model.set("square", 9.0);
+    chosen = QStringLiteral("/dev/null/x.case.json");
+    EXPECT_FALSE(document.saveAs());
+    ASSERT_EQ(asked.size(), 2);
+    EXPECT_TRUE(asked[1].startsWith(chosen)) << asked[1].toStdString();
+    EXPECT_TRUE(document.path().isEmpty());
+    EXPECT_TRUE(document.needsSaving());
+}
+
+TEST_F(CaseDocumentTest, AsksBeforeChangesAreLost) {
+    open(written("nine.case.json", 9.0));
+    model.set("square", 16.0);
+    EXPECT_FALSE(document.begin());
+    EXPECT_EQ(model.root(), 4.0);
+    EXPECT_EQ(asked, QStringList{QStringLiteral("save?")});
+    answer = Answer::Discard;
+    EXPECT_TRUE(document.begin());
+    EXPECT_EQ(model.root(), 2.0);
+    EXPECT_TRUE(document.path().isEmpty());
+    EXPECT_FALSE(document.needsSaving());
+}
+
+TEST_F(CaseDocumentTest, SavesWhereThatIsTheAnswer) {
+    open(written("nine.case.json", 9.0));
+    model.set("square", 16.0);
+    answer = Answer::Save;
+    EXPECT_TRUE(document.mayGo());
+    EXPECT_FALSE(document.needsSaving());
+    model.loadDefault();
+    open(file("nine.case.json"));
+    EXPECT_EQ(model.root(), 4.0);
+}
+
+TEST_F(CaseDocumentTest, AScenesOwnPlaceIsAskedForFirstUnlessTheCaseHasAFile) {
+    model.set("square", 9.0);
+    elsewhere = true;
+    EXPECT_TRUE(document.mayGo());
+    elsewhere = false;
+    EXPECT_FALSE(document.mayGo());
+    EXPECT_EQ(asked, (QStringList{QStringLiteral("elsewhere?"), QStringLiteral("elsewhere?")}));
+    asked.clear();
+    elsewhere.reset();
+    EXPECT_FALSE(document.mayGo());
+    EXPECT_EQ(asked, (QStringList{QStringLiteral("elsewhere?"), QStringLiteral("save?")}));
+    asked.clear();
+    elsewhere = true;
+    open(written("nine.case.json", 9.0));
+    model.set("square", 16.0);
+    EXPECT_FALSE(document.mayGo());
+    EXPECT_EQ(asked, QStringList{QStringLiteral("save?")});
+}
+
+TEST_F(CaseDocumentTest, RemembersTheLastFiles) {
+    for (int i = 0; i < 10; ++i) {
+        document.saveTo(folder.filePath(QStringLiteral("%1.case.json").arg(i)));
+    }
+    open(file("5.case.json"));
+    const QStringList recent = CaseDocument::recentPaths();
+    EXPECT_EQ(recent.size(), 8);
+    EXPECT_EQ(recent[0], file("5.case.json"));
+    EXPECT_EQ(recent[1], file("9.case.json"));
+    EXPECT_EQ(recent.count(file("5.case.json")), 1);
+}
+
+}  // namespace
+}  // namespace ravnoves

@@ -1,0 +1,225 @@
+// The part of the plots that knows no window.
+
+#include "plot/model/plot_data.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "plot/model/thin_polyline.h"
+
+namespace ravnoves {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+using Values = std::vector<double>;
+using Starts = std::vector<std::size_t>;
+
+TEST(PlotScale, RestsWhileTheDataFit) {
+    PlotScale scale;
+    scale.fit(-100.0, 100.0);
+    EXPECT_LE(scale.low, -100.0);
+    EXPECT_GE(scale.high, 100.0);
+    const std::pair before(scale.low, scale.high);
+    scale.fit(-80.0, 80.0);
+    EXPECT_EQ(std::pair(scale.low, scale.high), before);
+    scale.fit(infinity, -infinity);  // no data
+    EXPECT_EQ(std::pair(scale.low, scale.high), before);
+    scale.fit(-20.0, 20.0);
+    EXPECT_LT(scale.high, 50.0);
+}
+
+TEST(PlotScale, KeepsToWhatIsFixed) {
+    PlotScale scale;
+    EXPECT_FALSE(scale.fix(1.0, 1.0));
+    EXPECT_FALSE(scale.fix(0.0, infinity));
+    EXPECT_TRUE(scale.fix(0.0, 10.0));
+    EXPECT_FALSE(scale.fix(0.0, 10.0));
+    scale.fit(-1e3, 1e3);
+    EXPECT_DOUBLE_EQ(scale.low, -0.3);
+    EXPECT_DOUBLE_EQ(scale.high, 10.3);
+}
+
+TEST(PlotScale, LogarithmicHoldsWholeDecades) {
+    PlotScale scale;
+    scale.spec.logarithmic = true;
+    EXPECT_FALSE(scale.holds(0.0));
+    scale.fit(2e-3, 40.0);
+    EXPECT_NEAR(scale.low, 1e-3, 1e-15);
+    EXPECT_NEAR(scale.high, 100.0, 1e-9);
+    EXPECT_NEAR(scale.fraction(1.0), 0.6, 1e-12);
+    EXPECT_NEAR(scale.value(0.6), 1.0, 1e-12);
+}
+
+TEST(PlotScale, ZoomsAboutAPlaceAndMoves) {
+    PlotScale scale;
+    scale.zoom(0.5, 0.25);
+    EXPECT_DOUBLE_EQ(scale.low, 0.125);
+    EXPECT_DOUBLE_EQ(scale.high, 0.625);
+    scale.shift(-0.25);
+    EXPECT_DOUBLE_EQ(scale.low, 0.0);
+    EXPECT_DOUBLE_EQ(scale.high, 0.5);
+    for (int i = 0; i < 500; ++i) {
+        scale.zoom(0.4, 0.7);
+    }
+    EXPECT_LT(scale.low, scale.high);
+    for (int i = 0; i < 500; ++i) {
+        scale.zoom(2.5, 0.5);
+    }
+    EXPECT_LT(scale.high, 1e15);
+}
+
+TEST(PlotScale, ReadsOutFinerThanItsInterval) {
+    const QLocale english(QLocale::English);
+    PlotScale scale;
+    scale.high = 100.0;
+    EXPECT_EQ(scale.readout(12.34567, english), QStringLiteral("12.3"));
+    EXPECT_EQ(scale.readout(12.34567, english, 3), QStringLiteral("12.346"));
+    scale.chooseStep(400.0, 100.0);
+    EXPECT_EQ(scale.tickText(50.0, english), QStringLiteral("50"));
+    scale.spec.logarithmic = true;
+    EXPECT_EQ(scale.readout(1e-9, english), QStringLiteral("10⁻⁹"));
+}
+
+class PlotDataTest : public ::testing::Test {
+  protected:
+    PlotDataTest() {
+        data.x.high = 10.0;
+        data.left.high = 10.0;
+        data.area = QRectF(50.0, 20.0, 200.0, 100.0);
+        data.curves.resize(1);
+    }
+    PlotCurve& curve() { return data.curves[0]; }
+    bool set(Values x, Values y) {
+        return curve().set(std::move(x), std::move(y), data.x, data.left);
+    }
+    std::optional<double> at(double x) const { return data.valueAt(data.curves[0], x); }
+
+    PlotData data;
+};
+
+TEST_F(PlotDataTest, PlacesValuesInItsRectangle) {
+    EXPECT_EQ(data.toPixel(0.0, 0.0), QPointF(50.0, 120.0));
+    EXPECT_EQ(data.toPixel(10.0, 10.0), QPointF(250.0, 20.0));
+    EXPECT_DOUBLE_EQ(data.xAt(150.0), 5.0);
+    EXPECT_DOUBLE_EQ(data.yAt(70.0), 5.0);
+}
+
+TEST_F(PlotDataTest, LeavesOutWhatHasNoPlace) {
+    EXPECT_TRUE(set({0, 1, 2, 3}, {1, nan, infinity, 4}));
+    EXPECT_EQ(curve().x, (Values{0, 3}));
+    EXPECT_TRUE(curve().starts.empty());
+    EXPECT_NEAR(*at(1.5), 2.5, 1e-12);
+    EXPECT_FALSE(at(3.5).has_value());
+    EXPECT_FALSE(set({0, 3, 4}, {1, 4}));  // the same, and an x too many
+    EXPECT_TRUE(set({}, {}));
+    EXPECT_FALSE(at(1.5).has_value());
+}
+
+TEST_F(PlotDataTest, GapsAreReadAsNothingButTheirEndsAre) {
+    curve().style.gaps = true;
+    set({0, 1, 2, 3, 4, 5}, {7, 7, nan, nan, 8, 8});
+    EXPECT_EQ(curve().starts, (Starts{2}));
+    EXPECT_EQ(at(0.5), 7.0);
+    EXPECT_EQ(at(1.0), 7.0);
+    EXPECT_FALSE(at(2.5).has_value());
+    EXPECT_EQ(at(4.0), 8.0);
+    data.thinCurves();
+    ASSERT_EQ(curve().stretches.size(), 2U);
+    EXPECT_EQ(curve().stretches[1].front(), data.toPixel(4.0, 8.0));
+}
+
+TEST_F(PlotDataTest, AClosedCurveGoesOnAcrossItsEnds) {
+    curve().style.gaps = true;
+    curve().style.closed = true;
+    set({0, 1, 2, 3, 4, 5, 0}, {0, 1, nan, 3, nan, 5, 0});
+    EXPECT_EQ(curve().x, (Values{3, 5, 0, 0, 1}));
+    EXPECT_EQ(curve().starts, (Starts{1}));
+    // Not where an end is missing, and nothing moves where there is no gap.
+    set({0, 1, 2, 3}, {nan, 1, nan, 3});
+    EXPECT_EQ(curve().x, (Values{1, 3}));
+    set({0, 1, 2, 0}, {0, 1, 1, 0});
+    EXPECT_EQ(curve().x, (Values{0, 1, 2, 0}));
+}
+
+TEST_F(PlotDataTest, ScalesFollowTheShownCurves) {
+    set({0, 1}, {-40, 60});
+    data.fitScales();
+    EXPECT_LE(data.left.low, -40.0);
+    EXPECT_GE(data.left.high, 60.0);
+    EXPECT_EQ(data.x.high, 1.0);  // as its axis says
+    curve().shown = false;
+    const double high = data.left.high;
+    data.fitScales();
+    EXPECT_EQ(data.left.high, high);
+    curve().shown = true;
+    curve().style.shape = plot::Shape::Bars;
+    set({0, 1}, {50, 60});
+    data.left.high = 1.0;
+    data.fitScales();
+    EXPECT_EQ(data.left.low, 0.0);  // bars stand on 0
+    data.zoomed = true;
+    set({0, 1}, {500, 600});
+    data.fitScales();
+    EXPECT_LT(data.left.high, 100.0);
+}
+
+TEST_F(PlotDataTest, EqualScaleWidensTheAxisWithRoom) {
+    data.equalise();
+    EXPECT_DOUBLE_EQ(data.left.high - data.left.low, 10.0);
+    EXPECT_DOUBLE_EQ(data.x.high - data.x.low, 20.0);
+    EXPECT_DOUBLE_EQ(data.x.low, -5.0);
+    data.equalScale = true;
+    data.zoom(0.5, 1.0, data.area.center());
+    EXPECT_DOUBLE_EQ(data.left.high - data.left.low, 5.0);
+    EXPECT_TRUE(data.zoomed);
+}
+
+TEST_F(PlotDataTest, ReadsTheNearestPointAndStepsInARound) {
+    EXPECT_FALSE(data.readsPoints());
+    set({1, 5, 9}, {1, 5, 9});
+    EXPECT_FALSE(data.nextPoint(1).has_value());
+    curve().texts = {QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")};
+    EXPECT_TRUE(data.readsPoints());
+    EXPECT_EQ(data.nearestPoint(data.toPixel(5, 5) + QPointF(3, 4)), PlotData::Point(0, 1));
+    EXPECT_FALSE(data.nearestPoint(data.toPixel(1, 9)).has_value());
+    for (const std::size_t expected : {0U, 1U, 2U, 0U}) {
+        data.pointRead = data.nextPoint(1);
+        EXPECT_EQ(data.pointRead, PlotData::Point(0, expected));
+    }
+    EXPECT_EQ(data.nextPoint(-1), PlotData::Point(0, 2));
+}
+
+TEST(ThinPolyline, DropsOnlyWhatMovesNoPixel) {
+    std::vector<QPointF> points;
+    for (int i = 0; i <= 720; ++i) {
+        points.emplace_back(i, 120.0 * std::sin(i * 3.14159265358979 / 180.0));
+    }
+    const QPolygonF thinned = thinPolyline(points, 0.25);
+    EXPECT_LT(thinned.size(), 200);
+    EXPECT_GT(thinned.size(), 20);
+    // Every dropped point lies within a quarter pixel of the line that remains.
+    qsizetype segment = 0;
+    for (const QPointF& p : points) {
+        while (thinned[segment + 1].x() < p.x()) {
+            ++segment;
+        }
+        const QPointF a = thinned[segment];
+        const QPointF d = thinned[segment + 1] - a;
+        const double distance =
+            std::abs(d.x() * (p.y() - a.y()) - d.y() * (p.x() - a.x())) / std::hypot(d.x(), d.y());
+        EXPECT_LE(distance, 0.25 + 1e-12);
+    }
+}
+
+TEST(ThinPolyline, HandlesFewAndEqualPoints) {
+    EXPECT_TRUE(thinPolyline({}).empty());
+    EXPECT_EQ(thinPolyline({{1, 1}}).size(), 1);
+    EXPECT_EQ(thinPolyline({{1, 1}, {1, 1}, {1, 1}}).size(), 2);
+    // A closed curve keeps its far side.
+    EXPECT_EQ(thinPolyline({{0, 0}, {10, 0}, {10, 10}, {0, 0}}).size(), 4);
+}
+
+}  // namespace
+}  // namespace ravnoves

@@ -1,0 +1,432 @@
+#include "v8-plugs/model/v8_plugs_model.h"
+
+#include <gtest/gtest.h>
+
+#include <QDate>
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <csignal>
+
+#include "case-file/case_file.h"
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
+#include "scenes/scenes.h"
+#include "v8-plugs/presets.h"
+#include "v8-plugs/scene.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+using namespace v8_plugs;
+
+constexpr double gram = 1e-3;
+
+class V8ModelTest : public ::testing::Test {
+  protected:
+    QString path() const { return QDir(folder_.path()).filePath(u"journal.sqlite"_s); }
+
+    static Json example(const char* name) {
+        const QString file = QStringLiteral(RAVNOVES_EXAMPLES) + u'/' + QString::fromLatin1(name);
+        return parse_case(read_text_file(file.toStdString())).input;
+    }
+
+    static void number(V8PlugsModel& model, const char* text) {
+        model.edit(u"number"_s, [&](Input& input) { input.job.engine_number = text; });
+    }
+
+    QTemporaryDir folder_;
+};
+
+TEST_F(V8ModelTest, ResultIsTheCommandLines) {
+    V8PlugsModel model({});
+    for (const char* name : {"v8-4.25-repair.case.json", "v8-6-manufacture.case.json"}) {
+        const Json input = example(name);
+        model.loadInput(input, {});
+        EXPECT_EQ(model.resultJson(), solve_scene(input, {}));
+        EXPECT_EQ(model.inputJson().at("engine"), input.at("engine"));
+    }
+    EXPECT_EQ(model.adviceText(),
+              u"Replace all 8 plugs by aluminium ones lightened by 0.56\u00A0g each."_s);
+}
+
+TEST_F(V8ModelTest, OptionsWithConstantSlopeReachNeedAndWhatIsLeft) {
+    V8PlugsModel model({});
+    model.loadInput(example("v8-4.25-repair.case.json"), {});
+    const auto rows = model.optionRows();
+    ASSERT_EQ(rows.size(), 4);
+    EXPECT_EQ(rows.at(0), (QStringList{u"✓ Machine today's steel plugs"_s, u"0.000"_s, u"2.360"_s,
+                                       u"4.604"_s, u"1.832"_s, u"0.000"_s, u"0.0"_s}));
+    // For the other crankshaft, in brackets; 4.3225 − 6.25281 g times 40 mm.
+    EXPECT_EQ(rows.at(3),
+              (QStringList{u"(✗) New crankshaft, aluminium plugs"_s, u"6.253"_s, u"2.360"_s,
+                           u"7.867"_s, u"−0.818"_s, u"−1.930"_s, u"−77.2"_s}));
+    EXPECT_EQ(model.optionColumns().size(), rows.at(0).size());
+    EXPECT_TRUE(model.optionToolTip(3).startsWith(u"For the other crankshaft."_s));
+    model.edit(u"crankshaft"_s, [](Input& input) { input.crankshaft = Crankshaft::new_plugs; });
+    EXPECT_TRUE(model.optionRows().at(2).constFirst().startsWith(u"✓ "_s));
+}
+
+TEST_F(V8ModelTest, HalfFilledSheetNamesWhatIsMissing) {
+    V8PlugsModel model({});
+    // 4.25 l: the paper gives no nominal masses; options are known, bob weights are not.
+    EXPECT_TRUE(model.solution().advice);
+    EXPECT_TRUE(model.bobWeightRows().isEmpty());
+    EXPECT_TRUE(model.missingText().contains(u"Reciprocating mass m_j"_s));
+    EXPECT_TRUE(model.resultJson().contains("error"));
+    model.chooseEngine(3);  // 8.32 l: only the crank radius
+    EXPECT_FALSE(model.solution().advice);
+    EXPECT_TRUE(model.adviceText().startsWith(u"Still needed: Plug radius r_p"_s))
+        << qPrintable(model.adviceText());
+    EXPECT_TRUE(model.engineNote().contains(u"only the crank radius"_s));
+    EXPECT_FALSE(model.hangText().contains(u"Hang"_s));
+    EXPECT_EQ(model.optionRows().size(), 4);
+    model.chooseEngine(0);
+    EXPECT_TRUE(model.engineNote().contains(u"weigh the plugs"_s));
+}
+
+TEST_F(V8ModelTest, EditsMergeAndUndo) {
+    V8PlugsModel model({});
+    QSignalSpy changed(&model, &SceneModel::changed);
+    for (const double grams : {1.0, 1.2, 1.25}) {
+        model.edit(u"Rod big end"_s,
+                   [&](Input& input) { input.typed_changes.rod_big_end = grams * gram; });
+    }
+    EXPECT_EQ(changed.count(), 3);
+    EXPECT_EQ(model.history()->count(), 1);
+    model.edit(u"Crankshaft"_s, [](Input& input) { input.crankshaft = Crankshaft::new_plugs; });
+    EXPECT_EQ(model.history()->count(), 2);
+    model.history()->undo();
+    model.history()->undo();
+    EXPECT_EQ(model.input().typed_changes.rod_big_end, 0.0);
+    model.history()->redo();
+    EXPECT_DOUBLE_EQ(model.input().typed_changes.rod_big_end, 1.25 * gram);
+}
+
+TEST_F(V8ModelTest, RulesBetweenFieldsAreNamedNotLost) {
+    V8PlugsModel model({});
+    model.edit(u"sizes"_s, [](Input& input) { input.plug.reset(); });
+    model.edit(u"limit"_s, [](Input& input) { input.engine.max_steel_reduction = 3 * gram; });
+    EXPECT_EQ(
+        model.troubles(),
+        QStringList{
+            u"Most off steel plug Δm_pm: must be less than the plug's mass, 2.790\u00A0g."_s});
+    EXPECT_FALSE(model.solution().advice);
+    model.edit(u"mass"_s, [](Input& input) { input.engine.steel_plug_mass = 25 * gram; });
+    EXPECT_TRUE(model.troubles().isEmpty());
+    model.edit(u"plug"_s, [](Input& input) {
+        input.plug.emplace();
+        input.plug->thread = Thread{30e-3, 1.5e-3};
+        input.plug->height = 11e-3;
+        input.plug->bore_diameter = 29e-3;
+        input.plug->bore_depth = 8e-3;
+    });
+    ASSERT_EQ(model.troubles().size(), 1);
+    EXPECT_TRUE(model.troubles().constFirst().contains(u"no wall"_s));
+    model.edit(u"plug"_s, [](Input& input) { input.plug->bore_diameter = 25e-3; });
+    // Steel fits now; the paper's aluminium plug does not.
+    ASSERT_EQ(model.troubles().size(), 1);
+    EXPECT_TRUE(model.troubles().constFirst().startsWith(u"Aluminium plug: a plug of these"_s));
+    EXPECT_TRUE(model.plugWeightText().contains(u" in steel"_s));
+}
+
+TEST_F(V8ModelTest, PresetsBringThePrintedSizesAndLeaveTypedOnes) {
+    V8PlugsModel model({});
+    EXPECT_EQ(*model.input().plug, printed_plug("4.25 l"));
+    EXPECT_NEAR(model.input().plug->thread->diameter, 22e-3, 1e-12);
+    // The printed masses do not fit the printed sizes, and that is said from the start.
+    ASSERT_EQ(model.troubles().size(), 2);
+    EXPECT_TRUE(model.troubles().constFirst().startsWith(u"Steel plug: solid it weighs 38"_s));
+    EXPECT_TRUE(model.troubles().constFirst().contains(u"2.79"_s));
+    model.edit(u"cutter"_s, [](Input& input) { input.plug->cutter_diameter = 14e-3; });
+    model.chooseEngine(1);  // 6 l
+    EXPECT_NEAR(model.input().plug->thread->diameter, 30e-3, 1e-12);
+    EXPECT_NEAR(*model.input().plug->height, 11e-3, 1e-12);
+    EXPECT_NEAR(*model.input().plug->cutter_diameter, 14e-3, 1e-12);
+    model.chooseEngine(3);  // 8.32 l: none printed
+    EXPECT_FALSE(model.input().plug->thread);
+    model.edit(u"height"_s, [](Input& input) { input.plug->height = 12.5e-3; });
+    model.chooseEngine(0);
+    EXPECT_FALSE(model.input().plug->thread);
+    EXPECT_NEAR(*model.input().plug->height, 12.5e-3, 1e-12);
+}
+
+TEST_F(V8ModelTest, ColumnsHalfWeighedAreNamed) {
+    V8PlugsModel model({});
+    model.edit(u"weigh"_s, [](Input& input) {
+        input.plug.reset();
+        input.weigh_in.emplace();
+        (*input.weigh_in)[Part::pin].nominal = 150 * gram;
+        (*input.weigh_in)[Part::pin].mass[0] = 151 * gram;
+        (*input.weigh_in)[Part::rings].mass.fill(60 * gram);
+    });
+    ASSERT_EQ(model.weighInGaps().size(), 2);
+    EXPECT_EQ(model.weighInGaps().at(0), u"Pin: 1 of 8 weighed; nominal counts until all are."_s);
+    EXPECT_TRUE(model.weighInGaps().at(1).startsWith(u"Rings: the weights do not count"_s));
+    EXPECT_TRUE(model.troubles().isEmpty());  // typed changes count
+    EXPECT_EQ(model.columnNote(Part::pin).deviation, u"+1.00"_s);
+    model.edit(u"source"_s, [](Input& input) { input.changes_from_weigh_in = true; });
+    EXPECT_EQ(model.troubles(), model.weighInGaps());
+}
+
+TEST_F(V8ModelTest, ShiftOfThePlannedBoreIsSaid) {
+    V8PlugsModel model({});
+    model.loadInput(example("v8-4.25-repair.case.json"), {});
+    EXPECT_TRUE(model.shiftText().contains(u"1.5 to 2.3"_s)) << qPrintable(model.shiftText());
+    EXPECT_FALSE(model.shiftText().contains(u"Bored as planned"_s));
+    model.edit(u"plug"_s, [](Input& input) {
+        input.plug.emplace();
+        input.plug->thread = Thread{22e-3, 1.5e-3};
+        input.plug->height = 14e-3;
+        input.plug->cutter_diameter = 14e-3;
+    });
+    const Boring& boring = *model.solution().boring[0];
+    EXPECT_GT(boring.shift, 0.0);
+    // By hand: 233.3 mm³ cut 6.24 mm above the middle of 4861 mm³.
+    EXPECT_TRUE(model.shiftText().contains(u"Bored as planned here it moves by 0.31\u00A0mm"_s))
+        << qPrintable(model.shiftText());
+}
+
+TEST_F(V8ModelTest, SpreadAbovePermittedIsWarnedOf) {
+    V8PlugsModel model({});
+    model.edit(u"sizes"_s, [](Input& input) { input.plug.reset(); });
+    model.edit(u"weigh"_s, [](Input& input) {
+        input.weigh_in.emplace();
+        PartColumn& pistons = (*input.weigh_in)[Part::piston];
+        pistons.nominal = 600 * gram;
+        pistons.permitted_spread = 2 * gram;
+        for (std::size_t i = 0; i < 8; ++i) {
+            pistons.mass[i] = (600.0 + static_cast<double>(i)) * gram;
+        }
+        input.changes_from_weigh_in = true;
+    });
+    EXPECT_TRUE(model.columnNote(Part::piston).tooWide);
+    ASSERT_EQ(model.troubles().size(), 1);
+    EXPECT_EQ(
+        model.troubles().constFirst(),
+        u"Piston: spread 7.00\u00A0g, permitted 2.00\u00A0g (heaviest: cylinder 8, lightest: 1)."_s);
+    EXPECT_NEAR(model.solution().changes.repair_piston_and_rings, 3.5 * gram, 1e-12);
+    EXPECT_EQ(model.assignmentRows().size(), 2);
+    EXPECT_TRUE(model.assignmentText().contains(u"after moving"_s));
+    EXPECT_EQ(model.crankpinRows().at(1).constLast(), u"0.00"_s);
+}
+
+TEST_F(V8ModelTest, JobsAreSavedOpenedChangedAndCopied) {
+    V8PlugsModel model(path());
+    ASSERT_TRUE(model.openJournal()) << qPrintable(model.journalTrouble());
+    model.loadInput(example("v8-4.25-repair.case.json"), {});
+    model.edit(u"job"_s, [](Input& input) {
+        input.job.engine_number = "53-11";
+        input.job.customer = "Автобаза";
+        input.job.date = "2024-05-31";
+        input.balancing.emplace();
+        input.balancing->front_reading = 3e-6;
+    });
+    bool ok = false;
+    EXPECT_TRUE(model.saveJob(&ok).contains(u"53-11"_s));
+    ASSERT_TRUE(ok);
+    const qint64 id = model.jobId();
+    EXPECT_GT(id, 0);
+    EXPECT_TRUE(model.history()->isClean());
+    const auto row = model.journal()->job(id);
+    ASSERT_TRUE(row);
+    EXPECT_NEAR(*row->unbalancedMass, 4.3225, 1e-9);
+    EXPECT_EQ(row->recommended, u"steel-machined"_s);
+    EXPECT_NEAR(*row->bobWeight, 2326.5844, 1e-6);
+    const Input saved = model.input();
+
+    // Changed and saved again: the same job.
+    number(model, "53-12");
+    model.saveJob(&ok);
+    EXPECT_TRUE(ok);
+    EXPECT_EQ(model.jobId(), id);
+    EXPECT_EQ(model.journal()->search({}).size(), 1);
+
+    model.newJob();
+    EXPECT_EQ(model.jobId(), 0);
+    EXPECT_TRUE(model.input().job.engine_number.empty());
+    EXPECT_EQ(model.input().engine, saved.engine);
+    EXPECT_FALSE(model.history()->canUndo());  // undo never mixes two jobs
+
+    EXPECT_EQ(model.openJob(id), QString());
+    EXPECT_EQ(model.jobId(), id);
+    EXPECT_EQ(model.input().job.engine_number, "53-12");
+    EXPECT_EQ(model.input().engine, saved.engine);
+
+    EXPECT_EQ(model.copyJob(id), QString());
+    EXPECT_EQ(model.jobId(), 0);
+    EXPECT_TRUE(model.input().job.engine_number.empty());
+    EXPECT_EQ(model.input().job.customer, "Автобаза");
+    EXPECT_EQ(model.input().job.date, QDate::currentDate().toString(Qt::ISODate).toStdString());
+    EXPECT_FALSE(model.input().balancing->front_reading);
+    model.saveJob(&ok);
+    EXPECT_NE(model.jobId(), id);
+    EXPECT_EQ(model.journal()->search({}).size(), 2);
+    EXPECT_FALSE(model.openJob(9999).isEmpty());
+}
+
+TEST_F(V8ModelTest, OwnEnginesAreKept) {
+    {
+        V8PlugsModel model(path());
+        ASSERT_TRUE(model.openJournal());
+        model.chooseEngine(3);
+        model.edit(u"mass"_s, [](Input& input) {
+            input.engine.steel_plug_mass = 22.75 * gram;
+            input.engine.has_new_plug = false;
+        });
+        EXPECT_FALSE(model.saveEngineAs(u"6 l"_s).isEmpty());
+        EXPECT_FALSE(model.saveEngineAs(u"  "_s).isEmpty());
+        EXPECT_FALSE(model.saveEngineAs(u"4.25 L"_s).isEmpty());
+        EXPECT_EQ(model.saveEngineAs(u"КамАЗ-740"_s), QString());
+        EXPECT_EQ(model.engineIndex(), 7);
+    }
+    V8PlugsModel later(path());
+    ASSERT_TRUE(later.openJournal());
+    ASSERT_EQ(later.engineNames().size(), 8);
+    later.chooseEngine(7);
+    EXPECT_EQ(later.input().engine.name, "КамАЗ-740");
+    EXPECT_DOUBLE_EQ(*later.input().engine.steel_plug_mass, 22.75 * gram);
+    EXPECT_FALSE(later.input().engine.has_new_plug);
+    EXPECT_FALSE(later.ownEngineChanged());
+    EXPECT_TRUE(later.hasOwnEngine(u" камаз-740 "_s));
+    // Renamed: the sheet follows; a name that is taken is refused.
+    EXPECT_FALSE(later.renameEngine(u"КамАЗ-740"_s, u"6 l"_s).isEmpty());
+    EXPECT_EQ(later.renameEngine(u"КамАЗ-740"_s, u"КамАЗ-7403"_s), QString());
+    EXPECT_EQ(later.input().engine.name, "КамАЗ-7403");
+    EXPECT_EQ(later.engineIndex(), 7);
+    EXPECT_EQ(later.saveEngineAs(u"Second"_s), QString());
+    EXPECT_FALSE(later.renameEngine(u"Second"_s, u"камаз-7403"_s).isEmpty());
+    EXPECT_EQ(later.engineNames().size(), 9);
+    // A name in other capitals replaces, it does not stand beside.
+    EXPECT_EQ(later.saveEngineAs(u"SECOND"_s), QString());
+    EXPECT_EQ(later.engineNames().size(), 9);
+    EXPECT_FALSE(later.renameEngine(u"not kept"_s, u"other"_s).isEmpty());
+    // Values that are damaged are said, and the sheet stays.
+    ASSERT_TRUE(later.journal()->saveEngine({u"Broken"_s, "{\"crank_radius_mm\":"}));
+    V8PlugsModel last(path());
+    ASSERT_TRUE(last.openJournal());
+    const Input before = last.input();
+    last.chooseEngine(static_cast<int>(last.engineNames().indexOf(u"Broken"_s)));
+    EXPECT_EQ(last.input(), before);
+    EXPECT_TRUE(last.journalTrouble().contains(u"Broken"_s));
+    EXPECT_EQ(last.removeEngine(u"Broken"_s), QString());
+    // What another program kept is there once the page is looked at again.
+    EXPECT_EQ(last.saveEngineAs(u"Elsewhere"_s), QString());
+    EXPECT_FALSE(later.hasOwnEngine(u"Elsewhere"_s));
+    later.reloadEngines();
+    EXPECT_TRUE(later.hasOwnEngine(u"Elsewhere"_s));
+    EXPECT_EQ(later.removeEngine(u"Elsewhere"_s), QString());
+    EXPECT_EQ(later.removeEngine(u"КамАЗ-7403"_s), QString());
+    EXPECT_EQ(later.removeEngine(u"SECOND"_s), QString());
+    EXPECT_EQ(later.engineNames().size(), 7);
+    EXPECT_EQ(later.engineIndex(), -1);
+}
+
+TEST_F(V8ModelTest, DraftIsWrittenSoonAndGoneAfterAnOrdinaryEnd) {
+    {
+        V8PlugsModel model(path());
+        ASSERT_TRUE(model.openJournal());
+        number(model, "1");
+        EXPECT_TRUE(QTest::qWaitFor(
+                        [&] {
+                            Journal other(path());
+                            return other.open() && !other.orphanedDrafts().isEmpty();
+                        },
+                        400) == false);  // of a running program: not offered
+        // Changes that follow each other quickly do not put the writing off.
+        QElapsedTimer clock;
+        clock.start();
+        while (clock.elapsed() < 700) {
+            number(model, std::to_string(clock.elapsed()).c_str());
+            QTest::qWait(10);
+        }
+        Journal raw(path());
+        ASSERT_TRUE(raw.open());
+    }
+    Journal after(path());
+    ASSERT_TRUE(after.open());
+    EXPECT_TRUE(after.orphanedDrafts().isEmpty());
+}
+
+TEST_F(V8ModelTest, KilledSheetLosesAtMostTheFieldBeingTyped) {
+    for (int round = 0; round < 10; ++round) {
+        QProcess typist;
+        typist.start(QStringLiteral(SHEET_TYPIST), {path()});
+        ASSERT_TRUE(typist.waitForStarted());
+        QByteArray output;
+        while (output.count('\n') < 3 + round) {
+            ASSERT_TRUE(typist.waitForReadyRead(30000)) << typist.readAllStandardError().data();
+            output += typist.readAllStandardOutput();
+        }
+        ASSERT_EQ(::kill(static_cast<pid_t>(typist.processId()), SIGKILL), 0);
+        ASSERT_TRUE(typist.waitForFinished());
+        output += typist.readAllStandardOutput();
+        const QByteArray last = output.left(output.lastIndexOf('\n')).split('\n').constLast();
+        const int left = last.split(' ').value(1).toInt();
+
+        V8PlugsModel model(path());
+        ASSERT_TRUE(model.openJournal());
+        const auto drafts = model.crashedDrafts();
+        ASSERT_EQ(drafts.size(), 1);
+        ASSERT_EQ(model.restoreDraft(drafts.constFirst()), QString());
+        const int found = std::stoi(model.input().job.engine_number);
+        EXPECT_GE(found, left);
+        EXPECT_LE(found, left + 1);
+        const auto& masses = (*model.input().weigh_in)[Part::piston].mass;
+        EXPECT_NEAR(*masses[static_cast<std::size_t>(left % 8)], (600.0 + left % 997) * gram,
+                    1e-12);
+        EXPECT_FALSE(model.history()->isClean());  // it still has to be saved
+        EXPECT_TRUE(model.crashedDrafts().isEmpty());
+        bool ok = false;
+        model.saveJob(&ok);
+        EXPECT_TRUE(ok);
+    }
+}
+
+TEST_F(V8ModelTest, DamagedJournalIsSaidOnThePage) {
+    QFile file(path());
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("not a journal, but something that the user may want to keep");
+    file.close();
+    V8PlugsModel model(path());
+    EXPECT_TRUE(model.openJournal());
+    EXPECT_TRUE(model.journalTrouble().contains(u"damaged"_s));
+    bool ok = false;
+    model.saveJob(&ok);
+    EXPECT_TRUE(ok);
+}
+
+TEST_F(V8ModelTest, WithoutAJournalNothingIsWritten) {
+    V8PlugsModel model({});
+    EXPECT_FALSE(model.openJournal());
+    number(model, "1");
+    model.flushDraft();
+    bool ok = true;
+    EXPECT_FALSE(model.saveJob(&ok).isEmpty());
+    EXPECT_FALSE(ok);
+}
+
+TEST_F(V8ModelTest, BadCasesLeaveTheSheetAsItWas) {
+    V8PlugsModel model({});
+    model.loadInput(example("v8-4.25-repair.case.json"), {});
+    const Input before = model.input();
+    Json bad = example("v8-4.25-repair.case.json");
+    bad["engine"]["crank_radius_mm"] = -40;
+    EXPECT_THROW(model.loadInput(bad, {}), InputError);
+    bad = example("v8-4.25-repair.case.json");
+    bad["colour"] = "red";
+    EXPECT_THROW(model.loadInput(bad, {}), InputError);
+    EXPECT_EQ(model.input(), before);
+    EXPECT_THROW(model.setByKey(u"engine/crank_radius_mm"_s, u"-1"_s), InputError);
+    model.setByKey(u"engine/crank_radius_mm"_s, u"42"_s);
+    EXPECT_DOUBLE_EQ(*model.input().engine.crank_radius, 0.042);
+    EXPECT_THROW(model.setByKey(u"sheet"_s, u"nowhere"_s), InputError);
+}
+
+}  // namespace
+}  // namespace ravnoves

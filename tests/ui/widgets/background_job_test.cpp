@@ -1,0 +1,102 @@
+#include "model/background_job.h"
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTest>
+#include <QThread>
+#include <new>
+#include <stdexcept>
+
+namespace ravnoves {
+namespace {
+
+class BackgroundJobTest : public ::testing::Test {
+  protected:
+    void waitForEnd() {
+        while (job.isRunning()) {
+            ASSERT_TRUE(running.wait(20000));
+        }
+    }
+    /// Works until it is stopped.
+    static std::function<void()> endless(const BackgroundJob::Progress& progress) {
+        while (progress(0.5)) {
+            QThread::msleep(1);
+        }
+        return {};
+    }
+
+    BackgroundJob job;
+    QSignalSpy running{&job, &BackgroundJob::runningChanged};
+    QSignalSpy finished{&job, &BackgroundJob::finished};
+    QSignalSpy failed{&job, &BackgroundJob::failed};
+    int result = 0;
+};
+
+TEST_F(BackgroundJobTest, TheLatestStartWins) {
+    job.start(endless);
+    for (int i = 1; i <= 5; ++i) {
+        job.start([this, i](const BackgroundJob::Progress&) { return [this, i] { result = i; }; });
+    }
+    waitForEnd();
+    EXPECT_EQ(result, 5);
+    EXPECT_EQ(finished.size(), 1);
+    EXPECT_EQ(running.size(), 2);
+}
+
+TEST_F(BackgroundJobTest, WhatIsCancelledDeliversNothing) {
+    job.start([this](const BackgroundJob::Progress& progress) {
+        endless(progress);
+        return [this] { result = 1; };
+    });
+    job.cancel();
+    EXPECT_FALSE(job.isRunning());
+    job.start([this](const BackgroundJob::Progress&) { return [this] { result += 2; }; });
+    waitForEnd();
+    EXPECT_EQ(result, 2);
+}
+
+TEST_F(BackgroundJobTest, ShortRunsOfADragComeToTheirEnd) {
+    job.setPatience(10000, 1);
+    std::atomic<bool> go = false;
+    job.start([&](const BackgroundJob::Progress& progress) {
+        while (!go && progress(0.0)) {
+            QThread::msleep(1);
+        }
+        return [this] { result = 10 * result + 1; };
+    });
+    QTest::qWait(50);  // it runs
+    for (int i = 2; i <= 4; ++i) {
+        job.start([this, i](const BackgroundJob::Progress&) {
+            return [this, i] { result = 10 * result + i; };
+        });
+    }
+    go = true;
+    waitForEnd();
+    EXPECT_EQ(result, 14);
+    job.setPatience(0, 1);
+    job.start(endless);
+    QTest::qWait(50);
+    job.start([this](const BackgroundJob::Progress&) { return [this] { result = 5; }; });
+    waitForEnd();
+    EXPECT_EQ(result, 5);
+}
+
+TEST_F(BackgroundJobTest, EveryExceptionComesOutAsAMessage) {
+    const auto fails = [&](auto thrown) {
+        failed.clear();
+        job.start(
+            [thrown](const BackgroundJob::Progress&) -> std::function<void()> { throw thrown; });
+        waitForEnd();
+        EXPECT_EQ(failed.size(), 1);
+        return failed.isEmpty() ? QString() : failed.first().at(0).toString();
+    };
+    EXPECT_EQ(fails(std::runtime_error("too steep")), QStringLiteral("too steep"));
+    EXPECT_EQ(fails(std::bad_alloc()), QStringLiteral("There is not enough memory for this."));
+    EXPECT_EQ(fails(7), QStringLiteral("The computation failed."));
+    EXPECT_EQ(finished.size(), 3);
+    EXPECT_FALSE(job.isRunning());
+}
+
+}  // namespace
+}  // namespace ravnoves

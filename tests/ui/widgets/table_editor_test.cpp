@@ -1,0 +1,29 @@
+#include "widgets/table_editor.h"
+
+#include <gtest/gtest.h>
+
+namespace ravnoves {
+namespace {
+
+std::vector<QStringList> read(const char* text) {
+    return readTextTable(QString::fromUtf8(text));
+}
+
+TEST(TextTable, TakesTabsAndSemicolons) {
+    const std::vector<QStringList> cells{{QStringLiteral("0"), QStringLiteral("1,5")},
+                                         {QStringLiteral("-3"), QStringLiteral("2.5")}};
+    EXPECT_EQ(read("0\t1,5\r\n-3\t2.5\r\n"), cells);
+    EXPECT_EQ(read("0; 1,5\n\n-3 ;2.5"), cells);
+    EXPECT_TRUE(read(" \n").empty());
+}
+
+TEST(TextTable, PassesOverAHeader) {
+    EXPECT_EQ(read("z, mm\tβ\n1\t2\n").size(), 1U);
+    EXPECT_EQ(read("\n;;\n1;2\n").size(), 1U);
+    // One line of words alone is no header, and neither is a line with a number in it.
+    EXPECT_EQ(read("a\tb\n").size(), 1U);
+    EXPECT_EQ(read("a\t1\n2\t3\n").size(), 2U);
+}
+
+}  // namespace
+}  // namespace ravnoves

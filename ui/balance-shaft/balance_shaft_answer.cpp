@@ -1,0 +1,89 @@
+#include "balance-shaft/balance_shaft_page.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "balance-shaft/mechanism_view.h"
+#include "balance-shaft/model/balance_shaft_model.h"
+#include "theme/theme.h"
+#include "widgets/form_section.h"
+#include "widgets/mechanism_picture.h"
+#include "widgets/panel.h"
+#include "widgets/result_table.h"
+#include "widgets/value_slider.h"
+
+namespace ravnoves {
+
+QWidget* BalanceShaftPage::buildAnswer() {
+    auto* holder = new QWidget(this);
+    holder->setMinimumWidth(312);
+    holder->setMaximumWidth(440);
+    auto* column = new QVBoxLayout(holder);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(Theme::space);
+
+    picture_ = new MechanismView(model_);
+    auto* picturePanel = new PicturePanel(
+        picture_, 720.0, tr("Crank angle of the picture; 0 is top dead centre"), holder);
+    playAction_ = picturePanel->action();
+    crank_ = picturePanel->slider();
+    connect(crank_, &ValueSlider::valueEdited, model_, &BalanceShaftModel::setCrankAngleDeg);
+    column->addWidget(picturePanel, 1);
+
+    auto* answer = new Panel(holder);
+    auto* answerColumn = new QVBoxLayout(answer);
+    answerColumn->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
+    answerColumn->setSpacing(Theme::gap);
+    criteria_ = new ResultTable(answer);
+    criteria_->setAccessibleName(tr("Criteria of the three moments"));
+    criteria_->setColumns(model_->criteriaColumns());
+    answerColumn->addWidget(criteria_);
+
+    auto* best = new QGridLayout;
+    best->setHorizontalSpacing(Theme::space);
+    best->setVerticalSpacing(2);
+    bestRange_ = new QLabel(answer);
+    bestRms_ = new QLabel(answer);
+    goRange_ = new QPushButton(tr("Go"), answer);
+    goRms_ = new QPushButton(tr("Go"), answer);
+    const auto addBest = [&](int row, QLabel* label, QPushButton* button, const QString& name) {
+        label->setWordWrap(true);
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        button->setMaximumWidth(52);
+        button->setAccessibleName(name);
+        button->setToolTip(name);
+        best->addWidget(label, row, 0);
+        best->addWidget(button, row, 1);
+    };
+    addBest(1, bestRange_, goRange_, tr("Go to the α of the least range"));
+    addBest(2, bestRms_, goRms_, tr("Go to the α of the least RMS"));
+    best->setColumnStretch(0, 1);
+    goRange_->setObjectName(QStringLiteral("go_best_range"));
+    goRms_->setObjectName(QStringLiteral("go_best_rms"));
+    connect(goRange_, &QPushButton::clicked, model_, &BalanceShaftModel::goToBestRange);
+    connect(goRms_, &QPushButton::clicked, model_, &BalanceShaftModel::goToBestRms);
+    answerColumn->addLayout(best);
+
+    quantities_ = new ResultTable(answer);
+    quantities_->setAccessibleName(tr("Forces, masses and sizes"));
+    quantities_->setColumns(model_->quantityColumns());
+    quantities_->horizontalHeader()->hide();
+    answerColumn->addWidget(quantities_);
+    notes_ = captionLabel({}, answer);
+    answerColumn->addWidget(notes_);
+    column->addWidget(answer);
+    return holder;
+}
+
+QString BalanceShaftPage::resultsAsText() const {
+    return criteria_->asText() + QLatin1Char('\n') + quantities_->asText() + QLatin1Char('\n') +
+           bestRange_->text() + QLatin1Char('\n') + bestRms_->text() + QLatin1Char('\n');
+}
+
+QString BalanceShaftPage::resultsAsCsv() const {
+    return criteria_->asCsv() + QLatin1Char('\n') + quantities_->asCsv();
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,136 @@
+#include <QComboBox>
+#include <QTabWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "balance-shaft/balance_shaft_page.h"
+#include "balance-shaft/fields.h"
+#include "balance-shaft/model/balance_shaft_model.h"
+#include "balance-shaft/torque_source_editor.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
+#include "widgets/form.h"
+
+namespace ravnoves {
+
+using balance_shaft::Input;
+namespace field = balance_shaft::field;
+
+namespace {
+
+/// What the form does not list of the reciprocating masses, kg.
+double otherMasses(const Input& input) {
+    double sum = 0.0;
+    for (const balance_shaft::NamedMass& part : input.reciprocating_masses) {
+        const bool listed = std::any_of(field::mass_parts.begin(), field::mass_parts.end(),
+                                        [&](const Field& row) { return row.key == part.name; });
+        sum += listed ? 0.0 : part.mass;
+    }
+    return sum;
+}
+
+}  // namespace
+
+void BalanceShaftPage::addEngine(Form* form) {
+    FormSection* engine = form->section(tr("Engine"));
+    auto* preset = new QComboBox(form);
+    preset->addItems({tr("Own values"), tr("TMZ-650D")});
+    engine->addWidget(
+        tr("P&reset"), preset, {},
+        tr("TMZ-650D: the single-cylinder diesel of Gots and Klevtsov, Tables 1 and 2"));
+    const auto showPreset = [this, preset] {
+        Input wanted = balance_shaft::preset_tmz_650d();
+        wanted.shaft_angle = model_->input().shaft_angle;
+        preset->setCurrentIndex(wanted == model_->input() ? 1 : 0);
+    };
+    connect(preset, &QComboBox::activated, this, [this, showPreset](int index) {
+        if (index == 1) {
+            model_->edit(tr("Preset TMZ-650D"),
+                         [](Input& input) { input = balance_shaft::preset_tmz_650d(); });
+            model_->setTitle(QStringLiteral("TMZ-650D"));
+        }
+        showPreset();
+    });
+    form->follow(showPreset);
+    NumberField* speed = form->number(
+        field::speed, [this] { return model_->input().angular_speed / units::rpm; },
+        [this](std::optional<double> value) { model_->setSpeed(*value * units::rpm); });
+    speed->setDigits(8);
+    speed->setValue(speed->value());
+    QLabel* angularSpeed = engine->addResult(tr("ω"), tr("Angular speed, n π / 30"));
+    form->follow([this, angularSpeed] {
+        angularSpeed->setText(fixedNumber(model_->input().angular_speed, 2, QLocale()) +
+                              tr(" rad/s"));
+    });
+    form->number("/crank_radius_mm");
+    // It stands in the object of the torque where that is computed.
+    NumberField* rod = form->number(
+        field::rod_length,
+        [this]() -> std::optional<double> {
+            const auto& length = model_->input().rod_length;
+            return length ? std::optional(*length / units::mm) : std::nullopt;
+        },
+        [this](std::optional<double> value) {
+            model_->edit(fieldName(field::rod_length), [&](Input& input) {
+                input.rod_length = value ? std::optional(*value * units::mm) : std::nullopt;
+            });
+        });
+    rod->setOptional(true);
+}
+
+void BalanceShaftPage::addMasses(Form* form) {
+    FormSection* masses = form->section(tr("Reciprocating masses"));
+    for (const Field& part : field::mass_parts) {
+        const std::string name(part.key);
+        NumberField* mass = form->number(
+            part, [this, name] { return model_->mass(name); },
+            [this, name, &part](std::optional<double> value) {
+                model_->editField("/reciprocating_masses_kg/" + name, *value, fieldName(part));
+            });
+        mass->setObjectName(QString::fromStdString("mass_" + name));
+    }
+    form->number("/rod_mass_kg");
+    QLabel* sum = masses->addResult(
+        tr("Sum mⱼ"), tr("Reciprocating mass: the sum of the parts. TMZ-650D: 1.316 kg."));
+    QLabel* note = captionLabel({}, masses);
+    masses->addWide(note);
+    form->follow([this, sum, note] {
+        const QLocale locale;
+        sum->setText(fixedNumber(model_->input().reciprocating_mass(), 3, locale) + tr(" kg"));
+        const double other = otherMasses(model_->input());
+        note->setText(tr("%1 kg of it are not listed above.").arg(formNumber(other, locale, 6)));
+        note->setVisible(other > 0.0);
+    });
+}
+
+QWidget* BalanceShaftPage::buildInputs() {
+    auto* form = new Form(model_);
+    addEngine(form);
+    addMasses(form);
+    form->section(tr("Counterweights and shaft"));
+    for (const char* place :
+         {"/counterweight_radius_mm", "/counterweight_mass_kg", "/centre_distance_mm"}) {
+        form->number(place);
+    }
+    form->section(tr("Sizes for picture and envelope"));
+    for (const char* place :
+         {"/envelope/cylinder_bore_mm", "/envelope/crank_swing_radius_mm",
+          "/envelope/shaft_swing_radius_mm", "/envelope/gear_tip_radius_mm", "/envelope/wall_mm"}) {
+        form->number(place);
+    }
+    form->section(tr("Torque between the rows of its table"));
+    form->choice("/interpolation");
+    static_cast<QVBoxLayout*>(form->layout())->addStretch();
+
+    auto* tabs = new QTabWidget(this);
+    tabs->setDocumentMode(true);
+    tabs->setFixedWidth(300);
+    auto* scroll = scrolled(form, tabs);
+    tabs->addTab(scroll, tr("Inputs"));
+    source_ = new TorqueSourceEditor(model_, tabs);
+    source_->setObjectName(QStringLiteral("torque"));
+    tabs->addTab(source_, tr("Torque"));
+    return tabs;
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,292 @@
+#include "balance-shaft/model/balance_shaft_model.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+
+#include "balance-shaft/scene.h"
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
+
+namespace ravnoves {
+
+using balance_shaft::Input;
+using balance_shaft::MomentMetrics;
+using balance_shaft::Optimum;
+using balance_shaft::Solver;
+
+namespace {
+
+double wrap(double value, double period) {
+    const double rest = std::fmod(value, period);
+    return rest < 0.0 ? rest + period : rest;
+}
+
+QString number(double value, int decimals) {
+    return fixedNumber(value, decimals, QLocale());
+}
+
+/// A fraction as a signed percentage.
+QString percent(const std::optional<double>& fraction) {
+    if (!fraction) {
+        return QStringLiteral("–");
+    }
+    const QString text = number(100.0 * *fraction, 1);
+    return (*fraction > 0.0 ? QStringLiteral("+") : QString()) + text + QStringLiteral("\u00A0%");
+}
+
+}  // namespace
+
+BalanceShaftModel::BalanceShaftModel(QObject* parent) : CaseModel({}, parent) {}
+
+Json BalanceShaftModel::resultJson() const {
+    return balance_shaft::write_result(solver(), result());
+}
+
+bool BalanceShaftModel::setViewOption(const QString& key, const QString& value) {
+    if (key == QLatin1String("crank_angle_deg")) {
+        setCrankAngleDeg(readNumber(key, value));
+    } else if (key == QLatin1String("means")) {
+        setMeans(static_cast<Means>(oneOf(key, value, {"both", "cycle", "printed"})));
+    } else {
+        return false;
+    }
+    return true;
+}
+
+namespace {
+
+/// Gives a computed torque what it needs and the input lacks.
+void fillCylinder(Input& input) {
+    if (!input.rod_length) {
+        input.rod_length = input.effective_rod_length();
+    }
+    if (!(input.torque.cylinder.bore > 0.0)) {
+        input.torque.cylinder.bore =
+            input.envelope.cylinder_bore.value_or(2.0 * input.crank_radius);
+    }
+}
+
+}  // namespace
+
+QString BalanceShaftModel::setTorqueKind(balance_shaft::TorqueSource::Kind kind) {
+    using Kind = balance_shaft::TorqueSource::Kind;
+    return edit(tr("Torque source"), [&](Input& input) {
+        input.torque.kind = kind;
+        if (!input.torque.is_computed()) {
+            return;
+        }
+        fillCylinder(input);
+        balance_shaft::GasCycle& cycle = input.torque.cycle;
+        if (kind == Kind::cycle && !cycle.heat && !cycle.imep) {
+            cycle.combustion_start = 352.0 * degree;
+            cycle.combustion_duration = 60.0 * degree;
+            // The load of the torque that was there: mean torque × 4π = work per cycle.
+            const double radius = 0.5 * input.torque.cylinder.bore;
+            const double displacement = pi * radius * radius * 2.0 * input.crank_radius;
+            cycle.imep = std::max(0.0, -result().M_up.mean) * 2.0 * two_pi / displacement;
+        }
+    });
+}
+
+QString BalanceShaftModel::setPressureTrace(const balance_shaft::PressureTrace& trace,
+                                            const QString& path) {
+    return edit(tr("Pressure trace"), [&](Input& input) {
+        input.torque.kind = balance_shaft::TorqueSource::Kind::pressure;
+        input.torque.trace = trace;
+        input.torque.csv = path.toStdString();
+        fillCylinder(input);
+    });
+}
+
+double BalanceShaftModel::shaftAngleDeg() const {
+    return input().shaft_angle / degree;
+}
+
+void BalanceShaftModel::setShaftAngleDeg(double angle) {
+    if (!std::isfinite(angle)) {
+        return;
+    }
+    const double radians = std::clamp(angle, 0.0, 360.0) * degree;
+    if (radians == input().shaft_angle) {
+        return;
+    }
+    // Only the number goes into the history, so that a drag copies no torque table.
+    const QString name = tr("Move shaft");
+    history()->push(new InputCommand<double>(name, input().shaft_angle, radians, stepOf(name),
+                                             [this](double a) { applyShaftAngle(a); }));
+}
+
+void BalanceShaftModel::applyShaftAngle(double radians) {
+    inputInPlace().shaft_angle = radians;
+    solver().move_shaft(radians, solvedInPlace().result);
+    Q_EMIT shaftMoved();
+}
+
+void BalanceShaftModel::setCrankAngleDeg(double angle) {
+    if (!std::isfinite(angle)) {
+        return;
+    }
+    angle = wrap(angle, 720.0);
+    if (angle != crankAngle_) {
+        crankAngle_ = angle;
+        Q_EMIT crankAngleChanged(angle);
+    }
+}
+
+void BalanceShaftModel::setMeans(Means means) {
+    if (means != means_) {
+        means_ = means;
+        Q_EMIT meansChanged();
+    }
+}
+
+void BalanceShaftModel::goToBestRange() {
+    if (result().best_range.shaft_angle) {
+        finishDrag();
+        setShaftAngleDeg(*result().best_range.shaft_angle / degree);
+        finishDrag();
+    }
+}
+
+void BalanceShaftModel::goToBestRms() {
+    if (result().best_rms.shaft_angle) {
+        finishDrag();
+        setShaftAngleDeg(*result().best_rms.shaft_angle / degree);
+        finishDrag();
+    }
+}
+
+void BalanceShaftModel::setSpeed(double angularSpeed) {
+    edit(tr("Speed"), [&](Input& input) {
+        input.angular_speed = angularSpeed;
+        input.speed_in_rpm = true;
+    });
+}
+
+const balance_shaft::EnvelopeStudy& BalanceShaftModel::envelopeStudy() const {
+    auto& study = solved().envelopes;
+    return study ? *study : study.emplace(balance_shaft::envelope_study(solver()));
+}
+
+const balance_shaft::RelievedShaft& BalanceShaftModel::relievedShaft() const {
+    auto& shaft = solved().relievedShaft;
+    return shaft ? *shaft : shaft.emplace(balance_shaft::relieved_shaft(solver()));
+}
+
+double BalanceShaftModel::mass(const std::string& name) const {
+    for (const balance_shaft::NamedMass& part : input().reciprocating_masses) {
+        if (part.name == name) {
+            return part.mass;
+        }
+    }
+    return 0.0;
+}
+
+QStringList BalanceShaftModel::criteriaColumns() const {
+    return {tr("N·m"), tr("Mᵤₚ"), tr("Mₛ"), tr("Mᵤₚₛ"), tr("change")};
+}
+
+QVector<QStringList> BalanceShaftModel::criteriaRows() const {
+    const auto row = [&](const QString& name, double MomentMetrics::*value, const QString& change) {
+        return QStringList{name, number(result().M_up.*value, 1), number(result().M_s.*value, 1),
+                           number(result().M_ups.*value, 1), change};
+    };
+    const auto relative = [](double with, double without) -> std::optional<double> {
+        if (without == 0.0) {
+            return std::nullopt;
+        }
+        return (with - without) / std::abs(without);
+    };
+    return {row(tr("range"), &MomentMetrics::range, percent(result().range_change)),
+            row(tr("RMS"), &MomentMetrics::rms, percent(result().rms_change)),
+            row(tr("mean"), &MomentMetrics::mean,
+                percent(relative(result().M_ups.mean, result().M_up.mean))),
+            {tr("nodes"), number(result().printed_mean_M_up, 1),
+             number(result().printed_mean_M_s, 1), number(result().printed_mean_M_ups, 1),
+             percent(relative(result().printed_mean_M_ups, result().printed_mean_M_up))},
+            row(tr("max"), &MomentMetrics::max,
+                percent(relative(result().M_ups.max, result().M_up.max))),
+            row(tr("min"), &MomentMetrics::min,
+                percent(relative(result().M_ups.min, result().M_up.min)))};
+}
+
+QStringList BalanceShaftModel::quantityColumns() const {
+    return {tr("Quantity"), tr("Value"), tr("Unit")};
+}
+
+QVector<QStringList> BalanceShaftModel::quantityRows() const {
+    const QString newton = tr("N");
+    const QString newtonMetre = tr("N·m");
+    const QString millimetre = tr("mm");
+    const QString share =
+        result().order_1_share ? number(100.0 * *result().order_1_share, 1) : QStringLiteral("–");
+    return {
+        {tr("Inertia force Pⱼ₁, max"), number(result().inertia_force_1_max, 1), newton},
+        {tr("Counterweight m₁"), number(result().counterweight_mass, 4), tr("kg")},
+        {tr("Counterweight force P₁"), number(result().counterweight_force, 1), newton},
+        {tr("Amplitude of Mₛ, P₁ l"), number(result().moment_amplitude, 2), newtonMetre},
+        {tr("First order's share of Mᵤₚ"), share, QStringLiteral("%")},
+        {tr("Envelope, width × height"),
+         number(result().envelope.width() / units::mm, 0) + QStringLiteral(" × ") +
+             number(result().envelope.height() / units::mm, 0),
+         millimetre},
+    };
+}
+
+QVector<QStringList> BalanceShaftModel::cycleRows() const {
+    if (!result().indicated) {
+        return {};
+    }
+    const balance_shaft::IndicatedCycle& cycle = *result().indicated;
+    QVector<QStringList> rows{
+        {tr("Indicated mean effective pressure"), number(cycle.imep / units::bar, 3), tr("bar")},
+        {tr("Indicated work per cycle"), number(cycle.work, 1), tr("J")},
+        {tr("Indicated power"), number(result().indicated_power / units::kW, 2), tr("kW")},
+        {tr("Mean torque"), number(-result().M_up.mean, 2), tr("N·m")},
+        {tr("Peak pressure"), number(cycle.peak_pressure / units::bar, 1), tr("bar")},
+        {tr("at crank angle"), number(cycle.peak_pressure_angle / degree, 1), QStringLiteral("°")},
+        {tr("Displacement"), number(cycle.displacement / units::cm3, 1), tr("cm³")},
+    };
+    if (cycle.clearance) {
+        rows.push_back(
+            {tr("Clearance volume"), number(*cycle.clearance / units::cm3, 2), tr("cm³")});
+    }
+    if (cycle.heat) {
+        rows.push_back({tr("Heat per cycle"), number(*cycle.heat, 1), tr("J")});
+    }
+    return rows;
+}
+
+namespace {
+
+QString bestText(const Optimum& best, const QString& sentence) {
+    if (!best.shaft_angle) {
+        return QCoreApplication::translate("ravnoves::BalanceShaftModel",
+                                           "Every α is as good as any other.");
+    }
+    return sentence.arg(number(*best.shaft_angle / degree, 2), number(best.value, 1));
+}
+
+}  // namespace
+
+QString BalanceShaftModel::bestRangeText() const {
+    return bestText(result().best_range, tr("Least range %2 N·m at %1°"));
+}
+
+QString BalanceShaftModel::bestRmsText() const {
+    return bestText(result().best_rms, tr("Least RMS %2 N·m at %1°"));
+}
+
+QString BalanceShaftModel::notesText() const {
+    QStringList lines;
+    for (const Message& note : result().notes) {
+        lines << messageText(note);
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace ravnoves

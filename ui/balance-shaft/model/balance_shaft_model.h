@@ -1,0 +1,112 @@
+#pragma once
+
+#include <QStringList>
+#include <QVector>
+#include <optional>
+
+#include "balance-shaft/envelope_study.h"
+#include "balance-shaft/presets.h"
+#include "balance-shaft/scene.h"
+#include "balance-shaft/solver.h"
+#include "case-file/json.h"
+#include "model/case_model.h"
+
+namespace ravnoves {
+
+/// What CaseModel knows of the scene.
+struct BalanceShaftScene {
+    using Input = balance_shaft::Input;
+    struct Solved {
+        balance_shaft::Solver solver;
+        balance_shaft::Result result;
+        mutable std::optional<balance_shaft::EnvelopeStudy> envelopes;
+        mutable std::optional<balance_shaft::RelievedShaft> relievedShaft;
+    };
+    static Input defaultInput() { return balance_shaft::preset_tmz_650d(); }
+    static QString defaultTitle() { return QStringLiteral("TMZ-650D"); }
+    static Input read(const Json& input, const CaseContext& context) {
+        return balance_shaft::read_input(input, context);
+    }
+    static Json write(const Input& input) { return balance_shaft::write_input(input); }
+    static Solved solve(const Input& input) {
+        const balance_shaft::Solver solver(input);
+        return {solver, solver.result(), {}, {}};
+    }
+};
+
+/// The state of the balance-shaft page: input, the solver's result, the crank angle of the picture.
+///
+/// Moving the shaft costs about a microsecond (Solver::move_shaft), any other change a new Solver.
+class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
+    Q_OBJECT
+
+  public:
+    /// Which means of M_s and M_ups the plots show.
+    enum class Means { Both, CycleIntegral, PrintedNodes };
+    Q_ENUM(Means)
+
+    explicit BalanceShaftModel(QObject* parent = nullptr);
+
+    QString sceneName() const override { return QStringLiteral("balance-shaft"); }
+    Json resultJson() const override;
+    bool setViewOption(const QString& key, const QString& value) override;
+
+    const balance_shaft::Result& result() const { return solved().result; }
+    const balance_shaft::Solver& solver() const { return solved().solver; }
+
+    /// Where the torque comes from; a source used for the first time starts with values made from
+    /// what is there (rod length, bore, the table's mean torque). Returns as edit().
+    QString setTorqueKind(balance_shaft::TorqueSource::Kind kind);
+    /// Takes a measured trace and computes the torque from it. The same return.
+    QString setPressureTrace(const balance_shaft::PressureTrace& trace, const QString& path);
+
+    double shaftAngleDeg() const;  ///< α, 0…360
+    void setShaftAngleDeg(double angle);
+
+    double crankAngleDeg() const { return crankAngle_; }  ///< φ of the picture, 0…720
+    void setCrankAngleDeg(double angle);
+
+    Means means() const { return means_; }
+    void setMeans(Means means);
+
+    void goToBestRange();
+    void goToBestRms();
+
+    /// Sets ω, rad/s; the case file then gives it in min⁻¹.
+    void setSpeed(double angularSpeed);
+
+    // What views show beside the result; found when first asked for.
+    const balance_shaft::EnvelopeStudy& envelopeStudy() const;
+    const balance_shaft::RelievedShaft& relievedShaft() const;
+
+    /// The mass of a named part, kg; 0 where there is none.
+    double mass(const std::string& name) const;
+
+    // What the page's tables show: text in the user's locale, the first column the row's name.
+    QStringList criteriaColumns() const;
+    QVector<QStringList> criteriaRows() const;
+    QStringList quantityColumns() const;
+    QVector<QStringList> quantityRows() const;
+    /// Work, pressures and power of a computed torque; empty for a table.
+    QVector<QStringList> cycleRows() const;
+    /// Best α for range and RMS as sentences.
+    QString bestRangeText() const;
+    QString bestRmsText() const;
+    /// What the user should know about the result; empty where there is nothing.
+    QString notesText() const;
+
+  Q_SIGNALS:
+    /// α is new, and what follows it.
+    void shaftMoved();
+    void crankAngleChanged(double degrees);
+    void meansChanged();
+
+  private:
+    void taken() override { Q_EMIT shaftMoved(); }
+    void applyShaftAngle(double radians);
+
+    double crankAngle_ = 60.0;
+    Means means_ = Means::Both;
+};
+
+}  // namespace ravnoves

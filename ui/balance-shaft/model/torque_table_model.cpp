@@ -1,0 +1,186 @@
+#include "balance-shaft/model/torque_table_model.h"
+
+#include <QLocale>
+
+#include "case-file/input_error.h"
+#include "text/error_text.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
+
+namespace ravnoves {
+
+using balance_shaft::TorqueTable;
+
+void TorqueTableModel::setTable(const TorqueTable& table) {
+    if (table == valid_ && trouble_.isEmpty() && !rows_.empty()) {
+        return;
+    }
+    beginResetModel();
+    rows_.clear();
+    rows_.reserve(table.size());
+    const QLocale locale;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        rows_.push_back({formNumber(table.crank_angle_deg[i], locale, 15),
+                         formNumber(table.torque[i], locale, 15)});
+    }
+    valid_ = table;
+    trouble_.clear();
+    badRow_ = -1;
+    endResetModel();
+    Q_EMIT troubleChanged(trouble_);
+}
+
+void TorqueTableModel::check() {
+    TorqueTable table;
+    QString trouble;
+    int bad = -1;
+    for (std::size_t i = 0; i < rows_.size() && trouble.isEmpty(); ++i) {
+        const auto angle = readFormNumber(rows_[i].angle);
+        const auto torque = readFormNumber(rows_[i].torque);
+        if (!angle || !torque) {
+            const QString& text = angle ? rows_[i].torque : rows_[i].angle;
+            trouble = tr("Row %1: “%2” is not a number.").arg(i + 1).arg(text);
+            bad = static_cast<int>(i);
+            break;
+        }
+        table.crank_angle_deg.push_back(*angle);
+        table.torque.push_back(*torque);
+    }
+    if (trouble.isEmpty()) {
+        try {
+            balance_shaft::check_torque_table(table, tr("Torque table").toStdString());
+        } catch (const InputError& error) {
+            trouble = errorText(error);
+        }
+    }
+    const bool newTrouble = trouble != trouble_;
+    trouble_ = trouble;
+    badRow_ = bad;
+    if (newTrouble) {
+        Q_EMIT troubleChanged(trouble_);
+    }
+    if (trouble_.isEmpty() && !(table == valid_)) {
+        valid_ = std::move(table);
+        Q_EMIT tableEdited();
+    }
+}
+
+void TorqueTableModel::insertRowBelow(int row) {
+    if (rows_.empty()) {
+        return;
+    }
+    const int at = std::clamp(row + 1, 1, static_cast<int>(rows_.size()) - 1);
+    // Half way between its neighbours, so that the table stays a cycle and means the same.
+    const Row& above = rows_[static_cast<std::size_t>(at) - 1];
+    const Row& below = rows_[static_cast<std::size_t>(at)];
+    const auto middle = [](const QString& a, const QString& b) {
+        const auto x = readFormNumber(a);
+        const auto y = readFormNumber(b);
+        return x && y ? formNumber(0.5 * (*x + *y), QLocale(), 15) : QString();
+    };
+    const Row fresh{middle(above.angle, below.angle), middle(above.torque, below.torque)};
+    beginInsertRows({}, at, at);
+    rows_.insert(rows_.begin() + at, fresh);
+    endInsertRows();
+    check();
+}
+
+void TorqueTableModel::removeRowRange(int first, int count) {
+    // The first and the last row are the ends of the cycle and stay.
+    const int last = std::min(first + count, static_cast<int>(rows_.size()) - 1);
+    first = std::max(first, 1);
+    if (last <= first) {
+        return;
+    }
+    beginRemoveRows({}, first, last - 1);
+    rows_.erase(rows_.begin() + first, rows_.begin() + last);
+    endRemoveRows();
+    check();
+}
+
+QString TorqueTableModel::replaceByText(const QString& text) {
+    const balance_shaft::ParsedTorqueTable read =
+        balance_shaft::parse_torque_table(text.toStdString());
+    const bool differs = !(read.table == valid_);
+    setTable(read.table);
+    if (differs) {
+        Q_EMIT tableEdited();
+    }
+    return messageText(read.describe());
+}
+
+QString TorqueTableModel::pasteBlock(int row, int column, const std::vector<QStringList>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const std::size_t at = static_cast<std::size_t>(row) + i;
+        if (at >= rows_.size()) {
+            break;
+        }
+        for (int j = 0; j < cells[i].size() && column + j < 2; ++j) {
+            (column + j == CrankAngle ? rows_[at].angle : rows_[at].torque) = cells[i][j];
+        }
+    }
+    Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, 1));
+    check();  // says itself what is wrong
+    return {};
+}
+
+int TorqueTableModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+int TorqueTableModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : 2;
+}
+
+QVariant TorqueTableModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid()) {
+        return {};
+    }
+    const Row& row = rows_[static_cast<std::size_t>(index.row())];
+    switch (role) {
+        case Qt::DisplayRole:
+        case Qt::EditRole:
+            return index.column() == CrankAngle ? row.angle : row.torque;
+        case Qt::TextAlignmentRole:
+            return int(Qt::AlignRight | Qt::AlignVCenter);
+        case TroubleRole:
+            return index.row() == badRow_;
+        default:
+            return {};
+    }
+}
+
+bool TorqueTableModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (role != Qt::EditRole || !index.isValid()) {
+        return false;
+    }
+    const QString text = value.toString().trimmed();
+    Row& row = rows_[static_cast<std::size_t>(index.row())];
+    QString& cell = index.column() == CrankAngle ? row.angle : row.torque;
+    if (cell == text) {
+        return true;
+    }
+    cell = text;
+    const int last = rowCount() - 1;
+    if (index.column() == Torque && (index.row() == 0 || index.row() == last)) {
+        rows_.front().torque = text;
+        rows_.back().torque = text;
+        Q_EMIT dataChanged(this->index(0, Torque), this->index(0, Torque));
+        Q_EMIT dataChanged(this->index(last, Torque), this->index(last, Torque));
+    }
+    Q_EMIT dataChanged(index, index);
+    check();
+    return true;
+}
+
+QVariant TorqueTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (role != Qt::DisplayRole) {
+        return {};
+    }
+    if (orientation == Qt::Vertical) {
+        return section + 1;
+    }
+    return section == CrankAngle ? tr("φ, °") : tr("M_id, N·m");
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,512 @@
+#include "elastic-hinge/model/elastic_hinge_model.h"
+
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
+#include "elastic-hinge/fields.h"
+#include "plot/model/ticks.h"
+#include "text/error_text.h"
+#include "text/file_path.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
+
+namespace ravnoves {
+
+using elastic_hinge::Branch;
+using elastic_hinge::Guide;
+using elastic_hinge::GuideProblem;
+using elastic_hinge::GuideProposal;
+using elastic_hinge::GuideSign;
+using elastic_hinge::GuideWish;
+using elastic_hinge::Hinge;
+using elastic_hinge::Input;
+using elastic_hinge::Motion;
+using elastic_hinge::MotionEnd;
+using elastic_hinge::Result;
+using elastic_hinge::Spring;
+namespace field = elastic_hinge::field;
+
+namespace {
+
+constexpr double margin = 1.001;     ///< beyond the least preload or stiffness that would do
+constexpr double poorTorque = 0.05;  ///< part of the moment that a profile error may spoil
+
+QString number(double value, int decimals) {
+    return fixedNumber(value, decimals, QLocale());
+}
+
+/// So many significant digits; whole numbers of everyday size are written out.
+QString significant(double value, int digits = 4) {
+    const double size = std::abs(value);
+    if (size >= std::pow(10.0, digits) && size < 1e8) {
+        return number(value, 0);
+    }
+    return formNumber(value, QLocale(), digits);
+}
+
+/// A preload in mm, rounded up so that what is shown suffices.
+QString millimetresUp(double length) {
+    return number(std::ceil(length / units::mm * 1e4 - 1e-9) / 1e4, 4);
+}
+
+QString percent(double fraction, int decimals = 1) {
+    return number(100.0 * fraction, decimals) + QStringLiteral("\u00A0%");
+}
+
+double wrap(double value, double period) {
+    const double rest = std::fmod(value, period);
+    return rest < 0.0 ? rest + period : rest;
+}
+
+/// The largest of 1, 2, 5, 10, … that is not above the value, at least 1.
+double roundFactor(double value) {
+    if (!(value > 1.0)) {
+        return 1.0;
+    }
+    const double decade = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double step : {5.0, 2.0}) {
+        if (step * decade <= value * (1 + 1e-12)) {
+            return step * decade;
+        }
+    }
+    return decade;
+}
+
+std::vector<double> readList(const QString& key, const QString& value) {
+    std::vector<double> numbers;
+    for (const QString& part : value.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
+        const auto read = readFormNumber(part);
+        if (!read) {
+            throw InputError(key.toStdString(),
+                             CORE_TEXT("elastic-hinge", "must be numbers with blanks between them"),
+                             value.toStdString());
+        }
+        numbers.push_back(*read);
+    }
+    return numbers;
+}
+
+}  // namespace
+
+QString ElasticHingeScene::defaultTitle() {
+    return ElasticHingeModel::tr("Zotov and Sviridov 2021");
+}
+
+ElasticHingeScene::Solved ElasticHingeScene::solve(Input input) const {
+    input.guide_search.reset();  // looked for when it is asked for
+    return {std::make_shared<const Result>(elastic_hinge::solve(input, options)), std::nullopt};
+}
+
+ElasticHingeModel::ElasticHingeModel(QObject* parent)
+    : CaseModel(
+          {.options = {.speeds = {100.0, 300.0, 500.0}, .lambdas = {0.3, 0.4, 0.6, 0.8, 1.0}}},
+          parent) {
+    connect(&runner_, &MotionRunner::computed, this,
+            [this](std::shared_ptr<const HingeMotions> motions) {
+                motions_ = std::move(motions);
+                Q_EMIT motionsChanged();
+            });
+    taken();
+}
+
+Json ElasticHingeModel::resultJson() const {
+    return elastic_hinge::write_result(input(), elastic_hinge::solve(input()));
+}
+
+bool ElasticHingeModel::setViewOption(const QString& key, const QString& value) {
+    if (key == QLatin1String("crank_angle_deg")) {
+        setMotionTime(std::nullopt);
+        setCrankAngleDeg(readNumber(key, value));
+    } else if (key == QLatin1String("exaggeration")) {
+        setExaggeration(value == QLatin1String("auto") ? std::nullopt
+                                                       : std::optional(readNumber(key, value)));
+    } else if (key == QLatin1String("guide_shown")) {
+        setShownHinge(static_cast<Hinge>(oneOf(key, value, {"crank", "crank-with-rod", "rod"})));
+    } else if (key == QLatin1String("animate")) {
+        setAnimated(
+            static_cast<Animated>(oneOf(key, value, {"none", "crank", "both", "off-design"})));
+    } else if (key == QLatin1String("compare_speeds")) {
+        setCompareSpeeds(readList(key, value));
+    } else if (key == QLatin1String("compare_lambdas")) {
+        setCompareLambdas(readList(key, value));
+    } else {
+        return false;
+    }
+    return true;
+}
+
+void ElasticHingeModel::setCompareSpeeds(const std::vector<double>& speeds) {
+    compare(scene().options.speeds, speeds, "compare_speeds", field::angular_speed.range);
+}
+
+void ElasticHingeModel::setCompareLambdas(const std::vector<double>& lambdas) {
+    compare(scene().options.lambdas, lambdas, "compare_lambdas", field::lambda.range);
+}
+
+void ElasticHingeModel::compare(std::vector<double>& kept, const std::vector<double>& wanted,
+                                const char* key, const Range& range) {
+    for (const double value : wanted) {
+        if (!range.contains(value)) {
+            throw InputError(key, range.message(), Number{value});
+        }
+    }
+    if (wanted != kept) {
+        kept = wanted;
+        solveAgain();
+    }
+}
+
+// ------------------------------------------------------------------------------------- pictures
+
+void ElasticHingeModel::setCrankAngleDeg(double angle) {
+    if (!std::isfinite(angle)) {
+        return;
+    }
+    angle = wrap(angle, 360.0);
+    if (angle != crankAngle_) {
+        crankAngle_ = angle;
+        Q_EMIT crankAngleChanged(angle);
+    }
+}
+
+void ElasticHingeModel::setMotionTime(std::optional<double> seconds) {
+    motionTime_ = seconds;
+    const Motion* motion = animatedMotion();
+    if (seconds && motion != nullptr) {
+        setCrankAngleDeg(motion->angle_at(*seconds) / degree);
+    }
+}
+
+void ElasticHingeModel::setAnimated(Animated animated) {
+    if (animated != animated_) {
+        animated_ = animated;
+        motionTime_.reset();
+        Q_EMIT viewChanged();
+    }
+}
+
+const Motion* ElasticHingeModel::animatedMotion() const {
+    if (!motions_) {
+        return nullptr;
+    }
+    const std::optional<Motion>* motion = nullptr;
+    switch (animated_) {
+        case Animated::WithoutHinge:
+            motion = &motions_->without;
+            break;
+        case Animated::CrankHinge:
+            motion = &motions_->crank;
+            break;
+        case Animated::BothHinges:
+            motion = &motions_->both;
+            break;
+        case Animated::OffDesign:
+            motion = &motions_->offDesign;
+            break;
+    }
+    return motion != nullptr && *motion ? &**motion : nullptr;
+}
+
+double ElasticHingeModel::shownSpeed() const {
+    const Motion* motion = animatedMotion();
+    return motionTime_ && motion != nullptr ? motion->speed_at(*motionTime_)
+                                            : input().angular_speed;
+}
+
+void ElasticHingeModel::setShownHinge(Hinge hinge) {
+    if (hinge != shownHinge_) {
+        shownHinge_ = hinge;
+        Q_EMIT viewChanged();
+    }
+}
+
+const Guide& ElasticHingeModel::guideOf(Hinge hinge) const {
+    switch (hinge) {
+        case Hinge::crank:
+            return result().crank_guide;
+        case Hinge::crank_with_rod:
+            return result().crank_guide_with_rod;
+        case Hinge::rod:
+            break;
+    }
+    return result().rod_guide;
+}
+
+double ElasticHingeModel::exaggeration() const {
+    if (exaggeration_) {
+        return *exaggeration_;
+    }
+    const Guide& guide = shownGuide();
+    if (!guide.feasible || !(guide.relief > 0.0)) {
+        return 1.0;
+    }
+    // The relief then fills about a fifth of the radius.
+    return roundFactor(0.2 * guide.summary().min_radius / guide.relief);
+}
+
+void ElasticHingeModel::setExaggeration(std::optional<double> factor) {
+    constexpr Range range = Range::between(1, 1e6);
+    if (factor && !range.contains(*factor)) {
+        throw InputError("exaggeration", range.message(), Number{*factor});
+    }
+    if (factor != exaggeration_) {
+        exaggeration_ = factor;
+        Q_EMIT viewChanged();
+    }
+}
+
+// --------------------------------------------------------------------------------------- search
+
+void ElasticHingeModel::setGravity(double gravity) {
+    edit(fieldName(field::gravity), [&](Input& input) {
+        if (input.masses_as_weights) {
+            const Field before = field::as_weight({}, input.gravity);
+            const Field after = field::as_weight({}, gravity);
+            for (double* mass : {&input.crank_mass, &input.rod_mass, &input.slider_mass}) {
+                *mass = from_si(before, *mass) * after.unit;
+            }
+            if (input.rod_counterweight && input.rod_counterweight->mass) {
+                double& mass = *input.rod_counterweight->mass;
+                mass = from_si(before, mass) * after.unit;
+            }
+        }
+        input.gravity = gravity;
+    });
+}
+
+const GuideProposal& ElasticHingeModel::proposal() const {
+    if (!solved().proposal) {
+        if (input().spring) {
+            solved().proposal = elastic_hinge::search_guide(
+                result().design, Hinge::crank, input().guide_sign, result().crank_guide.branch,
+                input().spring->free_length, input().roller_radius,
+                input().guide_search.value_or(GuideWish{}));
+        } else {
+            solved().proposal = GuideProposal{};
+            solved().proposal->reason =
+                CORE_TEXT("elastic-hinge", "no spring is given: its free length is needed");
+        }
+    }
+    return *solved().proposal;
+}
+
+QString ElasticHingeModel::proposalText() const {
+    const GuideProposal& found = proposal();
+    if (!found.found) {
+        return tr("None: %1.").arg(messageText(found.reason));
+    }
+    return tr("c = %1 kN/m, ρ₀ = %2 mm: relief %3 mm within %4 mm; the spring is at least %5 mm "
+              "long, bears up to %6 kN and stores up to %7 J.")
+        .arg(significant(found.spring.stiffness / units::kN_per_m, 5),
+             number(found.spring.guide_radius_at_zero / units::mm, 3),
+             number(found.relief / units::mm, 3), number(found.outer_diameter / units::mm, 1),
+             number(found.smallest_spring_length / units::mm, 1),
+             significant(found.largest_spring_force / units::kN),
+             significant(found.largest_spring_energy));
+}
+
+void ElasticHingeModel::takeProposal() {
+    if (!proposal().found) {
+        return;
+    }
+    const Spring spring = proposal().spring;
+    finishDrag();
+    edit(tr("Take over the guide found"), [&](Input& input) { input.spring = spring; });
+    finishDrag();
+}
+
+void ElasticHingeModel::takeMinimumPreload() {
+    const Guide& guide = result().crank_guide;
+    if (guide.problem != GuideProblem::preload_too_small) {
+        return;
+    }
+    const double preload = guide.minimum_preload * margin;
+    const double side = guide.branch == Branch::compressed ? -1.0 : 1.0;
+    finishDrag();
+    edit(tr("Preload that the guide needs"), [&](Input& input) {
+        // Rounded away from ℓ₀/2 to what a drawing would say.
+        const double radius = 0.5 * input.spring->free_length + side * preload;
+        input.spring->guide_radius_at_zero =
+            side * std::ceil(side * radius / units::mm * 1e3 - 1e-9) / 1e3 * units::mm;
+    });
+    finishDrag();
+}
+
+void ElasticHingeModel::takeMinimumStiffness() {
+    const Guide& guide = result().crank_guide;
+    if (guide.problem != GuideProblem::preload_too_small || !guide.minimum_stiffness) {
+        return;
+    }
+    const double stiffness = *guide.minimum_stiffness * margin;
+    finishDrag();
+    edit(tr("Stiffness that the guide needs"),
+         [&](Input& input) { input.spring->stiffness = stiffness; });
+    finishDrag();
+}
+
+// --------------------------------------------------------------------------------------- answer
+
+ElasticHingeModel::Verdict ElasticHingeModel::verdict() const {
+    using Level = Verdict::Level;
+    const Guide& guide = result().crank_guide;
+    if (!guide.feasible) {
+        return {Level::Bad, tr("No guide: %1.").arg(messageText(guide.reason))};
+    }
+    if (guide.summary().undercut) {
+        return {Level::Bad,
+                tr("The roller of radius %1 mm undercuts the guide: at most %2 mm "
+                   "follow it.")
+                    .arg(significant(input().roller_radius / units::mm),
+                         number(*guide.summary().largest_roller_radius / units::mm, 2))};
+    }
+    if (input().guide_sign == GuideSign::as_printed) {
+        return {Level::Warning,
+                tr("The guide exists, but with the printed sign it stores what the mechanism "
+                   "takes up: the crank does not keep its speed.")};
+    }
+    const QString error = significant(guide.error.amplitude / units::micrometre, 3);
+    const QString spoilt = percent(guide.error.relative);
+    if (guide.error.relative > poorTorque) {
+        return {Level::Warning,
+                tr("The guide exists, but cannot be made: with a relief of %1 mm a profile error "
+                   "of %2 µm changes its moment by up to %3.")
+                    .arg(number(guide.relief / units::mm, 3), error, spoilt)};
+    }
+    return {Level::Good, tr("The guide exists: relief %1 mm; a profile error of %2 µm changes its "
+                            "moment by up to %3.")
+                             .arg(number(guide.relief / units::mm, 3), error, spoilt)};
+}
+
+QStringList ElasticHingeModel::quantityColumns() const {
+    return {tr("Quantity"), tr("Value"), tr("Unit")};
+}
+
+QVector<QStringList> ElasticHingeModel::quantityRows() const {
+    QString none = QStringLiteral("–");
+    const QString newton = tr("N");
+    const QString millimetre = tr("mm");
+    const Guide& guide = result().crank_guide;
+    const bool there = guide.feasible;
+    const bool known = guide.shape != nullptr;
+    const auto when = [&](bool shown, const QString& text) { return shown ? text : none; };
+
+    QVector<QStringList> rows;
+    rows << QStringList{tr("Relief of the guide"), when(there, number(guide.relief / units::mm, 4)),
+                        millimetre};
+    rows << QStringList{tr("Preload needed / given"),
+                        when(known, millimetresUp(guide.minimum_preload) + QStringLiteral(" / ") +
+                                        number(guide.preload / units::mm, 2)),
+                        millimetre};
+    rows << QStringList{tr("Spring travel"),
+                        when(there, number(guide.spring_travel / units::mm, 3)), millimetre};
+    rows << QStringList{tr("Largest spring force"),
+                        when(there, significant(guide.largest_spring_force / units::kN)), tr("kN")};
+    rows << QStringList{tr("Moment error from %1 µm")
+                            .arg(significant(input().profile_error / units::micrometre, 3)),
+                        when(there, number(guide.error.torque, 2) + QStringLiteral(" (") +
+                                        percent(guide.error.relative) + QLatin1Char(')')),
+                        tr("N·m")};
+    rows << QStringList{
+        tr("Least curvature radius"),
+        when(there, number(guide.summary().smallest_curvature_radius / units::mm, 2)), millimetre};
+    rows << QStringList{
+        tr("Largest roller radius"),
+        when(there, guide.summary().largest_roller_radius
+                        ? number(*guide.summary().largest_roller_radius / units::mm, 2)
+                        : tr("any")),
+        millimetre};
+    rows << QStringList{tr("∮ M₁₂ dφ"), number(result().rod_hinge_integral, 3), tr("J")};
+    rows << QStringList{tr("Side force without hinge"),
+                        number(result().largest_side_force_without, 1), newton};
+    const double with = result().largest_side_force_with;
+    const double reduction = result().largest_side_force_without / with;
+    rows << QStringList{
+        tr("Side force with rod hinge"),
+        number(with, 2) + (with > 0.0 && std::isfinite(reduction)
+                               ? QStringLiteral(" (÷ ") + number(reduction, 1) + QLatin1Char(')')
+                               : QString()),
+        newton};
+    const double gravity = input().gravity;
+    rows << QStringList{
+        tr("Counterweight P₄"),
+        when(result().has_counterweight,
+             number(result().counterweight_mass * (input().masses_as_weights ? gravity : 1.0),
+                    input().masses_as_weights ? 3 : 4)),
+        input().masses_as_weights ? newton : tr("kg")};
+    const auto ripple = [&](const std::optional<Motion>& motion) {
+        if (!motion) {
+            return none;
+        }
+        if (motion->end == MotionEnd::reversed) {
+            return tr("reverses");
+        }
+        return number(100.0 * motion->ripple, motion->ripple < 1e-3 ? 5 : 2);
+    };
+    const QString share = QStringLiteral("%");
+    rows << QStringList{tr("Ripple without hinge"), motions_ ? ripple(motions_->without) : none,
+                        share};
+    rows << QStringList{tr("Ripple with hinge"), motions_ ? ripple(motions_->crank) : none, share};
+    rows << QStringList{
+        tr("Ripple from %1 rad/s")
+            .arg(significant(motions_ ? motions_->offSpeed : MotionRunner::offSpeed(input()))),
+        motions_ ? ripple(motions_->offDesign) : none, share};
+    return rows;
+}
+
+QString ElasticHingeModel::notesText() const {
+    QStringList lines;
+    for (const Message& note : result().notes) {
+        lines << messageText(note);
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+QString ElasticHingeModel::motionsText() const {
+    if (!motions_) {
+        return {};
+    }
+    if (!motions_->trouble.isEmpty()) {
+        return motions_->trouble;
+    }
+    QStringList lines;
+    const auto add = [&](const QString& name, const std::optional<Motion>& motion) {
+        if (!motion) {
+            return;
+        }
+        if (motion->end == MotionEnd::completed) {
+            lines << tr("%1: %2…%3 rad/s, drift %4")
+                         .arg(name, significant(motion->min_speed, 5),
+                              significant(motion->max_speed, 5),
+                              powerText(motion->energy_drift, QLocale(), 1));
+        } else if (motion->end != MotionEnd::cancelled) {
+            lines << name + QStringLiteral(": ") + messageText(motion->reason);
+        }
+    };
+    add(tr("without hinge"), motions_->without);
+    add(tr("crank hinge"), motions_->crank);
+    add(tr("both hinges"), motions_->both);
+    add(tr("from %1 rad/s").arg(significant(motions_->offSpeed)), motions_->offDesign);
+    return lines.join(QLatin1Char('\n'));
+}
+
+QString ElasticHingeModel::exportGuide(const QString& path, Hinge hinge,
+                                       elastic_hinge::GuideDrawing drawing, double stepDeg) const {
+    const Guide& guide = guideOf(hinge);
+    drawing.roller_radius = input().roller_radius;
+    drawing.title = title().toStdString();
+    try {
+        const bool table = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
+        const std::string text = table ? elastic_hinge::guide_csv(guide, drawing, stepDeg)
+                                       : elastic_hinge::guide_dxf(guide, drawing);
+        write_text_file(fsPath(path), text);
+    } catch (const std::exception& error) {
+        return path + QStringLiteral(": ") + errorText(error);
+    }
+    return {};
+}
+
+}  // namespace ravnoves

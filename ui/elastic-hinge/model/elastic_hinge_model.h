@@ -1,0 +1,144 @@
+#pragma once
+
+#include <QStringList>
+#include <QVector>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "case-file/json.h"
+#include "elastic-hinge/guide_export.h"
+#include "elastic-hinge/model/motion_runner.h"
+#include "elastic-hinge/presets.h"
+#include "elastic-hinge/scene.h"
+#include "elastic-hinge/solver.h"
+#include "model/case_model.h"
+
+namespace ravnoves {
+
+/// What CaseModel knows of the scene.
+struct ElasticHingeScene {
+    using Input = elastic_hinge::Input;
+    struct Solved {
+        std::shared_ptr<const elastic_hinge::Result> result;
+        mutable std::optional<elastic_hinge::GuideProposal> proposal;  ///< once it was asked for
+    };
+    static Input defaultInput() { return elastic_hinge::preset_zotov(); }
+    static QString defaultTitle();
+    static Input read(const Json& input, const CaseContext& /*context*/) {
+        return elastic_hinge::read_input(input);
+    }
+    static Json write(const Input& input) { return elastic_hinge::write_input(input); }
+    /// Without the search for a guide.
+    Solved solve(Input input) const;
+
+    elastic_hinge::SolveOptions options;
+};
+
+/// The state of the elastic-hinge page: input, the solver's result, the motions (computed in a
+/// worker thread), and what the pictures show.
+class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
+    Q_OBJECT
+
+  public:
+    /// Which motion the picture plays.
+    enum class Animated { WithoutHinge, CrankHinge, BothHinges, OffDesign };
+    Q_ENUM(Animated)
+
+    /// One sentence on the design, and how good the news is.
+    struct Verdict {
+        enum class Level { Good, Warning, Bad };
+        Level level = Level::Good;
+        QString text;
+    };
+
+    explicit ElasticHingeModel(QObject* parent = nullptr);
+
+    QString sceneName() const override { return QStringLiteral("elastic-hinge"); }
+    Json resultJson() const override;
+    bool setViewOption(const QString& key, const QString& value) override;
+
+    const elastic_hinge::Result& result() const { return *solved().result; }
+    /// The newest motions that are there; null before the first.
+    const HingeMotions* motions() const { return motions_.get(); }
+    MotionRunner* runner() { return &runner_; }
+
+    double crankAngleDeg() const { return crankAngle_; }  ///< φ of the picture, 0…360
+    void setCrankAngleDeg(double angle);
+    /// Time within the motion that the picture plays, s; nothing while it is turned by hand.
+    std::optional<double> motionTime() const { return motionTime_; }
+    void setMotionTime(std::optional<double> seconds);
+    Animated animated() const { return animated_; }
+    void setAnimated(Animated animated);
+    /// The motion that the picture plays; null where there is none.
+    const elastic_hinge::Motion* animatedMotion() const;
+    /// Speed of the crank in the picture, rad/s.
+    double shownSpeed() const;
+
+    elastic_hinge::Hinge shownHinge() const { return shownHinge_; }
+    void setShownHinge(elastic_hinge::Hinge hinge);
+    const elastic_hinge::Guide& shownGuide() const { return guideOf(shownHinge_); }
+    const elastic_hinge::Guide& guideOf(elastic_hinge::Hinge hinge) const;
+    /// Factor by which the pictures enlarge the guide's relief; 1 is to scale.
+    double exaggeration() const;
+    /// Nothing: chosen from the relief.
+    void setExaggeration(std::optional<double> factor);
+    bool hasAutomaticExaggeration() const { return !exaggeration_; }
+
+    const std::vector<double>& compareSpeeds() const { return scene().options.speeds; }
+    const std::vector<double>& compareLambdas() const { return scene().options.lambdas; }
+    void setCompareSpeeds(const std::vector<double>& speeds);
+    void setCompareLambdas(const std::vector<double>& lambdas);
+
+    /// Sets gravity, m/s². Where the case gives weights they stay, and the masses follow.
+    void setGravity(double gravity);
+
+    /// What the search for a guide finds now (computed when first asked).
+    const elastic_hinge::GuideProposal& proposal() const;
+    QString proposalText() const;
+    void takeProposal();
+    /// Give the crank's guide what it needs.
+    void takeMinimumPreload();
+    void takeMinimumStiffness();
+
+    /// True where a counterweight by (10) leaves rounding only of the side force.
+    bool sideForceVanishes() const {
+        return result().largest_side_force_with <= 1e-9 * result().largest_side_force_without;
+    }
+
+    Verdict verdict() const;
+    // What the page's tables show: text in the user's locale, the first column the row's name.
+    QStringList quantityColumns() const;
+    QVector<QStringList> quantityRows() const;
+    /// What the user should know about the result; empty where there is nothing.
+    QString notesText() const;
+    /// How the motions went, one line each.
+    QString motionsText() const;
+
+    /// Writes a guide as DXF or CSV, by the file's ending.
+    /// @return an empty string, or what is wrong
+    QString exportGuide(const QString& path, elastic_hinge::Hinge hinge,
+                        elastic_hinge::GuideDrawing drawing, double stepDeg) const;
+
+  Q_SIGNALS:
+    void crankAngleChanged(double degrees);
+    /// Which guide is shown, exaggeration, animated motion.
+    void viewChanged();
+    void motionsChanged();
+
+  private:
+    void compare(std::vector<double>& kept, const std::vector<double>& wanted, const char* key,
+                 const Range& range);
+    void taken() override { runner_.start(input(), solved().result); }
+
+    MotionRunner runner_{this};
+    std::shared_ptr<const HingeMotions> motions_;
+    double crankAngle_ = 60.0;
+    std::optional<double> motionTime_;
+    Animated animated_ = Animated::CrankHinge;
+    elastic_hinge::Hinge shownHinge_ = elastic_hinge::Hinge::crank;
+    std::optional<double> exaggeration_;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,89 @@
+#include "elastic-hinge/model/motion_runner.h"
+
+#include <array>
+
+namespace ravnoves {
+
+using elastic_hinge::HingeSet;
+using elastic_hinge::Input;
+using elastic_hinge::Motion;
+using elastic_hinge::MotionWish;
+using elastic_hinge::Result;
+
+namespace {
+
+constexpr int patienceMs = 150;  ///< a run older than that makes room for a newer one
+constexpr int pauseMs = 30;      ///< so that a drag's frames have most of the machine
+constexpr double offFactor = 1.2;
+
+std::shared_ptr<HingeMotions> computeMotions(const Input& input, const Result& result,
+                                             const BackgroundJob::Progress& progress) {
+    auto motions = std::make_shared<HingeMotions>();
+    motions->offSpeed = MotionRunner::offSpeed(input);
+    if (!result.design->has_exact_kinematics()) {
+        return motions;
+    }
+    Input atDesign = input;
+    atDesign.motion = input.motion.value_or(MotionWish{});
+    atDesign.motion->start_speed.reset();
+    Input off = atDesign;
+    off.motion->start_speed = motions->offSpeed;
+
+    struct Run {
+        const Input* input;
+        HingeSet hinges;
+        std::optional<Motion>* into;
+        bool possible;
+    };
+    const bool crank = result.crank_guide.feasible;
+    const bool both = result.crank_guide_with_rod.feasible && result.rod_guide.feasible;
+    const std::array<Run, 4> runs{{
+        {&atDesign, HingeSet::none, &motions->without, true},
+        {&atDesign, HingeSet::crank, &motions->crank, crank},
+        {&atDesign, HingeSet::crank_and_rod, &motions->both, both},
+        {&off, HingeSet::crank, &motions->offDesign, crank},
+    }};
+    double before = 0.0;
+    for (const Run& run : runs) {
+        const auto report = [&](double part) {
+            return progress((before + part) / static_cast<double>(runs.size()));
+        };
+        if (!report(0.0)) {
+            break;
+        }
+        if (run.possible) {
+            *run.into = elastic_hinge::simulate(*run.input, result, run.hinges, report);
+        }
+        before += 1.0;
+    }
+    return motions;
+}
+
+}  // namespace
+
+MotionRunner::MotionRunner(QObject* parent) : BackgroundJob(parent) {
+    setPatience(patienceMs, pauseMs);
+    connect(this, &BackgroundJob::failed, this, [this](const QString& why) {
+        auto motions = std::make_shared<HingeMotions>();
+        motions->offSpeed = offSpeed_;
+        motions->trouble = why;
+        Q_EMIT computed(std::move(motions));
+    });
+}
+
+double MotionRunner::offSpeed(const Input& input) {
+    if (input.motion && input.motion->start_speed) {
+        return *input.motion->start_speed;
+    }
+    return offFactor * input.angular_speed;
+}
+
+void MotionRunner::start(const Input& input, std::shared_ptr<const Result> result) {
+    offSpeed_ = offSpeed(input);
+    BackgroundJob::start([this, input, result = std::move(result)](const Progress& progress) {
+        auto motions = computeMotions(input, *result, progress);
+        return [this, motions] { Q_EMIT computed(motions); };
+    });
+}
+
+}  // namespace ravnoves

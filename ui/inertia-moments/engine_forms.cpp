@@ -1,0 +1,259 @@
+#include "inertia-moments/engine_forms.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QPushButton>
+#include <QSlider>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "inertia-moments/fields.h"
+#include "inertia-moments/model/inertia_moments_model.h"
+#include "inertia-moments/shaft_editor.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
+#include "theme/theme.h"
+#include "widgets/value_slider.h"
+
+namespace ravnoves {
+
+using inertia_moments::Input;
+namespace field = inertia_moments::field;
+
+namespace {
+
+/// The firing order as people write it: "1-2-4-5-3".
+class FiringOrderField final : public ValueEntry<std::vector<int>> {
+  public:
+    FiringOrderField(InertiaMomentsModel* model, QWidget* parent)
+        : ValueEntry(parent), model_(model) {}
+
+  protected:
+    Reading read(const QString& typed) const override {
+        const auto order = InertiaMomentsModel::readOrder(typed);
+        return {order, model_->orderTrouble(order)};
+    }
+    QString written() const override { return InertiaMomentsModel::orderText(value()); }
+    void passOn() override { model_->setFiringOrder(value()); }
+
+  private:
+    InertiaMomentsModel* model_;
+};
+
+QCheckBox* addSwitch(Form* form, const QString& label, const char* name, const QString& hint) {
+    auto* box = new QCheckBox(label, form);
+    box->setObjectName(QLatin1String(name));
+    box->setToolTip(hint);
+    form->section({})->addWide(box);
+    return box;
+}
+
+void fillUp(Form* form) {
+    qobject_cast<QVBoxLayout*>(form->layout())->addStretch();
+}
+
+}  // namespace
+
+EngineForm::EngineForm(InertiaMomentsModel* model) : Form(model), model_(model) {
+    section(tr("Layout"));
+    addLayoutChoice();
+    addFiringOrder();
+    FormSection* sizes = section({});
+    number("/layout/spacing_mm");
+    number("/layout/stagger_mm");
+    number("/layout/first_position_mm");
+
+    section(tr("Crank gear"));
+    number("/crank_radius_mm");
+    number("/lambda");
+    QLabel* rodLength = current()->addResult(tr("Rod length L"), tr("R / λ"));
+    QLabel* deadCentre = current()->addResult(
+        tr("φ at TDC"), tr("Top dead centre: arcsin(λK/(1 + λ)), from the cylinder's axis on the "
+                           "side of its offset. Volkswagen VR5: 3°20′."));
+    number("/reciprocating_mass_kg");
+    number("/rotating_mass_kg")->setOptional(false);
+    addRod();
+    fillUp(this);
+    follow([this, sizes, rodLength, deadCentre] {
+        showLayout();
+        sizes->setVisible(model_->input().layout.has_value());
+        const QLocale locale;
+        rodLength->setText(fixedNumber(model_->input().rod_length() / units::mm, 2, locale) +
+                           tr(" mm"));
+        const auto& engine = model_->result().engine;
+        deadCentre->setText(
+            fixedNumber(engine.mechanism(engine.cylinders.front()).top_dead_centre() / degree, 3,
+                        locale) +
+            QStringLiteral("°"));
+    });
+}
+
+void EngineForm::addLayoutChoice() {
+    layout_ = new QComboBox(this);
+    for (const QString& name : InertiaMomentsModel::layoutNames()) {
+        layout_->addItem(model_->layoutTitle(name), name);
+    }
+    layout_->setMaxVisibleItems(24);
+    layout_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    layout_->setMinimumContentsLength(14);
+    layout_->setObjectName(QStringLiteral("layout"));
+    current()->addWidget(tr("Cylinder la&yout"), layout_, {},
+                         tr("A layout of the library, the paper's engine, or your own table"));
+    connect(layout_, &QComboBox::activated, this, [this](int index) {
+        model_->chooseLayout(layout_->itemData(index).toString());
+        showLayout();
+    });
+}
+
+void EngineForm::showLayout() {
+    const QString name = model_->layoutName();
+    int index = layout_->findData(name);
+    if (index < 0) {
+        // A VR with another number of cylinders, from a case.
+        layout_->addItem(QString(), name);
+        index = layout_->count() - 1;
+    }
+    layout_->setItemText(index, model_->layoutTitle(name));
+    layout_->setCurrentIndex(index);
+}
+
+void EngineForm::addFiringOrder() {
+    auto* order = new FiringOrderField(model_, this);
+    order->setObjectName(QStringLiteral("firing_order"));
+    order->setHint(shownText(field::firing_order.hint));
+    current()->addWidget(shownText(field::firing_order.label), order);
+    groupSteps(order);
+    follow([this, order] { order->setValue(model_->firingOrder()); });
+}
+
+void EngineForm::addRod() {
+    QCheckBox* rigid = addSwitch(
+        this, tr("&Rod as a rigid body"), "rigid_rod",
+        tr("Off: the rod's two shares are in the masses above. On: mass, centre and inertia are "
+           "given; its shares are added, and what its inertia differs from two masses acts on "
+           "roll moment and torque."));
+    connect(rigid, &QCheckBox::clicked, this, [this](bool on) {
+        model_->edit(tr("Rigid rod"), [on](Input& input) {
+            input.rod.reset();
+            if (on) {
+                // As two masses would be: a third of the length from the big end.
+                const double length = input.rod_length();
+                const double mass = 0.8 * input.reciprocating_mass;
+                input.rod = inertia_moments::RigidRod{mass, length / 3.0,
+                                                      mass * length * length * 2.0 / 9.0};
+            }
+        });
+        model_->finishDrag();
+    });
+    FormSection* rod = section({});
+    for (const char* pointer :
+         {"/rod/mass_kg", "/rod/centre_from_big_end_mm", "/rod/inertia_kg_m2"}) {
+        NumberField* target = number(pointer);
+        target->setObjectName(QStringLiteral("rod_") + target->objectName());
+        target->setDigits(6);
+    }
+    follow([this, rigid, rod] {
+        rigid->setChecked(model_->input().rod.has_value());
+        rod->setVisible(rigid->isChecked());
+    });
+}
+
+BalancingForm::BalancingForm(InertiaMomentsModel* model) : Form(model) {
+    section(tr("Balance shafts"));
+    choice("/balance_shaft_basis");
+    current()->addWide(captionLabel(
+        tr("k order, L distance of the weights (mm), ρ their radius (mm), δ error of phase (°)"),
+        this));
+    current()->addWide(new ShaftEditor(model, this));
+    auto* add = new QPushButton(tr("&Add shaft"), this);
+    add->setObjectName(QStringLiteral("add_shaft"));
+    connect(add, &QPushButton::clicked, model, &InertiaMomentsModel::addShaft);
+    current()->addWide(add);
+
+    QCheckBox* weights = addSwitch(
+        this, tr("&Counterweights on the end webs"), "counterweights",
+        tr("Two weights that cancel force and moment of the rotating masses, and a share of the "
+           "forward part of the first order"));
+    connect(weights, &QCheckBox::clicked, this, [model](bool on) {
+        model->edit(tr("Counterweights"), [&](Input& input) {
+            if (!input.end_webs) {
+                input.end_webs = inertia_moments::usual_end_webs(model->result().engine.cylinders,
+                                                                 input.crank_radius);
+            }
+            input.end_webs->enabled = on;
+        });
+        model->finishDrag();
+    });
+    FormSection* webs = section({});
+    for (const char* pointer :
+         {"/counterweights/front_position_mm", "/counterweights/front_radius_mm",
+          "/counterweights/rear_position_mm", "/counterweights/rear_radius_mm",
+          "/counterweights/first_order_share"}) {
+        NumberField* target = number(pointer);
+        target->setDigits(7);
+        target->setOptional(false);
+    }
+    fillUp(this);
+    follow([model, weights, webs] {
+        weights->setChecked(model->input().end_webs && model->input().end_webs->enabled);
+        webs->setVisible(weights->isChecked());
+    });
+}
+
+EngineSliders::EngineSliders(InertiaMomentsModel* model, QWidget* parent)
+    : Panel(parent), model_(model) {
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(Theme::margin, Theme::gap, Theme::margin, Theme::gap);
+    grid->setHorizontalSpacing(2 * Theme::margin);
+    grid->setVerticalSpacing(Theme::gap);
+    grid->setColumnStretch(0, 1);
+    grid->setColumnStretch(1, 1);
+    int cell = 0;
+    const auto add = [&](const Field& field, double min, double max, double step, double pageStep,
+                         int decimals, auto set) {
+        auto* slider = new ValueSlider(shownText(field.label), min, max, step, pageStep, decimals,
+                                       unitText(field.unit.name), this);
+        const auto name = QString::fromStdString(std::string(field.key));
+        slider->slider()->setObjectName(name + QStringLiteral("_slider"));
+        slider->box()->setObjectName(name);
+        slider->setHint(shownText(field.hint));
+        connect(slider, &ValueSlider::valueEdited, model_, set);
+        connect(slider, &ValueSlider::released, model_, &InertiaMomentsModel::finishDrag);
+        grid->addWidget(slider, cell / 2, cell % 2);
+        ++cell;
+        return slider;
+    };
+    bank_ =
+        add(field::included_angle, 0.0, 180.0, 0.1, 5.0, 1, &InertiaMomentsModel::setBankAngleDeg);
+    offset_ =
+        add(field::layout_offset, -50.0, 50.0, 0.01, 1.0, 2, &InertiaMomentsModel::setOffsetMm);
+    speed_ = add(field::speed, 100.0, 10000.0, 10.0, 500.0, 0, &InertiaMomentsModel::setSpeedRpm);
+    reference_ = add(field::reference_position, -500.0, 500.0, 0.1, 10.0, 1,
+                     &InertiaMomentsModel::setReferenceMm);
+    connect(model_, &SceneModel::changed, this, &EngineSliders::showValues);
+    // A slider that went too far comes back.
+    connect(model_, &SceneModel::refused, this, &EngineSliders::showValues);
+    showValues();
+}
+
+void EngineSliders::showValues() {
+    const auto show = [](ValueSlider* slider, double value, double low, double high) {
+        if (!slider->slider()->isSliderDown()) {  // its range rests while it is dragged
+            slider->setRange(std::min(low, value), std::max(high, value));
+        }
+        slider->setValue(value);
+    };
+    const bool layout = model_->input().layout.has_value();
+    show(bank_, model_->bankAngleDeg(), layout ? 0.0 : 0.1, layout ? 180.0 : 360.0);
+    bank_->setEnabled(model_->canChangeBankAngle());
+    const auto [least, most] = model_->offsetLimitsMm();
+    show(offset_, model_->offsetMm(), least, most);
+    offset_->setEnabled(model_->canChangeOffset());
+    show(speed_, model_->speedRpm(), 100.0, 10000.0);
+    const auto [rear, front] = model_->referenceLimitsMm();
+    show(reference_, model_->referenceMm(), rear, front);
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,116 @@
+#include "inertia-moments/inertia_moments_answer.h"
+
+#include <QTabWidget>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "inertia-moments/engine_view.h"
+#include "inertia-moments/model/inertia_moments_model.h"
+#include "theme/theme.h"
+#include "widgets/form_section.h"
+#include "widgets/mechanism_picture.h"
+#include "widgets/result_table.h"
+#include "widgets/value_slider.h"
+
+namespace ravnoves {
+
+using Model = InertiaMomentsModel;
+
+InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* parent)
+    : QWidget(parent), model_(model) {
+    setMinimumWidth(332);
+    setMaximumWidth(480);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(Theme::space);
+
+    picture_ = new EngineView(model_);
+    picturePanel_ = new PicturePanel(
+        picture_, 720.0, tr("Crank angle of the picture, from cylinder 1's axis"), this);
+    connect(picturePanel_->slider(), &ValueSlider::valueEdited, model_, &Model::setCrankAngleDeg);
+    const auto showAngle = [this] {
+        picturePanel_->slider()->setValue(std::round(model_->crankAngleDeg()));
+    };
+    connect(model_, &Model::crankAngleChanged, this, showAngle);
+    showAngle();
+    column->addWidget(picturePanel_, 5);
+
+    auto* panel = new Panel(this);
+    auto* answerColumn = new QVBoxLayout(panel);
+    answerColumn->setContentsMargins(Theme::gap, Theme::gap, Theme::gap, Theme::space);
+    answerColumn->setSpacing(Theme::gap);
+    tabs_ = new QTabWidget(panel);
+    tabs_->setDocumentMode(true);
+    tabs_->setUsesScrollButtons(false);
+    // Its long tables scroll: the picture has the same share of the height.
+    tabs_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+    addTable(tr("Orders"), tr("Amplitudes and phases by order and plane"), model_->orderColumns(),
+             &Model::orderRows);
+    addTable(tr("±kω"), tr("Forward and backward rotating parts by order"),
+             model_->rotatingColumns(), &Model::rotatingRows);
+    addTable(tr("Shafts"), tr("Balance shafts"), model_->shaftColumns(), &Model::shaftRows);
+    addTable(tr("Weights"), tr("Rotating masses and counterweights"), model_->weightColumns(),
+             &Model::weightRows);
+    addTable(tr("Left"), tr("What is left over, by order"), model_->remainingColumns(),
+             &Model::remainingRows);
+    connect(tabs_, &QTabWidget::currentChanged, this, &InertiaMomentsAnswer::showFront);
+    answerColumn->addWidget(tabs_, 1);
+    warning_ = captionLabel({}, panel);
+    warning_->setContentsMargins(Theme::gap, 0, Theme::gap, 0);
+    warning_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    answerColumn->addWidget(warning_);
+    column->addWidget(panel, 5);
+
+    connect(&Theme::instance(), &Theme::changed, this, &InertiaMomentsAnswer::showWarning);
+    connect(model_, &SceneModel::changed, this, &InertiaMomentsAnswer::showFront);
+    connect(model_, &SceneModel::changed, this, &InertiaMomentsAnswer::showWarning);
+    showFront();
+    showWarning();
+}
+
+void InertiaMomentsAnswer::addTable(const QString& title, const QString& name,
+                                    const QStringList& columns, Rows rows) {
+    auto* table = new ResultTable(tabs_);
+    table->setAccessibleName(name);
+    table->setColumns(columns);
+    table->setMinimumHeight(100);  // long tables scroll
+    tabs_->setTabToolTip(tabs_->addTab(table, title), name);
+    tables_.push_back({table, rows});
+}
+
+void InertiaMomentsAnswer::showFront() {
+    const Table& front = tables_.at(static_cast<std::size_t>(tabs_->currentIndex()));
+    front.table->setRows((model_->*front.rows)());
+}
+
+void InertiaMomentsAnswer::showWarning() {
+    colourText(warning_, Theme::instance().warning());
+    warning_->setText(model_->warningText());
+    warning_->setVisible(!warning_->text().isEmpty());
+}
+
+void InertiaMomentsAnswer::fill() const {
+    for (const Table& each : tables_) {
+        each.table->setRows((model_->*each.rows)());
+    }
+}
+
+QString InertiaMomentsAnswer::asText() const {
+    fill();
+    QString text;
+    for (const Table& each : tables_) {
+        text += each.table->asText() + QLatin1Char('\n');
+    }
+    return text + model_->warningText() + QLatin1Char('\n');
+}
+
+QString InertiaMomentsAnswer::asCsv() const {
+    fill();
+    QString text;
+    for (const Table& each : tables_) {
+        text += each.table->asCsv() + QLatin1Char('\n');
+    }
+    return text;
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QStringList>
+#include <QVector>
+#include <QWidget>
+#include <vector>
+
+class QLabel;
+class QTabWidget;
+
+namespace ravnoves {
+
+class EngineView;
+class InertiaMomentsModel;
+class PicturePanel;
+class ResultTable;
+
+/// The picture of the engine and the tables of the answer.
+class InertiaMomentsAnswer : public QWidget {
+    Q_OBJECT
+
+  public:
+    InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* parent);
+
+    QString asText() const;
+    QString asCsv() const;
+    EngineView* picture() const { return picture_; }
+    PicturePanel* picturePanel() const { return picturePanel_; }
+    QTabWidget* tabs() const { return tabs_; }
+
+  private:
+    using Rows = QVector<QStringList> (InertiaMomentsModel::*)() const;
+    struct Table {
+        ResultTable* table;
+        Rows rows;
+    };
+
+    void addTable(const QString& title, const QString& name, const QStringList& columns, Rows rows);
+    void showFront();
+    void showWarning();
+    /// Fills the tables that are not in front too.
+    void fill() const;
+
+    InertiaMomentsModel* model_;
+    EngineView* picture_;
+    PicturePanel* picturePanel_;
+    QTabWidget* tabs_;
+    QLabel* warning_;
+    std::vector<Table> tables_;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+class QTabWidget;
+
+namespace ravnoves {
+
+class InertiaMomentsModel;
+class OrderBars;
+class PlotView;
+class ShaftView;
+
+/// The moments of orders 1 and 2 over φ, and below them the tabs: hodographs, orders, roll moment,
+/// shafts, counterweights, firing order.
+class InertiaMomentsCharts : public QWidget {
+    Q_OBJECT
+
+  public:
+    InertiaMomentsCharts(InertiaMomentsModel* model, QWidget* parent);
+
+    PlotView* moment(int order) const { return moments_.at(static_cast<std::size_t>(order - 1)); }
+    PlotView* hodograph(bool force) const { return hodographs_[force ? 0 : 1].plot; }
+    PlotView* roll() const { return roll_; }
+    OrderBars* bars() const { return bars_; }
+    ShaftView* shaftView() const { return shaftView_; }
+    QTabWidget* tabs() const { return tabs_; }
+
+  private:
+    struct Hodograph {
+        PlotView* plot = nullptr;
+        double reach = 0.0;  ///< of its axes
+    };
+
+    void addMoments();
+    void addHodographs();
+    void addBars();
+    void addRoll();
+    void showMoments();
+    void showFront();
+    void showHodograph(Hodograph& hodograph, bool force);
+    void showCursor(double crankAngle);
+
+    InertiaMomentsModel* model_;
+    std::array<PlotView*, 2> moments_{};
+    QTabWidget* tabs_;
+    std::array<Hodograph, 2> hodographs_;  ///< forces, moments
+    OrderBars* bars_ = nullptr;
+    PlotView* roll_ = nullptr;
+    ShaftView* shaftView_ = nullptr;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,632 @@
+#include "inertia-moments/model/inertia_moments_model.h"
+
+#include <QLocale>
+#include <QRegularExpression>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "inertia-moments/fields.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
+
+namespace ravnoves {
+
+using inertia_moments::Balances;
+using inertia_moments::Complex;
+using inertia_moments::Cylinder;
+using inertia_moments::Difference;
+using inertia_moments::Direction;
+using inertia_moments::EngineOrder;
+using inertia_moments::Input;
+using inertia_moments::Layout;
+using inertia_moments::Plane;
+using inertia_moments::Quantity;
+using inertia_moments::Result;
+using inertia_moments::RotatingPair;
+using inertia_moments::Shaft;
+using inertia_moments::ShaftDesign;
+namespace field = inertia_moments::field;
+
+namespace {
+
+const QString paperEngine = QStringLiteral("vw-vr5");
+const QString ownTable = QStringLiteral("table");
+const QString dash = QStringLiteral("–");
+
+double wrap(double value, double period) {
+    const double rest = std::fmod(value, period);
+    return rest < 0.0 ? rest + period : rest;
+}
+
+QString number(double value, int decimals) {
+    return fixedNumber(value, decimals, QLocale());
+}
+
+/// Four digits, whatever the size: forces of a model engine and of a ship's fit the same column.
+QString figure(double value) {
+    const double size = std::abs(value);
+    if (size == 0.0) {
+        return number(0.0, 0);
+    }
+    if (size >= 1e6 || size < 1e-4) {
+        return QLocale().toString(value, 'g', 4);
+    }
+    const int decimals = std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
+    return number(value, std::min(decimals, 3));
+}
+
+QString degrees(double radians) {
+    // 359.96 would print as 360.0
+    const double rounded = std::round(wrap(radians / degree, 360.0) * 10.0) / 10.0;
+    return number(rounded >= 360.0 ? 0.0 : rounded, 1);
+}
+
+/// A direction, or a dash where the vector is nothing beside its scale.
+QString directionText(const Complex& vector, double scale) {
+    return std::abs(vector) > inertia_moments::zero_share * scale ? degrees(std::arg(vector))
+                                                                  : dash;
+}
+
+std::pair<double, double> extent(const std::vector<Cylinder>& cylinders, double Cylinder::*member) {
+    double low = cylinders.front().*member;
+    double high = low;
+    for (const Cylinder& cylinder : cylinders) {
+        low = std::min(low, cylinder.*member);
+        high = std::max(high, cylinder.*member);
+    }
+    return {low, high};
+}
+
+}  // namespace
+
+InertiaMomentsModel::InertiaMomentsModel(QObject* parent) : CaseModel({}, parent) {}
+
+Json InertiaMomentsModel::resultJson() const {
+    return inertia_moments::write_result(input(), result());
+}
+
+bool InertiaMomentsModel::setViewOption(const QString& key, const QString& value) {
+    const QStringList groups{QStringLiteral("inputs"), QStringLiteral("charts"),
+                             QStringLiteral("answer")};
+    if (key == QLatin1String("crank_angle_deg")) {
+        setCrankAngleDeg(readNumber(key, value));
+    } else if (const auto place = groups.indexOf(key); place >= 0) {
+        const auto group = static_cast<Tabs>(place);
+        setTab(group, oneOf(key, value, tabNames(group)));
+    } else if (key == QLatin1String("layout_name")) {
+        oneOf(key, value, layoutNames());
+        chooseLayout(value);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+// -------------------------------------------------------------------------------------- layout
+
+QStringList InertiaMomentsModel::layoutNames() {
+    QStringList names{paperEngine};
+    for (const inertia_moments::LayoutSpec& spec : inertia_moments::layout_library()) {
+        names << QString::fromUtf8(spec.name.data(), static_cast<qsizetype>(spec.name.size()));
+    }
+    return names << ownTable;
+}
+
+QString InertiaMomentsModel::layoutTitle(const QString& name) const {
+    if (name == paperEngine) {
+        return tr("VW VR5 (paper)");
+    }
+    if (name == ownTable) {
+        return tr("Own table");
+    }
+    if (const auto* spec = inertia_moments::find_layout(name.toStdString())) {
+        return shownText(spec->title);
+    }
+    const int cylinders = input().layout ? inertia_moments::cylinder_count(*input().layout) : 0;
+    return tr("VR%1").arg(cylinders);
+}
+
+QString InertiaMomentsModel::layoutName() const {
+    if (!input().layout) {
+        return ownTable;
+    }
+    QString name = QString::fromStdString(input().layout->name);
+    if (name != QLatin1String("vr")) {
+        return name;
+    }
+    static const Input paper = inertia_moments::preset_vw_vr5();
+    if (input().layout == paper.layout && input().crank_radius == paper.crank_radius &&
+        input().lambda == paper.lambda && input().reciprocating_mass == paper.reciprocating_mass &&
+        input().angular_speed == paper.angular_speed &&
+        input().reference_position == paper.reference_position) {
+        return paperEngine;
+    }
+    for (const int cylinders : {5, 6}) {
+        if (input().layout->cylinders == cylinders) {
+            return QStringLiteral("vr%1").arg(cylinders);
+        }
+    }
+    return QStringLiteral("vr");
+}
+
+void InertiaMomentsModel::chooseLayout(const QString& name) {
+    if (name == paperEngine) {
+        edit(tr("Layout"), [](Input& input) { input = inertia_moments::preset_vw_vr5(); });
+        setTitle(QStringLiteral("Volkswagen VR5"));
+        finishDrag();
+        return;
+    }
+    if (name == ownTable) {
+        makeTable();
+        return;
+    }
+    const inertia_moments::LayoutSpec* spec = inertia_moments::find_layout(name.toStdString());
+    if (spec == nullptr || name == layoutName()) {
+        return;
+    }
+    edit(tr("Layout"), [&](Input& input) {
+        input.layout = inertia_moments::usual_layout(*spec, input.crank_radius);
+        input.cylinders.clear();
+        input.firing_order.clear();
+        input.reference_position = 0.0;
+        const auto cylinders =
+            inertia_moments::make_cylinders(*input.layout, input.crank_radius, input.lambda);
+        const bool counted = input.end_webs && input.end_webs->enabled;
+        input.end_webs = inertia_moments::usual_end_webs(cylinders, input.crank_radius);
+        input.end_webs->enabled = counted;
+        input.shafts = inertia_moments::usual_shafts(cylinders, input.crank_radius);
+    });
+    setTitle(layoutTitle(layoutName()));
+    finishDrag();
+}
+
+void InertiaMomentsModel::makeTable() {
+    edit(tr("Own table"), [this](Input& input) { tableOf(input); });
+    finishDrag();
+}
+
+std::vector<Cylinder>& InertiaMomentsModel::tableOf(Input& input) const {
+    if (input.layout) {
+        input.cylinders = inertia_moments::rounded(result().engine.cylinders);
+        input.firing_order = input.layout->firing_order;
+        input.layout.reset();
+    }
+    return input.cylinders;
+}
+
+QString InertiaMomentsModel::setEvenFiring() {
+    const std::vector<int> order = firingOrder();
+    const int count = static_cast<int>(result().engine.cylinders.size());
+    if (!inertia_moments::is_firing_order(order, count)) {
+        return tr("Even firing needs a firing order.");
+    }
+    return edit(tr("Even firing"), [&](Input& input) {
+        inertia_moments::set_even_firing(tableOf(input), order, input.crank_radius, input.lambda);
+        input.cylinders = inertia_moments::rounded(std::move(input.cylinders));
+    });
+}
+
+const std::vector<int>& InertiaMomentsModel::firingOrder() const {
+    return input().layout ? input().layout->firing_order : input().firing_order;
+}
+
+QString InertiaMomentsModel::orderText(const std::vector<int>& order) {
+    QStringList words;
+    for (const int cylinder : order) {
+        words << QString::number(cylinder);
+    }
+    return words.join(QLatin1Char('-'));
+}
+
+std::vector<int> InertiaMomentsModel::readOrder(const QString& text) {
+    static const QRegularExpression separators(QStringLiteral("[^0-9]+"));
+    std::vector<int> order;
+    for (const QString& word : text.split(separators, Qt::SkipEmptyParts)) {
+        order.push_back(word.left(6).toInt());
+    }
+    return order;
+}
+
+QString InertiaMomentsModel::orderTrouble(const std::vector<int>& order) const {
+    if (order.empty() && !input().layout) {
+        return {};
+    }
+    const int count = static_cast<int>(result().engine.cylinders.size());
+    return messageText(inertia_moments::firing_order_trouble(order, count));
+}
+
+QString InertiaMomentsModel::setFiringOrder(const std::vector<int>& order) {
+    return edit(fieldName(field::firing_order), [&](Input& input) {
+        (input.layout ? input.layout->firing_order : input.firing_order) = order;
+    });
+}
+
+// ------------------------------------------------------------------------------------- sliders
+
+double InertiaMomentsModel::bankAngleDeg() const {
+    if (input().layout) {
+        return from_si(field::included_angle, input().layout->bank_angle);
+    }
+    const auto [low, high] = extent(input().cylinders, &Cylinder::bank_angle);
+    return (high - low) / degree;
+}
+
+bool InertiaMomentsModel::canChangeBankAngle() const {
+    if (input().layout) {
+        return inertia_moments::arrangement_of(*input().layout) !=
+               inertia_moments::Arrangement::in_line;
+    }
+    return bankAngleDeg() > 1e-9;
+}
+
+void InertiaMomentsModel::setBankAngleDeg(double angle) {
+    if (!std::isfinite(angle) || !canChangeBankAngle()) {
+        return;
+    }
+    edit(tr("Bank angle"), [&](Input& input) {
+        if (input.layout) {
+            input.layout->bank_angle = std::clamp(angle, 0.0, 180.0) * degree;
+            return;
+        }
+        // Not quite to 0: from there the banks could not be told apart any more.
+        const double wanted = std::clamp(angle, 0.1, 360.0) * degree;
+        const auto [low, high] = extent(input.cylinders, &Cylinder::bank_angle);
+        const double middle = 0.5 * (low + high);
+        for (Cylinder& cylinder : input.cylinders) {
+            cylinder.bank_angle = middle + (cylinder.bank_angle - middle) * wanted / (high - low);
+        }
+        input.cylinders = inertia_moments::rounded(std::move(input.cylinders));
+    });
+}
+
+double InertiaMomentsModel::offsetMm() const {
+    if (input().layout) {
+        return from_si(field::layout_offset, input().layout->offset);
+    }
+    double largest = 0.0;
+    for (const Cylinder& cylinder : input().cylinders) {
+        largest = std::max(largest, std::abs(cylinder.offset));
+    }
+    return from_si(field::offset, largest);
+}
+
+bool InertiaMomentsModel::canChangeOffset() const {
+    return input().layout || offsetMm() > 0.0;
+}
+
+std::pair<double, double> InertiaMomentsModel::offsetLimitsMm() const {
+    const double reach = (input().rod_length() - input().crank_radius) / units::mm;
+    const double radius = input().crank_radius / units::mm;
+    const double most = std::floor(std::min(0.98 * reach, radius) * 10.0) / 10.0;
+    const double high = std::max(most, std::abs(offsetMm()));
+    // A table's offsets keep their signs; at 0 they would lose them.
+    return {input().layout ? -high : std::min(0.1, high), high};
+}
+
+void InertiaMomentsModel::setOffsetMm(double offset) {
+    if (!std::isfinite(offset) || !canChangeOffset()) {
+        return;
+    }
+    edit(tr("Offset"), [&](Input& input) {
+        if (input.layout) {
+            input.layout->offset = offset * units::mm;
+            return;
+        }
+        const double factor = std::max(offset, 0.1) / offsetMm();
+        for (Cylinder& cylinder : input.cylinders) {
+            cylinder.offset *= factor;
+        }
+        input.cylinders = inertia_moments::rounded(std::move(input.cylinders));
+    });
+}
+
+double InertiaMomentsModel::speedRpm() const {
+    return from_si(field::speed, input().angular_speed);
+}
+
+void InertiaMomentsModel::setSpeedRpm(double speed) {
+    edit(tr("Speed"), [&](Input& input) { input.angular_speed = speed * rpm; });
+}
+
+double InertiaMomentsModel::referenceMm() const {
+    return from_si(field::reference_position, input().reference_position);
+}
+
+void InertiaMomentsModel::setReferenceMm(double position) {
+    edit(tr("Centre of mass"),
+         [&](Input& input) { input.reference_position = position * units::mm; });
+}
+
+std::pair<double, double> InertiaMomentsModel::referenceLimitsMm() const {
+    const auto [low, high] = extent(result().engine.cylinders, &Cylinder::axial_position);
+    const double room = std::max(high - low, 2.0 * input().crank_radius) / 2.0;
+    const double reference = input().reference_position;
+    return {std::floor(std::min(low - room, reference) / units::mm),
+            std::ceil(std::max(high + room, reference) / units::mm)};
+}
+
+// -------------------------------------------------------------------------------------- shafts
+
+void InertiaMomentsModel::addShaft() {
+    edit(tr("Add shaft"), [](Input& input) {
+        if (input.shafts.size() >= static_cast<std::size_t>(inertia_moments::most_shafts)) {
+            return;
+        }
+        Shaft shaft;
+        if (!input.shafts.empty()) {
+            shaft = input.shafts.back();
+            // The counterpart of the last one, or the next order.
+            if (shaft.direction == Direction::forward) {
+                shaft.direction = Direction::backward;
+            } else {
+                shaft.direction = Direction::forward;
+                shaft.order = std::min(shaft.order + 1, inertia_moments::highest_order);
+            }
+            shaft.phase_error = 0.0;
+        } else {
+            shaft.weight_radius = 0.02;
+        }
+        shaft.enabled = true;
+        input.shafts.push_back(shaft);
+    });
+    finishDrag();
+}
+
+void InertiaMomentsModel::removeShaft(int index) {
+    edit(tr("Remove shaft"), [index](Input& input) {
+        if (index >= 0 && index < static_cast<int>(input.shafts.size())) {
+            input.shafts.erase(input.shafts.begin() + index);
+        }
+    });
+    finishDrag();
+}
+
+void InertiaMomentsModel::setShaftEnabled(int index, bool enabled) {
+    editShaft(index, enabled ? tr("Shaft on") : tr("Shaft off"),
+              [enabled](Shaft& shaft) { shaft.enabled = enabled; });
+    finishDrag();
+}
+
+void InertiaMomentsModel::editShaft(int index, const QString& name,
+                                    const std::function<void(Shaft&)>& mutate) {
+    if (index < 0 || index >= static_cast<int>(input().shafts.size())) {
+        return;
+    }
+    edit(name, [&](Input& input) { mutate(input.shafts[static_cast<std::size_t>(index)]); });
+}
+
+QString InertiaMomentsModel::shaftTitle(const Shaft& shaft) const {
+    const QString sign =
+        shaft.direction == Direction::forward ? QStringLiteral("+") : QStringLiteral("\u2212");
+    const QString speed =
+        shaft.order == 1 ? QStringLiteral("ω") : QString::number(shaft.order) + QStringLiteral("ω");
+    return (shaft.balances == Balances::force ? tr("F") : tr("M")) + QStringLiteral("\u00A0") +
+           sign + speed;
+}
+
+// ---------------------------------------------------------------------------------------- view
+
+void InertiaMomentsModel::setCrankAngleDeg(double angle) {
+    if (!std::isfinite(angle)) {
+        return;
+    }
+    angle = wrap(angle, 720.0);
+    if (angle != crankAngle_) {
+        crankAngle_ = angle;
+        Q_EMIT crankAngleChanged(angle);
+    }
+}
+
+QStringList InertiaMomentsModel::tabNames(Tabs group) {
+    switch (group) {
+        case Tabs::Inputs:
+            return {QStringLiteral("engine"), QStringLiteral("cylinders"),
+                    QStringLiteral("balancing")};
+        case Tabs::Charts:
+            return {QStringLiteral("hodographs"), QStringLiteral("orders"),
+                    QStringLiteral("roll"),       QStringLiteral("shafts"),
+                    QStringLiteral("weights"),    QStringLiteral("firing")};
+        case Tabs::Answer:
+            return {QStringLiteral("orders"), QStringLiteral("rotating"), QStringLiteral("shafts"),
+                    QStringLiteral("weights"), QStringLiteral("left")};
+    }
+    return {};
+}
+
+void InertiaMomentsModel::setTab(Tabs group, int index) {
+    int& tab = tabs_.at(static_cast<std::size_t>(group));
+    if (index != tab && index >= 0 && index < tabNames(group).size()) {
+        tab = index;
+        Q_EMIT tabChanged(group, index);
+    }
+}
+
+// -------------------------------------------------------------------------------------- tables
+
+namespace {
+
+QString componentName(const Difference& d) {
+    const QString order = QString::number(d.order) + QStringLiteral("\u2002");
+    switch (d.quantity) {
+        case Quantity::force:
+            return order +
+                   (d.plane == Plane::horizontal ? QStringLiteral("Fx") : QStringLiteral("Fy"));
+        case Quantity::moment:
+            return order +
+                   (d.plane == Plane::horizontal ? QStringLiteral("Mx") : QStringLiteral("My"));
+        case Quantity::roll:
+            break;
+    }
+    return order + QStringLiteral("Mz");
+}
+
+Harmonic<double> componentOf(const EngineOrder& order, const Difference& d) {
+    if (d.quantity == Quantity::roll) {
+        return order.roll();
+    }
+    const RotatingPair& pair = d.quantity == Quantity::force ? order.force : order.moment;
+    return d.plane == Plane::horizontal ? pair.horizontal() : pair.vertical();
+}
+
+}  // namespace
+
+QStringList InertiaMomentsModel::orderColumns() const {
+    return {tr("N; N·m"), tr("exact"), tr("phase, °"), tr("two-term"), tr("diff., %")};
+}
+
+QVector<QStringList> InertiaMomentsModel::orderRows() const {
+    QVector<QStringList> rows;
+    rows.reserve(static_cast<qsizetype>(result().differences.size()));
+    for (const Difference& d : result().differences) {
+        const Harmonic<double> h = componentOf(result().exact.order(d.order), d);
+        if (!d.relative) {
+            rows.push_back(
+                {componentName(d), QStringLiteral("0"), dash, QStringLiteral("0"), dash});
+            continue;
+        }
+        rows.push_back({componentName(d), figure(d.exact), degrees(inertia_moments::phase(h)),
+                        figure(d.two_term), number(100.0 * *d.relative, 1)});
+    }
+    return rows;
+}
+
+QStringList InertiaMomentsModel::rotatingColumns() const {
+    return {tr("N; N·m"), tr("+kω"), tr("at, °"), tr("−kω"), tr("at, °")};
+}
+
+QVector<QStringList> InertiaMomentsModel::rotatingRows() const {
+    QVector<QStringList> rows;
+    const auto add = [&](const QString& name, const RotatingPair& pair, double scale) {
+        const auto shown = [&](const Complex& part) {
+            return std::abs(part) > inertia_moments::zero_share * scale ? figure(std::abs(part))
+                                                                        : QStringLiteral("0");
+        };
+        rows.push_back({name, shown(pair.forward), directionText(pair.forward, scale),
+                        shown(pair.backward), directionText(pair.backward, scale)});
+    };
+    for (const EngineOrder& order : result().exact.orders) {
+        const QString k = QString::number(order.order) + QStringLiteral("\u2002");
+        add(k + QStringLiteral("F"), order.force, order.force_scale);
+        add(k + QStringLiteral("M"), order.moment, order.moment_scale);
+    }
+    return rows;
+}
+
+QStringList InertiaMomentsModel::shaftColumns() const {
+    return {tr("Shaft"), tr("cancels"), tr("mρ, g·mm"), tr("at, °"), tr("left")};
+}
+
+QVector<QStringList> InertiaMomentsModel::shaftRows() const {
+    QVector<QStringList> rows;
+    for (const ShaftDesign& design : result().shafts) {
+        const QString mark =
+            design.shaft.enabled ? QStringLiteral("\u25CF ") : QStringLiteral("\u25CB ");
+        rows.push_back({mark + shaftTitle(design.shaft), figure(std::abs(design.target)),
+                        figure(design.unbalance / units::gram_mm),
+                        design.phase ? degrees(*design.phase) : dash, figure(design.remaining)});
+    }
+    return rows;
+}
+
+QStringList InertiaMomentsModel::weightColumns() const {
+    return {tr("Rotating masses"), tr("value"), tr("angle, °"), tr("lag, °")};
+}
+
+QVector<QStringList> InertiaMomentsModel::weightRows() const {
+    const inertia_moments::RotatingMasses& rotating = result().rotating;
+    const auto row = [](const QString& name, const QString& value, const Complex& vector,
+                        double scale) {
+        return QStringList{name, value, directionText(vector, scale),
+                           directionText(std::conj(vector), scale)};
+    };
+    const auto shown = [](double value, double scale) {
+        return value > inertia_moments::zero_share * scale ? figure(value) : QStringLiteral("0");
+    };
+    QVector<QStringList> rows{
+        row(tr("Force, N"),
+            shown(std::abs(rotating.force()), rotating.force_scale * rotating.mass_force),
+            rotating.force_factor, rotating.force_scale),
+        row(tr("Moment, N·m"),
+            shown(std::abs(rotating.moment()), rotating.moment_scale * rotating.mass_force),
+            rotating.moment_factor, rotating.moment_scale),
+        row(tr("against the force"), dash, -rotating.force_factor, rotating.force_scale),
+        row(tr("against the moment"), dash, -rotating.moment_factor, rotating.moment_scale)};
+    if (result().counterweights) {
+        const inertia_moments::CounterweightDesign& design = *result().counterweights;
+        const double scale = std::abs(design.against_force) + std::abs(design.against_moment);
+        const auto weight = [&](const QString& name, const inertia_moments::Counterweight& w) {
+            rows.push_back(row(name + tr(", g·mm"), figure(std::abs(w.unbalance) / units::gram_mm),
+                               w.unbalance, scale));
+            rows.push_back({name + tr(", g"), figure(w.mass() / units::gram), {}, {}});
+        };
+        weight(tr("Front web"), design.front);
+        weight(tr("Rear web"), design.rear);
+    }
+    return rows;
+}
+
+QStringList InertiaMomentsModel::remainingColumns() const {
+    return {tr("N; N·m"), tr("before"), tr("left"), tr("left, %")};
+}
+
+QVector<QStringList> InertiaMomentsModel::remainingRows() const {
+    QVector<QStringList> rows;
+    for (std::size_t i = 0; i < result().exact.orders.size(); ++i) {
+        const EngineOrder& before = result().exact.orders[i];
+        const EngineOrder& after = result().remaining.orders[i];
+        const QString k = QString::number(before.order) + QStringLiteral("\u2002");
+        const auto add = [&](const QString& name, double was, double is, double scale) {
+            const double zero = inertia_moments::zero_share * scale;
+            rows.push_back({name, was > zero ? figure(was) : QStringLiteral("0"),
+                            is > zero ? figure(is) : QStringLiteral("0"),
+                            was > zero ? number(100.0 * is / was, 1) : dash});
+        };
+        // Of the rotating masses too, in order 1: they count as there from the start.
+        RotatingPair force = before.force;
+        RotatingPair moment = before.moment;
+        if (before.order == 1) {
+            const Complex pin = inertia_moments::crankpin_direction(result().engine);
+            force.forward += result().rotating.force() * pin;
+            moment.forward += result().rotating.moment_about(input().reference_position) * pin;
+        }
+        const double forces = before.force_scale;
+        const double moments = before.moment_scale;
+        add(k + QStringLiteral("F"), force.max(), after.force.max(), forces);
+        add(k + QStringLiteral("M"), moment.max(), after.moment.max(), moments);
+    }
+    return rows;
+}
+
+QString InertiaMomentsModel::warningText() const {
+    QStringList lines;
+    if (!result().exact.accurate) {
+        lines << shownText(inertia_moments::less_accurate);
+    }
+    std::vector<const Difference*> warnings;
+    for (const Difference& d : result().differences) {
+        if (d.warning) {
+            warnings.push_back(&d);
+        }
+    }
+    std::stable_sort(warnings.begin(), warnings.end(),
+                     [](const auto* a, const auto* b) { return a->of_largest > b->of_largest; });
+    if (!warnings.empty()) {
+        QStringList parts;
+        for (const Difference* d : warnings) {
+            if (parts.size() == 3) {
+                parts << tr("and %n more", nullptr, static_cast<int>(warnings.size()) - 3);
+                break;
+            }
+            const QString name = componentName(*d);
+            parts << (d->two_term == 0.0
+                          ? tr("%1 left out (%2 % of the largest)")
+                                .arg(name, number(100.0 * d->of_largest, 1))
+                          : tr("%1 %2 % off").arg(name, number(100.0 * *d->relative, 1)));
+        }
+        lines << tr("Two-term is not enough: order %1.").arg(parts.join(QStringLiteral("; ")));
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace ravnoves

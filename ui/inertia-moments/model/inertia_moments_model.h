@@ -1,0 +1,135 @@
+#pragma once
+
+#include <QStringList>
+#include <QVector>
+#include <array>
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "case-file/json.h"
+#include "inertia-moments/presets.h"
+#include "inertia-moments/scene.h"
+#include "inertia-moments/solver.h"
+#include "model/case_model.h"
+
+namespace ravnoves {
+
+/// What CaseModel knows of the scene.
+struct InertiaMomentsScene {
+    using Input = inertia_moments::Input;
+    using Solved = inertia_moments::Result;
+    static Input defaultInput() { return inertia_moments::preset_vw_vr5(); }
+    static QString defaultTitle() { return QStringLiteral("Volkswagen VR5"); }
+    static Input read(const Json& input, const CaseContext& /*context*/) {
+        return inertia_moments::read_input(input);
+    }
+    static Json write(const Input& input) { return inertia_moments::write_input(input); }
+    static Solved solve(const Input& input) { return inertia_moments::solve(input); }
+};
+
+/// The state of the inertia-moments page: input, the solver's result, the crank angle of the
+/// picture, which tabs are in front.
+///
+/// A change costs one solve (some tens of microseconds), so every slider changes the input itself.
+class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
+    Q_OBJECT
+
+  public:
+    explicit InertiaMomentsModel(QObject* parent = nullptr);
+
+    QString sceneName() const override { return QStringLiteral("inertia-moments"); }
+    Json resultJson() const override;
+    bool setViewOption(const QString& key, const QString& value) override;
+
+    const inertia_moments::Result& result() const { return solved(); }
+
+    // ---------------------------------------------------------------- layout
+
+    /// What the list of layouts offers: "vw-vr5" (the paper's engine), the library, "table".
+    static QStringList layoutNames();
+    /// A layout's name in words; "vr" with another number of cylinders has its own.
+    QString layoutTitle(const QString& name) const;
+    /// The entry of layoutNames() that the input is now; "vr" for a VR of another size.
+    QString layoutName() const;
+    void chooseLayout(const QString& name);
+    /// Turns a layout into the table of its cylinders, which can then be edited one by one.
+    void makeTable();
+    /// Sets the crankpins of the table for even firing in its firing order.
+    /// @return an empty string, or why it cannot be done
+    QString setEvenFiring();
+    /// Makes an input's own table the one that is edited: that of its layout, where it has one.
+    std::vector<inertia_moments::Cylinder>& tableOf(Input& input) const;
+    const std::vector<int>& firingOrder() const;
+    /// "1-3-4-2" and the like.
+    static QString orderText(const std::vector<int>& order);
+    QString firingOrderText() const { return orderText(firingOrder()); }
+    static std::vector<int> readOrder(const QString& text);
+    /// Why this cannot be the firing order; empty where it can. A table may have none.
+    QString orderTrouble(const std::vector<int>& order) const;
+    /// @return an empty string, or what is wrong with it
+    QString setFiringOrder(const std::vector<int>& order);
+
+    // --------------------------------------------------- the sliders, in their units
+
+    double bankAngleDeg() const;  ///< between the outermost banks
+    /// False where all cylinders of a table stand in one direction.
+    bool canChangeBankAngle() const;
+    /// Of a table: its bank angles are scaled about their middle.
+    void setBankAngleDeg(double angle);
+    double offsetMm() const;  ///< of a table: the largest
+    bool canChangeOffset() const;
+    void setOffsetMm(double offset);
+    /// Offsets at which the mechanism does not lock, rounded inwards to 0.1 mm.
+    std::pair<double, double> offsetLimitsMm() const;
+    double speedRpm() const;
+    void setSpeedRpm(double speed);
+    double referenceMm() const;  ///< the point that moments refer to
+    void setReferenceMm(double position);
+    std::pair<double, double> referenceLimitsMm() const;
+
+    // ---------------------------------------------------------------- shafts
+
+    void addShaft();
+    void removeShaft(int index);
+    void setShaftEnabled(int index, bool enabled);
+    void editShaft(int index, const QString& name,
+                   const std::function<void(inertia_moments::Shaft&)>& mutate);
+    /// "M₂ +2ω": order, task and direction in short.
+    QString shaftTitle(const inertia_moments::Shaft& shaft) const;
+
+    // ---------------------------------------------------------------- view
+
+    double crankAngleDeg() const { return crankAngle_; }  ///< φ of the picture, 0…720
+    void setCrankAngleDeg(double angle);
+
+    /// Groups of tabs and the names by which options know their tabs, in order.
+    enum class Tabs { Inputs, Charts, Answer };
+    static QStringList tabNames(Tabs group);
+    int tab(Tabs group) const { return tabs_.at(static_cast<std::size_t>(group)); }
+    void setTab(Tabs group, int index);
+
+    // What the page's tables show: text in the user's locale.
+    QStringList orderColumns() const;
+    QVector<QStringList> orderRows() const;
+    QStringList rotatingColumns() const;
+    QVector<QStringList> rotatingRows() const;
+    QStringList shaftColumns() const;
+    QVector<QStringList> shaftRows() const;
+    QStringList weightColumns() const;
+    QVector<QStringList> weightRows() const;
+    QStringList remainingColumns() const;
+    QVector<QStringList> remainingRows() const;
+    /// Where the two-term form is not enough, one sentence a line; empty where it is.
+    QString warningText() const;
+
+  Q_SIGNALS:
+    void crankAngleChanged(double degrees);
+    void tabChanged(InertiaMomentsModel::Tabs group, int index);
+
+  private:
+    double crankAngle_ = 40.0;
+    std::array<int, 3> tabs_{};
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,98 @@
+#include "methods/model/method_measurements.h"
+
+#include <exception>
+#include <utility>
+
+#include "case-file/input_error.h"
+#include "methods/present_case.h"
+
+namespace ravnoves {
+
+using methods::Kernel;
+using methods::MeasureOptions;
+using methods::StabilityMap;
+
+namespace {
+
+MeasureOptions optionsOf(MeasurementEffort effort) {
+    MeasureOptions options;
+    if (effort == MeasurementEffort::quick) {
+        options.batch_seconds = 1e-4;
+        options.batches = 9;
+        options.most_seconds = 0.03;
+    }
+    return options;
+}
+
+constexpr double workShare = 0.6;  ///< of the progress
+
+std::shared_ptr<const MethodMeasurement> measure(const Kernel& kernel, std::size_t sweep,
+                                                 double value, const MeasureOptions& options,
+                                                 std::shared_ptr<const StabilityMap> known,
+                                                 const BackgroundJob::Progress& progress) {
+    const double share = known ? 1.0 : workShare;
+    auto work = methods::measure_work(kernel, sweep, value, options,
+                                      [&](double part) { return progress(share * part); });
+    if (!known) {
+        known = std::make_shared<const StabilityMap>(methods::map_stability(
+            kernel, sweep, options,
+            [&](double part) { return progress(workShare + (1.0 - workShare) * part); }));
+    }
+    auto report = methods::make_report(work, *known);
+    return std::make_shared<const MethodMeasurement>(
+        MethodMeasurement{std::move(work), std::move(known), std::move(report)});
+}
+
+}  // namespace
+
+MethodMeasurements::MethodMeasurements(QObject* parent)
+    : QObject(parent), job_(new BackgroundJob(this)) {
+    connect(job_, &BackgroundJob::runningChanged, this, &MethodMeasurements::runningChanged);
+    connect(job_, &BackgroundJob::failed, this, &MethodMeasurements::failed);
+    connect(job_, &BackgroundJob::progress, this, [this](double part) {
+        part_ = part;
+        Q_EMIT progressed(part);
+    });
+}
+
+void MethodMeasurements::start(const Kernel& kernel, std::size_t sweep, double value,
+                               MeasurementEffort effort) {
+    part_ = 0.0;
+    const auto known = maps_.find({&kernel, sweep});
+    job_->start([this, &kernel, sweep, value, options = optionsOf(effort),
+                 map = known == maps_.end() ? nullptr : known->second](
+                    const BackgroundJob::Progress& progress) {
+        auto measurement = measure(kernel, sweep, value, options, map, progress);
+        return [this, measurement] { keep(measurement); };
+    });
+}
+
+void MethodMeasurements::cancel() {
+    job_->cancel();
+}
+
+std::shared_ptr<const MethodMeasurement> MethodMeasurements::newest(const Kernel& kernel) const {
+    const auto found = newest_.find(&kernel);
+    return found == newest_.end() ? nullptr : found->second;
+}
+
+void MethodMeasurements::keep(std::shared_ptr<const MethodMeasurement> measurement) {
+    maps_[{measurement->work.kernel, measurement->work.sweep}] = measurement->map;
+    newest_[measurement->work.kernel] = measurement;
+    Q_EMIT measured(std::move(measurement));
+}
+
+std::vector<std::optional<double>> presentValues(const Kernel& kernel,
+                                                 const std::optional<OpenCase>& open) {
+    std::vector<std::optional<double>> values(kernel.sweeps.size());
+    for (std::size_t sweep = 0; open && sweep < values.size(); ++sweep) {
+        try {
+            values[sweep] = methods::present_value(kernel, sweep, open->input, open->context);
+        } catch (const InputError&) {
+            // A file that the case names has gone meanwhile: the preset stands in for it.
+        }
+    }
+    return values;
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <QObject>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "methods/measure.h"
+#include "methods/report.h"
+#include "model/background_job.h"
+#include "model/scene_model.h"
+
+namespace ravnoves {
+
+/// Times and errors of a kernel at one value of one of its hard parameters, and its errors along
+/// that parameter.
+struct MethodMeasurement {
+    methods::WorkPrecision work;
+    std::shared_ptr<const methods::StabilityMap> map;
+    methods::KernelReport report;  ///< both as a table
+
+    const methods::Kernel& kernel() const { return *work.kernel; }
+    const methods::SweepInfo& sweep() const { return kernel().sweeps[work.sweep]; }
+    bool isOf(const methods::Kernel& kernel, std::size_t sweep, double value) const {
+        return work.kernel == &kernel && work.sweep == sweep && work.value == value;
+    }
+};
+
+/// How much patience a measurement has.
+enum class MeasurementEffort {
+    quick,     ///< about a second: by itself, when something was chosen
+    thorough,  ///< as the command line measures: when the user asks for it
+};
+
+/// Measures kernels in a worker thread, one at a time, and keeps what it has measured: the newest
+/// measurement of every kernel, and the errors along every sweep (they do not change).
+class MethodMeasurements : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit MethodMeasurements(QObject* parent = nullptr);
+
+    /// Begins a measurement in the place of one that runs.
+    void start(const methods::Kernel& kernel, std::size_t sweep, double value,
+               MeasurementEffort effort);
+    /// Stops the one that runs; what is there stays.
+    void cancel();
+    bool isRunning() const { return job_->isRunning(); }
+    double part() const { return part_; }  ///< done of the one that runs, 0…1
+
+    /// The newest measurement of a kernel; null before the first.
+    std::shared_ptr<const MethodMeasurement> newest(const methods::Kernel& kernel) const;
+
+  Q_SIGNALS:
+    void measured(std::shared_ptr<const MethodMeasurement> measurement);
+    /// The measurement could not be made, and why.
+    void failed(const QString& why);
+    void runningChanged(bool running);
+    void progressed(double part);
+
+  private:
+    void keep(std::shared_ptr<const MethodMeasurement> measurement);
+
+    using Place = std::pair<const methods::Kernel*, std::size_t>;  // kernel, sweep
+
+    BackgroundJob* job_;
+    double part_ = 0.0;
+    std::map<const methods::Kernel*, std::shared_ptr<const MethodMeasurement>> newest_;
+    std::map<Place, std::shared_ptr<const methods::StabilityMap>> maps_;
+};
+
+/// Where the open cases stand on the sweeps of a kernel, by sweep; empty where they say nothing.
+std::vector<std::optional<double>> presentValues(const methods::Kernel& kernel,
+                                                 const std::optional<OpenCase>& open);
+
+}  // namespace ravnoves

@@ -1,0 +1,108 @@
+#include "methods/model/method_words.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QRegularExpression>
+#include <algorithm>
+#include <cmath>
+
+#include "plot/model/ticks.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
+
+namespace ravnoves {
+
+namespace {
+
+QString inLocale(QString number) {
+    return number.contains(QLatin1Char('e'))
+               ? powerText(number.toDouble(), QLocale())
+               : number.replace(QLatin1Char('.'), QLocale().decimalPoint());
+}
+
+/// Words of no language, but with numbers: "0.1°", "1e-6".
+QString verbatimText(const std::string& word) {
+    // No digit of a name: P_j1, M₁₂, 10⁻⁹.
+    static const QRegularExpression number(
+        QStringLiteral("(?<![\\w.])[0-9]+(?:\\.[0-9]+)?(?:e[-+]?[0-9]+)?(?!\\w)"),
+        QRegularExpression::UseUnicodePropertiesOption);
+    const QString text = QString::fromStdString(word);
+    QString shown;
+    qsizetype from = 0;
+    for (auto found = number.globalMatch(text); found.hasNext();) {
+        const auto match = found.next();
+        shown += text.mid(from, match.capturedStart() - from) + inLocale(match.captured());
+        from = match.capturedEnd();
+    }
+    return shown + text.mid(from);
+}
+
+struct Shown {
+    QString operator()(const std::string& word) const { return verbatimText(word); }
+    QString operator()(const Message& message) const { return methodText(message); }
+    QString operator()(const Number& number) const {
+        const Message plain(Number{number.value, units::none, number.digits});
+        return withUnit(inLocale(QString::fromStdString(plain.english())),
+                        unitText(number.unit.name));
+    }
+};
+
+}  // namespace
+
+QString methodText(const Message& message) {
+    if (message.pattern().empty()) {
+        return verbatimText(message.verbatim());
+    }
+    std::vector<std::string> values;
+    for (const Argument& argument : message.arguments()) {
+        values.push_back(std::visit(Shown{}, argument).toStdString());
+    }
+    return QString::fromStdString(fill_pattern(shownText(message.pattern()).toStdString(), values));
+}
+
+QString sweepTitle(const methods::SweepInfo& sweep) {
+    const QString title = shownText(sweep.title);
+    return sweep.unit == units::none ? title
+                                     : title + QStringLiteral(", ") + unitText(sweep.unit.name);
+}
+
+QString sweepNumber(const methods::SweepInfo& sweep, double value) {
+    const double span = sweep.to - sweep.from;
+    const double gap = std::min(std::abs(sweep.to - value), std::abs(value - sweep.from)) / span;
+    int digits = 3;
+    if (sweep.crowded() && gap > 0.0) {
+        digits += std::clamp(static_cast<int>(std::ceil(-std::log10(gap))) - 1, 0, 12);
+    }
+    const QString number =
+        sweep.logarithmic() ? powerText(value, QLocale()) : formNumber(value, QLocale(), digits);
+    return withUnit(number, unitText(sweep.unit.name));
+}
+
+QString timeText(double nanoseconds) {
+    struct Unit {
+        double size;
+        const char* name;
+    };
+    static constexpr Unit units[] = {{1e9, QT_TRANSLATE_NOOP("ravnoves::MethodWords", "s")},
+                                     {1e6, QT_TRANSLATE_NOOP("ravnoves::MethodWords", "ms")},
+                                     {1e3, QT_TRANSLATE_NOOP("ravnoves::MethodWords", "µs")},
+                                     {1.0, QT_TRANSLATE_NOOP("ravnoves::MethodWords", "ns")}};
+    constexpr double rounding = 0.9995;  // 999.9 ns is 1 µs
+    const auto* unit = std::find_if(std::begin(units), std::end(units), [&](const Unit& u) {
+        return nanoseconds >= rounding * u.size;
+    });
+    unit = unit == std::end(units) ? std::end(units) - 1 : unit;
+    return formNumber(nanoseconds / unit->size, QLocale(), 3) + QChar(0x00A0) +
+           QCoreApplication::translate("ravnoves::MethodWords", unit->name);
+}
+
+QString errorNumber(double error) {
+    return powerText(error, QLocale(), 2);
+}
+
+QString resultText(const methods::Result& result) {
+    return result.refused() ? QCoreApplication::translate("ravnoves::MethodWords", "refused")
+                            : errorNumber(result.error);
+}
+
+}  // namespace ravnoves

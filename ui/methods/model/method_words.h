@@ -1,0 +1,24 @@
+#pragma once
+
+#include <QString>
+
+#include "case-file/message.h"
+#include "methods/kernel.h"
+
+namespace ravnoves {
+
+/// A message of core's methods as messageText(), but with small and large numbers as powers of ten,
+/// and with the numbers in words of no language ("0.1°", "1e-6") in the user's way.
+QString methodText(const Message& message);
+
+/// A hard parameter's name with its unit: "shaft angle α, °".
+QString sweepTitle(const methods::SweepInfo& sweep);
+/// A value on a hard parameter's scale; close to a limit with the digits that tell it from it.
+QString sweepNumber(const methods::SweepInfo& sweep, double value);
+
+QString timeText(double nanoseconds);  ///< "12.3 ns", "1.2 ms"
+QString errorNumber(double error);     ///< "3.2·10⁻⁹"
+/// The error, or "refused".
+QString resultText(const methods::Result& result);
+
+}  // namespace ravnoves

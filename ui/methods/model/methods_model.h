@@ -1,0 +1,114 @@
+#pragma once
+
+#include <QTimer>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "case-file/json.h"
+#include "methods/kernel.h"
+#include "methods/model/method_measurements.h"
+#include "model/scene_model.h"
+
+namespace ravnoves {
+
+/// The state of the page "Methods": which kernel is looked at, along which hard parameter, at which
+/// value, and what was measured there. It is no case: there is nothing to save.
+///
+/// The value follows the case that is open in the kernel's scene until it is set by hand. What is
+/// chosen is measured by itself while the page is in front; the newest measurement stays until the
+/// next is complete.
+class MethodsModel : public SceneModel {
+    Q_OBJECT
+
+  public:
+    explicit MethodsModel(QObject* parent = nullptr);
+
+    QString sceneName() const override { return QStringLiteral("methods"); }
+    bool hasCaseFile() const override { return false; }
+    Json inputJson() const override { return Json::object(); }
+    /// @throws InputError always: no case has this page's word
+    void loadInput(const Json& input, const CaseContext& context) override;
+    /// The measured table.
+    Json resultJson() const override;
+    void loadDefault() override { setKernel(0); }
+    /// "kernel", "sweep" (by id) and "value".
+    /// @throws InputError for a word or a number that is not allowed there
+    bool setViewOption(const QString& key, const QString& value) override;
+
+    /// How to look up the open cases; nothing is open without it.
+    void setOpenCases(OpenCases cases);
+    /// Only the page in front measures. Coming to the front looks up the open cases anew.
+    void setActive(bool active);
+
+    const std::vector<methods::Kernel>& kernels() const { return methods::kernels(); }
+    std::size_t kernelIndex() const { return kernel_; }
+    const methods::Kernel& kernel() const { return kernels()[kernel_]; }
+    void setKernel(std::size_t kernel);
+    std::size_t sweepIndex() const { return chosen().sweep; }
+    const methods::SweepInfo& sweep() const { return kernel().sweeps[sweepIndex()]; }
+    void setSweep(std::size_t sweep);
+    /// Of the hard parameter.
+    double value() const;
+    /// By hand; kept within the sweep.
+    void setValue(double value);
+    /// The value is that of the open case (or of the preset).
+    bool followsCase() const { return !chosen().value; }
+    void followCase();
+    /// What the open case gives to the hard parameter; empty where it says nothing of it, or where
+    /// no case is open. It may lie outside the sweep.
+    std::optional<double> caseValue() const;
+    /// The case's title; empty where none is open.
+    QString caseTitle() const { return open_ ? open_->title : QString(); }
+
+    /// The method whose failing regions are shaded; its index in kernel().methods.
+    std::size_t shownMethod() const { return chosen().method; }
+    void setShownMethod(std::size_t method);
+
+    MethodMeasurements* measurements() { return measurements_; }
+    /// What is shown: the newest measurement of the kernel or, before its first, of the one looked
+    /// at before. Null before any.
+    const MethodMeasurement* shown() const { return shown_.get(); }
+    /// It is of another kernel, parameter or value than what is chosen now, or a newer one is on
+    /// the way.
+    bool isStale() const;
+    void measureAgain();
+    void cancel();
+
+  Q_SIGNALS:
+    void kernelChanged();
+    void sweepChanged();
+    void valueChanged(double value);
+    void caseChanged();
+    void shownMethodChanged();
+    /// shown() or isStale() is another.
+    void measurementChanged();
+    void failed(const QString& why);
+
+  private:
+    /// What was chosen of a kernel; kept while another is looked at.
+    struct Choice {
+        std::size_t sweep = 0;
+        std::optional<double> value;  ///< empty: follows the case
+        std::size_t method = 0;
+    };
+    const Choice& chosen() const { return choices_[kernel_]; }
+    Choice& chosen() { return choices_[kernel_]; }
+    void lookUpCase();
+    void choiceMoved(int delay);
+    void measureIfNeeded();
+
+    std::size_t kernel_ = 0;
+    std::vector<Choice> choices_;
+    OpenCases openCases_;
+    std::optional<OpenCase> open_;
+    /// By kernel, by sweep; the last known until they are looked up anew.
+    std::vector<std::vector<std::optional<double>>> caseValues_;
+    bool active_ = false;
+    BackgroundJob* caseJob_;
+    MethodMeasurements* measurements_;
+    std::shared_ptr<const MethodMeasurement> shown_;
+    QTimer settle_;  ///< so that a drag is measured where it ends
+};
+
+}  // namespace ravnoves

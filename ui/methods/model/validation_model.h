@@ -1,0 +1,68 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QStringList>
+#include <memory>
+#include <optional>
+
+#include "methods/validation.h"
+#include "model/background_job.h"
+
+namespace ravnoves {
+
+/// The validation report as the page shows it: computed once, in a worker thread, then filtered by
+/// paper and verdict.
+class ValidationModel : public QAbstractTableModel {
+    Q_OBJECT
+
+  public:
+    enum Column { Paper, Place, Quantity, Unit, Printed, Ours, Difference, VerdictColumn, Columns };
+
+    explicit ValidationModel(QObject* parent = nullptr);
+
+    /// Computes the report if it is not there and not on the way.
+    void load();
+    bool isRunning() const { return job_->isRunning(); }
+    const methods::ValidationReport* report() const { return report_.get(); }
+
+    /// Index in methods::papers(); empty: all of them.
+    void setPaper(std::optional<std::size_t> paper);
+    std::optional<std::size_t> paper() const { return paper_; }
+    void setVerdict(std::optional<methods::Verdict> verdict);
+    std::optional<methods::Verdict> verdict() const { return verdict_; }
+
+    /// The rows that pass the filters.
+    const std::vector<const methods::ValidationRow*>& rows() const { return rows_; }
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    /// Text in the user's words and decimal sign; the tip has the reason too.
+    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+    QVariant headerData(int section, Qt::Orientation orientation,
+                        int role = Qt::DisplayRole) const override;
+    /// "430 printed numbers: 370 reproduced, …", of the paper that is chosen.
+    QString countsText() const;
+    QStringList paperTitles() const;
+    /// The filtered rows as tab-separated text with a heading, as they are shown.
+    QString asText() const;
+    /// The filtered rows as CSV with a header, numbers in full precision.
+    QString asCsv() const;
+
+  Q_SIGNALS:
+    void changed();
+    void failed(const QString& why);
+
+  private:
+    void filter();
+    QString cell(const methods::ValidationRow& row, int column) const;
+
+    BackgroundJob* job_;
+    std::shared_ptr<const methods::ValidationReport> report_;
+    std::optional<std::size_t> paper_;
+    std::optional<methods::Verdict> verdict_;
+    std::vector<const methods::ValidationRow*> rows_;
+};
+
+/// A verdict in the user's language.
+QString verdictTitle(methods::Verdict verdict);
+
+}  // namespace ravnoves

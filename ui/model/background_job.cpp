@@ -1,0 +1,133 @@
+#include "model/background_job.h"
+
+#include <QMetaObject>
+#include <exception>
+#include <new>
+#include <utility>
+
+#include "numerics/vector_state.h"
+#include "text/error_text.h"
+
+namespace ravnoves {
+
+namespace {
+
+constexpr qint64 reportMs = 5;  ///< between two reports of progress
+
+}  // namespace
+
+BackgroundJob::BackgroundJob(QObject* parent) : QObject(parent) {
+    pool_.setMaxThreadCount(1);
+    pause_.setSingleShot(true);
+    connect(&pause_, &QTimer::timeout, this, &BackgroundJob::launch);
+}
+
+BackgroundJob::~BackgroundJob() {
+    if (stop_) {
+        *stop_ = true;
+    }
+    pool_.waitForDone();  // its queued calls find no receiver and are dropped
+}
+
+void BackgroundJob::setPatience(int patienceMs, int pauseMs) {
+    patienceMs_ = patienceMs;
+    pause_.setInterval(pauseMs);
+    pool_.setThreadPriority(QThread::LowPriority);
+}
+
+void BackgroundJob::start(Work work) {
+    pending_ = std::move(work);
+    setRunning(true);
+    if (stop_) {
+        if (clock_.elapsed() > patienceMs_) {
+            *stop_ = true;
+        }
+    } else if (patienceMs_ < 0) {
+        launch();
+    } else if (!pause_.isActive()) {
+        pause_.start();
+    }
+}
+
+void BackgroundJob::launch() {
+    if (!pending_ || stop_) {
+        return;
+    }
+    stop_ = std::make_shared<std::atomic<bool>>(false);
+    clock_.start();
+    pool_.start([this, work = std::exchange(pending_, nullptr), stop = stop_] {
+        QElapsedTimer sinceReport;
+        sinceReport.start();
+        const auto report = [&](double part) {
+            if (sinceReport.elapsed() >= reportMs) {
+                sinceReport.restart();
+                QMetaObject::invokeMethod(
+                    this,
+                    [this, stop, part] {
+                        if (!*stop) {
+                            Q_EMIT progress(part);
+                        }
+                    },
+                    Qt::QueuedConnection);
+            }
+            return !*stop;
+        };
+        std::function<void()> apply;
+        clear_vector_state();
+        try {
+            apply = work(report);
+        } catch (...) {
+            apply = [this, thrown = std::current_exception()] {
+                try {
+                    std::rethrow_exception(thrown);
+                } catch (const std::bad_alloc&) {
+                    Q_EMIT failed(tr("There is not enough memory for this."));
+                } catch (const std::exception& error) {
+                    Q_EMIT failed(errorText(error));
+                } catch (...) {
+                    Q_EMIT failed(tr("The computation failed."));
+                }
+            };
+        }
+        QMetaObject::invokeMethod(
+            this, [this, stop, apply] { done(*stop, apply); }, Qt::QueuedConnection);
+    });
+}
+
+void BackgroundJob::done(const std::atomic<bool>& stopped, const std::function<void()>& apply) {
+    const bool whole = !stopped;
+    stop_.reset();
+    if (whole && apply) {
+        apply();
+    }
+    if (pending_ && !stop_) {
+        if (patienceMs_ < 0) {
+            launch();
+        } else {
+            pause_.start();
+        }
+    } else if (!stop_) {
+        setRunning(false);
+    }
+    if (whole) {
+        Q_EMIT finished();
+    }
+}
+
+void BackgroundJob::cancel() {
+    pending_ = nullptr;
+    pause_.stop();
+    if (stop_) {
+        *stop_ = true;
+    }
+    setRunning(false);
+}
+
+void BackgroundJob::setRunning(bool running) {
+    if (running_ != running) {
+        running_ = running;
+        Q_EMIT runningChanged(running);
+    }
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QThreadPool>
+#include <QTimer>
+#include <atomic>
+#include <functional>
+#include <memory>
+
+namespace ravnoves {
+
+/// Runs one computation at a time off the GUI thread, with progress and cancel. The latest start
+/// wins: it replaces the one that runs.
+class BackgroundJob : public QObject {
+    Q_OBJECT
+
+  public:
+    /// Called by the work with the part that is done, 0…1; false means stop.
+    using Progress = std::function<bool(double)>;
+    /// Runs in the worker thread and returns what is to be done with its result on the GUI thread;
+    /// empty where it was cancelled. Whatever it throws comes out as failed().
+    using Work = std::function<std::function<void()>(const Progress&)>;
+
+    explicit BackgroundJob(QObject* parent = nullptr);
+    ~BackgroundJob() override;
+
+    /// For work that is started anew with every step of a drag: a run no older than `patienceMs`
+    /// comes to its end and delivers before the newest start follows, after a pause that leaves the
+    /// machine to the drag's frames. An older run is stopped.
+    void setPatience(int patienceMs, int pauseMs);
+    void start(Work work);
+    /// Stops what runs; what it has is thrown away.
+    void cancel();
+    bool isRunning() const { return running_; }
+
+  Q_SIGNALS:
+    void progress(double part);
+    void runningChanged(bool running);
+    /// A run came to its end and its result was taken over.
+    void finished();
+    /// A run ended with an exception, in the language of the program; finished() follows.
+    void failed(const QString& why);
+
+  private:
+    void launch();
+    void done(const std::atomic<bool>& stopped, const std::function<void()>& apply);
+    void setRunning(bool running);
+
+    QThreadPool pool_;
+    QTimer pause_;
+    QElapsedTimer clock_;                      ///< of the work under way
+    std::shared_ptr<std::atomic<bool>> stop_;  ///< of the work under way; null where there is none
+    Work pending_;                             ///< to follow
+    int patienceMs_ = -1;
+    bool running_ = false;
+};
+
+}  // namespace ravnoves

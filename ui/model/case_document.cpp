@@ -1,0 +1,135 @@
+#include "model/case_document.h"
+
+#include <QFileInfo>
+#include <QSettings>
+#include <utility>
+
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
+#include "scenes/scenes.h"
+#include "text/error_text.h"
+#include "text/file_path.h"
+
+namespace ravnoves {
+
+namespace {
+
+const QString ending = QStringLiteral(".case.json");
+const QString recentKey = QStringLiteral("files/recent");
+constexpr int recentFiles = 8;
+
+void remember(const QString& path) {
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    QStringList files = CaseDocument::recentPaths();
+    files.removeAll(absolute);
+    files.prepend(absolute);
+    QSettings().setValue(recentKey, files.mid(0, recentFiles));
+}
+
+}  // namespace
+
+CaseDocument::CaseDocument(SceneModel* model, DocumentDialogs dialogs, QObject* parent)
+    : QObject(parent), model_(model), dialogs_(std::move(dialogs)) {
+    connect(model->history(), &QUndoStack::cleanChanged, this, &CaseDocument::nameChanged);
+    connect(model, &SceneModel::titleChanged, this, &CaseDocument::nameChanged);
+}
+
+QString CaseDocument::name() const {
+    return path_.isEmpty() ? model_->title() : QFileInfo(path_).fileName();
+}
+
+OpenCase CaseDocument::asOpenCase() const {
+    return {model_->title(), model_->inputJson(), model_->context()};
+}
+
+QStringList CaseDocument::recentPaths() {
+    return QSettings().value(recentKey).toStringList();
+}
+
+void CaseDocument::setPath(const QString& path) {
+    path_ = path;
+    if (!path.isEmpty()) {
+        remember(path);
+    }
+    model_->history()->setClean();
+    Q_EMIT nameChanged();
+}
+
+CaseFile CaseDocument::read(const QString& path) {
+    return parse_case(read_text_file(fsPath(path)));
+}
+
+void CaseDocument::open(const CaseFile& file, const QString& path) {
+    const CaseContext context{fsPath(QFileInfo(path).absolutePath())};
+    model_->loadInput(file.input, context);
+    model_->setContext(context);
+    model_->setTitle(QString::fromStdString(file.title));
+    setPath(path);
+}
+
+QString CaseDocument::saveTo(const QString& path) {
+    try {
+        const CaseFile file{model_->sceneName().toStdString(), model_->title().toStdString(),
+                            model_->inputJson()};
+        write_text_file(fsPath(path), write_case(file).dump(2) + "\n");
+    } catch (const InputError& error) {
+        return path + QStringLiteral(": ") + errorText(error);
+    }
+    setPath(path);
+    return {};
+}
+
+bool CaseDocument::save() {
+    if (path_.isEmpty()) {
+        return saveAs();
+    }
+    const QString trouble = saveTo(path_);
+    if (!trouble.isEmpty()) {
+        dialogs_.tell(trouble);
+        return false;
+    }
+    Q_EMIT saved(path_);
+    return true;
+}
+
+bool CaseDocument::saveAs() {
+    QString path = dialogs_.choosePath(path_.isEmpty() ? model_->sceneName() + ending : path_);
+    if (path.isEmpty()) {
+        return false;
+    }
+    if (QFileInfo(path).suffix().isEmpty()) {
+        path += ending;
+    }
+    const QString trouble = saveTo(path);
+    if (!trouble.isEmpty()) {
+        dialogs_.tell(trouble);
+    }
+    return trouble.isEmpty();
+}
+
+bool CaseDocument::mayGo() {
+    if (!needsSaving()) {
+        return true;
+    }
+    // A case that came from a file goes back to it.
+    if (path_.isEmpty() && dialogs_.saveElsewhere) {
+        if (const auto goOn = dialogs_.saveElsewhere()) {
+            return *goOn;
+        }
+    }
+    const DocumentDialogs::Answer answer = dialogs_.saveChanges();
+    return answer == DocumentDialogs::Answer::Save ? save()
+                                                   : answer == DocumentDialogs::Answer::Discard;
+}
+
+bool CaseDocument::begin() {
+    if (!mayGo()) {
+        return false;
+    }
+    model_->loadDefault();
+    setPath({});
+    return true;
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <functional>
+#include <optional>
+
+#include "case-file/case_file.h"
+#include "model/scene_model.h"
+
+namespace ravnoves {
+
+/// What a document asks its user. The window shows it; a test answers it.
+struct DocumentDialogs {
+    enum class Answer { Save, Discard, Stay };
+
+    /// What to do with changes that are not saved.
+    std::function<Answer()> saveChanges;
+    /// The same of a document without a file whose page keeps it in a place of its own, asks and
+    /// saves: false where the user wants to stay. Nothing, or no function: saveChanges() asks.
+    std::function<std::optional<bool>()> saveElsewhere;
+    /// Where to save; empty where the user wants to stay.
+    std::function<QString(const QString& suggestion)> choosePath;
+    /// The case could not be saved.
+    std::function<void(const QString& trouble)> tell;
+};
+
+/// A case between its file and its model: where it came from, whether it has to be saved, and what
+/// that asks of the user. Title, history and the folder that its files lie in are the model's.
+class CaseDocument : public QObject {
+    Q_OBJECT
+
+  public:
+    /// The model outlives the document.
+    CaseDocument(SceneModel* model, DocumentDialogs dialogs, QObject* parent = nullptr);
+
+    SceneModel* model() const { return model_; }
+    /// Of the file; empty while there is none.
+    QString path() const { return path_; }
+    /// The file's name, else the case's title, which may be empty.
+    QString name() const;
+    bool needsSaving() const { return !model_->history()->isClean(); }
+    /// For other pages to refer to.
+    OpenCase asOpenCase() const;
+
+    /// A case file, not yet checked by its scene.
+    /// @throws InputError
+    static CaseFile read(const QString& path);
+    /// Takes over what read() found at the path. A fault leaves all as it was.
+    /// @throws InputError
+    void open(const CaseFile& file, const QString& path);
+    /// @return an empty string, or what is wrong, with the file's name
+    QString saveTo(const QString& path);
+
+    // With the user's help; false where the user wants to stay, or the file could not be written.
+    bool save();
+    bool saveAs();
+    /// Before the document goes: what is not saved is asked for.
+    bool mayGo();
+    /// Begins a new case.
+    bool begin();
+
+    /// The case files last opened or saved, the newest first.
+    static QStringList recentPaths();
+
+  Q_SIGNALS:
+    /// name() or needsSaving() is another.
+    void nameChanged();
+    void saved(const QString& path);
+
+  private:
+    void setPath(const QString& path);
+
+    SceneModel* model_;
+    DocumentDialogs dialogs_;
+    QString path_;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QString>
+#include <QStringList>
+#include <vector>
+
+namespace ravnoves {
+
+/// Rows of cells as a spreadsheet puts them on the clipboard: tabs or semicolons between the cells.
+/// Empty lines are passed over, and a first line without any number where more lines follow: it is
+/// a header.
+std::vector<QStringList> readTextTable(const QString& text);
+
+/// A table of numbers that is edited in place.
+class EditableTable : public QAbstractTableModel {
+    Q_OBJECT
+
+  public:
+    using QAbstractTableModel::QAbstractTableModel;
+
+    /// True for a cell that holds what was refused; the editor colours it.
+    static constexpr int TroubleRole = Qt::UserRole + 1;
+
+    /// A new row below a row; below the last one for −1.
+    virtual void insertRowBelow(int row) = 0;
+    virtual void removeRowRange(int first, int count) = 0;
+    /// Writes a block of cells at a cell, as a spreadsheet does.
+    /// @return an empty string, or what is wrong
+    virtual QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) = 0;
+
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+  Q_SIGNALS:
+    /// Why a change was refused, in words; empty after one was taken.
+    void troubleChanged(const QString& trouble);
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,78 @@
+#include "model/scene_model.h"
+
+#include "case-file/case_file.h"
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "text/number_text.h"
+
+namespace ravnoves {
+
+bool SceneModel::setViewOption(const QString& /*key*/, const QString& /*value*/) {
+    return false;
+}
+
+double SceneModel::readNumber(const QString& key, const QString& value) {
+    const auto number = readFormNumber(value);
+    if (!number) {
+        throw InputError(key.toStdString(), CORE_TEXT("core", "must be a number"),
+                         value.toStdString());
+    }
+    return *number;
+}
+
+int SceneModel::oneOf(const QString& key, const QString& value, const QStringList& words) {
+    const auto place = words.indexOf(value);
+    if (place < 0) {
+        std::vector<std::string> known;
+        for (const QString& word : words) {
+            known.push_back(word.toStdString());
+        }
+        throw InputError(key.toStdString(),
+                         {CORE_TEXT("core", "must be one of %1"), quoted_list(known)},
+                         value.toStdString());
+    }
+    return static_cast<int>(place);
+}
+
+int SceneModel::oneOf(const QString& key, const QString& value,
+                      std::initializer_list<const char*> words) {
+    QStringList list;
+    for (const char* word : words) {
+        list << QLatin1String(word);
+    }
+    return oneOf(key, value, list);
+}
+
+QString SceneModel::editField(const std::string& /*pointer*/, const FieldValue& /*value*/,
+                              const QString& /*name*/) {
+    return {};
+}
+
+void SceneModel::setTitle(const QString& title) {
+    if (title_ != title) {
+        title_ = title;
+        Q_EMIT titleChanged(title);
+    }
+}
+
+void SceneModel::setByKey(const QString& key, const QString& value) {
+    if (setViewOption(key, value)) {
+        return;
+    }
+    const std::string path = (QLatin1Char('/') + key).toStdString();
+    Json input = inputJson();
+    Json parsed;
+    try {
+        parsed = parse_json(value.toStdString());
+    } catch (const InputError&) {
+        parsed = value.toStdString();  // a bare word
+    }
+    try {
+        input[Json::json_pointer(path)] = parsed;
+    } catch (const Json::exception&) {
+        throw InputError("/input" + path, CORE_TEXT("core", "is not a known key"));
+    }
+    loadInput(input, context_);
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <QUndoStack>
+#include <functional>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case-file/case_context.h"
+#include "case-file/field_index.h"
+#include "case-file/json.h"
+
+namespace ravnoves {
+
+/// The case that is open on a page, for other pages to refer to.
+struct OpenCase {
+    QString title;
+    Json input;
+    CaseContext context;
+};
+
+/// Looks up the open case of a scene by its word; nothing where its page was never shown.
+using OpenCases = std::function<std::optional<OpenCase>(const QString& scene)>;
+
+/// The state of one page without any widget: its input, what was computed from it, its history.
+///
+/// Widgets bind to a model and never keep a value of their own; so a page is tested without a
+/// window, and the command line and the page cannot disagree.
+class SceneModel : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit SceneModel(QObject* parent = nullptr) : QObject(parent) {}
+    /// A history that is destroyed says that it is clean. Nobody may hear that: what listens, the
+    /// model of the scene first of all, is gone or half gone by then.
+    ~SceneModel() override { history_.blockSignals(true); }
+
+    /// The scene's word in case files.
+    virtual QString sceneName() const = 0;
+    /// False for a page whose state is no case: there is nothing to begin, to load or to save.
+    virtual bool hasCaseFile() const { return true; }
+    /// The case's "input" object as it stands now.
+    virtual Json inputJson() const = 0;
+    /// Takes over the input of a case as one step of the history. A fault leaves all as it was.
+    /// @throws InputError
+    virtual void loadInput(const Json& input, const CaseContext& context) = 0;
+    /// The "result" object, the same that the command line prints.
+    virtual Json resultJson() const = 0;
+    /// The input that a new document starts with.
+    virtual void loadDefault() = 0;
+    /// The fields of the input with their present values, for forms; all that a case may have, or
+    /// what this one has.
+    virtual std::vector<FieldEntry> describedFields() const { return {}; }
+    virtual std::vector<FieldEntry> fields() const { return {}; }
+    /// Sets one field by its pointer below "input", as one step of the history that is named after
+    /// it. Returns as CaseModel::edit().
+    virtual QString editField(const std::string& pointer, const FieldValue& value,
+                              const QString& name);
+
+    /// A setting of the page that is not in the case file (crank angle of the picture and so on).
+    /// @return false where the page has no such setting
+    virtual bool setViewOption(const QString& key, const QString& value);
+
+    /// Sets one value by its key or path in the case file ("shaft_angle_deg",
+    /// "spring/stiffness_N_m"), else a view option. The text is JSON or a bare word.
+    /// @throws InputError
+    void setByKey(const QString& key, const QString& value);
+
+    QString title() const { return title_; }
+    void setTitle(const QString& title);
+    const CaseContext& context() const { return context_; }
+    void setContext(const CaseContext& context) { context_ = context; }
+    QUndoStack* history() { return &history_; }
+    const QUndoStack* history() const { return &history_; }
+    /// The next change is a step of its own in the history, whatever its name.
+    void finishDrag() {
+        ++step_;
+        lastName_.clear();
+    }
+
+  Q_SIGNALS:
+    /// Input and result are new.
+    void changed();
+    void titleChanged(const QString& title);
+    /// A change was refused.
+    void refused(const QString& why);
+
+  protected:
+    /// Number of the step that a change of this name belongs to, for InputCommand.
+    int stepOf(const QString& name) {
+        if (name != lastName_) {
+            ++step_;
+            lastName_ = name;
+        }
+        return step_;
+    }
+    // For setViewOption().
+    /// @throws InputError for what is no number
+    static double readNumber(const QString& key, const QString& value);
+    /// Place of the value among the words. @throws InputError that names them
+    static int oneOf(const QString& key, const QString& value, const QStringList& words);
+    static int oneOf(const QString& key, const QString& value,
+                     std::initializer_list<const char*> words);
+    static QString openName() { return tr("Open case"); }
+    static QString newName() { return tr("New case"); }
+
+  private:
+    QString title_;
+    int step_ = 0;
+    QString lastName_;
+    CaseContext context_;
+    QUndoStack history_;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,254 @@
+#include "plot/model/plot_data.h"
+
+#include <limits>
+
+#include "plot/model/thin_polyline.h"
+#include "text/csv_format.h"
+
+namespace ravnoves {
+
+using plot::Shape;
+
+bool PlotCurve::set(std::vector<double> newX, std::vector<double> newY, const PlotScale& xScale,
+                    const PlotScale& yScale) {
+    const std::size_t count = std::min(newX.size(), newY.size());
+    std::size_t finite = 0;
+    std::vector<std::size_t> newStarts;
+    const auto drawable = [&](std::size_t i) {
+        return xScale.holds(newX[i]) && yScale.holds(newY[i]);
+    };
+    const bool firstThere = count > 0 && drawable(0);
+    bool left = false;  // the point before this one was left out
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool there = drawable(i);
+        if (there) {
+            if (left && style.gaps && finite > 0) {
+                newStarts.push_back(finite);
+            }
+            newX[finite] = newX[i];
+            newY[finite] = newY[i];
+            ++finite;
+        }
+        left = !there;
+    }
+    newX.resize(finite);
+    newY.resize(finite);
+    if (style.closed && firstThere && !left && !newStarts.empty()) {
+        // Begin after the first gap, so that the last stretch goes on in the first.
+        const std::size_t first = newStarts.front();
+        for (auto* values : {&newX, &newY}) {
+            std::rotate(values->begin(), values->begin() + static_cast<std::ptrdiff_t>(first),
+                        values->end());
+        }
+        newStarts.erase(newStarts.begin());
+        for (std::size_t& start : newStarts) {
+            start -= first;
+        }
+    }
+    if (newX == x && newY == y && newStarts == starts) {
+        return false;
+    }
+    x = std::move(newX);
+    y = std::move(newY);
+    starts = std::move(newStarts);
+    ascending = std::is_sorted(x.begin(), x.end());
+    stale = true;
+    return true;
+}
+
+bool PlotData::sideUsed(Side side) const {
+    return side == Side::Left || std::any_of(curves.begin(), curves.end(), [&](const auto& curve) {
+               return curve.style.side == side;
+           });
+}
+
+QPointF PlotData::toPixel(double valueX, double valueY, Side side) const {
+    return {area.left() + x.fraction(valueX) * area.width(),
+            area.bottom() - scale(side).fraction(valueY) * area.height()};
+}
+
+double PlotData::xAt(double pixelX) const {
+    return x.value((pixelX - area.left()) / std::max(1.0, area.width()));
+}
+
+double PlotData::yAt(double pixelY, Side side) const {
+    return scale(side).value((area.bottom() - pixelY) / std::max(1.0, area.height()));
+}
+
+void PlotData::fitScales() {
+    if (zoomed) {
+        return;
+    }
+    x.low = x.spec.min;
+    x.high = x.spec.max;
+    for (const Side side : {Side::Left, Side::Right}) {
+        PlotScale& follower = scale(side);
+        double least = std::numeric_limits<double>::infinity();
+        double most = -least;
+        for (const PlotCurve& curve : curves) {
+            if (follower.fixed || !curve.shown || curve.style.side != side || curve.y.empty()) {
+                continue;
+            }
+            const auto [low, high] = std::minmax_element(curve.y.begin(), curve.y.end());
+            least = std::min(least, *low);
+            most = std::max(most, *high);
+            if (curve.style.shape == Shape::Bars && !follower.spec.logarithmic) {
+                least = std::min(least, 0.0);
+                most = std::max(most, 0.0);
+            }
+        }
+        follower.fit(least, most);
+    }
+}
+
+void PlotData::equalise() {
+    const double perX = (x.high - x.low) / area.width();
+    const double perY = (left.high - left.low) / area.height();
+    if (perX > perY * (1 + 1e-9)) {
+        left.widen(perX * area.height());
+    } else if (perY > perX * (1 + 1e-9)) {
+        x.widen(perY * area.width());
+    }
+}
+
+void PlotData::zoom(double factorX, double factorY, const QPointF& about) {
+    if (area.isEmpty()) {
+        return;
+    }
+    if (equalScale) {
+        factorY = factorX = factorX == 1.0 ? factorY : factorX;
+    }
+    zoomed = true;
+    x.zoom(factorX, std::clamp((about.x() - area.left()) / area.width(), 0.0, 1.0));
+    for (PlotScale* upright : {&left, &right}) {
+        upright->zoom(factorY, std::clamp((area.bottom() - about.y()) / area.height(), 0.0, 1.0));
+    }
+}
+
+void PlotData::pan(const QPointF& pixels) {
+    zoomed = true;
+    x.shift(-pixels.x() / area.width());
+    left.shift(pixels.y() / area.height());
+    right.shift(pixels.y() / area.height());
+}
+
+void PlotData::makeStale() {
+    for (PlotCurve& curve : curves) {
+        curve.stale = true;
+    }
+}
+
+void PlotData::thinCurves() {
+    for (PlotCurve& curve : curves) {
+        if (!curve.stale) {
+            continue;
+        }
+        curve.stale = false;
+        curve.stretches.clear();
+        if (!curve.shown || !curve.isLine()) {
+            continue;
+        }
+        std::size_t from = 0;
+        for (std::size_t next = 0; next <= curve.starts.size(); ++next) {
+            const std::size_t to = next < curve.starts.size() ? curve.starts[next] : curve.x.size();
+            std::vector<QPointF> pixels;
+            pixels.reserve(to - from);
+            for (; from < to; ++from) {
+                pixels.push_back(toPixel(curve.x[from], curve.y[from], curve.style.side));
+            }
+            curve.stretches.push_back(thinPolyline(pixels));
+        }
+    }
+}
+
+std::optional<double> PlotData::valueAt(const PlotCurve& curve, double at) const {
+    if (curve.x.empty() || !curve.ascending || !(at >= curve.x.front() && at <= curve.x.back()) ||
+        curve.style.shape == Shape::Points || curve.style.shape == Shape::Rings) {
+        return std::nullopt;
+    }
+    if (curve.style.shape == Shape::Bars) {
+        const auto bar = std::find_if(curve.x.begin(), curve.x.end(),
+                                      [&](double middle) { return std::abs(middle - at) < 0.5; });
+        return bar == curve.x.end()
+                   ? std::nullopt
+                   : std::optional(curve.y[static_cast<std::size_t>(bar - curve.x.begin())]);
+    }
+    const auto upper = std::upper_bound(curve.x.begin(), curve.x.end(), at);
+    const auto i = static_cast<std::size_t>(upper - curve.x.begin());
+    if (at == curve.x[i - 1]) {
+        return curve.y[i - 1];
+    }
+    if (std::binary_search(curve.starts.begin(), curve.starts.end(), i)) {
+        return std::nullopt;  // in a gap
+    }
+    // Along the straight line that is drawn between the points, on whatever scale.
+    const double from = x.scaled(curve.x[i - 1]);
+    const double fraction = (x.scaled(at) - from) / (x.scaled(curve.x[i]) - from);
+    const PlotScale& values = scale(curve.style.side);
+    return values.unscaled(
+        std::lerp(values.scaled(curve.y[i - 1]), values.scaled(curve.y[i]), fraction));
+}
+
+bool PlotData::readsPoints() const {
+    return std::any_of(curves.begin(), curves.end(),
+                       [](const PlotCurve& curve) { return !curve.texts.isEmpty(); });
+}
+
+std::optional<PlotData::Point> PlotData::nearestPoint(const QPointF& pixel, double reach) const {
+    std::optional<Point> nearest;
+    for (std::size_t c = 0; c < curves.size(); ++c) {
+        const PlotCurve& curve = curves[c];
+        for (std::size_t i = 0; curve.isReadable() && i < curve.x.size(); ++i) {
+            const QPointF away = toPixel(curve.x[i], curve.y[i], curve.style.side) - pixel;
+            const double distance = std::hypot(away.x(), away.y());
+            if (distance < reach) {
+                reach = distance;
+                nearest = Point(c, i);
+            }
+        }
+    }
+    return nearest;
+}
+
+std::optional<PlotData::Point> PlotData::nextPoint(int by) const {
+    std::vector<Point> points;
+    for (std::size_t c = 0; c < curves.size(); ++c) {
+        for (std::size_t i = 0; curves[c].isReadable() && i < curves[c].x.size(); ++i) {
+            points.emplace_back(c, i);
+        }
+    }
+    if (points.empty()) {
+        return pointRead;
+    }
+    const auto count = static_cast<std::ptrdiff_t>(points.size());
+    std::ptrdiff_t next = by > 0 ? 0 : count - 1;
+    if (pointRead) {
+        const auto found = std::find(points.begin(), points.end(), *pointRead);
+        next = (found - points.begin() + by + count) % count;
+    }
+    return points[static_cast<std::size_t>(next)];
+}
+
+QString PlotData::csv() const {
+    const CsvFormat format;
+    const auto quoted = [](QString text) {
+        return QLatin1Char('"') + text.replace(QLatin1Char('"'), QLatin1String("\"\"")) +
+               QLatin1Char('"');
+    };
+    QString text;
+    for (const PlotCurve& curve : curves) {
+        if (!curve.shown || curve.x.empty()) {
+            continue;
+        }
+        text +=
+            quoted(x.spec.title) + format.separator + quoted(curve.style.name) + QLatin1Char('\n');
+        for (std::size_t i = 0; i < curve.x.size(); ++i) {
+            text += format.number(curve.x[i]) + format.separator + format.number(curve.y[i]) +
+                    QLatin1Char('\n');
+        }
+        text += QLatin1Char('\n');
+    }
+    return text;
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,172 @@
+#pragma once
+
+#include <QColor>
+#include <QImage>
+#include <QPointF>
+#include <QPolygonF>
+#include <QRectF>
+#include <QStringList>
+
+#include "plot/model/plot_scale.h"
+
+namespace ravnoves {
+
+namespace plot {
+
+enum class Side { Left, Right };
+enum class Shape {
+    Line,
+    Points,
+    LineAndPoints,
+    Rings,  ///< hollow points
+    Bars,   ///< from 0 to the value; barWidth and barShift in units of x
+};
+
+struct CurveStyle {
+    QString name;            ///< in the legend and the readout
+    int colour = 0;          ///< number of Theme::curve()
+    Side side = Side::Left;  ///< which y axis
+    qreal width = 1.6;       ///< pen width, pixels
+    Qt::PenStyle pen = Qt::SolidLine;
+    Shape shape = Shape::Line;
+    bool shown = true;
+    bool inLegend = true;
+    QString toolTip = {};
+    double barWidth = 0.8;
+    double barShift = 0.0;  ///< of the bar's middle, so that groups stand side by side
+    bool gaps = false;      ///< the line is broken where a point is not finite
+    bool closed = false;    ///< with gaps: the last point goes on in the first
+};
+
+/// A point worth seeing, with a label.
+struct Mark {
+    double x = 0.0;
+    double y = 0.0;
+    QString text;
+    int colour = 0;
+    Side side = Side::Left;
+    bool ring = false;  ///< a ring instead of a dot
+};
+
+/// A shaded stretch of x (horizontal) or of the left axis (vertical).
+struct Band {
+    double from = 0.0;
+    double to = 0.0;
+    QColor colour;  ///< with alpha
+    QString text = {};
+    Qt::Orientation orientation = Qt::Horizontal;
+};
+
+/// A straight line across the plot.
+struct Line {
+    static constexpr int muted = -1;  ///< a colour that is no curve's
+    double at = 0.0;
+    Qt::Orientation orientation = Qt::Horizontal;
+    int colour = 0;
+    QString text = {};
+    Side side = Side::Left;
+};
+
+/// Curves of one quantity for several variants.
+struct Family {
+    int first = 0;  ///< curve
+    int most = 0;   ///< so many curves are kept for it
+};
+
+/// One variant of a family; without values it is left out.
+struct Member {
+    QString name;
+    std::vector<double> y;
+};
+
+}  // namespace plot
+
+/// One curve: its points, those that are not finite left out, and how they hang together.
+struct PlotCurve {
+    plot::CurveStyle style = {};
+    std::vector<double> x = {};
+    std::vector<double> y = {};
+    std::vector<std::size_t> starts = {};  ///< points that do not hang together with the one before
+    std::vector<double> low = {};          ///< ends of the error bars
+    std::vector<double> high = {};
+    Qt::Orientation bars = Qt::Vertical;
+    QStringList texts = {};  ///< read out, one for each point; or none
+    bool ascending = true;   ///< x never decreases, so the cursor may interpolate
+    bool shown = true;
+    bool stale = true;                      ///< `stretches` are of other data
+    std::vector<QPolygonF> stretches = {};  ///< the line as drawn, thinned, in pixels
+
+    /// Takes the points that have a place on both axes.
+    /// @return whether that changed anything
+    bool set(std::vector<double> newX, std::vector<double> newY, const PlotScale& xScale,
+             const PlotScale& yScale);
+    bool isLine() const {
+        return style.shape == plot::Shape::Line || style.shape == plot::Shape::LineAndPoints;
+    }
+    bool isReadable() const { return shown && texts.size() == static_cast<qsizetype>(x.size()); }
+};
+
+/// What a plot shows, without a window: curves, scales, marks, and where they stand in a rectangle
+/// of pixels.
+struct PlotData {
+    using Side = plot::Side;
+    /// A curve and one of its points.
+    using Point = std::pair<std::size_t, std::size_t>;
+
+    QString title = {};
+    QLocale locale = {};
+    std::vector<PlotCurve> curves = {};
+    PlotScale x = {};
+    PlotScale left = {};
+    PlotScale right = {};
+    QRectF area = {};           ///< the chart's inner rectangle, pixels
+    double headerHeight = 0.0;  ///< title and legend
+    bool equalScale = false;    ///< one unit is the same length on both axes
+    bool zoomed = false;        ///< the scales are the user's
+
+    QImage image = {};
+    QRectF imageValues = {};
+    std::vector<plot::Mark> marks = {};
+    std::vector<plot::Band> bands = {};
+    std::vector<plot::Line> lines = {};
+    std::optional<double> presentX = {};
+    std::optional<double> cursorX = {};
+    std::optional<Point> pointRead = {};
+    bool faded = false;
+    QString fadedText = {};
+    int readoutDecimals = -1;
+
+    PlotScale& scale(Side side) { return side == Side::Left ? left : right; }
+    const PlotScale& scale(Side side) const { return side == Side::Left ? left : right; }
+    PlotCurve& curve(int number) { return curves.at(static_cast<std::size_t>(number)); }
+    const PlotCurve& curve(int number) const { return curves.at(static_cast<std::size_t>(number)); }
+    bool sideUsed(Side side) const;
+
+    QPointF toPixel(double valueX, double valueY, Side side = Side::Left) const;
+    double xAt(double pixelX) const;
+    double yAt(double pixelY, Side side = Side::Left) const;
+
+    /// The scales follow the data, unless the user has zoomed.
+    void fitScales();
+    /// Widens the axis with room to spare until one unit is as long on both.
+    void equalise();
+    /// Zooms about a pixel.
+    void zoom(double factorX, double factorY, const QPointF& about);
+    void pan(const QPointF& pixels);
+    void makeStale();
+    /// Makes the lines of stale curves anew: in pixels, without points that move no pixel.
+    void thinCurves();
+
+    /// The value of a curve at x along the line drawn; nothing outside its data and in gaps.
+    std::optional<double> valueAt(const PlotCurve& curve, double at) const;
+    /// Points are read, not curves at an x.
+    bool readsPoints() const;
+    /// The readable point next to a pixel, nothing beyond `reach` pixels.
+    std::optional<Point> nearestPoint(const QPointF& pixel, double reach = 14.0) const;
+    /// The readable point after or before pointRead, in a round; the first or last where none is.
+    std::optional<Point> nextPoint(int by) const;
+    /// The data of the shown curves as CSV text.
+    QString csv() const;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,116 @@
+#include "plot/model/plot_scale.h"
+
+#include <tuple>
+
+#include "plot/model/ticks.h"
+
+namespace ravnoves {
+
+namespace {
+
+int ticksThatFit(double pixels, double pixelsPerTick) {
+    return std::clamp(static_cast<int>(pixels / pixelsPerTick), 2, 16);
+}
+
+}  // namespace
+
+void PlotScale::fit(double least, double most) {
+    if (fixed) {
+        std::tie(low, high) = *fixed;
+        return;
+    }
+    if (!(least <= most)) {
+        return;
+    }
+    if (spec.logarithmic) {
+        low = std::pow(10.0, std::floor(std::log10(least)));
+        high = std::pow(10.0, std::ceil(std::log10(most)));
+        if (low == high) {
+            high *= 10.0;
+        }
+        return;
+    }
+    if (least >= low && most <= high && most - least > 0.5 * (high - low)) {
+        return;
+    }
+    const double pad = 0.04 * (most - least);
+    std::tie(low, high) = niceInterval(least < 0.0 || least > pad ? least - pad : least,
+                                       most > 0.0 || most < -pad ? most + pad : most, 6);
+}
+
+bool PlotScale::fix(double min, double max) {
+    const double pad = spec.logarithmic ? 0.0 : 0.03 * (max - min);
+    const std::pair wanted(min - pad, max + pad);
+    if (!std::isfinite(min) || !std::isfinite(max) || !(wanted.first < wanted.second) ||
+        fixed == wanted) {
+        return false;
+    }
+    fixed = wanted;
+    return true;
+}
+
+void PlotScale::zoom(double factor, double about) {
+    constexpr double narrowest = 1e-9;
+    constexpr double widest = 1e15;
+    const double from = value(about * (1.0 - factor));
+    const double to = value(about + (1.0 - about) * factor);
+    const double size = std::max({std::abs(from), std::abs(to), 1e-12});
+    if (std::isfinite(from) && std::isfinite(to) && to - from > narrowest * size && size < widest) {
+        low = from;
+        high = to;
+    }
+}
+
+void PlotScale::shift(double by) {
+    std::tie(low, high) = std::pair(value(by), value(1.0 + by));
+}
+
+void PlotScale::widen(double span) {
+    const double middle = 0.5 * (low + high);
+    low = middle - 0.5 * span;
+    high = middle + 0.5 * span;
+}
+
+void PlotScale::chooseStep(double pixels, double pixelsPerTick) {
+    step = readableStep(low, high, ticksThatFit(pixels, pixelsPerTick), spec.degrees);
+}
+
+std::vector<double> PlotScale::ownTicks(double pixels, double pixelsPerTick) const {
+    if (spec.logarithmic) {
+        return logarithmicTicks(low, high, ticksThatFit(pixels, pixelsPerTick));
+    }
+    // Of the labels offered those that keep clear of weightier ones.
+    const double apart = 0.8 * pixelsPerTick / std::max(pixels, 1.0);
+    std::vector<double> ticks;
+    for (const double tick : spec.scale.ticks) {
+        const double at = fraction(tick);
+        const bool clear = std::none_of(ticks.begin(), ticks.end(), [&](double other) {
+            return std::abs(fraction(other) - at) < apart;
+        });
+        if (clear && at > -1e-9 && at < 1.0 + 1e-9) {
+            ticks.push_back(tick);
+        }
+    }
+    return ticks;
+}
+
+QString PlotScale::tickText(double value, const QLocale& locale) const {
+    if (isOwn()) {
+        return spec.label ? spec.label(value) : powerText(value, locale);
+    }
+    return locale.toString(value, 'f', tickDecimals(step));
+}
+
+QString PlotScale::readout(double value, const QLocale& locale, int decimals) const {
+    if (isOwn()) {
+        return tickText(value, locale);
+    }
+    if (!(high > low)) {
+        return locale.toString(value, 'g', 3);
+    }
+    const double fine = std::ceil(3.0 - std::log10(high - low));
+    return locale.toString(value, 'f',
+                           decimals >= 0 ? decimals : std::clamp(static_cast<int>(fine), 0, 9));
+}
+
+}  // namespace ravnoves

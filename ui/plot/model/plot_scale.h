@@ -1,0 +1,99 @@
+#pragma once
+
+#include <QLocale>
+#include <QString>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace ravnoves {
+
+namespace plot {
+
+/// A scale that is neither linear nor logarithmic: where values stand on it, and what stands
+/// at a place; both increase.
+struct Scale {
+    std::function<double(double value)> place = {};
+    std::function<double(double place)> value = {};
+    std::vector<double> ticks = {};  ///< values that may get a label, the weightiest first
+};
+
+struct Axis {
+    QString title;     ///< with the unit: "φ, °"
+    double min = 0.0;  ///< ignored for y axes, which follow the data
+    double max = 1.0;
+    bool degrees = false;  ///< ticks at 15, 30, 45, 90, …
+    bool logarithmic = false;
+    Scale scale = {};  ///< of its own; linear or logarithmic where empty
+    /// Text of ticks and of values read out, for a logarithmic axis or one with a scale of its
+    /// own; powers of ten where empty.
+    std::function<QString(double)> label = {};
+};
+
+}  // namespace plot
+
+/// One axis of a plot without the plot: the interval shown, where values stand in it, its ticks
+/// and its numbers.
+struct PlotScale {
+    plot::Axis spec;
+    double low = 0.0;  ///< shown interval
+    double high = 1.0;
+    std::optional<std::pair<double, double>> fixed = {};  ///< what fit() keeps to
+    double step = 1.0;                                    ///< between ticks of a linear axis
+
+    /// Logarithmic or with a scale of its own: neither grid nor labels of Qt Charts fit.
+    bool isOwn() const { return spec.logarithmic || spec.scale.place; }
+    /// A value that has a place here.
+    bool holds(double value) const {
+        return std::isfinite(value) && (!spec.logarithmic || value > 0.0);
+    }
+    /// What the axis is linear in.
+    double scaled(double value) const {
+        if (spec.logarithmic) {
+            return std::log10(std::max(value, 1e-300));
+        }
+        return spec.scale.place ? spec.scale.place(value) : value;
+    }
+    double unscaled(double place) const {
+        if (spec.logarithmic) {
+            return std::pow(10.0, place);
+        }
+        return spec.scale.value ? spec.scale.value(place) : place;
+    }
+    /// Position of a value on the axis, 0 at low and 1 at high.
+    double fraction(double value) const {
+        const double start = scaled(low);
+        return (scaled(value) - start) / (scaled(high) - start);
+    }
+    double value(double fraction) const {
+        const double start = scaled(low);
+        return unscaled(start + fraction * (scaled(high) - start));
+    }
+
+    /// Shows data from least to most, with hysteresis: rescaling costs a frame, so the axis stays
+    /// while the data fit and fill more than half of it. Without data (least > most) it stays too.
+    void fit(double least, double most);
+    /// Keeps to this interval, with a little room.
+    /// @return whether that is news; an interval that is none is refused
+    bool fix(double min, double max);
+    /// Widens the interval by the factor about a fraction of it; not beyond what numbers can tell
+    /// apart.
+    void zoom(double factor, double about);
+    /// Moves the interval by a fraction of itself.
+    void shift(double by);
+    /// The same middle, another span.
+    void widen(double span);
+
+    /// Chooses `step` for an axis so many pixels long, and its decimals with it.
+    void chooseStep(double pixels, double pixelsPerTick);
+    /// Ticks of an own axis.
+    std::vector<double> ownTicks(double pixels, double pixelsPerTick) const;
+    QString tickText(double value, const QLocale& locale) const;
+    /// A value of the data: three digits finer than the interval, or so many decimals.
+    QString readout(double value, const QLocale& locale, int decimals = -1) const;
+};
+
+}  // namespace ravnoves

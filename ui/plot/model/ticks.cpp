@@ -1,0 +1,132 @@
+#include "plot/model/ticks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ravnoves {
+
+double niceStep(double span, int wanted) {
+    if (!(span > 0.0) || !std::isfinite(span)) {
+        return 1.0;
+    }
+    const double rough = span / std::max(1, wanted);
+    const double power = std::pow(10.0, std::floor(std::log10(rough)));
+    for (const double factor : {1.0, 2.0, 2.5, 5.0, 10.0}) {
+        if (factor * power >= rough * 0.999) {
+            return factor * power;
+        }
+    }
+    return 10.0 * power;
+}
+
+double niceAngleStep(double span, int wanted) {
+    static constexpr std::array<double, 11> steps{1, 2, 5, 10, 15, 30, 45, 60, 90, 120, 180};
+    const double rough = span / std::max(1, wanted);
+    if (rough < steps.front()) {
+        return niceStep(span, wanted);
+    }
+    for (const double step : steps) {
+        if (step >= rough * 0.999) {
+            return step;
+        }
+    }
+    return steps.back();
+}
+
+double readableStep(double low, double high, int wanted, bool degrees) {
+    const auto choose = [&](int ticks) {
+        return degrees ? niceAngleStep(high - low, ticks) : niceStep(high - low, ticks);
+    };
+    constexpr double rounding = 1e-9;
+    constexpr int most = 4;  // times as many as wanted: by then two must lie in any interval
+    double step = choose(wanted);
+    for (int ticks = wanted + 1; ticks <= most * wanted; ++ticks) {
+        if (std::floor(high / step + rounding) - std::ceil(low / step - rounding) >= 1.0) {
+            break;
+        }
+        step = choose(ticks);
+    }
+    return step;
+}
+
+std::pair<double, double> niceInterval(double min, double max, int wanted) {
+    if (!(max > min)) {
+        const double pad = std::max(1e-12, std::abs(min) * 0.1);
+        min -= pad;
+        max += pad;
+    }
+    const double step = niceStep(max - min, wanted);
+    return {std::floor(min / step + 1e-9) * step, std::ceil(max / step - 1e-9) * step};
+}
+
+int tickDecimals(double step) {
+    for (int decimals = 0; decimals < 12; ++decimals) {
+        const double scaled = step * std::pow(10.0, decimals);
+        if (std::abs(scaled - std::round(scaled)) < 1e-6 * std::max(1.0, scaled)) {
+            return decimals;
+        }
+    }
+    return 12;
+}
+
+std::vector<double> logarithmicTicks(double low, double high, int wanted) {
+    constexpr double rounding = 1e-9;
+    const int first = static_cast<int>(std::ceil(std::log10(low) - rounding));
+    const int last = static_cast<int>(std::floor(std::log10(high) + rounding));
+    const int decades = last - first;
+    std::vector<double> ticks;
+    const auto take = [&](double value) {
+        if (value >= low * (1.0 - rounding) && value <= high * (1.0 + rounding)) {
+            ticks.push_back(value);
+        }
+    };
+    if (std::log10(high / low) < 1.0) {
+        const double step = niceStep(high - low, wanted);
+        for (double k = std::ceil(low / step); k * step <= high; ++k) {
+            take(k * step);
+        }
+        return ticks;
+    }
+    const bool between = 3 * (decades + 1) <= wanted;
+    const int every = std::max(1, (decades + wanted) / std::max(1, wanted));
+    for (int decade = first - 1; decade <= last; ++decade) {
+        if (decade % every != 0) {
+            continue;
+        }
+        const double power = std::pow(10.0, decade);
+        take(power);
+        if (between) {
+            take(2.0 * power);
+            take(5.0 * power);
+        }
+    }
+    return ticks;
+}
+
+QString powerText(double value, const QLocale& locale, int significant) {
+    if (value == 0.0 || !std::isfinite(value)) {
+        return value == 0.0 ? QStringLiteral("0") : QStringLiteral("–");
+    }
+    const QString digits = QLocale::c().toString(std::abs(value), 'e', significant - 1);
+    const int exponent = digits.section(QLatin1Char('e'), 1).toInt();
+    const double mantissa = digits.section(QLatin1Char('e'), 0, 0).toDouble();
+    const QString sign = value < 0.0 ? QString(QChar(0x2212)) : QString();
+    const bool isPower = mantissa == 1.0;
+    if ((isPower && (exponent == 0 || exponent == 1)) ||
+        (!isPower && exponent >= -3 && exponent <= 3)) {
+        QLocale plain = locale;
+        plain.setNumberOptions(QLocale::OmitGroupSeparator);
+        return sign + plain.toString(std::abs(value), 'g', std::max(significant, exponent + 1));
+    }
+    static const QString raised = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+    QString power = exponent < 0 ? QString(QChar(0x207B)) : QString();
+    for (const QChar digit : QString::number(std::abs(exponent))) {
+        power += raised.at(digit.digitValue());
+    }
+    const QString factor =
+        isPower ? QString() : locale.toString(mantissa, 'g', significant) + QChar(0x00B7);
+    return sign + factor + QStringLiteral("10") + power;
+}
+
+}  // namespace ravnoves

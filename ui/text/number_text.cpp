@@ -1,0 +1,60 @@
+#include "text/number_text.h"
+
+#include <cmath>
+
+#include "case-file/decimal.h"
+#include "text/message_text.h"
+
+namespace ravnoves {
+
+namespace {
+
+QLocale plain(QLocale locale) {
+    locale.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
+    return locale;
+}
+
+}  // namespace
+
+QString unitText(std::string_view unit) {
+    return shownText({"core", std::string(unit).c_str()});
+}
+
+QString withUnit(const QString& number, const QString& unit) {
+    if (unit.isEmpty()) {
+        return number;
+    }
+    return unit == QStringLiteral("°") ? number + unit : number + QChar(0x00A0) + unit;
+}
+
+QString formNumber(double value, const QLocale& locale, int significant) {
+    if (!std::isfinite(value)) {
+        return {};
+    }
+    if (value == 0.0) {
+        return QStringLiteral("0");
+    }
+    // 'g' switches to an exponent where the number is very large or very small, which is right.
+    return plain(locale).toString(value, 'g', significant);
+}
+
+std::optional<double> readFormNumber(const QString& text) {
+    return parse_decimal(text.trimmed().toStdString());
+}
+
+QString fixedNumber(double value, int decimals, const QLocale& locale) {
+    if (!std::isfinite(value)) {
+        return QStringLiteral("–");
+    }
+    // −0.00 is no number that a person wants to see.
+    const double scale = std::pow(10.0, decimals);
+    const double shown = std::round(value * scale) == 0.0 ? 0.0 : value;
+    return plain(locale).toString(shown, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+QString rangeText(const Range& range, const QString& unit, const QLocale& /*locale*/) {
+    const std::string name = unit.toStdString();
+    return messageText(range.message({name, 1.0}));
+}
+
+}  // namespace ravnoves

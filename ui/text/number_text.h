@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QLocale>
+#include <QString>
+#include <optional>
+#include <string_view>
+
+#include "case-file/range.h"
+
+namespace ravnoves {
+
+/// A number as forms show it: at most `significant` digits, no trailing zeros, the locale's decimal
+/// sign, no thousands separators.
+QString formNumber(double value, const QLocale& locale, int significant = 10);
+
+/// Reads what a person typed: decimal comma or point (core's parse_decimal). Nothing where it is no
+/// number.
+std::optional<double> readFormNumber(const QString& text);
+
+/// The rule of a range in the user's language: "must be greater than 0 mm".
+QString rangeText(const Range& range, const QString& unit, const QLocale& locale);
+
+/// A unit of core ("mm", "min⁻¹") as the language writes it.
+QString unitText(std::string_view unit);
+/// "46 mm", "50.65°": a number and its unit, which may be empty.
+QString withUnit(const QString& number, const QString& unit);
+
+/// Fixed decimals with the locale's decimal sign and a true minus.
+QString fixedNumber(double value, int decimals, const QLocale& locale);
+
+}  // namespace ravnoves

@@ -1,0 +1,166 @@
+#pragma once
+
+#include <QByteArray>
+#include <QDate>
+#include <QDateTime>
+#include <QList>
+#include <QLocale>
+#include <QLockFile>
+#include <QObject>
+#include <QString>
+#include <QVariant>
+#include <memory>
+#include <optional>
+#include <utility>
+
+class QSqlDatabase;
+class QSqlQuery;
+
+namespace ravnoves {
+
+/// A job as the journal keeps it. `form` is the case file of the job, from which the page shows it
+/// again; the other values are what lists and searches show.
+struct JournalJob {
+    qint64 id = 0;     ///< 0 for a job that is not in the journal yet
+    int revision = 0;  ///< counts the changes of a job; 0 for a new one
+    QString engineNumber;
+    QString customer;
+    QString technician;
+    QString engine;  ///< name of the engine's type
+    QDate date;
+    QString process;                       ///< "manufacture" or "repair"
+    std::optional<double> unbalancedMass;  ///< g
+    QString recommended;                   ///< an option's name, "none-needed" or empty
+    std::optional<double> reduction;       ///< g per plug
+    std::optional<double> bobWeight;       ///< g, after the option
+    QDateTime saved;                       ///< UTC
+    QByteArray form;                       ///< JSON text, UTF-8
+};
+
+/// What a page has open and not yet finished, kept so that a crash loses nothing.
+struct JournalDraft {
+    QString session;
+    qint64 jobId = 0;  ///< the job it changes; 0 for a new one
+    int jobRevision = 0;
+    QString engineNumber;
+    QDateTime saved;  ///< UTC
+    QByteArray form;
+};
+
+/// An engine of the user's own.
+struct JournalEngine {
+    QString name;
+    QByteArray values;  ///< the case file's engine object, JSON text
+};
+
+struct JournalQuery {
+    QString text;    ///< in engine number, customer, technician or engine; empty: all
+    QDate from;      ///< first day; invalid: no bound
+    QDate to;        ///< last day
+    int limit = -1;  ///< the newest so many; -1: all
+};
+
+/// The workshop's journal: an SQLite database in the user's data folder.
+///
+/// Every change is one transaction, on disk when the call returns (WAL with synchronous = FULL).
+/// Several programs may have the same journal open: each waits for the other's write, and a job
+/// that was changed elsewhere meanwhile is never overwritten. A file that SQLite finds damaged is
+/// renamed and a new one begun; what can still be read of it is taken over.
+class Journal : public QObject {
+    Q_OBJECT
+
+  public:
+    /// How save() ended.
+    enum class Saved {
+        Yes,
+        AsCopy,  ///< the job had been changed elsewhere meanwhile: saved as a new job
+        No       ///< lastError() says why
+    };
+
+    /// @param path  the database file; its folder is made where it is missing
+    explicit Journal(const QString& path = defaultPath(), QObject* parent = nullptr);
+    ~Journal() override;
+
+    /// journal.sqlite in the user's data folder; empty where no journal is kept.
+    static QString defaultPath();
+    /// Switches the journal off for this run (pictures of the program must not touch it).
+    static void setKept(bool kept);
+
+    /// Opens or creates the database. False where the journal cannot be used: lastError().
+    bool open();
+    bool isOpen() const;
+    const QString& path() const { return path_; }
+    /// In words for the user; empty after success.
+    const QString& lastError() const { return error_; }
+    /// What the user should know of the opening: a damaged file was set aside. Empty else.
+    const QString& openMessage() const { return openMessage_; }
+    /// The file that open() set aside; empty where there was no need.
+    const QString& setAsidePath() const { return setAside_; }
+
+    /// Adds the job (id 0) or changes it. On success job.id, revision and saved are set.
+    Saved save(JournalJob& job);
+    std::optional<JournalJob> job(qint64 id);
+    /// Newest first.
+    QList<JournalJob> search(const JournalQuery& query);
+    bool remove(qint64 id);
+
+    /// The name of this program's draft.
+    const QString& session() const { return session_; }
+    /// False also where another program is writing: wasBusy(), and it is to be tried again soon.
+    bool saveDraft(const JournalDraft& draft);
+    /// True where the last failure was another program's write.
+    bool wasBusy() const { return busy_; }
+    bool discardDraft(const QString& session);
+    /// Drafts whose program no longer runs: left by a crash.
+    QList<JournalDraft> orphanedDrafts();
+
+    bool saveEngine(const JournalEngine& engine);
+    /// False where there is no such engine, or another has the name already.
+    bool renameEngine(const QString& from, const QString& to);
+    bool removeEngine(const QString& name);
+    QList<JournalEngine> engines();
+
+    /// The jobs as CSV (RFC 4180, UTF-8 with byte-order mark), written so that a file already there
+    /// stays whole when anything fails. Decimal sign and separator are those that a spreadsheet of
+    /// the locale expects: point and comma, or comma and semicolon.
+    bool exportCsv(const QString& file, const QList<JournalJob>& jobs);
+    static QString csvText(const QList<JournalJob>& jobs, const QLocale& locale = QLocale());
+
+  Q_SIGNALS:
+    /// The file was replaced or found damaged while it was open, and was opened again; the message
+    /// is empty where nothing was set aside.
+    void reopened(const QString& message);
+
+  private:
+    QSqlDatabase database() const;
+    bool isReady();
+    bool reopen();
+    std::optional<std::pair<quint64, quint64>> fileIdentity() const;
+    Saved saveOnce(JournalJob& job);
+    bool openDatabase();
+    void closeDatabase();
+    bool prepareSchema();
+    bool isDamaged();
+    bool putAside(const QString& why);
+    int takeOver(const QString& damaged);
+    /// Runs a statement with values for its ?; nothing where it fails, see lastError().
+    std::optional<QSqlQuery> ask(const QString& sql, const QVariantList& values,
+                                 const QString& cannot);
+    bool run(QSqlQuery& query, const QString& what);
+    bool runText(const QString& sql, const QString& what);
+    bool fail(const QString& what, const QString& why);
+    QString lockPath(const QString& session) const;
+
+    QString path_;
+    QString connection_;
+    QString session_;
+    QString error_;
+    QString openMessage_;
+    QString setAside_;
+    std::unique_ptr<QLockFile> sessionLock_;
+    std::optional<std::pair<quint64, quint64>> identity_;  // device and inode of the open file
+    bool damaged_ = false;                                 // the last error was a damaged file
+    bool busy_ = false;                                    // … or another program's write
+};
+
+}  // namespace ravnoves

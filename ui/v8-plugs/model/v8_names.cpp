@@ -1,0 +1,72 @@
+#include "v8-plugs/model/v8_names.h"
+
+#include <QStringList>
+
+#include "v8-plugs/presets.h"
+
+namespace ravnoves::v8_text {
+
+using namespace v8_plugs;
+
+namespace {
+
+// In the order of their enumerations.
+constexpr const char* shortLines[] = {QT_TRANSLATE_NOOP("V8", "reciprocating m_j"),
+                                      QT_TRANSLATE_NOOP("V8", "piston Δm_pi"),
+                                      QT_TRANSLATE_NOOP("V8", "rep. piston Δm_rp"),
+                                      QT_TRANSLATE_NOOP("V8", "rotating m_R"),
+                                      QT_TRANSLATE_NOOP("V8", "plug"),
+                                      QT_TRANSLATE_NOOP("V8", "big end Δm_be"),
+                                      QT_TRANSLATE_NOOP("V8", "rep. shells Δm_sh"),
+                                      QT_TRANSLATE_NOOP("V8", "oil m_m")};
+constexpr const char* shortOptions[] = {
+    QT_TRANSLATE_NOOP("V8", "steel"), QT_TRANSLATE_NOOP("V8", "aluminium"),
+    QT_TRANSLATE_NOOP("V8", "new shaft, steel"), QT_TRANSLATE_NOOP("V8", "new shaft, aluminium")};
+
+template <typename Enum, std::size_t N>
+QString named(const Words& words, const char* const (&names)[N], Enum value) {
+    return words.translate("V8", names[static_cast<std::size_t>(value)]);
+}
+
+}  // namespace
+
+QString engineName(const Words& words, const std::string& name) {
+    QString text = QString::fromStdString(name);
+    if (find_preset(name) == nullptr || !text.endsWith(QLatin1String(" l"))) {
+        return text;
+    }
+    return words.plain(text.chopped(2).toDouble(), 2) + QChar(0x00A0) +
+           words.translate("V8", "l", "litre");
+}
+
+QString optionName(const Words& words, OptionId option) {
+    return words.text(option_word(option).label);
+}
+
+QString partName(const Words& words, Part part) {
+    return words.text(part_word(part).label);
+}
+
+QString shortLine(const Words& words, const BobWeightLine& line) {
+    return words.plain(line.factor, 3) + QStringLiteral(" × ") +
+           named(words, shortLines, line.part);
+}
+
+QString shortOption(const Words& words, OptionId option) {
+    return named(words, shortOptions, option);
+}
+
+QString materialName(const Words& words, PlugMaterial material) {
+    return material == PlugMaterial::steel ? words.translate("V8", "Steel")
+                                           : words.translate("V8", "Aluminium");
+}
+
+QString missingNames(const Words& words, const Engine& engine, bool withBobWeight) {
+    QStringList names;
+    for (const EngineField* each : missing_fields(engine, withBobWeight)) {
+        names << words.name(each->field);
+    }
+    return names.join(QStringLiteral(", "));
+}
+
+}  // namespace ravnoves::v8_text

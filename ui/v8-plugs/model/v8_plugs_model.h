@@ -1,0 +1,175 @@
+#pragma once
+
+#include <QList>
+#include <QStringList>
+#include <QTimer>
+#include <QVector>
+#include <memory>
+
+#include "case-file/json.h"
+#include "model/case_model.h"
+#include "v8-plugs/input.h"
+#include "v8-plugs/model/journal.h"
+#include "v8-plugs/model/words.h"
+#include "v8-plugs/scene.h"
+#include "v8-plugs/solver.h"
+
+namespace ravnoves {
+
+/// What CaseModel knows of the scene.
+struct V8PlugsScene {
+    using Input = v8_plugs::Input;
+    using Solved = v8_plugs::Result;
+    Input defaultInput() const;
+    static QString defaultTitle() { return {}; }
+    static Input read(const Json& input, const CaseContext& /*context*/) {
+        return v8_plugs::read_input(input, Completeness::as_is);
+    }
+    static Json write(const Input& input) { return v8_plugs::write_input(input); }
+    /// Refuses nothing: what is missing or broken is named in the solution.
+    static Solved solve(const Input& input) { return v8_plugs::solve(input); }
+
+    bool dated;  ///< a new job is of today
+};
+
+/// The state of the V-8 workshop page: the job on the sheet, what follows from it, its history and
+/// its place in the journal.
+///
+/// The sheet may be half filled: what is missing stays empty and is named, what can be computed is
+/// computed. A change that breaks a rule between fields (more off a plug than it weighs, a bore
+/// wider than the thread) is taken over and named in troubles(). Every change is kept as a draft in
+/// the journal within a third of a second, so that a crash loses at most the field being typed.
+class V8PlugsModel : public CaseModel<V8PlugsScene> {
+    Q_OBJECT
+
+  public:
+    /// @param journalPath  the journal's file; empty: none is kept (pictures, tests)
+    explicit V8PlugsModel(const QString& journalPath, QObject* parent = nullptr);
+    ~V8PlugsModel() override;
+
+    QString sceneName() const override { return QStringLiteral("v8-plugs"); }
+    Json resultJson() const override;
+    bool setViewOption(const QString& key, const QString& value) override;
+
+    const v8_plugs::Result& solution() const { return solved(); }
+
+    // ------------------------------------------------------------------------------- engines
+    /// Reads the user's own engines again: another program may have kept one.
+    void reloadEngines();
+    /// Presets of the paper, then the user's own.
+    QStringList engineNames() const;
+    /// Takes an engine over by its place in engineNames().
+    void chooseEngine(int index);
+    /// Place of the present engine in engineNames(); -1 where it is neither.
+    int engineIndex() const;
+    /// True where the user keeps an engine of that name, whatever its capitals.
+    bool hasOwnEngine(const QString& name) const;
+    /// Keeps the present engine under the name among the user's own, in place of one that has it.
+    /// @return an empty string, or what went wrong
+    QString saveEngineAs(const QString& name);
+    /// The same return.
+    QString renameEngine(const QString& from, const QString& to);
+    QString removeEngine(const QString& name);
+    bool isOwnEngine(int index) const;
+    /// True where the sheet's values are not those kept under the engine's name.
+    bool ownEngineChanged() const;
+    /// Where the engine's values come from, and what the user should know of them.
+    QString engineNote() const;
+
+    // -------------------------------------------------------------------- what the page shows
+    QString adviceText() const;  ///< what to do; what is missing where that is not known
+    QString boringText() const;
+    QStringList troubles() const;  ///< rules broken, masses that do not fit, spreads too wide
+    QString excessText() const;
+    QString shiftText() const;
+    QString checkText() const;  ///< after equals nominal
+    QString hangText() const;   ///< bob weight to 0.1 g
+    QString missingText() const;
+    QString isoText() const;
+    QString plugWeightText() const;
+    QString assignmentText() const;
+    /// Columns of the weigh-in sheet that are begun but do not count yet.
+    QStringList weighInGaps() const;
+
+    QStringList optionColumns() const;
+    QVector<QStringList> optionRows() const;
+    QString optionToolTip(int row) const;
+    QStringList bobWeightColumns() const;
+    QVector<QStringList> bobWeightRows() const;
+    QStringList planeColumns() const;
+    QVector<QStringList> planeRows() const;
+    QStringList assignmentColumns() const;
+    QVector<QStringList> assignmentRows() const;
+    QStringList crankpinColumns() const;
+    QVector<QStringList> crankpinRows() const;
+    /// Mean, spread and warning of one column of the weigh-in sheet.
+    struct ColumnNote {
+        QString mean;
+        QString deviation;  ///< of the mean from nominal, with its sign
+        QString spread;
+        bool tooWide = false;
+        QString toolTip;
+    };
+    ColumnNote columnNote(v8_plugs::Part part) const;
+
+    // ------------------------------------------------------------------------------- journal
+    /// Opens the journal; called once the page is shown. False: no journal, see journalTrouble().
+    bool openJournal();
+    Journal* journal() { return journal_.get(); }
+    /// What is wrong with the journal, or what happened to it; empty where nothing.
+    QString journalTrouble() const { return journalTrouble_; }
+    /// Id of the job on the sheet; 0 where it is not in the journal.
+    qint64 jobId() const { return jobId_; }
+    /// Saves the job on the sheet as finished.
+    /// @return a sentence for the status bar; `ok` says whether it is saved
+    QString saveJob(bool* ok = nullptr);
+    /// Opens a job. @return an empty string, or what went wrong
+    QString openJob(qint64 id);
+    /// Its values as a new job: numbers, date, notes and the machine's readings are new.
+    QString copyJob(qint64 id);
+    /// Empties the sheet for the next job; the engine stays.
+    void newJob();
+    /// Writes the draft now if something is not in it yet.
+    void flushDraft();
+    /// Drafts that a crash left.
+    QList<JournalDraft> crashedDrafts();
+    QString restoreDraft(const JournalDraft& draft);
+    void discardDraft(const QString& session);
+
+    /// Language of the job card: empty for that of the program.
+    QString cardLanguage() const { return cardLanguage_; }
+    void setCardLanguage(const QString& code);
+    Words cardWords() const;
+
+  Q_SIGNALS:
+    void enginesChanged();
+    void journalTroubleChanged(const QString& text);
+    /// Which sheet of the form to show: job, engine, weigh-in, plug, machine.
+    void sheetChosen(int sheet);
+
+  private:
+    void aboutToLoad() override { putJobId(0, 0); }
+    void taken() override;
+    void putJobId(qint64 id, int revision);
+    void takeJob(const v8_plugs::Input& input, const QString& title, qint64 id, int revision);
+    QString engineNameTrouble(const QString& name) const;
+    void setJournalTrouble(const QString& text);
+    QByteArray formText() const;
+    QString takeForm(const QByteArray& form, qint64 id, int revision, bool copy);
+    JournalJob journalJob() const;
+
+    Words words_;
+    QString cardLanguage_;
+
+    QString journalPath_;
+    std::unique_ptr<Journal> journal_;
+    QString journalTrouble_;
+    QList<JournalEngine> ownEngines_;
+    qint64 jobId_ = 0;
+    int jobRevision_ = 0;
+    QTimer draftTimer_;
+    bool draftStale_ = false;
+    bool draftKept_ = false;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,272 @@
+// What the page shows of the solution: sentences and tables.
+
+#include <cmath>
+
+#include "v8-plugs/model/v8_names.h"
+#include "v8-plugs/model/v8_plugs_model.h"
+#include "v8-plugs/model/v8_text.h"
+
+namespace ravnoves {
+
+using namespace v8_plugs;
+
+namespace {
+
+using units::gram;
+using units::gram_mm;
+
+const QString dash = QStringLiteral("–");
+
+}  // namespace
+
+QString V8PlugsModel::adviceText() const {
+    if (solution().advice) {
+        return v8_text::advice(words_, input(), solution());
+    }
+    const QString names = v8_text::missingNames(words_, input().engine, false);
+    return names.isEmpty() ? tr("The values do not go together.")
+                           : tr("Still needed: %1.").arg(names);
+}
+
+QString V8PlugsModel::boringText() const {
+    return solution().advice && solution().advice->kind == Advice::Kind::option
+               ? v8_text::boring(words_, input(), solution(), solution().advice->option->id)
+               : QString();
+}
+
+QString V8PlugsModel::excessText() const {
+    if (!solution().unbalanced_mass || !input().engine.crank_radius) {
+        return tr("Excess Δm_y: not known yet");
+    }
+    return tr("Excess Δm_y: %1, %2")
+        .arg(v8_text::grams(words_, *solution().unbalanced_mass, 3),
+             v8_text::gramMillimetres(words_,
+                                      *solution().unbalanced_mass * *input().engine.crank_radius));
+}
+
+QStringList V8PlugsModel::troubles() const {
+    return v8_text::troubles(words_, input(), solution());
+}
+
+QString V8PlugsModel::shiftText() const {
+    if (!solution().plugs) {
+        return {};
+    }
+    const auto chosen = v8_text::chosenOption(solution());
+    return v8_text::shiftText(words_, input(), solution(),
+                              chosen ? *chosen : *solution().option(OptionId::steel_machined));
+}
+
+QString V8PlugsModel::checkText() const {
+    return v8_text::bobWeightCheck(words_, input(), solution());
+}
+
+QString V8PlugsModel::hangText() const {
+    return solution().before ? v8_text::hang(words_, solution()) : missingText();
+}
+
+QString V8PlugsModel::missingText() const {
+    const QString names = v8_text::missingNames(words_, input().engine, true);
+    return names.isEmpty() ? QString() : tr("The bob weight still needs: %1.").arg(names);
+}
+
+QString V8PlugsModel::isoText() const {
+    if (!solution().balancing || !input().balancing) {
+        return tr("ISO 21940-11 needs grade, mass and speed.");
+    }
+    return tr("ISO 21940-11: U_per = 1000 m G / ω = %1 for the whole crankshaft; the method's own "
+              "limit is %2 in each plane.")
+        .arg(v8_text::gramMillimetres(words_, solution().balancing->permissible),
+             v8_text::gramMillimetres(words_, input().tolerance));
+}
+
+QString V8PlugsModel::plugWeightText() const {
+    if (!input().plug || !input().plug->geometry() || geometry_fault(*input().plug->geometry())) {
+        return tr("With thread and height the sheet says what the plug would weigh.");
+    }
+    const double volume = input().plug->geometry()->volume();
+    return tr("A plug of these dimensions weighs %1 in steel, %2 in aluminium.")
+        .arg(v8_text::grams(words_, volume * input().plug->steel_density, 1),
+             v8_text::grams(words_, volume * input().plug->aluminium_density, 1));
+}
+
+QString V8PlugsModel::assignmentText() const {
+    return v8_text::assignmentText(words_, solution());
+}
+
+QStringList V8PlugsModel::weighInGaps() const {
+    return v8_text::weighInGaps(words_, input());
+}
+
+QStringList V8PlugsModel::optionColumns() const {
+    return {tr("Option"),    tr("const., g"), tr("slope"),     tr("reach, g"),
+            tr("needed, g"), tr("left, g"),   tr("left, g·mm")};
+}
+
+QVector<QStringList> V8PlugsModel::optionRows() const {
+    QVector<QStringList> rows;
+    for (const OptionId id : all_options) {
+        const auto& option = solution().option(id);
+        const QString name = v8_text::optionName(words_, id);
+        if (!option) {
+            rows << QStringList{name, dash, dash, dash, dash, dash, dash};
+            continue;
+        }
+        const bool fitted =
+            needs_new_crankshaft(id) == (input().crankshaft == Crankshaft::new_plugs);
+        const QString mark = option->feasible ? QStringLiteral("✓") : QStringLiteral("✗");
+        rows << QStringList{
+            // in brackets what the crankshaft that is fitted does not allow
+            (fitted ? mark : QStringLiteral("(%1)").arg(mark)) + QLatin1Char(' ') + name,
+            words_.number(option->constant / gram, 3),
+            words_.number(option->slope, 3),
+            words_.number(option->maximum / gram, 3),
+            words_.number(option->required_reduction / gram, 3),
+            words_.number(option->residual_mass / gram, 3),
+            words_.number(option->residual_unbalance / gram_mm, 1)};
+    }
+    return rows;
+}
+
+QString V8PlugsModel::optionToolTip(int row) const {
+    const OptionId id = all_options.at(static_cast<std::size_t>(row));
+    const auto& option = solution().option(id);
+    if (!option) {
+        return tr("The engine has no such plug, or its data are missing.");
+    }
+    const bool fitted = needs_new_crankshaft(id) == (input().crankshaft == Crankshaft::new_plugs);
+    QStringList text;
+    if (!fitted) {
+        text << tr("For the other crankshaft.");
+    }
+    text << QStringList{
+        tr("%1: %2.").arg(v8_text::optionName(words_, id),
+                          words_.message(describe_verdict(*option, input().tolerance))),
+        tr("At most %1 may come off a plug; slope k_y = %2, %3°.")
+            .arg(v8_text::grams(words_, option->max_reduction, 3), words_.number(option->slope, 3),
+                 words_.number(std::atan(option->slope) / units::degree, 1))};
+    const QString boring = v8_text::boring(words_, input(), solution(), id);
+    if (!boring.isEmpty()) {
+        text << boring;
+    }
+    text << v8_text::shiftText(words_, input(), solution(), *option);
+    return text.join(QLatin1Char('\n'));
+}
+
+QStringList V8PlugsModel::bobWeightColumns() const {
+    return {tr("factor × mass, g"), tr("nominal"), tr("before"), tr("after")};
+}
+
+QVector<QStringList> V8PlugsModel::bobWeightRows() const {
+    QVector<QStringList> rows;
+    if (!solution().nominal || !solution().before) {
+        return rows;
+    }
+    for (const BobWeightLine& line : solution().before->lines) {
+        rows << v8_text::bobWeightCells(words_, solution(), line.part, 2, dash);
+        rows.last().prepend(v8_text::shortLine(words_, line));
+    }
+    rows << v8_text::bobWeightCells(words_, solution(), std::nullopt, 2, dash);
+    rows.last().prepend(tr("Bob weight"));
+    return rows;
+}
+
+QStringList V8PlugsModel::planeColumns() const {
+    return {tr("Plane"), tr("allowed, g·mm"), tr("reading, g·mm"), tr("verdict")};
+}
+
+QVector<QStringList> V8PlugsModel::planeRows() const {
+    QVector<QStringList> rows;
+    const auto add = [&](const QString& name, const PlaneVerdict* plane,
+                         const std::optional<double>& reading) {
+        rows << QStringList{
+            name, plane != nullptr ? words_.number(plane->permissible / gram_mm, 1) : dash,
+            reading ? words_.number(*reading / gram_mm, 1) : dash,
+            plane == nullptr || !plane->passes ? dash
+            : *plane->passes                   ? tr("✓ passes")
+                                               : tr("✗ fails")};
+    };
+    const auto reading = [&](std::optional<double> BalancingSheet::*member) {
+        return input().balancing ? *input().balancing.*member : std::nullopt;
+    };
+    add(tr("Front (pulley)"), solution().balancing ? &solution().balancing->front : nullptr,
+        reading(&BalancingSheet::front_reading));
+    add(tr("Rear (flywheel)"), solution().balancing ? &solution().balancing->rear : nullptr,
+        reading(&BalancingSheet::rear_reading));
+    return rows;
+}
+
+QStringList V8PlugsModel::assignmentColumns() const {
+    QStringList columns{tr("Cylinder")};
+    for (int i = 1; i <= cylinder_count; ++i) {
+        columns << QString::number(i);
+    }
+    return columns;
+}
+
+QVector<QStringList> V8PlugsModel::assignmentRows() const {
+    QVector<QStringList> rows;
+    if (!solution().assignment) {
+        return rows;
+    }
+    const auto row = [](const QString& name, const std::vector<int>& from) {
+        QStringList cells{name};
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            // A set that stays where it is needs no number.
+            cells << (from[i] == static_cast<int>(i) ? QStringLiteral("·")
+                                                     : QString::number(from[i] + 1));
+        }
+        return cells;
+    };
+    return {row(tr("Piston from"), solution().assignment->pistons),
+            row(tr("Rod from"), solution().assignment->rods)};
+}
+
+QStringList V8PlugsModel::crankpinColumns() const {
+    return {tr("Crankpin"),      QStringLiteral("1"), QStringLiteral("2"),
+            QStringLiteral("3"), QStringLiteral("4"), tr("spread")};
+}
+
+QVector<QStringList> V8PlugsModel::crankpinRows() const {
+    QVector<QStringList> rows;
+    if (!solution().crankpin_excess || !solution().assigned_excess) {
+        return rows;
+    }
+    const auto row = [&](const QString& name, const std::array<double, crankpin_count>& excess) {
+        QStringList cells{name};
+        for (const double mass : excess) {
+            cells << words_.number(mass / gram, 2);
+        }
+        cells << words_.number(spread(excess) / gram, 2);
+        return cells;
+    };
+    return {row(tr("as weighed, g"), *solution().crankpin_excess),
+            row(tr("after moving, g"), *solution().assigned_excess)};
+}
+
+V8PlugsModel::ColumnNote V8PlugsModel::columnNote(Part part) const {
+    ColumnNote note{dash, dash, dash, false, {}};
+    if (!input().weigh_in) {
+        return note;
+    }
+    const auto s = statistics((*input().weigh_in)[part]);
+    if (!s) {
+        return note;
+    }
+    note.mean = words_.number(s->mean / gram, 2);
+    if (const auto& nominal = (*input().weigh_in)[part].nominal) {
+        const double deviation = (s->mean - *nominal) / gram;
+        note.deviation =
+            (deviation >= 0.005 ? QStringLiteral("+") : QString()) + words_.number(deviation, 2);
+    }
+    note.spread = words_.number(s->spread / gram, 2);
+    note.tooWide = !s->within_permitted;
+    note.toolTip = tr("%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.")
+                       .arg(v8_text::partName(words_, part))
+                       .arg(s->count)
+                       .arg(s->heaviest + 1)
+                       .arg(s->lightest + 1);
+    return note;
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,231 @@
+#include "v8-plugs/model/v8_text.h"
+
+#include <cmath>
+
+#include "text/number_text.h"
+#include "v8-plugs/model/v8_names.h"
+
+namespace ravnoves::v8_text {
+
+using namespace v8_plugs;
+
+QString grams(const Words& words, double mass, int decimals) {
+    return words.number(mass, units::gram, decimals);
+}
+
+QString gramMillimetres(const Words& words, double unbalance, int decimals) {
+    return words.number(unbalance, units::gram_mm, decimals);
+}
+
+QString advice(const Words& words, const Input& input, const Result& solution) {
+    return solution.advice && solution.unbalanced_mass
+               ? words.message(describe(*solution.advice, *solution.unbalanced_mass,
+                                        input.engine.crank_radius.value_or(0.0), input.tolerance))
+               : QString();
+}
+
+QString boring(const Words& words, const Input& input, const Result& solution, OptionId option) {
+    const auto& plan = solution.boring[index(option)];
+    return plan && input.plug ? words.message(describe(*plan, input.plug->limits().value()))
+                              : QString();
+}
+
+QStringList massWarnings(const Words& words, const Input& input, const Result& solution) {
+    QStringList warnings;
+    const auto geometry = input.plug ? input.plug->geometry() : std::nullopt;
+    const bool solid = geometry && geometry->bore_depth <= 0.0;
+    const auto warn = [&](const std::optional<PlugMass>& mass, PlugMaterial material) {
+        if (mass && !mass->fits) {
+            warnings << (solid ? words.translate("V8",
+                                                 "%1 plug: solid it weighs %2, but %3 was typed. "
+                                                 "Give its bore or weigh it.")
+                               : words.translate("V8",
+                                                 "%1 plug: a plug of these dimensions weighs %2, "
+                                                 "but %3 was typed. Weigh it."))
+                            .arg(materialName(words, material), grams(words, mass->geometry, 1),
+                                 grams(words, mass->typed, 2));
+        }
+    };
+    warn(solution.steel_plug, PlugMaterial::steel);
+    warn(solution.aluminium_plug, PlugMaterial::aluminium);
+    return warnings;
+}
+
+QStringList weighInGaps(const Words& words, const Input& input) {
+    QStringList gaps;
+    if (!input.weigh_in) {
+        return gaps;
+    }
+    for (const Part part : all_parts) {
+        const PartColumn& column = (*input.weigh_in)[part];
+        if (column.is_complete() || column.is_empty()) {
+            continue;
+        }
+        const QString name = partName(words, part);
+        gaps << (column.nominal
+                     ? words.translate("V8", "%1: %2 of 8 weighed; nominal counts until all are.")
+                           .arg(name)
+                           .arg(statistics(column)->count)
+                     : words.translate("V8", "%1: the weights do not count without a nominal mass.")
+                           .arg(name));
+    }
+    return gaps;
+}
+
+namespace {
+
+QStringList engineTroubles(const Words& words, const Engine& engine) {
+    QStringList list;
+    for (const EngineConflict& conflict : engine_conflicts(engine)) {
+        list << words.translate("V8", "%1: must be less than the plug's mass, %2.")
+                    .arg(words.name(conflict.reduction->field),
+                         grams(words, conflict.plug_mass, 3));
+    }
+    return list;
+}
+
+QStringList plugTroubles(const Words& words, const PlugSheet& plug) {
+    QStringList list;
+    const auto geometry = plug.geometry();
+    if (const auto fault = geometry ? geometry_fault(*geometry) : std::nullopt) {
+        list << words.message(*fault);
+    }
+    if (plug.bore_diameter.has_value() != plug.bore_depth.has_value()) {
+        list << words.translate("V8", "A bore needs both its diameter and its depth.");
+    }
+    return list;
+}
+
+QStringList spreadTroubles(const Words& words, const WeighIn& sheet) {
+    QStringList list;
+    for (const Part part : all_parts) {
+        const auto s = statistics(sheet[part]);
+        if (s && !s->within_permitted) {
+            list << words
+                        .translate(
+                            "V8",
+                            "%1: spread %2, permitted %3 (heaviest: cylinder %4, lightest: %5).")
+                        .arg(partName(words, part), grams(words, s->spread),
+                             grams(words, sheet[part].permitted_spread.value()))
+                        .arg(s->heaviest + 1)
+                        .arg(s->lightest + 1);
+        }
+    }
+    return list;
+}
+
+}  // namespace
+
+QStringList troubles(const Words& words, const Input& input, const Result& solution) {
+    QStringList list = engineTroubles(words, input.engine);
+    if (input.plug) {
+        list << plugTroubles(words, *input.plug);
+    }
+    list << massWarnings(words, input, solution);
+    if (input.changes_from_weigh_in) {
+        list << weighInGaps(words, input);
+    }
+    if (input.weigh_in) {
+        list << spreadTroubles(words, *input.weigh_in);
+    }
+    return list;
+}
+
+QString shiftText(const Words& words, const Input& input, const Result& solution,
+                  const Option& option) {
+    const double plug = option.plug_mass_unmachined - option.reduction;
+    QString text =
+        words
+            .translate("V8",
+                       "Neglected by the method: the plug's centre of mass moves by 0.8 to 1.2 mm "
+                       "when it is bored, which is worth %1 to %2 beside the %3 allowed.")
+            .arg(words.number(shift_unbalance(plug, smallest_shift) / units::gram_mm, 1),
+                 gramMillimetres(words, shift_unbalance(plug, largest_shift)),
+                 gramMillimetres(words, input.tolerance));
+    const auto& boring = solution.boring[index(option.id)];
+    if (boring && boring->cuts && boring->limit == Boring::Limit::none) {
+        text += QLatin1Char(' ') +
+                words.translate("V8", "Bored as planned here it moves by %1: %2.")
+                    .arg(withUnit(words.plain(boring->shift / units::mm, 2), words.unit(units::mm)),
+                         gramMillimetres(words, shift_unbalance(plug, boring->shift)));
+    }
+    return text;
+}
+
+std::optional<Option> chosenOption(const Result& solution) {
+    return solution.advice ? solution.advice->option : std::nullopt;
+}
+
+bool works(const Result& solution) {
+    return solution.advice && (solution.advice->kind == Advice::Kind::option ||
+                               solution.advice->kind == Advice::Kind::none_needed);
+}
+
+const BobWeight* bobWeightAfter(const Result& solution) {
+    const auto option = chosenOption(solution);
+    const auto* weights = option ? &solution.bob_weights[index(option->id)] : nullptr;
+    return weights != nullptr && *weights ? &(*weights)->after : nullptr;
+}
+
+QStringList bobWeightCells(const Words& words, const Result& solution,
+                           std::optional<BobWeightLine::Part> part, int decimals,
+                           const QString& missing) {
+    QStringList cells;
+    for (const BobWeight* weight :
+         {&*solution.nominal, &*solution.before, bobWeightAfter(solution)}) {
+        const auto mass = weight == nullptr ? std::nullopt
+                          : part            ? weight->product(*part)
+                                            : std::optional(weight->sum());
+        cells << (mass ? words.number(*mass / units::gram, decimals) : missing);
+    }
+    return cells;
+}
+
+namespace {
+/// What is to be hung on a crankpin; where nothing is to be done, what it is before.
+double weightAfter(const Result& solution) {
+    const BobWeight* after = bobWeightAfter(solution);
+    return (after != nullptr ? *after : *solution.before).sum();
+}
+}  // namespace
+
+QString hang(const Words& words, const Result& solution) {
+    if (!solution.before) {
+        return {};
+    }
+    return (works(solution) ? words.translate("V8", "Hang %1 on each crankpin.")
+                            : words.translate("V8", "Bob weight with the nearest option: %1."))
+        .arg(grams(words, weightAfter(solution), 1));
+}
+
+QString bobWeightCheck(const Words& words, const Input& input, const Result& solution) {
+    if (!solution.nominal || !solution.before) {
+        return {};
+    }
+    const double difference = weightAfter(solution) - solution.nominal->sum();
+    // Rounding of the sum, not a difference.
+    if (std::abs(difference) < 1e-9 * solution.nominal->sum()) {
+        return words.translate("V8", "After equals nominal: balanced.");
+    }
+    return words.translate("V8", "After less nominal: %1, which is %2.")
+        .arg(grams(words, difference),
+             gramMillimetres(words, difference * input.engine.crank_radius.value_or(0.0)));
+}
+
+QString assignmentText(const Words& words, const Result& solution) {
+    if (!solution.assignment || !solution.crankpin_excess || !solution.assigned_excess) {
+        return {};
+    }
+    const QString before = grams(words, spread(*solution.crankpin_excess));
+    if (solution.assignment->moved == 0) {
+        return words
+            .translate("V8", "The parts are placed as well as can be: the crankpins differ by %1.")
+            .arg(before);
+    }
+    return words
+        .translate("V8", "Crankpins differ by %1 as weighed and by %2 after moving %3 sets.")
+        .arg(before, grams(words, spread(*solution.assigned_excess)),
+             QString::number(solution.assignment->moved));
+}
+
+}  // namespace ravnoves::v8_text

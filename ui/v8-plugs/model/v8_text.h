@@ -1,0 +1,55 @@
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+#include "v8-plugs/model/words.h"
+#include "v8-plugs/solver.h"
+
+namespace ravnoves::v8_text {
+
+// What the page and the job card say about a solution, in the language of the Words. Masses in g,
+// unbalance in g·mm, lengths in mm.
+
+QString grams(const Words& words, double mass, int decimals = 2);
+QString gramMillimetres(const Words& words, double unbalance, int decimals = 1);
+
+/// What to do, as one or two sentences; empty while it is not known.
+QString advice(const Words& words, const v8_plugs::Input& input, const v8_plugs::Result& solution);
+/// How to bore for an option, or why it cannot be bored; empty where nothing is known of the plug
+/// or nothing is to be cut.
+QString boring(const Words& words, const v8_plugs::Input& input, const v8_plugs::Result& solution,
+               v8_plugs::OptionId option);
+/// Where a typed mass does not fit the plug's dimensions: what the dimensions would weigh. Empty
+/// where it fits or nothing is known.
+QStringList massWarnings(const Words& words, const v8_plugs::Input& input,
+                         const v8_plugs::Result& solution);
+/// Columns of the weigh-in sheet that are begun but do not count yet.
+QStringList weighInGaps(const Words& words, const v8_plugs::Input& input);
+/// Rules broken, masses that do not fit, columns half weighed, spreads too wide.
+QStringList troubles(const Words& words, const v8_plugs::Input& input,
+                     const v8_plugs::Result& solution);
+/// What the shift of the plug's centre of mass is worth for an option, beside the tolerance: the
+/// paper's range, and the bore's own where one is planned.
+QString shiftText(const Words& words, const v8_plugs::Input& input,
+                  const v8_plugs::Result& solution, const v8_plugs::Option& option);
+/// The option that the answer is about: the recommended one, else the one that leaves least;
+/// nothing where nothing is needed or known.
+std::optional<v8_plugs::Option> chosenOption(const v8_plugs::Result& solution);
+/// The bob weight with it; null where it is not known.
+const v8_plugs::BobWeight* bobWeightAfter(const v8_plugs::Result& solution);
+/// A line of the bob weights nominal, before and after, in g; of the sum where no part is given.
+QStringList bobWeightCells(const Words& words, const v8_plugs::Result& solution,
+                           std::optional<v8_plugs::BobWeightLine::Part> part, int decimals,
+                           const QString& missing);
+/// True where the advice is something that works.
+bool works(const v8_plugs::Result& solution);
+/// What to hang on the crankpins, to 0.1 g; empty while it is not known.
+QString hang(const Words& words, const v8_plugs::Result& solution);
+/// "The bob weight after is that of the nominal engine" or by how much it is not.
+QString bobWeightCheck(const Words& words, const v8_plugs::Input& input,
+                       const v8_plugs::Result& solution);
+/// Which sets to move, in words; empty where there is no weigh-in sheet.
+QString assignmentText(const Words& words, const v8_plugs::Result& solution);
+
+}  // namespace ravnoves::v8_text

@@ -1,0 +1,80 @@
+#include "v8-plugs/model/words.h"
+
+#include <QCoreApplication>
+#include <QTranslator>
+
+#include "text/number_text.h"
+
+namespace ravnoves {
+
+Words::Words() = default;
+
+Words::Words(const QString& code) : own_(true), locale_(code) {
+    locale_.setNumberOptions(QLocale::OmitGroupSeparator);
+    auto translator = std::make_unique<QTranslator>();
+    if (translator->load(QStringLiteral(":/i18n/ravnoves_%1.qm").arg(code))) {
+        translator_ = std::move(translator);
+    }
+}
+
+Words::~Words() = default;
+Words::Words(Words&&) noexcept = default;
+Words& Words::operator=(Words&&) noexcept = default;
+
+QString Words::translate(const char* context, const char* text, const char* comment) const {
+    if (!own_) {
+        return QCoreApplication::translate(context, text, comment);
+    }
+    const QString found = translator_ ? translator_->translate(context, text, comment) : QString();
+    return found.isEmpty() ? QString::fromUtf8(text) : found;
+}
+
+QString Words::unit(Unit unit) const {
+    return unit.name.empty() ? QString() : translate("core", std::string(unit.name).c_str());
+}
+
+QString Words::message(const Message& message) const {
+    if (message.pattern().empty()) {
+        return QString::fromStdString(message.verbatim());
+    }
+    struct Shown {
+        const Words& words;
+        QString operator()(const std::string& word) const { return QString::fromStdString(word); }
+        QString operator()(const Message& inner) const { return words.message(inner); }
+        QString operator()(const Number& number) const {
+            return withUnit(number.digits < 0 ? words.number(number.value, -number.digits)
+                                              : formNumber(number.value, words.locale(),
+                                                           number.digits > 0 ? number.digits : 10),
+                            words.unit(number.unit));
+        }
+    };
+    std::vector<std::string> values;
+    for (const Argument& argument : message.arguments()) {
+        values.push_back(std::visit(Shown{*this}, argument).toStdString());
+    }
+    return QString::fromStdString(fill_pattern(text(message.pattern()).toStdString(), values));
+}
+
+QString Words::number(double si, Unit unit, int decimals) const {
+    return withUnit(number(si / unit, decimals), this->unit(unit));
+}
+
+QString Words::number(double value, int decimals) const {
+    return fixedNumber(value, decimals, locale_);
+}
+
+QString Words::plain(double value, int decimals) const {
+    QString text = number(value, decimals);
+    const QString point = locale_.decimalPoint();
+    if (text.contains(point)) {
+        while (text.endsWith(QLatin1Char('0'))) {
+            text.chop(1);
+        }
+        if (text.endsWith(point)) {
+            text.chop(point.size());
+        }
+    }
+    return text;
+}
+
+}  // namespace ravnoves

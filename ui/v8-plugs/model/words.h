@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QLocale>
+#include <QString>
+#include <memory>
+
+#include "case-file/field.h"
+
+class QTranslator;
+
+namespace ravnoves {
+
+/// The words and numbers of one language: the program's own, or another, so that a Russian job card
+/// can be printed from an English page and the other way round.
+class Words {
+  public:
+    /// The language of the program.
+    Words();
+    /// A language of its own, "en" or one that has a translation (:/i18n/ravnoves_CODE.qm).
+    explicit Words(const QString& code);
+    ~Words();
+    Words(Words&&) noexcept;
+    Words& operator=(Words&&) noexcept;
+    Words(const Words&) = delete;
+    Words& operator=(const Words&) = delete;
+
+    /// The text in the language; named as lupdate knows it.
+    QString translate(const char* context, const char* text, const char* comment = nullptr) const;
+
+    QString text(const Text& text) const { return translate(text.context, text.english); }
+    /// A message of core, with the numbers and units of the language.
+    QString message(const Message& message) const;
+    /// A field's label without the & of its mnemonic: "Crank radius r".
+    QString name(const Field& field) const { return text(field.label).remove(QLatin1Char('&')); }
+    /// A unit of core; empty for pure numbers.
+    QString unit(Unit unit) const;
+
+    const QLocale& locale() const { return locale_; }
+    /// Fixed decimals, decimal sign of the language, a true minus.
+    QString number(double value, int decimals) const;
+    /// With its unit: "2.79 g".
+    QString number(double si, Unit unit, int decimals) const;
+    /// As many of the decimals as the number has: "2.79", "40".
+    QString plain(double value, int decimals = 4) const;
+
+  private:
+    bool own_ = false;  // a language of its own, not the program's
+    std::unique_ptr<QTranslator> translator_;
+    QLocale locale_;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,109 @@
+#include "widgets/drawing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "numerics/constants.h"
+#include "theme/theme.h"
+
+namespace ravnoves::drawing {
+
+void drawArrow(QPainter& painter, const QPointF& from, const QPointF& to, const QColor& colour,
+               double width) {
+    const QPointF d = to - from;
+    const double length = std::hypot(d.x(), d.y());
+    if (length < 3.0) {
+        return;
+    }
+    const QPointF along = d / length;
+    const QPointF across(-along.y(), along.x());
+    const double head = std::min(4.0 + 2.0 * width, 0.6 * length);
+    painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(from, to - along * head * 0.8);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    painter.drawPolygon(QPolygonF{to, to - along * head + across * head * 0.45,
+                                  to - along * head - across * head * 0.45});
+}
+
+void drawBar(QPainter& painter, const QPointF& from, const QPointF& to, double width,
+             const QColor& fill, const QColor& line) {
+    const QPointF d = to - from;
+    const double length = std::hypot(d.x(), d.y());
+    if (length < 1e-6) {
+        return;
+    }
+    const QPointF across = QPointF(-d.y(), d.x()) * (0.5 * width / length);
+    painter.setPen(QPen(line, 1.0));
+    painter.setBrush(fill);
+    const std::array corners{from + across, to + across, to - across, from - across};
+    painter.drawConvexPolygon(corners.data(), static_cast<int>(corners.size()));
+}
+
+QPainterPath weightPath(const QPointF& axis, double angle, double radius, double hubRadius,
+                        double half) {
+    const double middle = angle / degree;
+    const QRectF outer(axis - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius));
+    const QRectF hub(axis - QPointF(hubRadius, hubRadius), QSizeF(2 * hubRadius, 2 * hubRadius));
+    QPainterPath path;
+    path.arcMoveTo(outer, middle - half);
+    path.arcTo(outer, middle - half, 2 * half);
+    path.arcTo(hub, middle + half, -2 * half);
+    path.closeSubpath();
+    return path;
+}
+
+void drawWeight(QPainter& painter, const QPointF& axis, double angle, double radius,
+                const QColor& fill, const QColor& line) {
+    painter.setPen(QPen(line, 1.1));
+    painter.setBrush(fill);
+    painter.drawPath(weightPath(axis, angle, radius, 0.3 * radius, 48.0));
+}
+
+void drawTurning(QPainter& painter, const QPointF& centre, double radius, double start,
+                 double sweep, const QColor& colour) {
+    painter.setPen(QPen(colour, 1.4));
+    painter.setBrush(Qt::NoBrush);
+    const QRectF box(centre - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius));
+    painter.drawArc(box, static_cast<int>(std::lround(start / degree * 16)),
+                    static_cast<int>(std::lround(sweep / degree * 16)));
+    const double end = start + sweep;
+    const QPointF tip = centre + QPointF(std::cos(end), -std::sin(end)) * radius;
+    const double turn = sweep > 0.0 ? 1.0 : -1.0;
+    const QPointF along(-std::sin(end) * turn, -std::cos(end) * turn);
+    const QPointF across(-along.y(), along.x());
+    constexpr double head = 6.0;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    painter.drawPolygon(QPolygonF{tip + along * head * 0.7, tip - along * head * 0.4 + across * 3.0,
+                                  tip - along * head * 0.4 - across * 3.0});
+}
+
+void drawCentred(QPainter& painter, const QPointF& middle, const QString& text) {
+    constexpr QPointF reach(200.0, 50.0);
+    painter.drawText(QRectF(middle - reach, middle + reach), Qt::AlignCenter, text);
+}
+
+QColor bankColour(int bank) {
+    constexpr int colours[] = {2, 1, 3, 4};
+    return Theme::instance().curve(colours[bank % 4]);
+}
+
+QColor metal() {
+    return Theme::instance().isDark() ? QColor(0x4a525c) : QColor(0xd9dee4);
+}
+
+QColor brightMetal() {
+    return Theme::instance().isDark() ? QColor(0x5a636e) : QColor(0xeef1f4);
+}
+
+QColor frontWeight() {
+    return Theme::instance().isDark() ? QColor(0x6b5a3a) : QColor(0xf2d9ae);
+}
+
+QColor rearWeight() {
+    return Theme::instance().isDark() ? QColor(0x2f4d66) : QColor(0xbfdcf3);
+}
+
+}  // namespace ravnoves::drawing

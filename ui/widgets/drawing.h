@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QColor>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPointF>
+#include <complex>
+
+namespace ravnoves::drawing {
+
+/// A point of the front view (x right, y up) in a widget's pixels.
+struct Frame {
+    QPointF origin;
+    double pixelsPerUnit = 1.0;
+
+    QPointF at(const std::complex<double>& p) const {
+        return origin + QPointF(p.real() * pixelsPerUnit, -p.imag() * pixelsPerUnit);
+    }
+    double length(double units) const { return units * pixelsPerUnit; }
+};
+
+/// An arrow of the present pen width in one colour; nothing where it would be too short to see.
+void drawArrow(QPainter& painter, const QPointF& from, const QPointF& to, const QColor& colour,
+               double width = 2.0);
+
+/// A straight bar of metal (rod, crank web) between two points; its ends are left to the joints.
+/// A polygon with a thin outline: wide round pens cost a page its frame.
+void drawBar(QPainter& painter, const QPointF& from, const QPointF& to, double width,
+             const QColor& fill, const QColor& line);
+
+/// A counterweight seen along its shaft: the sector of a disc with a hub towards an angle (rad,
+/// counter-clockwise from x), `half` degrees to both sides.
+QPainterPath weightPath(const QPointF& axis, double angle, double radius, double hubRadius,
+                        double half);
+/// The usual counterweight, 48° to both sides.
+void drawWeight(QPainter& painter, const QPointF& axis, double angle, double radius,
+                const QColor& fill, const QColor& line);
+
+/// An arc with an arrowhead round a centre, from `start` through `sweep` (rad, counter-clockwise).
+void drawTurning(QPainter& painter, const QPointF& centre, double radius, double start,
+                 double sweep, const QColor& colour);
+
+/// A text with its middle at a point.
+void drawCentred(QPainter& painter, const QPointF& middle, const QString& text);
+
+/// Colours of bank 1, bank 2, … and of metal parts in the present theme.
+QColor bankColour(int bank);
+QColor metal();
+QColor brightMetal();
+QColor frontWeight();
+QColor rearWeight();
+
+}  // namespace ravnoves::drawing

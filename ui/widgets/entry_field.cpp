@@ -1,0 +1,94 @@
+#include "widgets/entry_field.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+#include <utility>
+
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+EntryField::EntryField(QWidget* parent) : QLineEdit(parent) {
+    connect(this, &QLineEdit::textEdited, this, [this] {
+        if (!editing_) {
+            editing_ = true;
+            keepValue();
+            Q_EMIT editingBegun();
+        }
+        readText();
+    });
+    connect(this, &QLineEdit::editingFinished, this, [this] {
+        if (trouble_.isEmpty()) {
+            showValue();
+        }
+        endEditing();
+    });
+}
+
+void EntryField::setHint(const QString& hint) {
+    hint_ = hint;
+    describe();
+}
+
+void EntryField::showValue() {
+    setText(written());
+    setCursorPosition(0);
+}
+
+void EntryField::endEditing() {
+    if (std::exchange(editing_, false)) {
+        Q_EMIT editingEnded();
+    }
+}
+
+void EntryField::setTrouble(const QString& trouble) {
+    if (trouble == trouble_) {
+        return;
+    }
+    trouble_ = trouble;
+    describe();
+    Q_EMIT troubleChanged(trouble_);
+    update();
+}
+
+void EntryField::describe() {
+    QStringList tip{trouble_, hint_, rule()};
+    tip.removeAll(QString());
+    if (!hint_.isEmpty() || !rule().isEmpty()) {
+        setToolTip(tip.join(QLatin1Char('\n')));
+    }
+    setAccessibleDescription(trouble_.isEmpty() ? hint_ : trouble_);
+}
+
+void EntryField::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape && (editing_ || !trouble_.isEmpty())) {
+        if (editing_) {
+            bringBack();
+        }
+        setTrouble({});
+        showValue();
+        endEditing();
+        return;
+    }
+    QLineEdit::keyPressEvent(event);
+}
+
+void EntryField::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LocaleChange && trouble_.isEmpty()) {
+        showValue();
+        describe();
+    }
+    QLineEdit::changeEvent(event);
+}
+
+void EntryField::paintEvent(QPaintEvent* event) {
+    QLineEdit::paintEvent(event);
+    if (!trouble_.isEmpty()) {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(Theme::instance().error(), 2.0));
+        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 2, 2);
+    }
+}
+
+}  // namespace ravnoves

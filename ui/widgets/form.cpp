@@ -1,0 +1,198 @@
+#include "widgets/form.h"
+
+#include <QCheckBox>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "numerics/demand.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+namespace {
+
+/// A text of the input: every text is allowed.
+class TextField final : public ValueEntry<QString> {
+  public:
+    TextField(std::function<void(const QString&)> passOn, QWidget* parent)
+        : ValueEntry(parent), passOn_(std::move(passOn)) {}
+
+  protected:
+    Reading read(const QString& /*typed*/) const override { return {text(), {}}; }
+    QString written() const override { return value(); }
+    void passOn() override { passOn_(value()); }
+
+  private:
+    std::function<void(const QString&)> passOn_;
+};
+
+FieldValue numberValue(FieldKind kind, std::optional<double> value) {
+    if (!value) {
+        return {};
+    }
+    return kind == FieldKind::integer ? FieldValue(static_cast<int>(*value)) : FieldValue(*value);
+}
+
+std::optional<double> numberOf(const FieldValue& value) {
+    if (const int* whole = std::get_if<int>(&value)) {
+        return *whole;
+    }
+    const double* number = std::get_if<double>(&value);
+    return number != nullptr ? std::optional(*number) : std::nullopt;
+}
+
+}  // namespace
+
+Form::Form(SceneModel* model, QWidget* parent)
+    : QWidget(parent),
+      model_(model),
+      column_(new QVBoxLayout(this)),
+      described_(model->describedFields()) {
+    column_->setContentsMargins(Theme::margin, Theme::margin, Theme::margin, Theme::margin);
+    column_->setSpacing(Theme::gap);
+    connect(model_, &SceneModel::changed, this, &Form::showAll);
+}
+
+FormSection* Form::section(const QString& title) {
+    current_ = new FormSection(title, this);
+    column_->addWidget(current_);
+    return current_;
+}
+
+const FieldEntry& Form::described(const char* pointer) const {
+    const auto found = std::find_if(described_.begin(), described_.end(),
+                                    [&](const FieldEntry& e) { return e.pointer == pointer; });
+    RAVNOVES_DEMAND(found != described_.end(), "a form's row is a field of the input");
+    return *found;
+}
+
+void Form::groupSteps(EntryField* field) {
+    connect(field, &EntryField::editingBegun, model_, &SceneModel::finishDrag);
+    connect(field, &EntryField::editingEnded, model_, &SceneModel::finishDrag);
+}
+
+void Form::add(const char* pointer, QWidget* field, std::function<void(const FieldValue&)> show) {
+    const auto entries = model_->fields();
+    const auto present = std::find_if(entries.begin(), entries.end(),
+                                      [&](const FieldEntry& e) { return e.pointer == pointer; });
+    field->setEnabled(present != entries.end());
+    show(present != entries.end() ? present->value : FieldValue());
+    rows_.push_back({pointer, std::move(show), field});
+}
+
+NumberField* Form::number(const char* pointer) {
+    const FieldEntry& entry = described(pointer);
+    NumberField* field = current_->addNumber(entry.field);
+    field->setOptional(entry.may_be_empty);
+    field->setWhole(entry.kind == FieldKind::integer);
+    connect(field, &NumberField::valueEdited, this,
+            [this, place = entry.pointer, kind = entry.kind,
+             name = fieldName(entry.field)](std::optional<double> value) {
+                model_->editField(place, numberValue(kind, value), name);
+            });
+    groupSteps(field);
+    add(pointer, field, [field](const FieldValue& value) { field->setValue(numberOf(value)); });
+    return field;
+}
+
+NumberField* Form::number(const Field& description, std::function<std::optional<double>()> read,
+                          std::function<void(std::optional<double>)> write) {
+    NumberField* field = current_->addNumber(description);
+    connect(field, &NumberField::valueEdited, this, std::move(write));
+    groupSteps(field);
+    follow([field, read = std::move(read)] { field->setValue(read()); });
+    return field;
+}
+
+QComboBox* Form::choice(const char* pointer) {
+    const FieldEntry& entry = described(pointer);
+    auto* box = new QComboBox(current_);
+    box->setObjectName(QString::fromStdString(std::string(entry.field.key)));
+    for (const Word& word : entry.field.words) {
+        box->addItem(shownText(word.label));
+    }
+    current_->addWidget(shownText(entry.field.label), box, {}, shownText(entry.field.hint));
+    connect(box, &QComboBox::activated, this,
+            [this, place = entry.pointer, name = fieldName(entry.field)](int index) {
+                model_->finishDrag();
+                if (!model_->editField(place, index, name).isEmpty()) {
+                    showAll();  // refused: the choice goes back
+                }
+            });
+    add(pointer, box, [box](const FieldValue& value) {
+        const int* index = std::get_if<int>(&value);
+        box->setCurrentIndex(index != nullptr ? *index : -1);
+    });
+    return box;
+}
+
+QWidget* Form::flag(const char* pointer) {
+    const FieldEntry& entry = described(pointer);
+    auto* box = new QCheckBox(shownText(entry.field.label), current_);
+    box->setObjectName(QString::fromStdString(std::string(entry.field.key)));
+    box->setToolTip(shownText(entry.field.hint));
+    box->setAccessibleName(fieldName(entry.field));
+    current_->addWide(box);
+    connect(box, &QCheckBox::clicked, this,
+            [this, place = entry.pointer, name = fieldName(entry.field)](bool on) {
+                model_->finishDrag();
+                model_->editField(place, on, name);
+            });
+    add(pointer, box, [box](const FieldValue& value) {
+        const bool* on = std::get_if<bool>(&value);
+        box->setChecked(on != nullptr && *on);
+    });
+    return box;
+}
+
+QLineEdit* Form::text(const char* pointer) {
+    const FieldEntry& entry = described(pointer);
+    auto* field = new TextField(
+        [this, place = entry.pointer, name = fieldName(entry.field)](const QString& typed) {
+            model_->editField(place, typed.toStdString(), name);
+        },
+        current_);
+    field->setObjectName(QString::fromStdString(std::string(entry.field.key)));
+    current_->addWidget(shownText(entry.field.label), field, {}, shownText(entry.field.hint));
+    groupSteps(field);
+    add(pointer, field, [field](const FieldValue& value) {
+        const std::string* words = std::get_if<std::string>(&value);
+        field->setValue(words != nullptr ? QString::fromStdString(*words) : QString());
+    });
+    return field;
+}
+
+void Form::follow(std::function<void()> show) {
+    show();
+    followers_.push_back(std::move(show));
+}
+
+void Form::showAll() {
+    const auto entries = model_->fields();
+    for (const Row& row : rows_) {
+        const auto present =
+            std::find_if(entries.begin(), entries.end(),
+                         [&](const FieldEntry& entry) { return entry.pointer == row.pointer; });
+        row.field->setEnabled(present != entries.end());
+        row.show(present != entries.end() ? present->value : FieldValue());
+    }
+    for (const auto& show : followers_) {
+        show();
+    }
+}
+
+QStringList Form::refused() const {
+    QStringList list;
+    for (const EntryField* field : findChildren<EntryField*>()) {
+        if (!field->trouble().isEmpty()) {
+            list << field->accessibleName() + QStringLiteral(": ") + field->trouble();
+        }
+    }
+    return list;
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,107 @@
+#include "widgets/mechanism_picture.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "theme/icons.h"
+#include "theme/theme.h"
+#include "widgets/value_slider.h"
+
+namespace ravnoves {
+
+namespace {
+
+constexpr int frameMs = 16;
+constexpr qint64 longestStepMs = 100;  ///< after a standstill it goes on where it was
+
+}  // namespace
+
+MechanismPicture::MechanismPicture(const QString& name, const QString& hint, QWidget* parent)
+    : QWidget(parent) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(name);
+    setToolTip(hint);
+    timer_.setInterval(frameMs);
+    timer_.setTimerType(Qt::PreciseTimer);
+    connect(&timer_, &QTimer::timeout, this, [this] {
+        play(1e-3 * static_cast<double>(std::min(sinceStep_.restart(), longestStepMs)));
+    });
+    connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+}
+
+void MechanismPicture::setPlaying(bool playing) {
+    if (playing == isPlaying()) {
+        return;
+    }
+    sinceStep_.start();
+    playing ? timer_.start() : timer_.stop();
+    Q_EMIT playingChanged(playing);
+}
+
+void MechanismPicture::keyPressEvent(QKeyEvent* event) {
+    switch (event->key()) {
+        case Qt::Key_Space:
+            setPlaying(!isPlaying());
+            return;
+        case Qt::Key_Left:
+            step(-1.0);
+            return;
+        case Qt::Key_Right:
+            step(1.0);
+            return;
+        default:
+            QWidget::keyPressEvent(event);
+    }
+}
+
+void MechanismPicture::drawFocus(QPainter& painter) const {
+    if (hasFocus()) {
+        painter.setPen(QPen(Theme::instance().accent(), 1.0));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+    }
+}
+
+PicturePanel::PicturePanel(MechanismPicture* picture, double most, const QString& hint,
+                           QWidget* parent)
+    : Panel(parent), controls_(new QHBoxLayout), action_(new QAction(this)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(1, 1, 1, Theme::gap);
+    column->setSpacing(0);
+    column->addWidget(picture, 1);
+    controls_->setContentsMargins(Theme::space, 0, Theme::space, 0);
+    controls_->setSpacing(Theme::space);
+    column->addLayout(controls_);
+    auto* button = new QToolButton(this);
+    button->setAutoRaise(true);
+    button->setAccessibleName(tr("Play or pause the picture"));
+    controls_->addWidget(button);
+    slider_ = new ValueSlider(tr("&φ"), 0.0, most, 1.0, 15.0, 0, QStringLiteral("°"), this);
+    slider_->setHint(hint);
+    controls_->addWidget(slider_, 1);
+    action_->setToolTip(tr("Turn the crank"));
+
+    const auto toggle = [picture] { picture->setPlaying(!picture->isPlaying()); };
+    connect(button, &QToolButton::clicked, picture, toggle);
+    connect(action_, &QAction::triggered, picture, toggle);
+    const auto show = [this, button](bool playing) {
+        const QIcon icon = themedIcon(playing ? QStringLiteral("pause") : QStringLiteral("play"));
+        action_->setIcon(icon);
+        action_->setText(playing ? tr("&Pause") : tr("&Play"));
+        button->setIcon(icon);
+        button->setToolTip(playing ? tr("Pause (Space)") : tr("Play (Space)"));
+    };
+    connect(picture, &MechanismPicture::playingChanged, this, show);
+    show(false);
+}
+
+void PicturePanel::addControl(QWidget* control) {
+    controls_->insertWidget(controls_->indexOf(slider_), control);
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QTimer>
+
+#include "widgets/panel.h"
+
+class QAction;
+class QHBoxLayout;
+class QPainter;
+
+namespace ravnoves {
+
+class ValueSlider;
+
+/// A picture of a mechanism that turns. Space plays and pauses, the left and right arrows step by
+/// a degree.
+class MechanismPicture : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// @param name  for screen readers
+    MechanismPicture(const QString& name, const QString& hint, QWidget* parent = nullptr);
+
+    bool isPlaying() const { return timer_.isActive(); }
+    void setPlaying(bool playing);
+
+  Q_SIGNALS:
+    void playingChanged(bool playing);
+
+  protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    /// Moves on by the time since the picture before, s.
+    virtual void play(double seconds) = 0;
+    /// An arrow key: −1 or +1, degrees.
+    virtual void step(double degrees) = 0;
+    /// The frame around a picture with the focus.
+    void drawFocus(QPainter& painter) const;
+
+  private:
+    QTimer timer_;
+    QElapsedTimer sinceStep_;
+};
+
+/// A panel with a picture and below it its bar: play and pause, the crank angle.
+class PicturePanel : public Panel {
+    Q_OBJECT
+
+  public:
+    /// @param most  the largest crank angle, °
+    /// @param hint  what the crank angle is
+    PicturePanel(MechanismPicture* picture, double most, const QString& hint,
+                 QWidget* parent = nullptr);
+
+    ValueSlider* slider() const { return slider_; }
+    /// Plays and pauses, for menu and toolbar.
+    QAction* action() const { return action_; }
+    /// Puts another control into the bar, before the angle.
+    void addControl(QWidget* control);
+
+  private:
+    QHBoxLayout* controls_;
+    ValueSlider* slider_;
+    QAction* action_;
+};
+
+}  // namespace ravnoves

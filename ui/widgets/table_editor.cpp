@@ -1,0 +1,154 @@
+#include "widgets/table_editor.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QStyledItemDelegate>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "theme/icons.h"
+#include "theme/theme.h"
+#include "widgets/form_section.h"
+
+namespace ravnoves {
+
+namespace {
+
+/// Colours what was refused.
+class TroubleDelegate final : public QStyledItemDelegate {
+  public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+  protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        if (index.data(EditableTable::TroubleRole).toBool()) {
+            option->palette.setColor(QPalette::Text, Theme::instance().error());
+        }
+    }
+};
+
+}  // namespace
+
+TableEditor::TableEditor(EditableTable* table, const QString& name, const QString& addTip,
+                         const QString& removeTip, QWidget* parent)
+    : QWidget(parent), table_(table), tools_(new QHBoxLayout) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(Theme::margin, Theme::space, Theme::margin, Theme::space);
+    column->setSpacing(Theme::gap);
+    caption_ = captionLabel({}, this);
+    column->addWidget(caption_);
+    tools_->setSpacing(2);
+    tools_->addStretch();
+    column->addLayout(tools_);
+    view_ = new QTableView(this);
+    view_->setModel(table_);
+    view_->setItemDelegate(new TroubleDelegate(view_));
+    view_->setAlternatingRowColors(true);
+    view_->setAccessibleName(name);
+    view_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    view_->horizontalHeader()->setMinimumSectionSize(30);
+    view_->verticalHeader()->setDefaultSectionSize(22);
+    view_->verticalHeader()->setMinimumWidth(22);
+    view_->setFont(Theme::font(Theme::baseSize - 1));
+    view_->setSelectionMode(QAbstractItemView::ContiguousSelection);
+    view_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                           QAbstractItemView::AnyKeyPressed);
+    view_->setTabKeyNavigation(false);
+    view_->installEventFilter(this);
+    column->addWidget(view_, 1);
+    message_ = captionLabel({}, this);
+    column->addWidget(message_);
+
+    addTool(QStringLiteral("copy"), tr("Copy (Ctrl+C)"), [this] { copy(); });
+    addTool(QStringLiteral("plus"), addTip, [this] {
+        table_->insertRowBelow(view_->currentIndex().row());
+    })->setObjectName(QStringLiteral("add_row"));
+    addTool(QStringLiteral("minus"), removeTip, [this] {
+        removeSelected();
+    })->setObjectName(QStringLiteral("remove_row"));
+}
+
+QToolButton* TableEditor::addTool(const QString& icon, const QString& tip,
+                                  std::function<void()> use) {
+    auto* button = new QToolButton(this);
+    button->setIcon(themedIcon(icon));
+    button->setToolTip(tip);
+    button->setAccessibleName(tip);
+    button->setAutoRaise(true);
+    button->setIconSize(QSize(18, 18));
+    connect(button, &QToolButton::clicked, this, std::move(use));
+    tools_->insertWidget(toolCount_++, button);
+    return button;
+}
+
+void TableEditor::say(const QString& text, bool isTrouble) {
+    colourText(message_, isTrouble ? Theme::instance().error() : Theme::instance().mutedText());
+    message_->setText(text);
+}
+
+void TableEditor::removeSelected() {
+    const QItemSelection selection = view_->selectionModel()->selection();
+    if (!selection.isEmpty()) {
+        table_->removeRowRange(selection.first().top(), selection.first().height());
+    }
+}
+
+void TableEditor::copy() const {
+    const QItemSelection selection = view_->selectionModel()->selection();
+    const QItemSelectionRange range =
+        selection.isEmpty()
+            ? QItemSelectionRange(table_->index(0, 0),
+                                  table_->index(table_->rowCount() - 1, table_->columnCount() - 1))
+            : selection.first();
+    QString text;
+    for (int row = range.top(); row <= range.bottom(); ++row) {
+        QStringList cells;
+        for (int cell = range.left(); cell <= range.right(); ++cell) {
+            cells << table_->index(row, cell).data(Qt::EditRole).toString();
+        }
+        text += cells.join(QLatin1Char('\t')) + QLatin1Char('\n');
+    }
+    QApplication::clipboard()->setText(text);
+}
+
+void TableEditor::paste() {
+    const std::vector<QStringList> cells = readTextTable(QApplication::clipboard()->text());
+    if (cells.empty()) {
+        say(tr("The clipboard holds no numbers."), true);
+        return;
+    }
+    const QModelIndex at = view_->currentIndex();
+    const QString trouble =
+        table_->pasteBlock(std::max(at.row(), 0), std::max(at.column(), 0), cells);
+    if (!trouble.isEmpty()) {
+        say(trouble, true);
+    }
+}
+
+bool TableEditor::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == view_ && event->type() == QEvent::KeyPress) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const bool isPaste = key->matches(QKeySequence::Paste);
+        const bool isCopy = key->matches(QKeySequence::Copy);
+        if (isPaste) {
+            paste();
+        } else if (isCopy) {
+            copy();
+        } else if (key->key() == Qt::Key_Delete) {
+            removeSelected();
+        } else {
+            return false;
+        }
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace ravnoves
