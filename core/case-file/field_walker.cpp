@@ -22,7 +22,8 @@ bool FieldWalker::begin_list(const Field& field, std::size_t& /*count*/) {
 
 void FieldWalker::enter(std::string_view key) {
     lengths_.push_back(pointer_.size());
-    pointer_ += "/" + escape_segment(key);
+    pointer_ += '/';
+    pointer_ += escape_segment(key);
 }
 
 void FieldWalker::leave() {
