@@ -83,14 +83,6 @@ void SheetForm::checked(const Field& description, CheckedText text) {
     field->setPlaceholderText(shownText(description.placeholder));
     enlarge(field);
     current()->addWidget(shownText(description.label), field, {}, shownText(description.hint));
-    QLabel* trouble = wrapped(current(), Theme::smallSize);
-    trouble->hide();
-    current()->addWide(trouble);
-    connect(field, &CheckedField::troubleChanged, trouble, [trouble](const QString& words) {
-        trouble->setText(words);
-        trouble->setVisible(!words.isEmpty());
-        colourText(trouble, Theme::instance().error());
-    });
     connect(field, &CheckedField::valueEdited, this,
             [this, name = fieldName(description), text](const QString& typed) {
                 model_->edit(name, [&](Input& input) { text.write(input, text.normal(typed)); });
