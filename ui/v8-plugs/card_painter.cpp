@@ -15,17 +15,11 @@ using namespace v8_plugs;
 
 namespace {
 
-constexpr double left = CardPage::left;
-constexpr double full = CardPage::full;
-constexpr double right = CardPage::right;
-
 using units::gram;
 
 const QColor cutColour(0xB0, 0x30, 0x10);
 
 constexpr double inputRow = 3.6;  // mm
-
-const QString missing = QStringLiteral("—");
 
 }  // namespace
 

@@ -45,6 +45,11 @@ class CardPainter {
     QString dateText() const;
     QString notesText() const;
 
+    static constexpr double left = CardPage::left;
+    static constexpr double full = CardPage::full;
+    static constexpr double right = CardPage::right;
+    inline static const QString missing = QStringLiteral("—");
+
     CardPage& sheet_;
     const v8_plugs::Input& input_;
     const v8_plugs::Result& solution_;

@@ -11,16 +11,6 @@ namespace ravnoves {
 
 using namespace v8_plugs;
 
-namespace {
-
-constexpr double left = CardPage::left;
-constexpr double full = CardPage::full;
-constexpr double right = CardPage::right;
-
-const QString missing = QStringLiteral("—");
-
-}  // namespace
-
 /// The weights of the parts, and which set goes to which cylinder, under the same columns.
 double CardPainter::weighIn(double y) {
     if (!input_.weigh_in ||

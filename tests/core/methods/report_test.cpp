@@ -9,16 +9,13 @@
 
 #include "csv_lines.h"
 #include "methods/plain_text.h"
+#include "support.h"
 
 namespace ravnoves::methods {
 namespace {
 
 constexpr MeasureOptions quick{
     .batch_seconds = 1e-9, .batches = 3, .most_seconds = 1e-9, .sweep_points = 5};
-
-bool says(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 TEST(MethodsReport, HasARowForEveryMethodAndSetting) {
     const Kernel& kernel = *find_kernel("cycle-mean");

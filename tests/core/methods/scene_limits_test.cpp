@@ -15,6 +15,7 @@
 #include "inertia-moments/engine.h"
 #include "methods/kernel.h"
 #include "scenes/scenes.h"
+#include "support.h"
 
 namespace ravnoves::methods {
 namespace {
@@ -22,19 +23,6 @@ namespace {
 Json example(const std::string& name) {
     return Json::parse(
         read_text_file(std::filesystem::path(RAVNOVES_EXAMPLES) / (name + ".case.json")));
-}
-
-bool says(const std::string& text, const char* part) {
-    return text.find(part) != std::string::npos;
-}
-
-bool has_only_finite_numbers(const Json& json) {
-    if (json.is_number_float()) {
-        return std::isfinite(json.get<double>());
-    }
-    return !json.is_structured() || std::all_of(json.begin(), json.end(), [](const Json& v) {
-        return has_only_finite_numbers(v);
-    });
 }
 
 /// The "result" of a case; every number in it is finite.

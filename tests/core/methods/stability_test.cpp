@@ -18,6 +18,7 @@
 #include "methods/torque_cycle.h"
 #include "numerics/constants.h"
 #include "scenes/scenes.h"
+#include "support.h"
 
 namespace ravnoves::methods {
 namespace {
@@ -50,10 +51,6 @@ std::string refusal_of(const char* kernel_id, const char* sweep, double value, c
 std::string scene_refusal(const char* kernel_id, const char* sweep, double value) {
     const Kernel& kernel = *find_kernel(kernel_id);
     return kernel.problem(kernel.find_sweep(sweep), value)->scene_refusal().english();
-}
-
-bool says(const std::string& text, const char* part) {
-    return text.find(part) != std::string::npos;
 }
 
 // ------------------------------------------------------------------------------- slider-crank
@@ -328,15 +325,6 @@ void collect_numbers(const Json& json, const std::string& path, std::vector<std:
             collect_numbers(value, path + "/" + key, list);
         }
     }
-}
-
-bool has_only_finite_numbers(const Json& json) {
-    if (json.is_number_float()) {
-        return std::isfinite(json.get<double>());
-    }
-    return !json.is_structured() || std::all_of(json.begin(), json.end(), [](const Json& v) {
-        return has_only_finite_numbers(v);
-    });
 }
 
 /// Every number of every example case, one after the other, made tiny, huge, zero or negative.

@@ -25,7 +25,7 @@ namespace {
 using namespace Qt::StringLiterals;
 using namespace v8_plugs;
 
-constexpr double gram = 1e-3;
+using units::gram;
 
 class V8ModelTest : public ::testing::Test {
   protected:

@@ -47,7 +47,7 @@ namespace {
 using namespace Qt::StringLiterals;
 using namespace v8_plugs;
 
-constexpr double gram = 1e-3;
+using units::gram;
 
 class V8PageTest : public ::testing::Test {
   protected:
