@@ -117,6 +117,25 @@ BasicPeriodicPiecewise<Scalar> BasicPeriodicPiecewise<Scalar>::sum(const BasicPe
 }
 
 template <typename Scalar>
+BasicPeriodicPiecewise<Scalar> BasicPeriodicPiecewise<Scalar>::refined(
+    const Scalar& longest) const {
+    using std::ceil;
+    BasicPeriodicPiecewise result;
+    result.linear_ = linear_;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        const Scalar h = knots_[i + 1] - knots_[i];
+        const int parts = std::max(1, static_cast<int>(ceil(Scalar(h / longest))));
+        for (int part = 0; part < parts; ++part) {
+            const Scalar t = h * part / parts;
+            result.knots_.push_back(knots_[i] + t);
+            result.pieces_.push_back(pieces_[i].shifted(t));
+        }
+    }
+    result.knots_.push_back(knots_.back());
+    return result;
+}
+
+template <typename Scalar>
 typename BasicPeriodicPiecewise<Scalar>::Place BasicPeriodicPiecewise<Scalar>::find(
     Scalar x) const {
     const Scalar first = knots_.front();

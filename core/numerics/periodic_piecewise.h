@@ -58,6 +58,8 @@ class BasicPeriodicPiecewise {
     /// f + factor × g, of two functions with the same knots; straight lines where both are.
     static BasicPeriodicPiecewise sum(const BasicPeriodicPiecewise& f,
                                       const BasicPeriodicPiecewise& g, const Scalar& factor);
+    /// The same function with every piece that is longer than `longest` cut into equal parts.
+    BasicPeriodicPiecewise refined(const Scalar& longest) const;
 
     Scalar period() const { return knots_.back() - knots_.front(); }
     bool is_linear() const { return linear_; }
