@@ -23,6 +23,19 @@ struct Sinusoid {
     }
 };
 
+/// Angles from one to another, rad: 0 ≤ from < 2π, from ≤ to ≤ from + 2π.
+struct AngleStretch {
+    double from = 0.0;
+    double to = boost::math::constants::two_pi<double>();
+
+    bool is_whole_turn() const { return to - from >= boost::math::constants::two_pi<double>(); }
+    bool operator==(const AngleStretch&) const = default;
+};
+
+inline std::vector<AngleStretch> whole_turn() {
+    return {AngleStretch{}};
+}
+
 /// An evaluated angle with a lower bound of the function everywhere that touches it there.
 template <typename Scalar>
 struct Cut {
@@ -102,18 +115,39 @@ Bound<Scalar> least_of_larger(const Cut<Scalar>& left, const Cut<Scalar>& right)
 /// @param evaluate  α → Cut
 /// @param steepest  Lipschitz constant of the function
 /// @param size      scale of its rounding, besides its values
+/// @param within    the angles to choose from, one stretch at least; default: all
 template <typename Scalar, typename Evaluate>
 AngleMinimum<Scalar> minimise_over_angle(const Evaluate& evaluate, const Scalar& steepest,
-                                         const Scalar& size) {
+                                         const Scalar& size,
+                                         const std::vector<AngleStretch>& within = whole_turn()) {
     const Scalar& two_pi = boost::math::constants::two_pi<Scalar>();
     constexpr int first_angles = 36;
     AngleMinimum<Scalar> best;
+    std::vector<std::array<Cut<Scalar>, 2>> open;
     std::vector<Cut<Scalar>> cuts;
-    cuts.reserve(first_angles + 1);
-    for (int i = 0; i < first_angles; ++i) {
-        cuts.push_back(evaluate(Scalar(two_pi * i / first_angles)));
+    for (const AngleStretch& stretch : within) {
+        // The ends of the whole turn are one angle.
+        const bool whole = stretch.is_whole_turn();
+        const Scalar from = stretch.from;
+        const Scalar span = whole ? two_pi : Scalar(stretch.to - stretch.from);
+        const int parts = whole ? first_angles
+                                : 1 + static_cast<int>(static_cast<double>(first_angles) *
+                                                       (stretch.to - stretch.from) /
+                                                       boost::math::constants::two_pi<double>());
+        const std::size_t first = cuts.size();
+        for (int i = 0; i < parts + (whole ? 0 : 1); ++i) {
+            cuts.push_back(evaluate(Scalar(from + span * i / parts)));
+            ++best.evaluations;
+        }
+        if (whole) {
+            cuts.push_back(cuts[first]);
+            cuts.back().alpha = from + two_pi;
+        }
+        for (std::size_t i = first; i + 1 < cuts.size(); ++i) {
+            open.push_back({cuts[i], cuts[i + 1]});
+        }
     }
-    best.evaluations = first_angles;
+    std::reverse(open.begin(), open.end());
     const auto by_value = [](const Cut<Scalar>& a, const Cut<Scalar>& b) {
         return a.value < b.value;
     };
@@ -121,17 +155,11 @@ AngleMinimum<Scalar> minimise_over_angle(const Evaluate& evaluate, const Scalar&
     best.alpha = least->alpha;
     best.value = least->value;
     best.worst = worst->value;
-    cuts.push_back(cuts.front());
-    cuts.back().alpha = two_pi;
 
     // Bounds closer than this are rounding.
     const Scalar rounding = 450 * std::numeric_limits<Scalar>::epsilon();
     const Scalar tolerance = rounding * (best.worst + size);
     constexpr int most_evaluations = 20'000;
-    std::vector<std::array<Cut<Scalar>, 2>> open;
-    for (std::size_t i = first_angles; i-- > 0;) {
-        open.push_back({cuts[i], cuts[i + 1]});
-    }
     while (!open.empty()) {
         const std::array<Cut<Scalar>, 2> interval = open.back();
         open.pop_back();
@@ -162,7 +190,7 @@ AngleMinimum<Scalar> minimise_over_angle(const Evaluate& evaluate, const Scalar&
         open.push_back({cut, interval[1]});
         open.push_back({interval[0], cut});
     }
-    if (best.alpha >= two_pi) {
+    while (best.alpha >= two_pi) {
         best.alpha -= two_pi;
     }
     return best;

@@ -23,16 +23,19 @@ Cut<Scalar> range_cut(const BasicCycleExtrema<Scalar>& extrema, const Scalar& al
 }
 
 template <typename Scalar>
-BasicBestRange<Scalar> minimise_range(const BasicCycleExtrema<Scalar>& extrema) {
+BasicBestRange<Scalar> minimise_range(const BasicCycleExtrema<Scalar>& extrema,
+                                      const std::vector<AngleStretch>& within) {
     // |dR/dα| ≤ 2A.
     const auto best =
         minimise_over_angle<Scalar>([&](const Scalar& alpha) { return range_cut(extrema, alpha); },
-                                    Scalar(2 * extrema.amplitude()), extrema.amplitude());
+                                    Scalar(2 * extrema.amplitude()), extrema.amplitude(), within);
     return {best.alpha, best.value, best.worst, best.gap, best.evaluations};
 }
 
 template Cut<double> range_cut(const BasicCycleExtrema<double>&, const double&);
-template BasicBestRange<double> minimise_range(const BasicCycleExtrema<double>&);
-template BasicBestRange<Real50> minimise_range(const BasicCycleExtrema<Real50>&);
+template BasicBestRange<double> minimise_range(const BasicCycleExtrema<double>&,
+                                               const std::vector<AngleStretch>&);
+template BasicBestRange<Real50> minimise_range(const BasicCycleExtrema<Real50>&,
+                                               const std::vector<AngleStretch>&);
 
 }  // namespace ravnoves::balance_shaft

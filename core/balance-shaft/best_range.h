@@ -24,7 +24,9 @@ template <typename Scalar>
 Cut<Scalar> range_cut(const BasicCycleExtrema<Scalar>& extrema, const Scalar& alpha);
 
 /// The global minimum of the range over α by minimise_over_angle(). Made for double and for Real50.
+/// @param within  the angles to choose from, one stretch at least; default: all
 template <typename Scalar>
-BasicBestRange<Scalar> minimise_range(const BasicCycleExtrema<Scalar>& extrema);
+BasicBestRange<Scalar> minimise_range(const BasicCycleExtrema<Scalar>& extrema,
+                                      const std::vector<AngleStretch>& within = whole_turn());
 
 }  // namespace ravnoves::balance_shaft

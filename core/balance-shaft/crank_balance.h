@@ -13,16 +13,20 @@ namespace ravnoves::balance_shaft {
 /// P cos φ along the cylinder, P = m_j r ω²: the force (−κ P sin φ, (1 − κ) P cos φ) runs on an
 /// ellipse, a line at κ = 0 and 1, a circle at κ = ½. The shaft with two equal counterweights by
 /// equation (1) makes it a point. The second order P λ cos 2φ along the cylinder stays either way.
+/// In an offset engine the first order is P′ cos(θ − δ) with P′ a little above P
+/// (PistonFirstOrder), and all counterweights lag by δ; what equation (1) leaves of it stays.
 /// Source: [gots-klevtsov], the introduction of the method; text-book result.
 struct CrankBalance {
     double share = 0.0;                 ///< κ
-    double first_order = 0.0;           ///< P = m_j r ω², N
-    double along = 0.0;                 ///< half-axis along the cylinder, (1 − κ) P, N
+    double first_order = 0.0;           ///< P′ = m_j r₁ ω², N; r₁ = r without offset
+    double along = 0.0;                 ///< half-axis along the cylinder, P′ − κ P, N
     double across = 0.0;                ///< half-axis across it, κ P, N
     double largest = 0.0;               ///< the larger of the two, N
     double counterweight_moment = 0.0;  ///< κ m_j r, kg·m
     double with_shaft = 0.0;            ///< first order that remains with the shaft, N
     double second_order = 0.0;          ///< P λ, N; λ of the rod given or by default
+    double dead_centre = 0.0;           ///< θ where φ is 0, rad
+    double lag = 0.0;                   ///< δ, rad
 };
 
 /// @throws nothing: the solver's input is checked

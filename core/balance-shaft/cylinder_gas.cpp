@@ -195,19 +195,19 @@ void CylinderGas::find_indicated() {
     constexpr int samples = 1440;
     int highest = 0;
     for (int i = 0; i < samples; ++i) {
-        const double p = pressure(cycle * i / samples);
+        const double p = pressure(cycle * i / samples + top_dead_centre_);
         if (p > indicated_.peak_pressure) {
             indicated_.peak_pressure = p;
             highest = i;
         }
     }
-    const auto [angle, negative] = boost::math::tools::brent_find_minima(
-        [this](double theta) { return -pressure(theta); }, cycle * (highest - 1) / samples,
-        cycle * (highest + 1) / samples, 30);
+    const auto [highest_angle, negative] = boost::math::tools::brent_find_minima(
+        [this](double angle) { return -pressure(angle + top_dead_centre_); },
+        cycle * (highest - 1) / samples, cycle * (highest + 1) / samples, 30);
     indicated_.peak_pressure_angle = cycle * highest / samples;
     if (-negative > indicated_.peak_pressure) {
         indicated_.peak_pressure = -negative;
-        indicated_.peak_pressure_angle = wrap_cycle(angle);
+        indicated_.peak_pressure_angle = wrap_cycle(highest_angle);
     }
 }
 

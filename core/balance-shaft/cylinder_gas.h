@@ -34,7 +34,7 @@ struct GasCycle {
     bool operator==(const GasCycle&) const = default;
 };
 
-/// The cylinder that both kinds of gas torque need besides the crank.
+/// The cylinder that both kinds of gas torque need besides the crank; a table has its offset too.
 struct CylinderSizes {
     double bore = 0.0;                ///< m
     double offset = 0.0;              ///< e of the cylinder axis, m (sign of SliderCrank)
@@ -50,7 +50,7 @@ struct IndicatedCycle {
     double imep = 0.0;                 ///< work / V_d, Pa
     std::optional<double> heat;        ///< J, of a GasCycle
     double peak_pressure = 0.0;        ///< Pa
-    double peak_pressure_angle = 0.0;  ///< rad
+    double peak_pressure_angle = 0.0;  ///< rad, from top dead centre
 };
 
 /// Pressure, volume and gas torque of one cylinder over the crank angle θ (from the crank's

@@ -6,8 +6,7 @@
 namespace ravnoves::balance_shaft {
 
 SliderCrank<double> slider_crank(const Input& input) {
-    return {input.crank_radius, input.effective_rod_length(),
-            input.torque.is_computed() ? input.torque.cylinder.offset : 0.0};
+    return {input.crank_radius, input.effective_rod_length(), input.torque.cylinder.offset};
 }
 
 std::optional<CylinderGas> cylinder_gas(const Input& input) {
@@ -40,11 +39,12 @@ TorqueParts torque_parts(const Input& input, const CylinderGas& gas) {
     }
     const int rows = static_cast<int>(std::lround(720.0 * rows_per_degree));
     const SliderCrank<double> crank = slider_crank(input);
+    const double top = crank.top_dead_centre();
     const double mass = input.reciprocating_mass();
     TorqueParts parts;
     for (int i = 0; i <= rows; ++i) {
         const double angle = 720.0 * i / rows;
-        const double theta = 720.0 * (i % rows) / rows * degree;
+        const double theta = 720.0 * (i % rows) / rows * degree + top;
         parts.crank_angle_deg.push_back(angle);
         parts.gas.push_back(gas.torque(theta));
         parts.unit_inertia.push_back(inertia_torque(crank, mass, 1.0, theta));

@@ -10,7 +10,8 @@
 
 namespace ravnoves::balance_shaft {
 
-/// The mechanism of an input; the offset counts where the torque is computed.
+/// The mechanism of an input. Crank angles φ of inputs and results count from the true top dead
+/// centre, so its θ is φ + top_dead_centre().
 SliderCrank<double> slider_crank(const Input& input);
 
 /// The gas side of an input whose torque is computed, else nothing.
@@ -18,7 +19,8 @@ SliderCrank<double> slider_crank(const Input& input);
 std::optional<CylinderGas> cylinder_gas(const Input& input);
 
 /// Engine torque at rows of one cycle, in the part that follows the speed and the part that does
-/// not: M_id = gas + ω² unit_inertia.
+/// not: M_id = gas + ω² unit_inertia. What an offset cylinder adds to the tipping moment is in
+/// neither (with_offset_term()).
 struct TorqueParts {
     std::vector<double> crank_angle_deg;  ///< rows, the last one 720° after the first
     std::vector<double> gas;              ///< N·m

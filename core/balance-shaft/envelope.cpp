@@ -5,26 +5,71 @@
 
 namespace ravnoves::balance_shaft {
 
+namespace {
+
+constexpr double steel = 7850.0;  ///< kg/m³
+
+}  // namespace
+
 FrontView front_view(const Input& input) {
+    const EnvelopeSizes& sizes = input.envelope;
     FrontView view{};
     view.crank_radius = input.crank_radius;
     view.rod_length = input.effective_rod_length();
+    view.offset = input.torque.cylinder.offset;
     view.counterweight_radius = input.counterweight_radius;
     view.centre_distance = input.centre_distance;
     const double known_bore =
         input.torque.is_computed() ? input.torque.cylinder.bore : 2.0 * view.crank_radius;
-    view.cylinder_bore = input.envelope.cylinder_bore.value_or(known_bore);
-    view.cylinder_top = input.envelope.cylinder_top.value_or(view.crank_radius + view.rod_length +
-                                                             view.cylinder_bore / 2.0);
-    constexpr double swing = 1.3;  // circle swept against the radius of the centre of mass
-    view.crank_swing_radius = input.envelope.crank_swing_radius.value_or(
-        swing * std::max(view.crank_radius, view.counterweight_radius));
-    view.shaft_swing_radius =
-        input.envelope.shaft_swing_radius.value_or(swing * view.counterweight_radius);
+    view.cylinder_bore = sizes.cylinder_bore.value_or(known_bore);
+    view.cylinder_wall = sizes.cylinder_wall.value_or(0.06 * view.cylinder_bore);
+    const SliderCrank<double> crank = view.crank();
+    view.cylinder_top =
+        sizes.cylinder_top.value_or(crank.at(crank.top_dead_centre()).s + view.cylinder_bore / 2.0);
+    view.cylinder_bottom = sizes.cylinder_bottom.value_or(crank.at(crank.bottom_dead_centre()).s -
+                                                          0.3 * view.cylinder_bore);
+    view.rod_width = sizes.rod_width.value_or(view.crank_radius / 2.0);
+    const double unbalance =
+        input.counterweight_mass.value_or(input.reciprocating_mass() * input.crank_radius /
+                                          (2.0 * input.counterweight_radius)) *
+        input.counterweight_radius;
+    constexpr double largest = 1e100;
+    const double half_disc =
+        std::min(std::cbrt(1.5 * unbalance / (steel * view.cylinder_bore)), largest);
+    view.crank_swing_radius = sizes.crank_swing_radius.value_or(
+        std::max(view.crank_radius + view.rod_width / 2.0, half_disc));
+    view.shaft_swing_radius = sizes.shaft_swing_radius.value_or(half_disc);
     view.gear_pitch_radius = view.centre_distance / 2.0;
-    view.gear_tip_radius = input.envelope.gear_tip_radius.value_or(view.gear_pitch_radius);
-    view.wall = input.envelope.wall;
+    view.gear_tip_radius = sizes.gear_tip_radius.value_or(view.gear_pitch_radius);
+    view.gear_module = view.centre_distance / input.gears.teeth;
+    view.clearance = sizes.clearance;
+    view.wall = sizes.wall;
     return view;
+}
+
+Message assumed_sizes(const Input& input) {
+    const FrontView view = front_view(input);
+    Message sizes;
+    const auto add = [&](const std::optional<double>& given, const Text& name, double value) {
+        if (!given) {
+            const Message one(Text{"", "%1 %2"}, name, Number{value / units::mm, units::mm, 3});
+            sizes = sizes.empty() ? one : joined(sizes, one);
+        }
+    };
+    const EnvelopeSizes& given = input.envelope;
+    add(given.shaft_swing_radius, CORE_TEXT("balance-shaft", "swing radius of the shaft"),
+        view.shaft_swing_radius);
+    add(given.crank_swing_radius, CORE_TEXT("balance-shaft", "of the crank"),
+        view.crank_swing_radius);
+    add(given.rod_width, CORE_TEXT("balance-shaft", "width of the rod"), view.rod_width);
+    add(given.cylinder_bore, CORE_TEXT("balance-shaft", "bore"), view.cylinder_bore);
+    add(given.cylinder_wall, CORE_TEXT("balance-shaft", "wall of the cylinder"),
+        view.cylinder_wall);
+    add(given.cylinder_bottom, CORE_TEXT("balance-shaft", "its lower end at"),
+        view.cylinder_bottom);
+    return sizes.empty()
+               ? sizes
+               : Message(CORE_TEXT("balance-shaft", "Sizes not given are assumed: %1."), sizes);
 }
 
 Envelope envelope(const FrontView& view, double shaft_angle) {
@@ -32,9 +77,9 @@ Envelope envelope(const FrontView& view, double shaft_angle) {
     const double shaft = std::max(view.shaft_swing_radius, view.gear_tip_radius) + view.wall;
     const double x = view.centre_distance * std::sin(shaft_angle);
     const double y = view.centre_distance * std::cos(shaft_angle);
-    const double cylinder = view.cylinder_bore / 2.0 + view.wall;
-    return {std::min({-crank, x - shaft, -cylinder}), std::max({crank, x + shaft, cylinder}),
-            std::min(-crank, y - shaft),
+    const double cylinder = view.cylinder_half_width() + view.wall;
+    return {std::min({-crank, x - shaft, view.offset - cylinder}),
+            std::max({crank, x + shaft, view.offset + cylinder}), std::min(-crank, y - shaft),
             std::max({crank, y + shaft, view.cylinder_top + view.wall})};
 }
 

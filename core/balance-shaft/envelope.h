@@ -1,6 +1,7 @@
 #pragma once
 
 #include "balance-shaft/input.h"
+#include "numerics/slider_crank.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -18,19 +19,36 @@ struct Envelope {
 struct FrontView {
     double crank_radius;
     double rod_length;
+    double offset;  ///< e of the cylinder axis, to the right
     double counterweight_radius;
     double centre_distance;
     double cylinder_bore;
+    double cylinder_wall;
     double cylinder_top;
+    double cylinder_bottom;
+    double rod_width;
     double crank_swing_radius;
     double shaft_swing_radius;
     double gear_pitch_radius;  ///< l/2
     double gear_tip_radius;
+    double gear_module;  ///< l / teeth
+    double clearance;
     double wall;
+
+    SliderCrank<double> crank() const { return {crank_radius, rod_length, offset}; }
+    /// Half of what the cylinder with its wall takes across.
+    double cylinder_half_width() const { return cylinder_bore / 2.0 + cylinder_wall; }
 };
 
-/// The sizes of an input, what it leaves out by default.
+/// The sizes of an input, what it leaves out by default. The counterweights' circle follows from
+/// what they have to do: a half disc of steel (7850 kg/m³) of radius R and as long as the bore b
+/// has the unbalance (2/3) ρ b R³, so m₁ ρ₁ needs R = (3 m₁ ρ₁ / (2 ρ b))^⅓. The crank's circle
+/// holds the crankpin with half the rod's width besides.
 FrontView front_view(const Input& input);
+
+/// Says which of the sizes that decide what can be built are defaults, and what they are; empty
+/// where all are given.
+Message assumed_sizes(const Input& input);
 
 /// @param shaft_angle  α, rad, any
 Envelope envelope(const FrontView& view, double shaft_angle);

@@ -20,6 +20,7 @@ EnvelopeStudy envelope_study(const Solver& solver, std::size_t angles) {
         study.area.push_back(box.width() * box.height());
         study.range.push_back(solver.range(angle * degree));
         study.rms.push_back(solver.rms(angle * degree));
+        study.buildable.push_back(solver.buildable().contains(angle * degree));
     }
     // Walk from the smallest box up: an angle is efficient where its range beats all before it.
     std::vector<std::size_t> order(angles);
@@ -31,7 +32,7 @@ EnvelopeStudy envelope_study(const Solver& solver, std::size_t angles) {
     study.efficient.assign(angles, false);
     double least = std::numeric_limits<double>::infinity();
     for (const std::size_t i : order) {
-        if (study.range[i] < least) {
+        if (study.buildable[i] && study.range[i] < least) {
             least = study.range[i];
             study.efficient[i] = true;
         }

@@ -16,7 +16,8 @@ struct EnvelopeStudy {
     std::vector<double> area;    ///< m², width × height
     std::vector<double> range;   ///< ΔM_ups, N·m
     std::vector<double> rms;     ///< N·m
-    /// No other angle has both a smaller area and a smaller range (Pareto).
+    std::vector<bool> buildable;
+    /// It can be built, and no other that can has both a smaller area and a smaller range (Pareto).
     std::vector<bool> efficient;
 };
 

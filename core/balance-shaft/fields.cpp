@@ -147,9 +147,13 @@ void visit_torque(FieldVisitor& visitor, Input& input) {
 void visit_fields(FieldVisitor& visitor, EnvelopeSizes& sizes) {
     visitor.number(field::cylinder_bore, sizes.cylinder_bore);
     visitor.number(field::cylinder_top, sizes.cylinder_top);
+    visitor.number(field::cylinder_bottom, sizes.cylinder_bottom);
+    visitor.number(field::cylinder_wall, sizes.cylinder_wall);
+    visitor.number(field::rod_width, sizes.rod_width);
     visitor.number(field::crank_swing_radius, sizes.crank_swing_radius);
     visitor.number(field::shaft_swing_radius, sizes.shaft_swing_radius);
     visitor.number(field::gear_tip_radius, sizes.gear_tip_radius);
+    visitor.number(field::clearance, sizes.clearance, EnvelopeSizes{}.clearance);
     visitor.number(field::wall, sizes.wall, 0.0);
 }
 
@@ -207,10 +211,16 @@ void visit_fields(FieldVisitor& visitor, Input& input) {
     visitor.number(field::step, input.step_deg, 1.0, Written::always);
     if (all || !input.torque.is_computed()) {
         visitor.number(field::rod_length, input.rod_length);
-    } else if (visitor.has(field::rod_length.key, false)) {
-        throw InputError(
-            visitor.pointer() + "/" + std::string(field::rod_length.key),
-            CORE_TEXT("balance-shaft", "must be left out where the torque's own object gives it"));
+        visitor.number(field::offset, input.torque.cylinder.offset, CylinderSizes{}.offset);
+    } else {
+        for (const std::string_view key : {field::rod_length.key, field::offset.key}) {
+            if (visitor.has(key, false)) {
+                throw InputError(visitor.pointer() + "/" + std::string(key),
+                                 CORE_TEXT("balance-shaft",
+                                           "must be left out where the torque's own object gives "
+                                           "it"));
+            }
+        }
     }
     visitor.number(field::rod_mass, input.rod_mass);
     visitor.number(field::crank_share, input.crank_share, 0.5);

@@ -147,22 +147,66 @@ inline constexpr Field cylinder_bore{.key = "cylinder_bore_mm",
                                      .hint = CORE_TEXT("balance-shaft", "Empty: the stroke, 2 r."),
                                      .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field cylinder_top{
-    .key = "cylinder_top_mm", .unit = units::mm, .range = Range::greater_than(0)};
+    .key = "cylinder_top_mm",
+    .unit = units::mm,
+    .range = Range::greater_than(0),
+    .label = CORE_TEXT("balance-shaft", "Cylinder &top"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "Top of the engine above the crank axis. Empty: the piston pin at top dead "
+                      "centre and half the bore."),
+    .placeholder = CORE_TEXT("balance-shaft", "auto")};
+inline constexpr Field cylinder_bottom{
+    .key = "cylinder_bottom_mm",
+    .unit = units::mm,
+    .range = Range::at_least(0),
+    .label = CORE_TEXT("balance-shaft", "Cylinder bott&om"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "Lower end of the cylinder above the crank axis. Empty: the piston pin at "
+                      "bottom dead centre less 0.3 of the bore."),
+    .placeholder = CORE_TEXT("balance-shaft", "auto")};
+inline constexpr Field cylinder_wall{
+    .key = "cylinder_wall_mm",
+    .unit = units::mm,
+    .range = Range::at_least(0),
+    .label = CORE_TEXT("balance-shaft", "C&ylinder wall"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "Thickness of the cylinder's wall, which the shaft must not meet. Empty: "
+                      "0.06 of the bore."),
+    .placeholder = CORE_TEXT("balance-shaft", "auto")};
+inline constexpr Field rod_width{
+    .key = "rod_width_mm",
+    .unit = units::mm,
+    .range = Range::greater_than(0),
+    .label = CORE_TEXT("balance-shaft", "Rod widt&h"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "Across the rod, round ends included, in the front view; the shaft must "
+                      "clear all that the rod sweeps. Empty: r / 2."),
+    .placeholder = CORE_TEXT("balance-shaft", "auto")};
+inline constexpr Field clearance{
+    .key = "clearance_mm",
+    .unit = units::mm,
+    .range = Range::at_least(0),
+    .label = CORE_TEXT("balance-shaft", "Gap of the sha&ft"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "Least gap between the shaft's swing circle and crank, rod and cylinder; "
+                      "an angle with less cannot be built.")};
 inline constexpr Field crank_swing_radius{
     .key = "crank_swing_radius_mm",
     .unit = units::mm,
     .range = Range::greater_than(0),
     .label = CORE_TEXT("balance-shaft", "Crank swing radi&us"),
     .hint = CORE_TEXT("balance-shaft",
-                      "Circle swept by crank and counterweight. Empty: 1.3 times the larger of r "
-                      "and ρ₁."),
+                      "Circle swept by crank and counterweight. Empty: r and half the rod's width, "
+                      "or the shaft's default where that is larger."),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field shaft_swing_radius{
     .key = "shaft_swing_radius_mm",
     .unit = units::mm,
     .range = Range::greater_than(0),
     .label = CORE_TEXT("balance-shaft", "Shaft swin&g radius"),
-    .hint = CORE_TEXT("balance-shaft", "Circle swept by the balance shaft. Empty: 1.3 ρ₁."),
+    .hint = CORE_TEXT("balance-shaft",
+                      "Circle swept by the balance shaft. Empty: the half disc of steel, as long "
+                      "as the bore, that has the unbalance m₁ ρ₁."),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field gear_tip_radius{
     .key = "gear_tip_radius_mm",
@@ -219,7 +263,8 @@ inline constexpr Field offset{
     .symbol = "e",
     .hint = CORE_TEXT("balance-shaft",
                       "Distance of the cylinder axis from the crank axis, positive on the side to "
-                      "which the crankpin moves first.")};
+                      "which the crankpin moves first. Crank angles count from the true top dead "
+                      "centre, α from the direction of the cylinder.")};
 inline constexpr Field crankcase_pressure{
     .key = "crankcase_pressure_bar",
     .unit = units::bar,

@@ -59,12 +59,13 @@ GearError gear_error(const Solver& solver, double shaft_angle) {
 
     constexpr int last = 720;
     const double amplitude = force * distance;
+    const double turned = angle + solver.shaft_phase();
     for (int i = 0; i <= last; ++i) {
         const double phi = i * degree;
         const double tipping = solver.M_up(phi);
-        const auto [low, high] = sine_band(angle + phi, result.play);
+        const auto [low, high] = sine_band(turned + phi, result.play);
         result.crank_angle_deg.push_back(i);
-        result.M_ups.push_back(tipping + amplitude * std::sin(angle + phi));
+        result.M_ups.push_back(tipping + amplitude * std::sin(turned + phi));
         result.M_ups_low.push_back(tipping + amplitude * low);
         result.M_ups_high.push_back(tipping + amplitude * high);
     }

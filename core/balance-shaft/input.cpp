@@ -58,10 +58,28 @@ void check_cycle(const GasCycle& cycle, const SliderCrank<double>& crank,
     }
 }
 
+/// The crank must turn round, with room to spare where the cylinder is offset.
+void check_rod(const Input& input, const std::string& parent) {
+    const double offset = input.torque.cylinder.offset;
+    if (offset == 0.0 && !input.torque.is_computed()) {
+        return;
+    }
+    const double least = input.crank_radius + 2.0 * std::abs(offset);
+    if (!(input.effective_rod_length() > least * (1.0 + 1e-9))) {
+        throw InputError(
+            pointer(field::rod_length, parent),
+            {CORE_TEXT("balance-shaft",
+                       "must be greater than the crank radius and twice the offset together, %1"),
+             shown(field::crank_radius, least)},
+            shown(field::rod_length, input.effective_rod_length()));
+    }
+}
+
 void check_torque(const Input& input) {
     const TorqueSource& source = input.torque;
     if (!source.is_computed()) {
         check_torque_table(source.table, pointer(field::torque));
+        check_rod(input, "/input");
         return;
     }
     const bool traced = source.kind == TorqueSource::Kind::pressure;
@@ -71,15 +89,7 @@ void check_torque(const Input& input) {
         throw InputError(pointer(field::rod_length, parent),
                          CORE_TEXT("core", "is required and missing"));
     }
-    const double least = input.crank_radius + 2.0 * std::abs(source.cylinder.offset);
-    if (!(*input.rod_length > least * (1.0 + 1e-9))) {
-        throw InputError(
-            pointer(field::rod_length, parent),
-            {CORE_TEXT("balance-shaft",
-                       "must be greater than the crank radius and twice the offset together, %1"),
-             shown(field::crank_radius, least)},
-            shown(field::rod_length, *input.rod_length));
-    }
+    check_rod(input, parent);
     // Beyond these no cylinder exists, and pressures and powers of volumes leave double's range.
     constexpr Range displacement_range = Range::between(1e-12, 1e3);
     const SliderCrank<double> crank = slider_crank(input);
@@ -136,7 +146,11 @@ void check_together(const Input& input) {
         {sizes.cylinder_top.value_or(0.0), envelope, field::cylinder_top},
         {sizes.crank_swing_radius.value_or(0.0), envelope, field::crank_swing_radius},
         {sizes.shaft_swing_radius.value_or(0.0), envelope, field::shaft_swing_radius},
+        {sizes.cylinder_bottom.value_or(0.0), envelope, field::cylinder_bottom},
+        {sizes.cylinder_wall.value_or(0.0), envelope, field::cylinder_wall},
+        {sizes.rod_width.value_or(0.0), envelope, field::rod_width},
         {sizes.gear_tip_radius.value_or(0.0), envelope, field::gear_tip_radius},
+        {sizes.clearance, envelope, field::clearance},
         {sizes.wall, envelope, field::wall},
     };
     for (const auto& product : products) {

@@ -59,15 +59,25 @@ struct TorqueSource {
     bool operator==(const TorqueSource&) const = default;
 };
 
-/// Sizes for the front view; what is empty has a default made from the other inputs.
+/// Sizes for the front view and for what can be built; what is empty has a default made from the
+/// other inputs (FrontView).
 struct EnvelopeSizes {
     std::optional<double> cylinder_bore;       ///< m; default: the torque source's bore, else 2 r
-    std::optional<double> cylinder_top;        ///< m above the crank axis; default r + L + bore/2
+    std::optional<double> cylinder_top;        ///< m above the crank axis; default: the pin at top
+                                               ///< dead centre + bore/2
+    std::optional<double> cylinder_bottom;     ///< m above the crank axis; default: the pin at
+                                               ///< bottom dead centre − 0.3 bore
+    std::optional<double> cylinder_wall;       ///< m, thickness; default 0.06 bore
+    std::optional<double> rod_width;           ///< m, across the rod in the front view; default r/2
     std::optional<double> crank_swing_radius;  ///< m, circle swept by crank and counterweight;
-                                               ///< default 1.3 max(r, ρ₁)
-    std::optional<double> shaft_swing_radius;  ///< m, circle swept by the shaft; default 1.3 ρ₁
-    std::optional<double> gear_tip_radius;     ///< m; default l/2, the pitch circles in contact
-    double wall = 0.0;                         ///< m, clearance and wall around every circle
+                                               ///< default: r + half the rod's width, or the half
+                                               ///< disc below where that is larger
+    std::optional<double> shaft_swing_radius;  ///< m, circle swept by the shaft; default: a half
+                                               ///< disc of steel with m₁ ρ₁, as long as the bore
+    std::optional<double> gear_tip_radius;  ///< m; default l/2, the pitch circles in contact
+    double clearance = 2e-3;                ///< m, least gap between the shaft and what it
+                                            ///< must not meet
+    double wall = 0.0;                      ///< m, clearance and wall around every circle
     bool operator==(const EnvelopeSizes&) const = default;
 };
 

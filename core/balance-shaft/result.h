@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "balance-shaft/clearance.h"
 #include "balance-shaft/cylinder_gas.h"
 #include "balance-shaft/envelope.h"
 #include "balance-shaft/inertia_check.h"
@@ -25,12 +26,13 @@ struct MomentMetrics {
 /// Moments over the cycle, sampled at every step_deg, both ends included.
 struct MomentCurves {
     std::vector<double> crank_angle_deg;  ///< 0…720
-    std::vector<double> M_up;             ///< tipping moment −M_id, N·m
+    std::vector<double> M_up;             ///< tipping moment −M_id + e m_j ω² s″, N·m
     std::vector<double> M_s;              ///< moment of the shaft, (4), N·m
     std::vector<double> M_ups;            ///< moment on the mounts, (5), N·m
     // Where the torque is computed, else empty:
-    std::vector<double> M_gas;      ///< gas torque, a part of M_id = −M_up, N·m
+    std::vector<double> M_gas;      ///< gas torque, a part of M_id = M_offset − M_up, N·m
     std::vector<double> M_inertia;  ///< inertia torque, the other part, N·m
+    std::vector<double> M_offset;   ///< e m_j ω² s″, what an offset cylinder adds to M_up, N·m
     std::vector<double> pressure;   ///< Pa
     std::vector<double> volume;     ///< m³; of a pressure trace without the clearance volume
 };
@@ -82,8 +84,16 @@ struct Result {
     std::vector<OrderLine> spectrum_M_up;     ///< spectrum_lines, exact for the interpolant
     std::optional<IndicatedCycle> indicated;  ///< where the torque is computed
     double indicated_power = 0.0;             ///< work × ω / 4π, W; where the torque is computed
-    Optimum best_range;
+    Optimum best_range;                       ///< of all angles
     Optimum best_rms;
+    BuildableAngles buildable;
+    Optimum best_range_buildable;  ///< of the angles that can be built
+    Optimum best_rms_buildable;
+    /// Crank angle φ at top dead centre is 0; there the crank stands at this angle from the
+    /// cylinder's direction, rad: 0 where the cylinder is not offset.
+    double dead_centre = 0.0;
+    /// Both counterweights lag by this behind the direction opposite the crankpin, rad.
+    double counterweight_lag = 0.0;
     AngleSweep sweep;
     std::vector<Message> notes;  ///< what the user should know beyond the numbers
 
@@ -99,6 +109,7 @@ struct Result {
     std::optional<double> rms_change;
     MomentCurves curves;  ///< crank_angle_deg and M_up do not follow
     Envelope envelope;
+    bool is_buildable = false;
     std::vector<OrderLine> spectrum_M_ups;  ///< differs from M_up's in order 1 alone
 };
 

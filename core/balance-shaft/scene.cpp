@@ -60,6 +60,48 @@ Json write(const Optimum& optimum, const char* value_key) {
     return json;
 }
 
+Json write_optima(const Optimum& range, const Optimum& rms) {
+    return {{"range", write(range, "range_Nm")}, {"rms", write(rms, "rms_Nm")}};
+}
+
+/// Of what can be built; null, with the reason, where nothing can.
+Json write_buildable_optima(const Result& result) {
+    if (result.buildable.stretches.empty()) {
+        return {
+            {"range", nullptr}, {"rms", nullptr}, {"reason", result.buildable.reason.english()}};
+    }
+    return write_optima(result.best_range_buildable, result.best_rms_buildable);
+}
+
+Json write_buildable(const Result& result) {
+    Json stretches = Json::array();
+    for (const AngleStretch& stretch : result.buildable.stretches) {
+        stretches.push_back({stretch.from / degree, stretch.to / degree});
+    }
+    Json json = {{"shaft_angles_deg", stretches}, {"at_shaft_angle", result.is_buildable}};
+    if (!result.buildable.reason.empty()) {
+        json["reason"] = result.buildable.reason.english();
+    }
+    return json;
+}
+
+/// Free space at the shaft's angle and the sizes that it comes from.
+Json write_clearances(const FrontView& view, double shaft_angle) {
+    const ShaftClearance free = shaft_clearance(view, shaft_angle);
+    return {{"crank_mm", free.crank / units::mm},
+            {"cylinder_mm", free.cylinder / units::mm},
+            {"rod_mm", free.rod / units::mm},
+            {"least_allowed_mm", view.clearance / units::mm},
+            {"shaft_swing_radius_mm", view.shaft_swing_radius / units::mm},
+            {"crank_swing_radius_mm", view.crank_swing_radius / units::mm},
+            {"rod_width_mm", view.rod_width / units::mm},
+            {"cylinder_bore_mm", view.cylinder_bore / units::mm},
+            {"cylinder_wall_mm", view.cylinder_wall / units::mm},
+            {"cylinder_bottom_mm", view.cylinder_bottom / units::mm},
+            {"cylinder_top_mm", view.cylinder_top / units::mm},
+            {"gear_tip_radius_mm", view.gear_tip_radius / units::mm}};
+}
+
 Json write(const IndicatedCycle& indicated, double power) {
     return {{"displacement_cm3", indicated.displacement / units::cm3},
             {"clearance_volume_cm3", number_or_null(indicated.clearance, 1.0 / units::cm3.to_si)},
@@ -221,13 +263,15 @@ Json write_result(const Result& result) {
          {{"M_s_25_nodes_Nm", result.printed_mean_M_s},
           {"M_up_nodes_Nm", result.printed_mean_M_up},
           {"M_ups_nodes_Nm", result.printed_mean_M_ups}}},
-        {"optimum",
-         {{"range", write(result.best_range, "range_Nm")},
-          {"rms", write(result.best_rms, "rms_Nm")}}},
+        {"optimum", write_optima(result.best_range, result.best_rms)},
+        {"optimum_buildable", write_buildable_optima(result)},
+        {"buildable", write_buildable(result)},
         {"order_1",
          {{"amplitude_Nm", result.order_1_amplitude},
           {"phase_deg", result.order_1_phase / degree},
           {"share_of_variance", number_or_null(result.order_1_share, 1.0)}}},
+        {"dead_centre_deg", result.dead_centre / degree},
+        {"counterweight_lag_deg", result.counterweight_lag / degree},
         {"envelope",
          {{"width_mm", result.envelope.width() / units::mm},
           {"height_mm", result.envelope.height() / units::mm}}},
@@ -245,6 +289,7 @@ Json write_result(const Result& result) {
     if (result.indicated) {
         curves["M_gas_Nm"] = result.curves.M_gas;
         curves["M_inertia_Nm"] = result.curves.M_inertia;
+        curves["M_offset_Nm"] = result.curves.M_offset;
         curves["pressure_bar"] = scaled(result.curves.pressure, 1.0 / units::bar.to_si);
         curves["volume_cm3"] = scaled(result.curves.volume, 1.0 / units::cm3.to_si);
     }
@@ -261,6 +306,7 @@ Json write_result(const Result& result) {
 
 Json write_result(const Solver& solver, const Result& result) {
     Json json = write_result(result);
+    json["clearances"] = write_clearances(solver.front_view(), result.shaft_angle);
     json["crank_only"] = write_crank_balance(crank_balance(solver));
     json["envelope_study"] = write_envelope_study(envelope_study(solver));
     json["gear_error"] = write_gear_error(gear_error(solver, result.shaft_angle));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "balance-shaft/best_range.h"
 #include "balance-shaft/cycle_extrema.h"
@@ -12,7 +13,7 @@ namespace ravnoves::balance_shaft {
 
 namespace {
 
-constexpr double cycle_deg = 720.0;
+constexpr double whole_cycle_deg = 720.0;
 constexpr double turn_deg = 360.0;
 /// Differences below this part of the size are rounding.
 constexpr double rounding = 1e-12;
@@ -94,6 +95,11 @@ MomentMetrics metrics_of(const Extrema& extrema, double mean, double variance) {
 struct Solver::Prepared {
     Input input;
     FrontView view;
+    BuildableAngles buildable;
+    SliderCrank<double> crank;
+    double top;  ///< θ at top dead centre, where φ is 0, rad
+    PistonFirstOrder first_order;
+    double phase;  ///< M_s = P₁ l sin(α + φ + phase), rad
     Forces forces;
     std::optional<CylinderGas> gas;   ///< where the torque is computed
     TorqueTable table;                ///< M_id, given or computed
@@ -113,26 +119,36 @@ struct Solver::Prepared {
         // The shaft's moment A sin(φ + α) = A sin α cos φ + A cos α sin φ has the variance A²/2 and
         // shares only the first order with M_up.
         const double amplitude = forces.moment_amplitude;
-        return variance + amplitude * (amplitude / 2.0 + std::sin(alpha) * order_1.a +
-                                       std::cos(alpha) * order_1.b);
+        return variance + amplitude * (amplitude / 2.0 + std::sin(alpha + phase) * order_1.a +
+                                       std::cos(alpha + phase) * order_1.b);
     }
     double rms_at(double alpha) const { return std::sqrt(std::max(variance_at(alpha), 0.0)); }
+    Extrema extrema_at(double alpha) const { return extrema(alpha + phase); }
 
     TorqueTable inertia_table() const;
     void prepare_spectrum();
     void prepare_curves();
     void prepare_optima();
+    void prepare_buildable();
     void prepare_sweep();
     void prepare_notes();
+    void prepare_notes_on_building();
 };
 
 Solver::Prepared::Prepared(const Input& checked)
     : input(checked),
       view(balance_shaft::front_view(checked)),
+      buildable(buildable_angles(view)),
+      crank(slider_crank(checked)),
+      top(crank.top_dead_centre()),
+      first_order(piston_first_order(crank)),
+      phase(top - first_order.lag),
       forces(checked),
       gas(cylinder_gas(checked)),
       table(engine_torque(checked, gas)),
-      moment(tipping_moment(table.crank_angle_deg, table.torque, checked.interpolation)),
+      moment(with_offset_term(
+          tipping_moment(table.crank_angle_deg, table.torque, checked.interpolation), crank,
+          checked.reciprocating_mass() * checked.angular_speed * checked.angular_speed)),
       extrema(moment, forces.moment_amplitude),
       variance(moment.variance()),
       series(moment.fourier_series(degree / 2.0, spectrum_lines)),
@@ -160,10 +176,13 @@ Solver::Prepared::Prepared(const Input& checked)
         base.indicated = gas->indicated();
         base.indicated_power = base.indicated->work * input.angular_speed / (4.0 * pi);
     }
+    base.dead_centre = top;
+    base.counterweight_lag = first_order.lag;
     base.inertia_check = check_inertia(inertia_table(), input);
     prepare_spectrum();
     prepare_curves();
     prepare_optima();
+    prepare_buildable();
     prepare_sweep();
     prepare_notes();
 }
@@ -175,7 +194,7 @@ TorqueTable Solver::Prepared::inertia_table() const {
     }
     TorqueTable inertia = table;
     for (std::size_t i = 0; i < table.size(); ++i) {
-        inertia.torque[i] -= gas->torque(table.crank_angle_deg[i] * degree);
+        inertia.torque[i] -= gas->torque(table.crank_angle_deg[i] * degree + top);
     }
     return inertia;
 }
@@ -189,7 +208,7 @@ void Solver::Prepared::prepare_spectrum() {
 
 void Solver::Prepared::prepare_curves() {
     MomentCurves& curves = base.curves;
-    curves.crank_angle_deg = grid(cycle_deg, input.step_deg);
+    curves.crank_angle_deg = grid(whole_cycle_deg, input.step_deg);
     const std::size_t count = curves.crank_angle_deg.size();
     curves.M_up.reserve(count);
     cos_curve.reserve(count);
@@ -204,14 +223,15 @@ void Solver::Prepared::prepare_curves() {
     if (!gas) {
         return;
     }
-    const SliderCrank<double> crank = slider_crank(input);
     for (const double angle : curves.crank_angle_deg) {
-        const double theta = angle * degree;
+        const double theta = angle * degree + top;
         curves.pressure.push_back(gas->pressure(theta));
         curves.volume.push_back(gas->volume(theta));
         curves.M_gas.push_back(gas->torque(theta));
         curves.M_inertia.push_back(
             inertia_torque(crank, base.reciprocating_mass, input.angular_speed, theta));
+        curves.M_offset.push_back(offset_lever(crank, theta) * base.reciprocating_mass *
+                                  input.angular_speed * input.angular_speed);
     }
 }
 
@@ -226,7 +246,7 @@ void Solver::Prepared::prepare_optima() {
     const BestRange best = minimise_range(extrema);
     base.best_range.value = best.range;
     if (best.worst - best.range > rounding * best.worst) {
-        base.best_range.shaft_angle = best.shaft_angle;
+        base.best_range.shaft_angle = wrap_turn(best.shaft_angle - phase);
     } else {
         base.best_range.note =
             CORE_TEXT("balance-shaft", "The range is the same at every angle of the shaft.");
@@ -234,13 +254,49 @@ void Solver::Prepared::prepare_optima() {
     // The variance is least where the shaft's moment opposes M_up's first order.
     const double size = std::max(std::abs(base.M_up.max), std::abs(base.M_up.min));
     if (base.order_1_amplitude > rounding * size) {
-        const double angle = wrap_turn(base.order_1_phase + pi);
+        const double angle = wrap_turn(base.order_1_phase + pi - phase);
         base.best_rms = {angle, rms_at(angle), {}};
     } else {
         base.best_rms = {std::nullopt, rms_at(0.0),
                          CORE_TEXT("balance-shaft",
                                    "The tipping moment has no first order, so the RMS is the same "
                                    "at every angle of the shaft.")};
+    }
+}
+
+/// The best of what can be built.
+void Solver::Prepared::prepare_buildable() {
+    base.buildable = buildable;
+    Optimum& range = base.best_range_buildable;
+    Optimum& rms = base.best_rms_buildable;
+    if (buildable.stretches.empty()) {
+        range.note = rms.note = buildable.reason;
+        return;
+    }
+    range = base.best_range;
+    rms = base.best_rms;
+    const auto is_built = [&](const Optimum& best) {
+        return !best.shaft_angle || buildable.contains(*best.shaft_angle);
+    };
+    if (!is_built(range)) {
+        std::vector<AngleStretch> within = buildable.stretches;
+        for (AngleStretch& stretch : within) {
+            stretch.from += phase;
+            stretch.to += phase;
+        }
+        const BestRange best = minimise_range(extrema, within);
+        range = {wrap_turn(best.shaft_angle - phase), best.range, {}};
+    }
+    if (!is_built(rms)) {
+        // A sinusoid of α rises on both sides of its minimum: the nearest end is best.
+        rms.value = std::numeric_limits<double>::infinity();
+        for (const AngleStretch& stretch : buildable.stretches) {
+            for (const double end : {stretch.from, stretch.to}) {
+                if (rms_at(end) < rms.value) {
+                    rms = {wrap_turn(end), rms_at(end), {}};
+                }
+            }
+        }
     }
 }
 
@@ -254,9 +310,9 @@ void Solver::Prepared::prepare_sweep() {
     sweep.rms.reserve(count);
     for (const double angle : sweep.shaft_angle_deg) {
         const double alpha = angle * degree;
-        sweep.range.push_back(extrema.range(alpha));
+        sweep.range.push_back(extrema.range(alpha + phase));
         sweep.rms.push_back(rms_at(alpha));
-        const double printed = printed_mean_of_shaft_moment(forces.moment_amplitude, alpha);
+        const double printed = printed_mean_of_shaft_moment(forces.moment_amplitude, alpha + phase);
         sweep.printed_mean_M_s.push_back(printed);
         sweep.printed_mean_M_ups.push_back(printed + base.printed_mean_M_up);
     }
@@ -285,6 +341,7 @@ void Solver::Prepared::prepare_notes() {
                 number(base.best_rms.value), number(base.M_up.rms));
         }
     }
+    prepare_notes_on_building();
     const double balanced = 2.0 * forces.counterweight_force / forces.inertia_force_1_max;
     constexpr double noticeable = 1e-3;
     if (input.counterweight_mass && std::abs(balanced - 1.0) > noticeable) {
@@ -295,6 +352,32 @@ void Solver::Prepared::prepare_notes() {
             number(100.0 * balanced),
             number(input.reciprocating_mass() * input.crank_radius /
                    (2.0 * input.counterweight_radius)));
+    }
+}
+
+void Solver::Prepared::prepare_notes_on_building() {
+    const auto in_degrees = [](double angle) { return Number{angle / degree, units::degree, -2}; };
+    if (crank.offset != 0.0) {
+        base.notes.emplace_back(
+            CORE_TEXT("balance-shaft",
+                      "The cylinder is offset: crank angles count from the true top dead centre, "
+                      "where the crank stands %1 from the cylinder's direction, α from that "
+                      "direction; both counterweights lag by %2, so that they meet the first "
+                      "order's part in quadrature too."),
+            in_degrees(top), in_degrees(first_order.lag));
+    }
+    if (buildable.stretches.empty()) {
+        base.notes.emplace_back(CORE_TEXT("balance-shaft", "Nothing can be built: %1"),
+                                buildable.reason);
+    } else if (base.best_range_buildable.value >= base.M_up.range &&
+               base.best_range.value < base.M_up.range) {
+        base.notes.emplace_back(
+            CORE_TEXT("balance-shaft",
+                      "No angle that can be built makes the range smaller than without a shaft."));
+    }
+    const Message assumed = assumed_sizes(input);
+    if (!assumed.empty()) {
+        base.notes.push_back(assumed);
     }
 }
 
@@ -325,25 +408,26 @@ void Solver::move_shaft(double shaft_angle, Result& result) const {
     shaft.min = -amplitude;
     shaft.range = 2.0 * amplitude;
     shaft.rms = amplitude / std::numbers::sqrt2;
-    shaft.max_angle = wrap_turn(pi / 2.0 - alpha);
-    shaft.min_angle = wrap_turn(3.0 * pi / 2.0 - alpha);
-    result.M_ups =
-        metrics_of(prepared.extrema(alpha), prepared.base.M_up.mean, prepared.variance_at(alpha));
-    result.printed_mean_M_s = printed_mean_of_shaft_moment(amplitude, alpha);
+    const double turned = alpha + prepared.phase;
+    shaft.max_angle = wrap_turn(pi / 2.0 - turned);
+    shaft.min_angle = wrap_turn(3.0 * pi / 2.0 - turned);
+    result.M_ups = metrics_of(prepared.extrema_at(alpha), prepared.base.M_up.mean,
+                              prepared.variance_at(alpha));
+    result.printed_mean_M_s = printed_mean_of_shaft_moment(amplitude, turned);
     result.printed_mean_M_ups = result.printed_mean_M_s + prepared.base.printed_mean_M_up;
     if (prepared.base.order_1_share) {
         result.range_change = result.M_ups.range / prepared.base.M_up.range - 1.0;
         result.rms_change = result.M_ups.rms / prepared.base.M_up.rms - 1.0;
     }
     result.envelope = balance_shaft::envelope(prepared.view, alpha);
+    result.is_buildable = prepared.buildable.contains(alpha);
 
-    result.spectrum_M_ups[1] = order_line(1.0, {prepared.order_1.a + amplitude * std::sin(alpha),
-                                                prepared.order_1.b + amplitude * std::cos(alpha)});
+    const double x = amplitude * std::sin(turned);
+    const double y = amplitude * std::cos(turned);
+    result.spectrum_M_ups[1] = order_line(1.0, {prepared.order_1.a + x, prepared.order_1.b + y});
 
     const auto count = static_cast<Eigen::Index>(prepared.cos_curve.size());
     using Curve = Eigen::Map<const Eigen::ArrayXd>;
-    const double x = amplitude * std::sin(alpha);
-    const double y = amplitude * std::cos(alpha);
     Eigen::Map<Eigen::ArrayXd> M_s(result.curves.M_s.data(), count);
     Eigen::Map<Eigen::ArrayXd> M_ups(result.curves.M_ups.data(), count);
     M_s = x * Curve(prepared.cos_curve.data(), count) + y * Curve(prepared.sin_curve.data(), count);
@@ -355,11 +439,24 @@ double Solver::M_up(double crank_angle) const {
 }
 
 double Solver::M_s(double crank_angle, double shaft_angle) const {
-    return prepared_->forces.moment_amplitude * std::sin(shaft_angle + crank_angle);
+    return prepared_->forces.moment_amplitude *
+           std::sin(shaft_angle + crank_angle + prepared_->phase);
+}
+
+double Solver::shaft_phase() const {
+    return prepared_->phase;
+}
+
+const PistonFirstOrder& Solver::first_order() const {
+    return prepared_->first_order;
+}
+
+const BuildableAngles& Solver::buildable() const {
+    return prepared_->buildable;
 }
 
 double Solver::range(double shaft_angle) const {
-    return prepared_->extrema.range(shaft_angle);
+    return prepared_->extrema.range(shaft_angle + prepared_->phase);
 }
 
 double Solver::rms(double shaft_angle) const {

@@ -4,6 +4,7 @@
 
 #include "balance-shaft/envelope.h"
 #include "balance-shaft/input.h"
+#include "balance-shaft/offset_cylinder.h"
 #include "balance-shaft/result.h"
 
 namespace ravnoves::balance_shaft {
@@ -28,6 +29,11 @@ class Solver {
 
     double M_up(double crank_angle) const;                     ///< N·m; angle in rad, any
     double M_s(double crank_angle, double shaft_angle) const;  ///< N·m, equation (4)
+    /// M_s = P₁ l sin(α + φ + shaft_phase()), rad; 0 where the cylinder is not offset.
+    double shaft_phase() const;
+    /// First order of the piston's acceleration.
+    const PistonFirstOrder& first_order() const;
+    const BuildableAngles& buildable() const;
     /// ΔM_ups of the continuous cycle at α, N·m.
     double range(double shaft_angle) const;
     /// RMS of M_ups about its mean at α, N·m.

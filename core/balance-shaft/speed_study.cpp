@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "balance-shaft/best_range.h"
 #include "balance-shaft/engine_torque.h"
+#include "balance-shaft/offset_cylinder.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 
@@ -16,7 +18,37 @@ double rms_of(double variance) {
     return std::sqrt(std::max(variance, 0.0));
 }
 
+double wrapped(double angle) {
+    return angle - two_pi * std::floor(angle / two_pi);
+}
+
+/// The angle itself or the end of a stretch that is next to it round the turn.
+double nearest(const std::vector<AngleStretch>& stretches, double angle) {
+    double found = angle;
+    double least = std::numeric_limits<double>::infinity();
+    for (const AngleStretch& stretch : stretches) {
+        if (wrapped(angle - stretch.from) <= stretch.to - stretch.from) {
+            return angle;
+        }
+        for (const double end : {stretch.from, stretch.to}) {
+            const double away = std::abs(std::remainder(end - angle, two_pi));
+            if (away < least) {
+                least = away;
+                found = end;
+            }
+        }
+    }
+    return found;
+}
+
 }  // namespace
+
+void SpeedStudy::turn(std::vector<AngleStretch>& stretches) const {
+    for (AngleStretch& stretch : stretches) {
+        stretch.from += phase_;
+        stretch.to += phase_;
+    }
+}
 
 SpeedStudy::SpeedStudy(const Input& input, const SpeedBand& band, const Progress& progress) {
     check_input(input);
@@ -39,9 +71,16 @@ SpeedStudy::SpeedStudy(const Input& input, const SpeedBand& band, const Progress
             return;
         }
     }
-    const auto gas_moment = tipping_moment(parts->crank_angle_deg, parts->gas, input.interpolation);
-    const auto inertia_moment =
-        tipping_moment(parts->crank_angle_deg, parts->unit_inertia, input.interpolation);
+    const SliderCrank<double> crank = slider_crank(input);
+    phase_ = crank.top_dead_centre() - piston_first_order(crank).lag;
+    buildable_ = buildable_angles(front_view(input));
+    std::vector<AngleStretch> within = buildable_.stretches;
+    turn(within);
+    const auto gas_moment = with_offset_term(
+        tipping_moment(parts->crank_angle_deg, parts->gas, input.interpolation), crank, 0.0);
+    const auto inertia_moment = with_offset_term(
+        tipping_moment(parts->crank_angle_deg, parts->unit_inertia, input.interpolation), crank,
+        input.reciprocating_mass());
     const FourierPair gas_order = gas_moment.fourier(degree);
     const FourierPair inertia_order = inertia_moment.fourier(degree);
     // P₁ l for ω = 1.
@@ -70,11 +109,18 @@ SpeedStudy::SpeedStudy(const Input& input, const SpeedBand& band, const Progress
         point.rms_without = rms_of(variance);
         speeds_.push_back({CycleExtrema(moment, amplitude), variance, order});
         const BestRange best = minimise_range(speeds_.back().extrema);
-        point.best_range_angle = best.shaft_angle;
+        point.best_range_angle = wrapped(best.shaft_angle - phase_);
         point.best_range = best.range;
         // M_s opposes the first order.
         const double opposed = std::atan2(-order.a, -order.b);
-        point.best_rms_angle = opposed < 0.0 ? opposed + two_pi : opposed;
+        point.best_rms_angle = wrapped(opposed - phase_);
+        if (!within.empty()) {
+            point.buildable_range_angle =
+                buildable_.contains(point.best_range_angle)
+                    ? point.best_range_angle
+                    : wrapped(minimise_range(speeds_.back().extrema, within).shaft_angle - phase_);
+            point.buildable_rms_angle = wrapped(nearest(within, opposed) - phase_);
+        }
         const double first = std::hypot(order.a, order.b);
         point.best_rms = rms_of(variance + amplitude * (amplitude / 2.0 - first));
         points_.push_back(point);
@@ -100,7 +146,7 @@ std::optional<SpeedStudy::Map> SpeedStudy::map(std::size_t angles, const Progres
         const Speed& speed = speeds_[k];
         const double amplitude = points_[k].moment_amplitude;
         for (const double angle : map.shaft_angle_deg) {
-            const double alpha = angle * degree;
+            const double alpha = angle * degree + phase_;
             map.range.push_back(speed.extrema.range(alpha));
             map.rms.push_back(rms_of(
                 speed.variance + amplitude * (amplitude / 2.0 + std::sin(alpha) * speed.order_1.a +
@@ -113,8 +159,10 @@ std::optional<SpeedStudy::Map> SpeedStudy::map(std::size_t angles, const Progres
     return map;
 }
 
-SpeedStudy::LeastBad SpeedStudy::least_bad_angle(Criterion criterion, Measure measure) const {
+SpeedStudy::LeastBad SpeedStudy::least_bad_angle(Criterion criterion, Measure measure,
+                                                 std::vector<AngleStretch> within) const {
     LeastBad answer;
+    turn(within);
     if (speeds_.empty()) {
         return answer;
     }
@@ -163,9 +211,9 @@ SpeedStudy::LeastBad SpeedStudy::least_bad_angle(Criterion criterion, Measure me
         highest.alpha = alpha;
         return highest;
     };
-    const auto best = minimise_over_angle<double>(evaluate, steepest, size);
+    const auto best = minimise_over_angle<double>(evaluate, steepest, size, within);
     evaluate(best.alpha);
-    answer.shaft_angle = best.alpha;
+    answer.shaft_angle = wrapped(best.alpha - phase_);
     answer.value = by_range ? best.value : rms_of(best.value);
     answer.gap = by_range ? best.gap : answer.value - rms_of(best.value - best.gap);
     answer.worst_speed = points_[worst].angular_speed;
@@ -194,17 +242,23 @@ Json write_speed_study(const SpeedStudy& study, const std::optional<SpeedStudy::
     put("best_rms_Nm", &Point::best_rms, 1.0);
     using Criterion = SpeedStudy::Criterion;
     using Measure = SpeedStudy::Measure;
-    const auto least_bad = [&](Criterion criterion, Measure measure, const char* key) -> Json {
-        const SpeedStudy::LeastBad found = study.least_bad_angle(criterion, measure);
-        return {{"shaft_angle_deg", found.shaft_angle / degree},
-                {key, found.value},
-                {"worst_speed_rpm", found.worst_speed / rpm}};
+    const auto least_bad = [&](const std::vector<AngleStretch>& within) -> Json {
+        const auto one = [&](Criterion criterion, Measure measure, const char* key) -> Json {
+            const SpeedStudy::LeastBad found = study.least_bad_angle(criterion, measure, within);
+            return {{"shaft_angle_deg", found.shaft_angle / degree},
+                    {key, found.value},
+                    {"worst_speed_rpm", found.worst_speed / rpm}};
+        };
+        return {{"range", one(Criterion::range, Measure::absolute, "range_Nm")},
+                {"range_relative", one(Criterion::range, Measure::relative, "ratio")},
+                {"rms", one(Criterion::rms, Measure::absolute, "rms_Nm")},
+                {"rms_relative", one(Criterion::rms, Measure::relative, "ratio")}};
     };
-    json["least_bad"] = {
-        {"range", least_bad(Criterion::range, Measure::absolute, "range_Nm")},
-        {"range_relative", least_bad(Criterion::range, Measure::relative, "ratio")},
-        {"rms", least_bad(Criterion::rms, Measure::absolute, "rms_Nm")},
-        {"rms_relative", least_bad(Criterion::rms, Measure::relative, "ratio")}};
+    json["least_bad"] = least_bad(whole_turn());
+    const BuildableAngles& buildable = study.buildable();
+    json["least_bad_buildable"] = buildable.stretches.empty()
+                                      ? Json{{"reason", buildable.reason.english()}}
+                                      : least_bad(buildable.stretches);
     if (map) {
         const std::size_t angles = map->shaft_angle_deg.size();
         Json ranges = Json::array();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "balance-shaft/clearance.h"
 #include "balance-shaft/cycle_extrema.h"
 #include "balance-shaft/input.h"
 #include "balance-shaft/result.h"
@@ -35,6 +36,9 @@ class SpeedStudy {
         double best_range = 0.0;        ///< N·m
         double best_rms_angle = 0.0;    ///< rad
         double best_rms = 0.0;          ///< N·m
+        // Of the angles that can be built; empty where none can.
+        std::optional<double> buildable_range_angle;  ///< rad
+        std::optional<double> buildable_rms_angle;    ///< rad
     };
 
     /// Range and RMS over (α, speed): element speed × angles + angle.
@@ -72,7 +76,13 @@ class SpeedStudy {
     std::optional<Map> map(std::size_t angles, const Progress& progress = {}) const;
 
     /// Minimax over the band's speeds, proven by cutting planes. The study must be complete.
-    LeastBad least_bad_angle(Criterion criterion, Measure measure) const;
+    LeastBad least_bad_angle(Criterion criterion, Measure measure) const {
+        return least_bad_angle(criterion, measure, whole_turn());
+    }
+    /// The same among these angles, one stretch at least.
+    LeastBad least_bad_angle(Criterion criterion, Measure measure,
+                             std::vector<AngleStretch> within) const;
+    const BuildableAngles& buildable() const { return buildable_; }
 
   private:
     struct Speed {
@@ -81,7 +91,12 @@ class SpeedStudy {
         FourierPair order_1;
     };
 
+    /// From α to α + phase_, which the moments go by.
+    void turn(std::vector<AngleStretch>& stretches) const;
+
     Message reason_;
+    BuildableAngles buildable_;
+    double phase_ = 0.0;  ///< Solver::shaft_phase()
     bool complete_ = false;
     std::vector<Point> points_;
     std::vector<Speed> speeds_;

@@ -1,0 +1,226 @@
+#include "balance-shaft/clearance.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+
+#include "numerics/constants.h"
+
+namespace ravnoves::balance_shaft {
+
+namespace {
+
+struct Place {
+    double x;
+    double y;
+};
+
+Place shaft_axis(const FrontView& view, double alpha) {
+    return {view.centre_distance * std::sin(alpha), view.centre_distance * std::cos(alpha)};
+}
+
+/// The segments between crankpin and piston pin over a turn.
+class RodSweep {
+  public:
+    explicit RodSweep(const FrontView& view) : crank_(view.crank()) {
+        for (std::size_t i = 0; i < samples; ++i) {
+            rods_[i] = rod_at(step * static_cast<double>(i));
+        }
+    }
+
+    /// Least distance of the place from any of them: the samples, then each of their minima
+    /// refined.
+    double distance(const Place& place) const {
+        std::array<double, samples> square{};
+        for (std::size_t i = 0; i < samples; ++i) {
+            square[i] = square_of_distance(rods_[i], place);
+        }
+        double least = *std::min_element(square.begin(), square.end());
+        for (std::size_t i = 0; i < samples; ++i) {
+            const double before = square[(i + samples - 1) % samples];
+            const double after = square[(i + 1) % samples];
+            if (square[i] <= before && square[i] <= after) {
+                const double theta = step * static_cast<double>(i);
+                const auto [at, value] = boost::math::tools::brent_find_minima(
+                    [&](double t) { return square_of_distance(rod_at(t), place); }, theta - step,
+                    theta + step, 26);
+                least = std::min(least, value);
+            }
+        }
+        return std::sqrt(least);
+    }
+
+  private:
+    static constexpr std::size_t samples = 180;
+    static constexpr double step = two_pi / samples;
+
+    struct Rod {
+        Place pin;
+        Place along;  ///< to the piston pin
+    };
+
+    Rod rod_at(double theta) const {
+        const double x = crank_.crank_radius * std::sin(theta);
+        const double y = crank_.crank_radius * std::cos(theta);
+        return {{x, y}, {crank_.offset - x, crank_.at(theta).s - y}};
+    }
+
+    double square_of_distance(const Rod& rod, const Place& place) const {
+        const Place to{place.x - rod.pin.x, place.y - rod.pin.y};
+        const double length2 = crank_.rod_length * crank_.rod_length;
+        const double along = to.x * rod.along.x + to.y * rod.along.y;
+        const double t = length2 > 0.0 ? std::clamp(along / length2, 0.0, 1.0) : 0.0;
+        const double dx = to.x - t * rod.along.x;
+        const double dy = to.y - t * rod.along.y;
+        return dx * dx + dy * dy;
+    }
+
+    SliderCrank<double> crank_;
+    std::array<Rod, samples> rods_{};
+};
+
+ShaftClearance clearance_of(const FrontView& view, const RodSweep& rods, double alpha) {
+    const Place axis = shaft_axis(view, alpha);
+    const double beside = std::abs(axis.x - view.offset) - view.cylinder_half_width();
+    const double above = std::max(axis.y - view.cylinder_top, view.cylinder_bottom - axis.y);
+    const double outside = std::hypot(std::max(beside, 0.0), std::max(above, 0.0));
+    ShaftClearance free;
+    free.crank = view.centre_distance - view.crank_swing_radius - view.shaft_swing_radius;
+    free.cylinder = (outside > 0.0 ? outside : std::max(beside, above)) - view.shaft_swing_radius;
+    free.rod = rods.distance(axis) - view.rod_width / 2.0 - view.shaft_swing_radius;
+    return free;
+}
+
+Number millimetres(double metres) {
+    return {metres / units::mm, units::mm, 4};
+}
+
+/// What α does not change; empty where nothing is wrong with it.
+Message reason_at_every_angle(const FrontView& view) {
+    const double rounding = 1e-12 * view.centre_distance;
+    const double least_tip = view.gear_pitch_radius;
+    const double largest_tip = view.gear_pitch_radius + 1.25 * view.gear_module;
+    if (view.gear_tip_radius < least_tip - rounding ||
+        view.gear_tip_radius > largest_tip + rounding) {
+        return {CORE_TEXT("balance-shaft",
+                          "The gears do not mesh: at the centre distance %1 their tip radius must "
+                          "be from %2 to %3, and it is %4."),
+                millimetres(view.centre_distance), millimetres(least_tip), millimetres(largest_tip),
+                millimetres(view.gear_tip_radius)};
+    }
+    const double needed = view.crank_swing_radius + view.shaft_swing_radius + view.clearance;
+    if (view.centre_distance < needed - rounding) {
+        return {CORE_TEXT("balance-shaft",
+                          "The swing circles of crank (radius %1) and shaft (%2) with a gap of %3 "
+                          "need a centre distance of %4, and it is %5."),
+                millimetres(view.crank_swing_radius),
+                millimetres(view.shaft_swing_radius),
+                millimetres(view.clearance),
+                millimetres(needed),
+                millimetres(view.centre_distance)};
+    }
+    return {};
+}
+
+}  // namespace
+
+double ShaftClearance::least() const {
+    return std::min({crank, cylinder, rod});
+}
+
+ShaftClearance shaft_clearance(const FrontView& view, double shaft_angle) {
+    return clearance_of(view, RodSweep(view), shaft_angle);
+}
+
+bool BuildableAngles::contains(double shaft_angle) const {
+    // The ends themselves can be built, and an angle that was rounded on its way here is one.
+    constexpr double rounding = 1e-9;
+    return std::any_of(stretches.begin(), stretches.end(), [&](const AngleStretch& stretch) {
+        const double after = shaft_angle - stretch.from;
+        const double wrapped = after - two_pi * std::floor(after / two_pi);
+        return wrapped <= stretch.to - stretch.from + rounding || wrapped >= two_pi - rounding;
+    });
+}
+
+BuildableAngles buildable_angles(const FrontView& view) {
+    BuildableAngles answer;
+    answer.reason = reason_at_every_angle(view);
+    if (!answer.reason.empty()) {
+        return answer;
+    }
+    const RodSweep rods(view);
+    const double rounding = 1e-12 * view.centre_distance;
+    const auto spare = [&](double alpha) {
+        const ShaftClearance free = clearance_of(view, rods, alpha);
+        return std::min(free.cylinder, free.rod) - view.clearance + rounding;
+    };
+    // The shaft's axis moves by l dα, so a clearance of ±s keeps its sign for s / l.
+    struct Sample {
+        double alpha;
+        double spare;
+    };
+    constexpr double narrow = two_pi / 16384;
+    std::vector<double> ends;  // beginnings and ends of what can be built, by turns
+    const auto find_end = [&](Sample left, Sample right) {
+        const bool begins = right.spare >= 0.0;
+        for (int i = 0; i < 60; ++i) {
+            const double middle = left.alpha + (right.alpha - left.alpha) / 2.0;
+            ((spare(middle) >= 0.0) == begins ? right : left).alpha = middle;
+        }
+        ends.push_back(begins ? right.alpha : left.alpha);
+    };
+    std::vector<std::array<Sample, 2>> open;
+    constexpr int parts = 64;
+    Sample right{two_pi, spare(0.0)};
+    const bool at_zero = right.spare >= 0.0;
+    for (int i = parts; i-- > 0;) {
+        const double alpha = two_pi * i / parts;
+        const Sample left{alpha, spare(alpha)};
+        open.push_back({left, right});
+        right = left;
+    }
+    // `open` holds the turn backwards, so its end is the interval that comes next.
+    while (!open.empty()) {
+        const auto [left, next] = open.back();
+        open.pop_back();
+        const double width = next.alpha - left.alpha;
+        const bool changes = (left.spare >= 0.0) != (next.spare >= 0.0);
+        if (!changes &&
+            std::abs(left.spare) + std::abs(next.spare) > view.centre_distance * width) {
+            continue;
+        }
+        if (width <= narrow) {
+            if (changes) {
+                find_end(left, next);
+            }
+            continue;
+        }
+        const double middle = left.alpha + width / 2.0;
+        const Sample between{middle, spare(middle)};
+        open.push_back({between, next});
+        open.push_back({left, between});
+    }
+    if (ends.empty()) {
+        if (at_zero) {
+            answer.stretches.emplace_back();
+        } else {
+            answer.reason = {
+                CORE_TEXT("balance-shaft",
+                          "At every angle the shaft's swing circle (radius %1, gap %2) meets the "
+                          "cylinder or what the rod sweeps."),
+                millimetres(view.shaft_swing_radius), millimetres(view.clearance)};
+        }
+        return answer;
+    }
+    if (at_zero) {  // the last stretch goes on over 0
+        std::rotate(ends.begin(), ends.begin() + 1, ends.end());
+        ends.back() += two_pi;
+    }
+    for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
+        answer.stretches.push_back({ends[i], ends[i + 1]});
+    }
+    return answer;
+}
+
+}  // namespace ravnoves::balance_shaft

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "balance-shaft/angle_minimum.h"
+#include "balance-shaft/envelope.h"
+#include "case-file/message.h"
+
+namespace ravnoves::balance_shaft {
+
+/// Free space between the swing circle of the balance shaft and what it must not meet, m; negative
+/// where they overlap. In the front view: parts that lie behind one another overlap there too.
+struct ShaftClearance {
+    double crank = 0.0;     ///< swing circle of the crank
+    double cylinder = 0.0;  ///< the cylinder with its wall
+    double rod = 0.0;       ///< all that the rod sweeps over a turn
+    double least() const;
+};
+
+/// @param shaft_angle  α, rad, any
+ShaftClearance shaft_clearance(const FrontView& view, double shaft_angle);
+
+/// The angles of the shaft that can be built: every clearance is at least the view's, and the gears
+/// mesh (the tip circle reaches the pitch circle, and not the other gear's root circle, 1.25
+/// modules below its pitch circle).
+struct BuildableAngles {
+    std::vector<AngleStretch> stretches;  ///< ascending and apart; none where nothing can be built
+    Message reason;                       ///< why not, as a sentence; else empty
+
+    /// @param shaft_angle  α, rad, any
+    bool contains(double shaft_angle) const;
+};
+
+/// The ends are found to rounding, on the side that can be built. A stretch or gap of less than
+/// 0.02° may be missed.
+BuildableAngles buildable_angles(const FrontView& view);
+
+}  // namespace ravnoves::balance_shaft

@@ -1,0 +1,295 @@
+#include "balance-shaft/clearance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "balance-shaft/envelope_study.h"
+#include "balance-shaft/scene.h"
+#include "balance-shaft/speed_study.h"
+#include "case-file/json.h"
+#include "test_cases.h"
+
+namespace ravnoves::balance_shaft {
+namespace {
+
+using test::diesel;
+
+/// The same by brute force: the rod at many places, points along its middle line.
+ShaftClearance dense_clearance(const FrontView& view, double alpha) {
+    const double x = view.centre_distance * std::sin(alpha);
+    const double y = view.centre_distance * std::cos(alpha);
+    double rod = 1e300;
+    constexpr int turns = 1440;
+    constexpr int points = 400;
+    for (int i = 0; i < turns; ++i) {
+        const double theta = two_pi * i / turns;
+        const double pin_x = view.crank_radius * std::sin(theta);
+        const double pin_y = view.crank_radius * std::cos(theta);
+        const double across = view.offset - pin_x;
+        const double piston_y =
+            pin_y + std::sqrt(view.rod_length * view.rod_length - across * across);
+        for (int k = 0; k <= points; ++k) {
+            const double t = 1.0 * k / points;
+            rod = std::min(rod,
+                           std::hypot(pin_x + t * across - x, pin_y + t * (piston_y - pin_y) - y));
+        }
+    }
+    double cylinder = 1e300;
+    const double half = view.cylinder_bore / 2.0 + view.cylinder_wall;
+    for (int i = 0; i <= points; ++i) {
+        for (int k = 0; k <= points; ++k) {
+            const double at_x = view.offset + half * (2.0 * i / points - 1.0);
+            const double at_y =
+                view.cylinder_bottom + (view.cylinder_top - view.cylinder_bottom) * k / points;
+            cylinder = std::min(cylinder, std::hypot(at_x - x, at_y - y));
+        }
+    }
+    return {view.centre_distance - view.crank_swing_radius - view.shaft_swing_radius,
+            cylinder - view.shaft_swing_radius,
+            rod - view.rod_width / 2.0 - view.shaft_swing_radius};
+}
+
+TEST(Clearance, IsThatOfBruteForce) {
+    for (const double offset : {0.0, 0.012, -0.012}) {
+        Input input = diesel();
+        input.torque.cylinder.offset = offset;
+        const FrontView view = front_view(input);
+        for (const double alpha : {0.1, 0.6, 1.0, 1.3, 2.0, 3.0, 4.4, 5.2, 5.7}) {
+            const ShaftClearance found = shaft_clearance(view, alpha);
+            const ShaftClearance dense = dense_clearance(view, alpha);
+            EXPECT_NEAR(found.crank, dense.crank, 1e-15);
+            // Points along the rod tell little where the axis lies on it.
+            if (dense.rod > 5e-3 - view.rod_width / 2.0 - view.shaft_swing_radius) {
+                EXPECT_NEAR(found.rod, dense.rod, 2e-5) << alpha;
+            }
+            EXPECT_LE(found.rod, dense.rod + 1e-12);
+            if (dense.cylinder > -view.shaft_swing_radius + 1e-3) {  // the axis is outside
+                EXPECT_NEAR(found.cylinder, dense.cylinder, 2e-4) << alpha;
+                EXPECT_LE(found.cylinder, dense.cylinder + 1e-12);
+            } else {
+                EXPECT_LE(found.cylinder, -view.shaft_swing_radius);
+            }
+        }
+    }
+}
+
+TEST(BuildableAngles, AreThoseWithEnoughClearance) {
+    std::vector<Input> inputs{preset_tmz_650d(), diesel()};
+    inputs.push_back(diesel());
+    inputs.back().torque.cylinder.offset = 0.01;
+    inputs.push_back(diesel());
+    inputs.back().centre_distance = 0.22;  // the shaft may stand beside the cylinder
+    inputs.push_back(diesel());
+    inputs.back().centre_distance = 0.3;  // and above it
+    for (const Input& input : inputs) {
+        const FrontView view = front_view(input);
+        const BuildableAngles buildable = buildable_angles(view);
+        ASSERT_FALSE(buildable.stretches.empty()) << buildable.reason.english();
+        EXPECT_TRUE(buildable.reason.empty());
+        for (double angle = 0.0; angle < 360.0; angle += 0.5) {
+            const double least = shaft_clearance(view, angle * degree).least();
+            if (std::abs(least - view.clearance) > 1e-9) {
+                EXPECT_EQ(buildable.contains(angle * degree), least >= view.clearance) << angle;
+                EXPECT_EQ(buildable.contains((angle - 360.0) * degree), least >= view.clearance);
+            }
+        }
+        for (const AngleStretch& stretch : buildable.stretches) {
+            if (stretch.is_whole_turn()) {
+                continue;
+            }
+            for (const double end : {stretch.from, stretch.to}) {
+                EXPECT_NEAR(shaft_clearance(view, end).least(), view.clearance, 1e-10);
+                EXPECT_TRUE(buildable.contains(end));
+            }
+        }
+    }
+    // A long arm carries the shaft round the whole engine.
+    Input far = diesel();
+    far.centre_distance = 0.5;
+    const BuildableAngles all = buildable_angles(front_view(far));
+    ASSERT_EQ(all.stretches.size(), 1U);
+    EXPECT_TRUE(all.stretches[0].is_whole_turn());
+}
+
+TEST(BuildableAngles, MirrorWithTheCylinder) {
+    Input input = diesel();
+    const auto of = [&](double offset) {
+        input.torque.cylinder.offset = offset;
+        return buildable_angles(front_view(input)).stretches;
+    };
+    const auto centred = of(0.0);
+    ASSERT_EQ(centred.size(), 1U);
+    EXPECT_NEAR(centred[0].from + centred[0].to, two_pi, 1e-9);
+    const auto right = of(0.01);
+    const auto left = of(-0.01);
+    ASSERT_EQ(right.size(), 1U);
+    EXPECT_NEAR(right[0].from + left[0].to, two_pi, 1e-9);
+    EXPECT_GT(right[0].from, centred[0].from);
+}
+
+TEST(BuildableAngles, DefaultSizesOfThePaperDoNotOverlap) {
+    const Input input = preset_tmz_650d();
+    const FrontView view = front_view(input);
+    EXPECT_LE(view.crank_swing_radius + view.shaft_swing_radius + view.clearance,
+              view.centre_distance);
+    EXPECT_GE(view.crank_swing_radius, view.crank_radius + view.rod_width / 2.0);
+    // The shaft's circle is that of a half disc of steel with the unbalance that is needed:
+    // ∫ y dA over it by rings, 2 r² dr.
+    double first_moment = 0.0;
+    constexpr int rings = 1000;
+    for (int i = 0; i < rings; ++i) {
+        const double r = view.shaft_swing_radius * (i + 0.5) / rings;
+        first_moment += 2.0 * r * r * view.shaft_swing_radius / rings;
+    }
+    const double unbalance = 7850.0 * view.cylinder_bore * first_moment;
+    EXPECT_NEAR(unbalance, 0.658 * 0.046, 1e-6 * unbalance + 1e-8);
+    EXPECT_NEAR(view.shaft_swing_radius, 39.3e-3, 0.05e-3);
+    EXPECT_NEAR(view.crank_swing_radius, 57.5e-3, 1e-12);
+}
+
+TEST(BuildableAngles, TheBestOfThemIsThatOfADenseSearch) {
+    std::vector<Input> inputs{preset_tmz_650d(), diesel()};
+    inputs.push_back(diesel());
+    inputs.back().torque.cylinder.offset = 0.01;
+    inputs.push_back(preset_tmz_650d());
+    inputs.back().centre_distance = 0.3;
+    for (const Input& input : inputs) {
+        const Solver solver(input);
+        const Result result = solver.result();
+        ASSERT_TRUE(result.best_range_buildable.shaft_angle);
+        double range = 1e300;
+        double rms = 1e300;
+        for (const AngleStretch& stretch : result.buildable.stretches) {
+            for (int i = 0; i <= 4000; ++i) {
+                const double alpha = stretch.from + (stretch.to - stretch.from) * i / 4000;
+                range = std::min(range, solver.range(alpha));
+                rms = std::min(rms, solver.rms(alpha));
+            }
+        }
+        EXPECT_LE(result.best_range_buildable.value, range + 1e-9);
+        EXPECT_NEAR(result.best_range_buildable.value, range, 0.5);
+        EXPECT_LE(result.best_rms_buildable.value, rms + 1e-9);
+        EXPECT_NEAR(result.best_rms_buildable.value, rms, 0.5);
+        EXPECT_NEAR(solver.range(*result.best_range_buildable.shaft_angle),
+                    result.best_range_buildable.value, 1e-8);
+        EXPECT_NEAR(solver.rms(*result.best_rms_buildable.shaft_angle),
+                    result.best_rms_buildable.value, 1e-9);
+        EXPECT_TRUE(result.buildable.contains(*result.best_range_buildable.shaft_angle));
+        EXPECT_TRUE(result.buildable.contains(*result.best_rms_buildable.shaft_angle));
+        EXPECT_GE(result.best_range_buildable.value, result.best_range.value);
+        EXPECT_GE(result.best_rms_buildable.value, result.best_rms.value);
+    }
+}
+
+TEST(BuildableAngles, ThePapersBestAngleIsNotOneOfThem) {
+    const Solver solver(preset_tmz_650d());
+    const Result result = solver.result();
+    EXPECT_NEAR(*result.best_range.shaft_angle / degree, 50.65, 0.01);
+    EXPECT_FALSE(result.buildable.contains(*result.best_range.shaft_angle));
+    EXPECT_FALSE(result.is_buildable);  // at 45°
+    const Json json = write_result(solver, result);
+    EXPECT_NEAR(json.at("optimum").at("range").at("shaft_angle_deg").get<double>(), 50.65, 0.01);
+    const Json& built = json.at("optimum_buildable").at("range");
+    EXPECT_NEAR(built.at("shaft_angle_deg").get<double>(),
+                result.buildable.stretches[0].from / degree, 1e-9);
+    EXPECT_GT(built.at("range_Nm").get<double>(), result.best_range.value);
+    EXPECT_EQ(json.at("buildable").at("at_shaft_angle"), false);
+    EXPECT_LT(json.at("clearances").at("cylinder_mm").get<double>(), 2.0);
+    const auto says = [&](const char* begin) {
+        return std::any_of(result.notes.begin(), result.notes.end(),
+                           [&](const Message& note) { return note.english().starts_with(begin); });
+    };
+    EXPECT_TRUE(says("Sizes not given are assumed: swing radius of the shaft 39.3 mm"));
+}
+
+TEST(BuildableAngles, NothingIsAnAnswerWithItsReason) {
+    const auto reason = [](const auto& change) {
+        Input input = preset_tmz_650d();
+        change(input);
+        const Solver solver(input);
+        const Json json = write_result(solver, solver.result());
+        EXPECT_TRUE(json.at("optimum_buildable").at("range").is_null());
+        EXPECT_TRUE(json.at("optimum_buildable").at("rms").is_null());
+        EXPECT_FALSE(json.at("optimum").at("range").at("shaft_angle_deg").is_null());
+        EXPECT_TRUE(json.at("envelope_study").at("efficient").empty());
+        return json.at("optimum_buildable").at("reason").get<std::string>();
+    };
+    EXPECT_TRUE(reason([](Input& i) {
+                    i.centre_distance = 0.09;
+                }).starts_with("The swing circles of crank (radius 57.5 mm) and shaft (39.2"))
+        << reason([](Input& i) { i.centre_distance = 0.09; });
+    EXPECT_TRUE(reason([](Input& i) {
+                    i.envelope.gear_tip_radius = 0.06;
+                }).starts_with("The gears do not mesh: at the centre distance 100.2 mm"));
+    EXPECT_TRUE(
+        reason([](Input& i) { i.envelope.gear_tip_radius = 0.05; }).starts_with("The gears"));
+    EXPECT_TRUE(reason([](Input& i) {
+                    i.envelope.crank_swing_radius = 0.05;
+                    i.envelope.rod_width = 0.1;
+                }).starts_with("At every angle the shaft's swing circle"));
+}
+
+TEST(BuildableAngles, OldDefaultSizesCouldNotBeBuilt) {
+    Input input = preset_tmz_650d();
+    input.envelope.crank_swing_radius = input.envelope.shaft_swing_radius = 1.3 * 0.046;
+    EXPECT_TRUE(buildable_angles(front_view(input)).stretches.empty());
+}
+
+TEST(EnvelopeStudyTest, EfficientAnglesCanBeBuilt) {
+    const Solver solver(preset_tmz_650d());
+    const EnvelopeStudy study = envelope_study(solver, 720);
+    double least = 1e300;
+    for (std::size_t i = 0; i < 720; ++i) {
+        EXPECT_EQ(study.buildable[i],
+                  solver.buildable().contains(study.shaft_angle_deg[i] * degree));
+        EXPECT_TRUE(study.buildable[i] || !study.efficient[i]) << study.shaft_angle_deg[i];
+        if (study.buildable[i]) {
+            least = std::min(least, study.range[i]);
+        }
+    }
+    for (std::size_t i = 0; i < 720; ++i) {
+        if (study.range[i] == least && study.buildable[i]) {
+            EXPECT_TRUE(study.efficient[i]);
+        }
+    }
+}
+
+TEST(SpeedStudy, KnowsWhatCanBeBuilt) {
+    const Input input = diesel();
+    const SpeedStudy study(input, {1500.0 * rpm, 4000.0 * rpm, 6, false});
+    const auto& stretches = study.buildable().stretches;
+    ASSERT_FALSE(stretches.empty());
+    using Criterion = SpeedStudy::Criterion;
+    using Measure = SpeedStudy::Measure;
+    for (const Criterion criterion : {Criterion::range, Criterion::rms}) {
+        const auto all = study.least_bad_angle(criterion, Measure::relative);
+        const auto built = study.least_bad_angle(criterion, Measure::relative, stretches);
+        EXPECT_TRUE(study.buildable().contains(built.shaft_angle));
+        EXPECT_GE(built.value, all.value - 1e-12);
+        const auto map = study.map(720);
+        double least = 1e300;
+        for (std::size_t i = 0; i < 720; ++i) {
+            if (!study.buildable().contains(map->shaft_angle_deg[i] * degree)) {
+                continue;
+            }
+            double worst = 0.0;
+            for (std::size_t k = 0; k < 6; ++k) {
+                const auto& point = study.points()[k];
+                worst = std::max(worst, criterion == Criterion::range
+                                            ? map->range[k * 720 + i] / point.range_without
+                                            : map->rms[k * 720 + i] / point.rms_without);
+            }
+            least = std::min(least, worst);
+        }
+        EXPECT_LE(built.value, least + 1e-9);
+        EXPECT_NEAR(built.value, least, 0.01);
+    }
+    for (const SpeedStudy::Point& point : study.points()) {
+        EXPECT_TRUE(study.buildable().contains(*point.buildable_range_angle));
+        EXPECT_TRUE(study.buildable().contains(*point.buildable_rms_angle));
+    }
+}
+
+}  // namespace
+}  // namespace ravnoves::balance_shaft
