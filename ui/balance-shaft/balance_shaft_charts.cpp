@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "balance-shaft/buildable_bands.h"
 #include "balance-shaft/cycle_view.h"
 #include "balance-shaft/envelope_view.h"
 #include "balance-shaft/forces_view.h"
@@ -180,13 +181,15 @@ void BalanceShaftPage::showSweep() {
                              colour, PlotView::Side::Left, true});
         }
     };
-    add(result.best_range, 2);
-    add(result.best_rms, 3);
+    add(model_->bestRange(), 2);
+    add(model_->bestRms(), 3);
     range_->setMarks(marks);
+    range_->setBands(unbuildableBands(result.buildable));
+    means_->setBands(unbuildableBands(result.buildable));
     bestRange_->setText(model_->bestRangeText());
     bestRms_->setText(model_->bestRmsText());
-    goRange_->setEnabled(result.best_range.shaft_angle.has_value());
-    goRms_->setEnabled(result.best_rms.shaft_angle.has_value());
+    goRange_->setEnabled(model_->bestRange().shaft_angle.has_value());
+    goRms_->setEnabled(model_->bestRms().shaft_angle.has_value());
     bestRangeAction_->setEnabled(goRange_->isEnabled());
     bestRmsAction_->setEnabled(goRms_->isEnabled());
     notes_->setText(model_->notesText());

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "balance-shaft/balance_shaft_page.h"
+#include "balance-shaft/envelope.h"
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/torque_source_editor.h"
@@ -76,6 +77,13 @@ void BalanceShaftPage::addEngine(Form* form) {
             });
         });
     rod->setOptional(true);
+    // So does it.
+    form->number(
+        field::offset, [this] { return model_->input().torque.cylinder.offset / units::mm; },
+        [this](std::optional<double> value) {
+            model_->edit(fieldName(field::offset),
+                         [&](Input& input) { input.torque.cylinder.offset = *value * units::mm; });
+        });
 }
 
 void BalanceShaftPage::addMasses(Form* form) {
@@ -112,12 +120,21 @@ QWidget* BalanceShaftPage::buildInputs() {
          {"/counterweight_radius_mm", "/counterweight_mass_kg", "/centre_distance_mm"}) {
         form->number(place);
     }
-    form->section(tr("Sizes for picture and envelope"));
+    FormSection* sizes = form->section(tr("Sizes: what can be built, envelope"));
     for (const char* place :
-         {"/envelope/cylinder_bore_mm", "/envelope/crank_swing_radius_mm",
-          "/envelope/shaft_swing_radius_mm", "/envelope/gear_tip_radius_mm", "/envelope/wall_mm"}) {
+         {"/envelope/cylinder_bore_mm", "/envelope/cylinder_wall_mm",
+          "/envelope/cylinder_bottom_mm", "/envelope/cylinder_top_mm", "/envelope/rod_width_mm",
+          "/envelope/crank_swing_radius_mm", "/envelope/shaft_swing_radius_mm",
+          "/envelope/gear_tip_radius_mm", "/envelope/clearance_mm", "/envelope/wall_mm"}) {
         form->number(place);
     }
+    QLabel* assumed = captionLabel({}, sizes);
+    sizes->addWide(assumed);
+    form->follow([this, assumed] {
+        const Message text = balance_shaft::assumed_sizes(model_->input());
+        assumed->setText(messageText(text));
+        assumed->setVisible(!text.empty());
+    });
     form->section(tr("Torque between the rows of its table"));
     form->choice("/interpolation");
     static_cast<QVBoxLayout*>(form->layout())->addStretch();

@@ -24,6 +24,7 @@ BalanceShaftPage::BalanceShaftPage(QWidget* parent)
     bestRmsAction_ = new QAction(tr("Go to the α of the least R&MS"), this);
     connect(bestRmsAction_, &QAction::triggered, model_, &BalanceShaftModel::goToBestRms);
     connect(model_, &SceneModel::changed, this, &BalanceShaftPage::showSweep);
+    connect(&Theme::instance(), &Theme::changed, this, &BalanceShaftPage::showSweep);
     connect(model_, &BalanceShaftModel::shaftMoved, this, &BalanceShaftPage::showShaft);
     connect(model_, &BalanceShaftModel::meansChanged, this, &BalanceShaftPage::showMeans);
     connect(model_, &BalanceShaftModel::crankAngleChanged, this, &BalanceShaftPage::showCursor);

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QStackedLayout>
 #include <algorithm>
+#include <functional>
 
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "plot/plot_view.h"
@@ -46,6 +47,10 @@ CycleView::CycleView(BalanceShaftModel* model, QWidget* parent)
     gas_ = torque_->addCurve({.name = tr("gas"), .colour = 1, .toolTip = tr("−(p − p₀) A s′")});
     inertia_ =
         torque_->addCurve({.name = tr("inertia"), .colour = 3, .toolTip = tr("−mⱼ ω² s′ s″")});
+    offset_ = torque_->addCurve({.name = tr("offset"),
+                                 .colour = 5,
+                                 .pen = Qt::DashLine,
+                                 .toolTip = tr("e mⱼ ω² s″: what an offset cylinder adds to Mᵤₚ")});
     total_ = torque_->addCurve({.name = tr("M_id"),
                                 .colour = 2,
                                 .width = 2.0,
@@ -95,7 +100,12 @@ void CycleView::showResult() {
     }
     torque_->setCurve(gas_, curves.crank_angle_deg, curves.M_gas);
     torque_->setCurve(inertia_, curves.crank_angle_deg, curves.M_inertia);
-    torque_->setCurve(total_, curves.crank_angle_deg, scaled(curves.M_up, -1.0));
+    const bool isOffset = model_->input().torque.cylinder.offset != 0.0;
+    torque_->setCurve(offset_, isOffset ? curves.crank_angle_deg : std::vector<double>(),
+                      isOffset ? curves.M_offset : std::vector<double>());
+    std::vector<double> total = curves.M_offset;
+    std::transform(total.begin(), total.end(), curves.M_up.begin(), total.begin(), std::minus<>());
+    torque_->setCurve(total_, curves.crank_angle_deg, std::move(total));
     pressure_->setCurve(pressureCurve_, curves.crank_angle_deg,
                         scaled(curves.pressure, 1.0 / units::bar.to_si));
     const std::vector<double> volume = scaled(curves.volume, 1e6);

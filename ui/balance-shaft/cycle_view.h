@@ -35,6 +35,7 @@ class CycleView : public QWidget {
     int total_ = 0;
     int gas_ = 0;
     int inertia_ = 0;
+    int offset_ = 0;
     int pressureCurve_ = 0;
     int loop_ = 0;
 };

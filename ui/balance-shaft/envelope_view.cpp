@@ -3,7 +3,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "balance-shaft/buildable_bands.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "plot/plot_view.h"
 #include "text/number_text.h"
@@ -36,12 +38,18 @@ EnvelopeView::EnvelopeView(BalanceShaftModel* model, QWidget* parent)
     pareto_ = new PlotView(tr("Range against overall size, α along the curve"), this);
     pareto_->setYAxis(PlotView::Side::Left, {tr("ΔMᵤₚₛ, N·m")});
     pareto_->setPickable(true);
-    all_ = pareto_->addCurve({.name = tr("every α"), .colour = 0, .width = 1.4});
+    all_ =
+        pareto_->addCurve({.name = tr("every α"), .colour = 0, .width = 1.0, .pen = Qt::DotLine});
+    built_ = pareto_->addCurve({.name = tr("can be built"),
+                                .colour = 0,
+                                .width = 1.8,
+                                .toolTip = tr("The shaft clears cylinder, crank and rod"),
+                                .gaps = true});
     efficient_ = pareto_->addCurve({.name = tr("nothing better"),
                                     .colour = 3,
                                     .shape = PlotView::Shape::Points,
-                                    .toolTip = tr("No other α has both a smaller box and a "
-                                                  "smaller range")});
+                                    .toolTip = tr("Can be built, and no other α that can has both "
+                                                  "a smaller box and a smaller range")});
     present_ =
         pareto_->addCurve({.name = tr("present α"), .colour = 7, .shape = PlotView::Shape::Points});
     connect(pareto_, &PlotView::pickedAt, this, [this](double area, double range) {
@@ -64,8 +72,8 @@ EnvelopeView::EnvelopeView(BalanceShaftModel* model, QWidget* parent)
     column->addWidget(pareto_, 3);
     column->addWidget(captionLabel(
         tr("The box around cylinder, crank circle, shaft circle and gears, with the wall, in the "
-           "front view. It is not checked that the shaft clears cylinder and rod. Radii, bore and "
-           "wall are on the Inputs tab. Click either chart to set α."),
+           "front view. Where the shaft's circle meets cylinder, crank or rod, α cannot be built. "
+           "The sizes are on the Inputs tab. Click either chart to set α."),
         this));
 
     connect(model_, &SceneModel::changed, this, [this] {
@@ -74,6 +82,8 @@ EnvelopeView::EnvelopeView(BalanceShaftModel* model, QWidget* parent)
             solve();
         }
     });
+    connect(&Theme::instance(), &Theme::changed, this,
+            [this] { sizes_->setBands(unbuildableBands(model_->result().buildable)); });
     connect(model_, &BalanceShaftModel::shaftMoved, this, [this] {
         if (isVisible()) {
             showPresent();
@@ -109,10 +119,18 @@ void EnvelopeView::solve() {
     const std::vector<double> area = scaled(study.area, squareCentimetre);
     sizes_->setCurve(width_, angle, closed(width, width.front()));
     sizes_->setCurve(height_, angle, closed(height, height.front()));
+    sizes_->setBands(unbuildableBands(model_->result().buildable));
     const auto [least, most] = std::minmax_element(area.begin(), area.end());
     const double pad = std::max(0.04 * (*most - *least), 1e-6);
     pareto_->setXAxis({tr("width × height, cm²"), *least - pad, *most + pad});
     pareto_->setCurve(all_, closed(area, area.front()), closed(study.range, study.range.front()));
+    std::vector<double> builtRange = study.range;
+    for (std::size_t i = 0; i < builtRange.size(); ++i) {
+        if (!study.buildable[i]) {
+            builtRange[i] = std::numeric_limits<double>::quiet_NaN();
+        }
+    }
+    pareto_->setCurve(built_, closed(area, area.front()), closed(builtRange, builtRange.front()));
     std::vector<double> bestArea;
     std::vector<double> bestRange;
     std::vector<PlotView::Mark> marks;

@@ -30,6 +30,7 @@ class EnvelopeView : public QWidget {
     int width_ = 0;
     int height_ = 0;
     int all_ = 0;
+    int built_ = 0;
     int efficient_ = 0;
     int present_ = 0;
     bool stale_ = true;

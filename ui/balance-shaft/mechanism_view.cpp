@@ -112,6 +112,10 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
         QRectF(map.at(envelope.left, envelope.top), map.at(envelope.right, envelope.bottom)));
     painter.setPen(QPen(theme.border(), 1.0, Qt::DashDotLine));
     painter.drawLine(map.at(0, envelope.top), map.at(0, -sizes.crank_swing_radius));
+    const double e = sizes.offset;
+    if (e != 0.0) {
+        painter.drawLine(map.at(e, envelope.top), map.at(e, sizes.cylinder_bottom));
+    }
     painter.drawLine(crank, shaft);
 
     // Gears: pitch circles, in mesh where they touch.
@@ -120,30 +124,35 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
     painter.drawEllipse(shaft, sizes.gear_pitch_radius * k, sizes.gear_pitch_radius * k);
     painter.setPen(QPen(theme.border(), 1.0, Qt::DotLine));
     painter.drawEllipse(crank, sizes.crank_swing_radius * k, sizes.crank_swing_radius * k);
+    const bool buildable = model_->result().is_buildable;
+    if (!buildable) {
+        painter.setPen(QPen(theme.error(), 1.4, Qt::DashLine));
+    }
     painter.drawEllipse(shaft, sizes.shaft_swing_radius * k, sizes.shaft_swing_radius * k);
 
     // Cylinder and piston.
     const double bore = sizes.cylinder_bore;
-    const double wall = std::max(0.06 * bore, 2.0 / k);
+    const double wall = std::max(sizes.cylinder_wall, 2.0 / k);
     const double pistonHeight = 0.75 * bore;
-    const double cylinderFoot = sizes.rod_length - sizes.crank_radius - 0.3 * bore;
     painter.setPen(QPen(line, 1.4));
     painter.setBrush(metal);
     for (const double side : {-1.0, 1.0}) {
-        const double inner = side * bore / 2;
-        const double outer = side * (bore / 2 + wall);
+        const double inner = e + side * bore / 2;
+        const double outer = e + side * (bore / 2 + wall);
         painter.drawRect(
-            QRectF(map.at(inner, sizes.cylinder_top), map.at(outer, cylinderFoot)).normalized());
+            QRectF(map.at(inner, sizes.cylinder_top), map.at(outer, sizes.cylinder_bottom))
+                .normalized());
     }
-    painter.drawRect(QRectF(map.at(-bore / 2 - wall, sizes.cylinder_top + wall),
-                            map.at(bore / 2 + wall, sizes.cylinder_top)));
+    painter.drawRect(QRectF(map.at(e - bore / 2 - wall, sizes.cylinder_top + wall),
+                            map.at(e + bore / 2 + wall, sizes.cylinder_top)));
     const double pistonTop = std::min(pose.piston_pin.y + 0.45 * pistonHeight, sizes.cylinder_top);
     painter.setBrush(drawing::brightMetal());
     painter.drawRoundedRect(
-        QRectF(map.at(-bore / 2, pistonTop), map.at(bore / 2, pistonTop - pistonHeight)), 3, 3);
+        QRectF(map.at(e - bore / 2, pistonTop), map.at(e + bore / 2, pistonTop - pistonHeight)), 3,
+        3);
     for (int ring = 0; ring < 3; ++ring) {
         const double y = pistonTop - (0.10 + 0.09 * ring) * pistonHeight;
-        painter.drawLine(map.at(-bore / 2, y), map.at(bore / 2, y));
+        painter.drawLine(map.at(e - bore / 2, y), map.at(e + bore / 2, y));
     }
 
     // Counterweights.
@@ -204,6 +213,11 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
                      tr("%1 × %2 mm")
                          .arg(QLocale().toString(1e3 * envelope.width(), 'f', 0),
                               QLocale().toString(1e3 * envelope.height(), 'f', 0)));
+    if (!buildable) {
+        painter.setPen(theme.error());
+        painter.drawText(QRectF(rect()).adjusted(8, 22, -8, -6), Qt::AlignTop | Qt::AlignRight,
+                         tr("cannot be built"));
+    }
     // Legend of the arrows.
     const std::vector<std::pair<QString, QColor>> names{{tr("Pⱼ₁"), theme.error()},
                                                         {tr("P₁ crank"), theme.curve(1)},
@@ -241,6 +255,8 @@ void MechanismView::mouseMoveEvent(QMouseEvent* event) {
         model_->setShaftAngleDeg(std::round(angle * 10.0) / 10.0);
     } else {
         setPlaying(false);
+        angle -= model_->result().dead_centre / degree;
+        angle += angle < 0.0 ? 360.0 : 0.0;
         model_->setCrankAngleDeg(angle + (model_->crankAngleDeg() >= 360.0 ? 360.0 : 0.0));
     }
 }

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 
+#include "balance-shaft/buildable_bands.h"
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "model/background_job.h"
@@ -254,10 +255,17 @@ void SpeedView::solveAgain() {
         if (study->reason().empty() && study->is_complete()) {
             result->map =
                 study->map(mapAngles, [&](double part) { return progress(0.3 + 0.6 * part); });
-            result->range =
-                study->least_bad_angle(SpeedStudy::Criterion::range, SpeedStudy::Measure::relative);
-            result->rms =
-                study->least_bad_angle(SpeedStudy::Criterion::rms, SpeedStudy::Measure::relative);
+            using Criterion = SpeedStudy::Criterion;
+            constexpr auto relative = SpeedStudy::Measure::relative;
+            result->range = study->least_bad_angle(Criterion::range, relative);
+            result->rms = study->least_bad_angle(Criterion::rms, relative);
+            result->rangeOfAll = result->range;
+            result->rmsOfAll = result->rms;
+            const auto& buildable = study->buildable().stretches;
+            if (!buildable.empty()) {
+                result->range = study->least_bad_angle(Criterion::range, relative, buildable);
+                result->rms = study->least_bad_angle(Criterion::rms, relative, buildable);
+            }
         }
         result->study = std::move(study);
         return [this, result, input] {
@@ -277,6 +285,8 @@ void SpeedView::showStudy() {
         }
         map_->setCurve(bestLine_, {}, {});
         map_->setImage({}, {});
+        map_->setBands({});
+        angles_->setBands({});
         const SpeedBand asked = band();
         angles_->setXAxis({tr("n, min⁻¹"), asked.from / rpm, asked.to / rpm});
         map_->setYRange(PlotView::Side::Left, asked.from / rpm, asked.to / rpm);
@@ -292,8 +302,8 @@ void SpeedView::showStudy() {
     std::vector<double> rmsAngle;
     for (const SpeedStudy::Point& point : study_.study->points()) {
         speed.push_back(point.angular_speed / rpm);
-        rangeAngle.push_back(point.best_range_angle / degree);
-        rmsAngle.push_back(point.best_rms_angle / degree);
+        rangeAngle.push_back(point.buildable_range_angle.value_or(point.best_range_angle) / degree);
+        rmsAngle.push_back(point.buildable_rms_angle.value_or(point.best_rms_angle) / degree);
     }
     const bool byRange = criterion_->currentIndex() == 0;
     angles_->setXAxis({tr("n, min⁻¹"), speed.front(), speed.back()});
@@ -304,10 +314,21 @@ void SpeedView::showStudy() {
     angles_->setLines({{best.shaft_angle / degree, Qt::Horizontal, 7,
                         tr("least bad %1°").arg(fixedNumber(best.shaft_angle / degree, 1, locale)),
                         PlotView::Side::Left}});
+    angles_->setBands(unbuildableBands(study_.study->buildable(), Qt::Vertical));
+    map_->setBands(unbuildableBands(study_.study->buildable()));
     map_->setYRange(PlotView::Side::Left, speed.front(), speed.back());
     map_->setCurve(bestLine_, byRange ? rangeAngle : rmsAngle, speed);
     showMap();
     const double change = 100.0 * (best.value - 1.0);
+    const SpeedStudy::LeastBad& ofAll = byRange ? study_.rangeOfAll : study_.rmsOfAll;
+    QString other;
+    if (study_.study->buildable().stretches.empty()) {
+        other = tr(" But nothing can be built.");
+    } else if (best.value > ofAll.value + 1e-6) {
+        other = tr(" %1° would gain %2 % more but cannot be built.")
+                    .arg(fixedNumber(ofAll.shaft_angle / degree, 1, locale),
+                         fixedNumber(100.0 * (best.value - ofAll.value), 1, locale));
+    }
     answer_->setText(
         tr("Least bad α over the band, by the %1 against the engine without a shaft: %2°. At its "
            "worst speed, %3 min⁻¹, the %1 is %4 % %5.")
@@ -315,7 +336,8 @@ void SpeedView::showStudy() {
                  fixedNumber(best.shaft_angle / degree, 1, locale),
                  fixedNumber(best.worst_speed / rpm, 0, locale),
                  fixedNumber(std::abs(change), 1, locale),
-                 change > 0.0 ? tr("larger") : tr("smaller")));
+                 change > 0.0 ? tr("larger") : tr("smaller")) +
+        other);
 }
 
 void SpeedView::showMap() {

@@ -40,8 +40,11 @@ class SpeedView : public QWidget {
     struct Study {
         std::shared_ptr<const balance_shaft::SpeedStudy> study;
         std::optional<balance_shaft::SpeedStudy::Map> map;
+        // Of the angles that can be built, or of all where none can.
         balance_shaft::SpeedStudy::LeastBad range;
         balance_shaft::SpeedStudy::LeastBad rms;
+        balance_shaft::SpeedStudy::LeastBad rangeOfAll;
+        balance_shaft::SpeedStudy::LeastBad rmsOfAll;
     };
 
     balance_shaft::SpeedBand band() const;

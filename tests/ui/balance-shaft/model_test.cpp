@@ -27,9 +27,22 @@ TEST(BalanceShaftModel, MovingTheShaftFollowsEverywhere) {
     EXPECT_EQ(moved.size(), 1);
     EXPECT_EQ(changed.size(), 0);
     EXPECT_NEAR(model.result().M_ups.range, 1821.0, 1.0);
+    // The best α that can be built leads; the paper's 50.65° and 11.76° cannot be.
+    model.goToBestRange();
+    EXPECT_EQ(model.shaftAngleDeg(), *model.result().best_range_buildable.shaft_angle / degree);
+    EXPECT_TRUE(model.result().is_buildable);
+    EXPECT_TRUE(model.bestRangeText().contains(QStringLiteral("50.65° would gain")))
+        << model.bestRangeText().toStdString();
+    model.goToBestRms();
+    EXPECT_EQ(model.shaftAngleDeg(), *model.result().best_rms_buildable.shaft_angle / degree);
+    EXPECT_TRUE(model.bestRmsText().contains(QStringLiteral("11.76° would gain")));
+    // Where nothing can be built, the best of all is shown and said to be that.
+    model.setByKey(QStringLiteral("envelope/clearance_mm"), QStringLiteral("50"));
     model.goToBestRange();
     EXPECT_NEAR(model.shaftAngleDeg(), 50.65, 0.05);
     EXPECT_NEAR(model.result().M_ups.range, 1066.75, 0.1);
+    EXPECT_TRUE(model.bestRangeText().endsWith(QStringLiteral("but nothing can be built")));
+    EXPECT_TRUE(model.notesText().contains(QStringLiteral("Nothing can be built")));
     model.goToBestRms();
     EXPECT_NEAR(model.shaftAngleDeg(), 11.76, 0.05);
 }

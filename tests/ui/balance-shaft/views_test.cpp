@@ -88,7 +88,16 @@ TEST_F(BalanceShaftViewsTest, SpeedStudyIsSolvedInTheBackground) {
     const auto best = view->anglePlot()->valueAt(1, speed);
     ASSERT_TRUE(best.has_value());
     // Between the band's speeds the curve is a straight line; the optimum is flat.
-    EXPECT_NEAR(*best, *model->result().best_rms.shaft_angle / degree, 0.5);
+    EXPECT_NEAR(*best, *model->bestRms().shaft_angle / degree, 0.5);
+    // What cannot be built is shaded along α, which runs upwards in one plot.
+    const auto& stretch = model->result().buildable.stretches.at(0);
+    for (const PlotView* plot : {view->anglePlot(), view->mapPlot()}) {
+        ASSERT_EQ(plot->bands().size(), 2U);
+        EXPECT_NEAR(plot->bands()[0].to, stretch.from / degree, 1e-9);
+    }
+    EXPECT_EQ(view->anglePlot()->bands()[0].orientation, Qt::Vertical);
+    EXPECT_TRUE(view->answer().contains(QStringLiteral("cannot be built")))
+        << view->answer().toStdString();
     // A click into the map sets the angle.
     const QPoint at(view->mapPlot()->toPixel(200.0, speed).toPoint());
     QTest::mouseClick(view->mapPlot(), Qt::LeftButton, {}, at);
@@ -110,6 +119,8 @@ TEST_F(BalanceShaftViewsTest, ANewStudyReplacesTheOneThatRuns) {
 
 TEST_F(BalanceShaftViewsTest, SizeFollowsTheShaft) {
     auto* view = open<EnvelopeView>();
+    EXPECT_EQ(view->sizePlot()->bands().size(), 2U);
+    EXPECT_EQ(view->paretoPlot()->curveName(1), QStringLiteral("can be built"));
     model->setShaftAngleDeg(90.0);
     EXPECT_NEAR(*view->sizePlot()->valueAt(0, 90.0), 1e3 * model->result().envelope.width(), 1e-6);
     QTest::mouseClick(view->sizePlot(), Qt::LeftButton, {},

@@ -144,18 +144,27 @@ void BalanceShaftModel::setMeans(Means means) {
     }
 }
 
+const Optimum& BalanceShaftModel::bestRange() const {
+    return result().buildable.stretches.empty() ? result().best_range
+                                                : result().best_range_buildable;
+}
+
+const Optimum& BalanceShaftModel::bestRms() const {
+    return result().buildable.stretches.empty() ? result().best_rms : result().best_rms_buildable;
+}
+
 void BalanceShaftModel::goToBestRange() {
-    if (result().best_range.shaft_angle) {
+    if (bestRange().shaft_angle) {
         finishDrag();
-        setShaftAngleDeg(*result().best_range.shaft_angle / degree);
+        setShaftAngleDeg(*bestRange().shaft_angle / degree);
         finishDrag();
     }
 }
 
 void BalanceShaftModel::goToBestRms() {
-    if (result().best_rms.shaft_angle) {
+    if (bestRms().shaft_angle) {
         finishDrag();
-        setShaftAngleDeg(*result().best_rms.shaft_angle / degree);
+        setShaftAngleDeg(*bestRms().shaft_angle / degree);
         finishDrag();
     }
 }
@@ -263,22 +272,36 @@ QVector<QStringList> BalanceShaftModel::cycleRows() const {
 
 namespace {
 
-QString bestText(const Optimum& best, const QString& sentence) {
+QString bestText(const Optimum& best, const Optimum& all, bool canBeBuilt,
+                 const QString& sentence) {
+    const auto say = [](const char* text) {
+        return QCoreApplication::translate("ravnoves::BalanceShaftModel", text);
+    };
     if (!best.shaft_angle) {
-        return QCoreApplication::translate("ravnoves::BalanceShaftModel",
-                                           "Every α is as good as any other.");
+        return say(
+            QT_TRANSLATE_NOOP("ravnoves::BalanceShaftModel", "Every α is as good as any other."));
     }
-    return sentence.arg(number(*best.shaft_angle / degree, 2), number(best.value, 1));
+    QString text = sentence.arg(number(*best.shaft_angle / degree, 2), number(best.value, 1));
+    if (!canBeBuilt) {
+        text += say(QT_TRANSLATE_NOOP("ravnoves::BalanceShaftModel", ", but nothing can be built"));
+    } else if (all.shaft_angle && *all.shaft_angle != *best.shaft_angle) {
+        text += say(QT_TRANSLATE_NOOP("ravnoves::BalanceShaftModel",
+                                      "; %1° would gain %2 N·m but cannot be built"))
+                    .arg(number(*all.shaft_angle / degree, 2), number(best.value - all.value, 1));
+    }
+    return text;
 }
 
 }  // namespace
 
 QString BalanceShaftModel::bestRangeText() const {
-    return bestText(result().best_range, tr("Least range %2 N·m at %1°"));
+    return bestText(bestRange(), result().best_range, !result().buildable.stretches.empty(),
+                    tr("Least range %2 N·m at %1°"));
 }
 
 QString BalanceShaftModel::bestRmsText() const {
-    return bestText(result().best_rms, tr("Least RMS %2 N·m at %1°"));
+    return bestText(bestRms(), result().best_rms, !result().buildable.stretches.empty(),
+                    tr("Least RMS %2 N·m at %1°"));
 }
 
 QString BalanceShaftModel::notesText() const {

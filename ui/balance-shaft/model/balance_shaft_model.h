@@ -69,6 +69,9 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     Means means() const { return means_; }
     void setMeans(Means means);
 
+    /// The best of the angles that can be built; of all where none can.
+    const balance_shaft::Optimum& bestRange() const;
+    const balance_shaft::Optimum& bestRms() const;
     void goToBestRange();
     void goToBestRms();
 
@@ -89,7 +92,7 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     QVector<QStringList> quantityRows() const;
     /// Work, pressures and power of a computed torque; empty for a table.
     QVector<QStringList> cycleRows() const;
-    /// Best α for range and RMS as sentences.
+    /// Best α for range and RMS as sentences: of what can be built, and what another would gain.
     QString bestRangeText() const;
     QString bestRmsText() const;
     /// What the user should know about the result; empty where there is nothing.
