@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "case-file/range.h"
+#include "numerics/vector_state.h"
 
 namespace ravnoves::methods {
 
@@ -13,6 +14,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double seconds_of(const Run& run, std::vector<double>& out, std::size_t repeats) {
+    clear_vector_state();  // whichever thread measures, it is the same that is measured
     const auto start = Clock::now();
     for (std::size_t i = 0; i < repeats; ++i) {
         run(out);
@@ -171,13 +173,21 @@ StabilityMap map_stability(const Kernel& kernel, std::size_t sweep, const Measur
     return map;
 }
 
+Text failing_nowhere() {
+    return CORE_TEXT("methods", "nowhere");
+}
+
+Text failing_everywhere() {
+    return CORE_TEXT("methods", "everywhere");
+}
+
 Message failing_text(const StabilityMap& map, const StabilityCurve& curve, double tolerance) {
     const auto spans = curve.failing(tolerance);
     if (spans.empty()) {
-        return CORE_TEXT("methods", "nowhere");
+        return failing_nowhere();
     }
     if (spans.front().first == 0 && spans.front().last + 1 == map.values.size()) {
-        return CORE_TEXT("methods", "everywhere");
+        return failing_everywhere();
     }
     const SweepInfo& sweep = map.kernel->sweeps[map.sweep];
     const auto number = [&](std::size_t i) {

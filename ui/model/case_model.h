@@ -43,9 +43,8 @@ class CaseModel : public SceneModel {
         if (next == input_) {
             return {};
         }
-        clear_vector_state();  // painting may have left it in use
         try {
-            prepared_ = scene_.solve(next);
+            prepared_ = solve(next);
         } catch (const InputError& error) {
             QString why = explain(next, error);
             Q_EMIT refused(why);
@@ -78,7 +77,7 @@ class CaseModel : public SceneModel {
         : SceneModel(parent),
           scene_(std::move(scene)),
           input_(scene_.defaultInput()),
-          solved_(scene_.solve(input_)) {
+          solved_(solve(input_)) {
         setTitle(scene_.defaultTitle());
     }
 
@@ -99,7 +98,7 @@ class CaseModel : public SceneModel {
     Solved& solvedInPlace() { return solved_; }
     /// After a change of what the scene solves beside the input.
     void solveAgain() {
-        solved_ = scene_.solve(input_);
+        solved_ = solve(input_);
         Q_EMIT changed();
     }
     /// Begins a history of its own with an input.
@@ -110,8 +109,12 @@ class CaseModel : public SceneModel {
     }
 
   private:
+    Solved solve(const Input& input) const {
+        clear_vector_state();  // painting may have left it in use
+        return scene_.solve(input);
+    }
     void load(const QString& name, Input next) {
-        prepared_ = scene_.solve(next);  // throws before anything changes
+        prepared_ = solve(next);  // throws before anything changes
         aboutToLoad();
         finishDrag();
         if (next == input_) {
@@ -125,7 +128,7 @@ class CaseModel : public SceneModel {
                                                 [this](const Input& input) { apply(input); }));
     }
     void apply(const Input& input) {
-        solved_ = prepared_ ? std::move(*prepared_) : scene_.solve(input);
+        solved_ = prepared_ ? std::move(*prepared_) : solve(input);
         prepared_.reset();
         input_ = input;
         Q_EMIT changed();

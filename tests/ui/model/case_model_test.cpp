@@ -141,6 +141,24 @@ TEST_F(CaseModelTest, AnotherDocumentBeginsAHistoryOfItsOwn) {
     EXPECT_EQ(model.root(), 4.0);
 }
 
+/// Whatever painting left in the vector registers, no way into the scene computes with it.
+TEST_F(CaseModelTest, SolvesWithClearVectorRegisters) {
+    const auto dirtied = [](const auto& change) {
+        test::dirty_vector_registers();
+        change();
+    };
+    dirtied([&] { model.set("square", 9.0); });
+    dirtied([&] { model.history()->undo(); });
+    dirtied([&] { model.history()->redo(); });
+    dirtied([&] { model.loadInput({{"crank_radius_mm", 16.0}}, {}); });
+    dirtied([&] { model.restart({25.0}); });
+    dirtied([&] { model.setByKey(QStringLiteral("crank_radius_mm"), QStringLiteral("36")); });
+    dirtied([&] { model.solveAgain(); });
+    dirtied([&] { test::RootModel{scene}; });
+    EXPECT_EQ(solves(), 9);
+    EXPECT_EQ(*scene.dirty, 0);
+}
+
 TEST_F(CaseModelTest, ValuesAreSetByTheirKeys) {
     model.setByKey(QStringLiteral("crank_radius_mm"), QStringLiteral("9"));
     EXPECT_EQ(model.root(), 3.0);

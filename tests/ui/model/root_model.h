@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "model/case_model.h"
+#include "vector_registers.h"
 
 namespace ravnoves::test {
 
@@ -31,6 +32,7 @@ struct RootScene {
     static Json write(const Input& input) { return {{"crank_radius_mm", input.square}}; }
     Solved solve(const Input& input) const {
         ++*solves;
+        *dirty += are_vector_registers_dirty() ? 1 : 0;
         if (input.square < 0.0) {
             throw InputError("/input/crank_radius_mm", "must not be negative");
         }
@@ -38,6 +40,7 @@ struct RootScene {
     }
 
     std::shared_ptr<int> solves = std::make_shared<int>(0);
+    std::shared_ptr<int> dirty = std::make_shared<int>(0);  ///< with registers that others left in use
 };
 
 inline void visit_fields(FieldVisitor& visitor, RootScene::Input& input) {
@@ -56,6 +59,7 @@ class RootModel : public CaseModel<RootScene> {
         return edit(QString::fromLatin1(name), [=](Input& input) { input.square = square; });
     }
     using CaseModel::restart;
+    using CaseModel::solveAgain;
 
     int loads = 0;
     int takes = 0;

@@ -8,6 +8,7 @@
 #include "balance-shaft/scene.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "numerics/vector_state.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 
@@ -122,6 +123,7 @@ void BalanceShaftModel::setShaftAngleDeg(double angle) {
 
 void BalanceShaftModel::applyShaftAngle(double radians) {
     inputInPlace().shaft_angle = radians;
+    clear_vector_state();
     solver().move_shaft(radians, solvedInPlace().result);
     Q_EMIT shaftMoved();
 }
@@ -178,11 +180,13 @@ void BalanceShaftModel::setSpeed(double angularSpeed) {
 
 const balance_shaft::EnvelopeStudy& BalanceShaftModel::envelopeStudy() const {
     auto& study = solved().envelopes;
+    clear_vector_state();
     return study ? *study : study.emplace(balance_shaft::envelope_study(solver()));
 }
 
 const balance_shaft::RelievedShaft& BalanceShaftModel::relievedShaft() const {
     auto& shaft = solved().relievedShaft;
+    clear_vector_state();
     return shaft ? *shaft : shaft.emplace(balance_shaft::relieved_shaft(solver()));
 }
 

@@ -8,6 +8,7 @@
 #include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "elastic-hinge/fields.h"
+#include "numerics/vector_state.h"
 #include "plot/model/ticks.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
@@ -280,6 +281,7 @@ void ElasticHingeModel::setGravity(double gravity) {
 
 const GuideProposal& ElasticHingeModel::proposal() const {
     if (!solved().proposal) {
+        clear_vector_state();
         if (input().spring) {
             solved().proposal = elastic_hinge::search_guide(
                 result().design, Hinge::crank, input().guide_sign, result().crank_guide.branch,
