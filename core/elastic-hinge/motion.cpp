@@ -128,41 +128,48 @@ void check_setup(const Design& design, const Guide& guide, const MotionSetup& se
 
 }  // namespace
 
+namespace {
+
+/// Angle and speed within the interval that ends with sample `next`.
+State between(const Motion& motion, std::size_t next, double seconds) {
+    const std::size_t i = next - 1;
+    const double h = motion.time[next] - motion.time[i];
+    const double u = (seconds - motion.time[i]) / h;
+    const double rise = motion.crank_angle[next] - motion.crank_angle[i];
+    const double v0 = h * motion.speed[i];
+    const double v1 = h * motion.speed[next];
+    const double a0 = h * h * motion.acceleration[i];
+    const double a1 = h * h * motion.acceleration[next];
+    const double c3 = 10 * rise - 6 * v0 - 4 * v1 - (3 * a0 - a1) / 2;
+    const double c4 = -15 * rise + 8 * v0 + 7 * v1 + (3 * a0 - 2 * a1) / 2;
+    const double c5 = 6 * rise - 3 * (v0 + v1) - (a0 - a1) / 2;
+    return {motion.crank_angle[i] + u * (v0 + u * (a0 / 2 + u * (c3 + u * (c4 + u * c5)))),
+            (v0 + u * (a0 + u * (3 * c3 + u * (4 * c4 + u * 5 * c5)))) / h};
+}
+
+State state_at(const Motion& motion, double seconds) {
+    if (motion.time.empty()) {
+        return {};
+    }
+    const auto next = static_cast<std::size_t>(
+        std::upper_bound(motion.time.begin(), motion.time.end(), seconds) - motion.time.begin());
+    if (next == 0) {
+        return {motion.crank_angle.front(), motion.speed.front()};
+    }
+    if (next == motion.time.size()) {
+        return {motion.crank_angle.back(), motion.speed.back()};
+    }
+    return between(motion, next, seconds);
+}
+
+}  // namespace
+
 double Motion::angle_at(double seconds) const {
-    if (time.empty()) {
-        return 0.0;
-    }
-    const auto next = std::upper_bound(time.begin(), time.end(), seconds);
-    if (next == time.begin()) {
-        return crank_angle.front();
-    }
-    if (next == time.end()) {
-        return crank_angle.back();
-    }
-    const auto i = static_cast<std::size_t>(next - time.begin());
-    const double h = time[i] - time[i - 1];
-    const double u = (seconds - time[i - 1]) / h;
-    // Cubic through both angles with both speeds.
-    const double a = crank_angle[i - 1];
-    const double rise = crank_angle[i] - a;
-    const double v0 = speed[i - 1] * h;
-    const double v1 = speed[i] * h;
-    return a + u * (v0 + u * (3 * rise - 2 * v0 - v1 + u * (v0 + v1 - 2 * rise)));
+    return state_at(*this, seconds)[0];
 }
 
 double Motion::speed_at(double seconds) const {
-    if (time.empty()) {
-        return 0.0;
-    }
-    const auto next = std::upper_bound(time.begin(), time.end(), seconds);
-    if (next == time.begin()) {
-        return speed.front();
-    }
-    if (next == time.end()) {
-        return speed.back();
-    }
-    const auto i = static_cast<std::size_t>(next - time.begin());
-    return std::lerp(speed[i - 1], speed[i], (seconds - time[i - 1]) / (time[i] - time[i - 1]));
+    return state_at(*this, seconds)[1];
 }
 
 Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_guide,
@@ -196,10 +203,11 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
         motion.min_speed = std::min(motion.min_speed, speed);
         motion.max_speed = std::max(motion.max_speed, speed);
     };
-    const auto record = [&](double time, const State& x) {
+    const auto record = [&](double time, const State& x, double acceleration) {
         motion.time.push_back(time);
         motion.crank_angle.push_back(x[0]);
         motion.speed.push_back(x[1]);
+        motion.acceleration.push_back(acceleration);
         take_speed(x[1]);
     };
     const double potential_0 = system.potential(start);
@@ -218,7 +226,7 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
     auto stepper = odeint::make_dense_output(setup.tolerance * std::max(1.0, rate) * 1e-2,
                                              setup.tolerance, odeint::runge_kutta_dopri5<State>());
     stepper.initialize(start, 0.0, 1e-3 / rate);
-    record(0.0, start);
+    record(0.0, start, slope[1]);
 
     const double sample_angle = two_pi / std::max(setup.samples_per_turn, 4);
     constexpr std::size_t most_steps = 20'000'000;
@@ -252,7 +260,7 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
     // Takes the speed where it is greatest or least between the last two samples.
     double last_acceleration = slope[1];
     const auto take_extremum = [&](double begin, double end, const State& x) {
-        const double present = acceleration(x);
+        const double present = motion.acceleration.back();
         const double last = std::exchange(last_acceleration, present);
         const double reach = std::max(std::abs(last), std::abs(present)) * (end - begin);
         const bool turns = (last < 0.0) != (present < 0.0);
@@ -305,7 +313,7 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
         for (int part = 1; part <= parts; ++part) {
             const double time = from + (to - from) * part / parts;
             stepper.calc_state(time, x);
-            record(time, x);
+            record(time, x, acceleration(x));
             take_extremum(last_time, time, x);
             last_time = time;
         }

@@ -38,11 +38,12 @@ struct MotionSetup {
 /// The motion at growing times.
 struct Motion {
     MotionEnd end = MotionEnd::completed;
-    Message reason;                   ///< how it ended, as a sentence; empty where completed
-    std::vector<double> time;         ///< s
-    std::vector<double> crank_angle;  ///< rad
-    std::vector<double> speed;        ///< rad/s
-    double min_speed = 0.0;           ///< rad/s, of the continuous motion
+    Message reason;                    ///< how it ended, as a sentence; empty where completed
+    std::vector<double> time;          ///< s
+    std::vector<double> crank_angle;   ///< rad
+    std::vector<double> speed;         ///< rad/s
+    std::vector<double> acceleration;  ///< rad/s²
+    double min_speed = 0.0;            ///< rad/s, of the continuous motion
     double max_speed = 0.0;
     double mean_speed = 0.0;  ///< angle turned / time, rad/s
     /// (max − min) / mean, the coefficient of speed fluctuation; 0 where the mean is 0.
@@ -52,7 +53,8 @@ struct Motion {
     double energy_drift = 0.0;
     std::size_t steps = 0;  ///< of the integrator
 
-    /// Crank angle (rad) and speed (rad/s) at a time between the samples.
+    /// Crank angle (rad) and speed (rad/s) at a time between the samples, by the polynomial of
+    /// order 5 through angle, speed and acceleration of both neighbours.
     double angle_at(double seconds) const;
     double speed_at(double seconds) const;
 };
