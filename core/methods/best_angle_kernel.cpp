@@ -6,6 +6,7 @@
 #include "balance-shaft/method_choices.h"
 #include "methods/definition.h"
 #include "methods/torque_cycle.h"
+#include "methods/torque_reference.h"
 #include "numerics/constants.h"
 
 namespace ravnoves::methods {
@@ -108,61 +109,22 @@ Method<AngleCase> method_of(MethodInfo info, Search search) {
     return method;
 }
 
-BasicCycleExtrema<Real50> exact_extrema(const AngleCase& cycle) {
-    return {cycle.interpolant<Real50>(), Real50(cycle.amplitude)};
-}
-
 std::vector<Expected> reference(const AngleCase& cycle) {
-    return {{0, balance_shaft::minimise_range(exact_extrema(cycle)).range, cycle.size()}};
+    return {{0, TorqueReference(cycle).least_range(), cycle.size()}};
 }
 
 /// By how much the range at the angle found exceeds the least one.
 double measure(const AngleCase& cycle, std::span<const double> out,
                const std::vector<Expected>& reference) {
-    const Real50 range = exact_extrema(cycle).range(Real50(out[0]));
+    const Real50 range = TorqueReference(cycle).range(Real50(out[0]));
     return static_cast<double>(abs(Real50(range - reference[0].value))) / reference[0].scale;
 }
 
-/// No angle of a fine scan of sampled moments lies below the reference, and the scan comes as near
-/// to it as its steps allow.
+/// The method in use, run in 50 digits: its bounds prove that no angle is better.
 std::optional<double> check(const AngleCase& cycle, const std::vector<Expected>& reference) {
-    const auto moment = cycle.interpolant<double>();
-    std::vector<double> phi;
-    std::vector<double> value;
-    const auto take = [&](double angle) {
-        phi.push_back(angle * degree);
-        value.push_back(moment(angle));
-    };
-    constexpr int steps_per_degree = 4;
-    for (int i = 0; i < 720 * steps_per_degree; ++i) {
-        take(static_cast<double>(i) / steps_per_degree);
-    }
-    for (const double a : cycle.angle_deg) {
-        take(a);
-    }
-    const auto range = [&](double alpha) {
-        double high = -1e300;
-        double low = 1e300;
-        for (std::size_t i = 0; i < phi.size(); ++i) {
-            const double m = value[i] + cycle.amplitude * std::sin(phi[i] + alpha);
-            high = std::max(high, m);
-            low = std::min(low, m);
-        }
-        return high - low;
-    };
-    double least = 1e300;
-    double best = 0.0;
-    for (int i = 0; i < 720; ++i) {
-        const double r = range(two_pi * i / 720.0);
-        if (r < least) {
-            least = r;
-            best = two_pi * i / 720.0;
-        }
-    }
-    const auto found =
-        boost::math::tools::brent_find_minima(range, best - 0.5 * degree, best + 0.5 * degree, 40);
-    least = std::min(least, found.second);
-    return std::abs(least - static_cast<double>(reference[0].value)) / reference[0].scale;
+    const BasicCycleExtrema<Real50> extrema(cycle.interpolant<Real50>(), Real50(cycle.amplitude));
+    const Real50 least = balance_shaft::minimise_range(extrema).range;
+    return static_cast<double>(abs(Real50(least - reference[0].value))) / reference[0].scale;
 }
 
 }  // namespace
@@ -176,9 +138,9 @@ Kernel best_angle_kernel() {
     kernel.error_measure =
         CORE_TEXT("methods", "range there less the least range, part of the largest torque + A");
     kernel.evaluation = CORE_TEXT("methods", "one search over all α, the table being prepared");
-    kernel.check_text =
-        CORE_TEXT("methods", "a scan of sampled moments, refined by Brent's method");
-    kernel.check_tolerance = 1e-5;  // what samples every 0.25° allow
+    kernel.check_text = CORE_TEXT(
+        "methods", "the crossing of the two branches that rise from it, against the method in use");
+    kernel.check_tolerance = 1e-40;
     kernel.choice = balance_shaft::best_angle_choice;
     definition.methods = {
         method_of({"scan",

@@ -1,4 +1,3 @@
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
 
@@ -6,6 +5,7 @@
 #include "balance-shaft/method_choices.h"
 #include "methods/definition.h"
 #include "methods/torque_cycle.h"
+#include "methods/torque_reference.h"
 #include "numerics/constants.h"
 
 namespace ravnoves::methods {
@@ -166,37 +166,15 @@ Method<RangeCase> exact() {
 }
 
 std::vector<Expected> reference(const RangeCase& cycle) {
-    const balance_shaft::BasicCycleExtrema<Real50> extrema(cycle.interpolant<Real50>(),
-                                                           Real50(cycle.amplitude));
-    return {{0, extrema.range(Real50(cycle.alpha)), cycle.size()}};
+    return {{0, TorqueReference(cycle).range(Real50(cycle.alpha)), cycle.size()}};
 }
 
-/// Brent's method of Boost in every part of a degree of straight lines drawn from row to row.
+/// The method in use, run in 50 digits: it folds the two revolutions and solves few intervals.
 std::optional<double> check(const RangeCase& cycle, const std::vector<Expected>& reference) {
-    if (cycle.cubic) {
-        return std::nullopt;
-    }
-    double highest = -std::numeric_limits<double>::infinity();
-    double lowest = std::numeric_limits<double>::infinity();
-    for (std::size_t row = 0; row + 1 < cycle.moment.size(); ++row) {
-        const double from = cycle.angle_deg[row];
-        const double to = cycle.angle_deg[row + 1];
-        const auto value = [&](double a) {
-            return std::lerp(cycle.moment[row], cycle.moment[row + 1], (a - from) / (to - from)) +
-                   cycle.amplitude * std::sin(a * degree + cycle.alpha);
-        };
-        const int parts = static_cast<int>(std::ceil(to - from));
-        for (int k = 0; k < parts; ++k) {
-            const double a = std::lerp(from, to, static_cast<double>(k) / parts);
-            const double b = std::lerp(from, to, static_cast<double>(k + 1) / parts);
-            const auto top = boost::math::tools::brent_find_minima(
-                [&](double x) { return -value(x); }, a, b, 30);
-            const auto bottom = boost::math::tools::brent_find_minima(value, a, b, 30);
-            highest = std::max({highest, -top.second, value(a), value(b)});
-            lowest = std::min({lowest, bottom.second, value(a), value(b)});
-        }
-    }
-    return std::abs((highest - lowest) - static_cast<double>(reference[0].value)) / cycle.size();
+    const balance_shaft::BasicCycleExtrema<Real50> extrema(cycle.interpolant<Real50>(),
+                                                           Real50(cycle.amplitude));
+    const Real50 gap = abs(Real50(extrema.range(Real50(cycle.alpha)) - reference[0].value));
+    return static_cast<double>(gap) / cycle.size();
 }
 
 }  // namespace
@@ -210,8 +188,9 @@ Kernel moment_range_kernel() {
         CORE_TEXT("methods", "ΔM_ups, largest less smallest moment over the cycle, at one α");
     kernel.error_measure = CORE_TEXT("methods", "part of the largest torque of the table + A");
     kernel.evaluation = CORE_TEXT("methods", "the range at one α, the table being prepared");
-    kernel.check_text = CORE_TEXT("methods", "Brent's method in every degree between the rows");
-    kernel.check_tolerance = 1e-13;
+    kernel.check_text = CORE_TEXT(
+        "methods", "extrema of every degree by Newton's method, against the method in use");
+    kernel.check_tolerance = 1e-40;
     kernel.choice = balance_shaft::moment_range_choice;
     definition.methods = {nodes(), golden_section(), exact()};
     const TorqueCycle paper = paper_cycle();

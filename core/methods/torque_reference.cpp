@@ -1,0 +1,412 @@
+#include "methods/torque_reference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "numerics/constants.h"
+
+namespace ravnoves::methods {
+
+namespace {
+
+constexpr double cycle_deg = 720.0;
+
+const Real50& exact_degree() {
+    return boost::math::constants::degree<Real50>();
+}
+
+/// Second derivatives of the periodic cubic spline at the rows x[0]…x[n − 1], by relaxation: the
+/// system of slope continuity is dominated by its diagonal, so every pass gains half a digit.
+std::vector<Real50> spline_bends(const std::vector<Real50>& x, const std::vector<Real50>& y) {
+    const std::size_t n = x.size() - 1;
+    std::vector<Real50> bend(n, Real50(0));
+    constexpr int passes = 120;
+    for (int pass = 0; pass < passes; ++pass) {
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::size_t before = i == 0 ? n - 1 : i - 1;
+            const Real50 left = x[before + 1] - x[before];
+            const Real50 right = x[i + 1] - x[i];
+            const Real50 jump = (y[i + 1] - y[i]) / right - (y[before + 1] - y[before]) / left;
+            bend[i] =
+                (6 * jump - left * bend[before] - right * bend[(i + 1) % n]) / (2 * (left + right));
+        }
+    }
+    return bend;
+}
+
+}  // namespace
+
+template <typename Scalar>
+Scalar TorqueReference::Piece<Scalar>::value(const Scalar& t) const {
+    const Scalar b = t / width;
+    const Scalar a = 1 - b;
+    return a * y0 + b * y1 +
+           ((a * a * a - a) * bend0 + (b * b * b - b) * bend1) * width * width / 6;
+}
+
+template <typename Scalar>
+Scalar TorqueReference::Piece<Scalar>::slope(const Scalar& t) const {
+    const Scalar b = t / width;
+    const Scalar a = 1 - b;
+    return (y1 - y0) / width + ((3 * b * b - 1) * bend1 - (3 * a * a - 1) * bend0) * width / 6;
+}
+
+TorqueReference::TorqueReference(const TorqueCycle& cycle)
+    : cubic_(cycle.cubic),
+      amplitude_(cycle.amplitude),
+      size_(cycle.size()),
+      alpha_(Real50(cycle.alpha)) {
+    const std::vector<Real50> x(cycle.angle_deg.begin(), cycle.angle_deg.end());
+    const std::vector<Real50> y(cycle.moment.begin(), cycle.moment.end());
+    const std::size_t n = x.size() - 1;
+    const std::vector<Real50> bend = cubic_ ? spline_bends(x, y) : std::vector<Real50>(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        exact_.push_back({x[i], x[i + 1] - x[i], y[i], y[i + 1], bend[i], bend[(i + 1) % n]});
+        const Piece<Real50>& piece = exact_.back();
+        const auto plain = [](const Real50& value) { return static_cast<double>(value); };
+        pieces_.push_back({plain(piece.start), plain(piece.width), plain(piece.y0), plain(piece.y1),
+                           plain(piece.bend0), plain(piece.bend1)});
+        const Piece<double>& p = pieces_.back();
+        const double curvature =
+            std::max(std::abs(p.bend0), std::abs(p.bend1)) + std::abs(amplitude_) * degree * degree;
+        const int parts = std::max(static_cast<int>(std::ceil(p.width)), 1);
+        for (int k = 0; k < parts; ++k) {
+            const Cell cell{i, p.width * k / parts, p.width * (k + 1) / parts, curvature};
+            cells_.push_back(cell);
+            const double angle = (p.start + cell.from) * degree;
+            start_.push_back(p.value(cell.from));
+            sine_.push_back(std::sin(angle));
+            cosine_.push_back(std::cos(angle));
+        }
+    }
+}
+
+Real50 TorqueReference::mean() const {
+    Real50 sum(0);
+    for (const Piece<Real50>& p : exact_) {
+        sum += p.width * (p.y0 + p.y1) / 2 - p.width * p.width * p.width * (p.bend0 + p.bend1) / 24;
+    }
+    return sum / Real50(cycle_deg);
+}
+
+Real50 TorqueReference::rms() const {
+    Real50 square(0);
+    for (const Piece<Real50>& p : exact_) {
+        const Real50 k = p.width * p.width / 6;
+        square += p.width * ((p.y0 * p.y0 + p.y0 * p.y1 + p.y1 * p.y1) / 3 -
+                             k * (4 * (p.y0 * p.bend0 + p.y1 * p.bend1) / 15 +
+                                  7 * (p.y0 * p.bend1 + p.y1 * p.bend0) / 30) +
+                             k * k *
+                                 (8 * (p.bend0 * p.bend0 + p.bend1 * p.bend1) / 105 +
+                                  31 * p.bend0 * p.bend1 / 210));
+    }
+    square /= Real50(cycle_deg);
+    // ∮ M sin(φ + α) dφ = −∮ M″ sin = ∮ M⁗ sin, and the last one that is not 0 is jumps alone.
+    Real50 with_sine(0);
+    for (std::size_t i = 0; i < exact_.size(); ++i) {
+        const Piece<Real50>& after = exact_[i];
+        const Piece<Real50>& before = exact_[i == 0 ? exact_.size() - 1 : i - 1];
+        const auto jump = [&](const auto& of) { return Real50(of(after) - of(before)); };
+        Real50 strength;
+        if (cubic_) {
+            const Real50 per_radian = 1 / exact_degree();
+            strength = jump([](const auto& p) { return Real50((p.bend1 - p.bend0) / p.width); }) *
+                       per_radian * per_radian * per_radian;
+        } else {
+            strength = -jump([](const auto& p) { return Real50((p.y1 - p.y0) / p.width); }) /
+                       exact_degree();
+        }
+        with_sine += strength * sin(Real50(after.start * exact_degree() + alpha_));
+    }
+    const Real50 amplitude(amplitude_);
+    const Real50 turns = 2 * boost::math::constants::two_pi<Real50>();
+    const Real50 average = mean();
+    const Real50 variance =
+        square - average * average + amplitude * (amplitude / 2 + 2 * with_sine / turns);
+    return variance > 0 ? Real50(sqrt(variance)) : Real50(0);
+}
+
+// ----------------------------------------------------------------------------------- extrema
+
+double TorqueReference::height(const Cell& cell, double t, double alpha, double sign) const {
+    const Piece<double>& piece = pieces_[cell.piece];
+    return sign * (piece.value(t) + amplitude_ * std::sin((piece.start + t) * degree + alpha));
+}
+
+void TorqueReference::look_within(const Cell& cell, double alpha, double sign, double enough,
+                                  std::vector<Candidate>& found) const {
+    const Piece<double>& piece = pieces_[cell.piece];
+    const double width = cell.to - cell.from;
+    const double rise = cell.curvature * width * width / 8.0;  // above the larger end, at most
+    const double end =
+        std::max(height(cell, cell.from, alpha, sign), height(cell, cell.to, alpha, sign));
+    constexpr double rounding = 1e-22;
+    if (end + rise < enough || !(rise > rounding * size_)) {
+        return;
+    }
+    const auto slope = [&](double t) {
+        return sign * (piece.slope(t) +
+                       amplitude_ * degree * std::cos((piece.start + t) * degree + alpha));
+    };
+    const double middle = std::midpoint(cell.from, cell.to);
+    const double bend = piece.bend(middle) - amplitude_ * degree * degree *
+                                                 std::sin((piece.start + middle) * degree + alpha);
+    const double change = std::abs(piece.bend1 - piece.bend0) / piece.width +
+                          std::abs(amplitude_) * degree * degree * degree;
+    if (!(std::abs(bend) > change * width / 2.0)) {  // the slope may turn back within
+        look_within({cell.piece, cell.from, middle, cell.curvature}, alpha, sign, enough, found);
+        look_within({cell.piece, middle, cell.to, cell.curvature}, alpha, sign, enough, found);
+        return;
+    }
+    double from = cell.from;
+    double to = cell.to;
+    if (!(slope(from) >= 0.0 && slope(to) <= 0.0)) {
+        return;
+    }
+    for (int i = 0; i < 60; ++i) {
+        const double t = std::midpoint(from, to);
+        (slope(t) > 0.0 ? from : to) = t;
+    }
+    found.push_back({cell.piece, true, from, height(cell, from, alpha, sign)});
+}
+
+std::vector<TorqueReference::Candidate> TorqueReference::candidates(double alpha,
+                                                                    double sign) const {
+    const double x = amplitude_ * std::sin(alpha);
+    const double y = amplitude_ * std::cos(alpha);
+    std::vector<double> node(cells_.size() + 1);
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+        node[i] = sign * (start_[i] + x * cosine_[i] + y * sine_[i]);
+    }
+    node.back() = node.front();
+    const double best = *std::max_element(node.begin(), node.end());
+    const double margin = 1e-9 * size_;
+    std::vector<Candidate> found;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+        const Cell& cell = cells_[i];
+        const double width = cell.to - cell.from;
+        if (cell.from == 0.0 && node[i] >= best - margin) {
+            found.push_back({cell.piece, false, 0.0, node[i]});
+        }
+        const double rise = cell.curvature * width * width / 8.0;
+        if (std::max(node[i], node[i + 1]) + rise >= best - margin) {
+            look_within(cell, alpha, sign, best - margin, found);
+        }
+    }
+    double highest = best;
+    for (const Candidate& candidate : found) {
+        highest = std::max(highest, candidate.height);
+    }
+    std::erase_if(found,
+                  [&](const Candidate& candidate) { return candidate.height < highest - margin; });
+    return found;
+}
+
+TorqueReference::Extremum TorqueReference::followed(Extremum extremum, const Real50& alpha) const {
+    const Piece<Real50>& piece = exact_[extremum.piece];
+    const Real50& degree = exact_degree();
+    const Real50 amplitude(amplitude_);
+    const auto angle = [&] { return Real50((piece.start + extremum.t) * degree + alpha); };
+    constexpr int most = 12;
+    const Real50 least = Real50("1e-48") * piece.width;
+    for (int i = 0; extremum.interior && i < most; ++i) {
+        const Real50 slope = piece.slope(extremum.t) + amplitude * degree * cos(angle());
+        const Real50 bend = piece.bend(extremum.t) - amplitude * degree * degree * sin(angle());
+        if (bend == 0) {
+            break;
+        }
+        const Real50 step = slope / bend;
+        extremum.t -= step;
+        if (abs(step) < least) {
+            break;
+        }
+    }
+    extremum.value = piece.value(extremum.t) + amplitude * sin(angle());
+    extremum.slope = amplitude * cos(angle());
+    return extremum;
+}
+
+TorqueReference::Extremum TorqueReference::extremum(const Real50& alpha, double sign) const {
+    Extremum best;
+    bool first = true;
+    for (const Candidate& candidate : candidates(static_cast<double>(alpha), sign)) {
+        Extremum polished =
+            followed({candidate.piece, candidate.interior, Real50(candidate.t), {}, {}}, alpha);
+        if (first || sign * polished.value > sign * best.value) {
+            best = std::move(polished);
+            first = false;
+        }
+    }
+    return best;
+}
+
+TorqueReference::At TorqueReference::at(const Real50& alpha) const {
+    return {alpha, extremum(alpha, 1.0), extremum(alpha, -1.0)};
+}
+
+Real50 TorqueReference::range(const Real50& alpha) const {
+    return at(alpha).range();
+}
+
+// -------------------------------------------------------------------------------- best angle
+
+double TorqueReference::plain_range(double alpha) const {
+    double range = 0.0;
+    for (const double sign : {1.0, -1.0}) {
+        double best = -std::numeric_limits<double>::infinity();
+        for (const Candidate& candidate : candidates(alpha, sign)) {
+            best = std::max(best, candidate.height);
+        }
+        range += best;
+    }
+    return range;
+}
+
+double TorqueReference::plain_slope(double alpha) const {
+    double slope = 0.0;
+    for (const double sign : {1.0, -1.0}) {
+        const auto found = candidates(alpha, sign);
+        const auto best =
+            std::max_element(found.begin(), found.end(),
+                             [](const auto& a, const auto& b) { return a.height < b.height; });
+        if (best != found.end()) {
+            const double angle = (pieces_[best->piece].start + best->t) * degree;
+            slope += sign * amplitude_ * std::cos(angle + alpha);
+        }
+    }
+    return slope;
+}
+
+TorqueReference::At TorqueReference::followed(const At& branch, const Real50& alpha) const {
+    return {alpha, followed(branch.high, alpha), followed(branch.low, alpha)};
+}
+
+Real50 TorqueReference::lowest(const At& left, const At& right) const {
+    const bool one_branch = left.high.is_branch_of(right.high) && left.low.is_branch_of(right.low);
+    constexpr int most = 12;
+    const Real50 least("1e-48");
+    if (one_branch) {
+        // The secant through the slopes.
+        Real50 a = left.alpha;
+        Real50 b = right.alpha;
+        Real50 slope_a = left.slope();
+        Real50 slope_b = right.slope();
+        for (int i = 0; i < most && slope_a != slope_b && abs(Real50(b - a)) > least; ++i) {
+            const Real50 next = b - slope_b * (b - a) / (slope_b - slope_a);
+            a = b;
+            slope_a = slope_b;
+            b = next;
+            slope_b = followed(left, b).slope();
+        }
+        return b;
+    }
+    Real50 alpha = (left.alpha + right.alpha) / 2;
+    for (int i = 0; i < most; ++i) {
+        const At a = followed(left, alpha);
+        const At b = followed(right, alpha);
+        if (a.slope() == b.slope()) {
+            break;
+        }
+        const Real50 step = (a.range() - b.range()) / (a.slope() - b.slope());
+        alpha -= step;
+        if (abs(step) < least) {
+            break;
+        }
+    }
+    return alpha;
+}
+
+Real50 TorqueReference::least_between(double from, double to) const {
+    // In double first, as far as its slopes can be told from rounding.
+    constexpr double resolution = 1e-9;
+    for (int i = 0; i < 60 && to - from > resolution; ++i) {
+        const double middle = std::midpoint(from, to);
+        (plain_slope(middle) < 0.0 ? from : to) = middle;
+    }
+    At left = at(Real50(from));
+    At right = at(Real50(to));
+    Real50 least = std::min(left.range(), right.range());
+    const Real50 enough = Real50("1e-46") * Real50(size_);
+    constexpr int most = 200;
+    for (int i = 0; i < most && left.slope() < 0 && right.slope() > 0; ++i) {
+        Real50 alpha = lowest(left, right);
+        const bool within = alpha > left.alpha && alpha < right.alpha;
+        if (!within) {
+            alpha = (left.alpha + right.alpha) / 2;
+        }
+        const At found = at(alpha);
+        least = std::min(least, found.range());
+        // No other branch rises above the two there.
+        if ((within && found.range() - followed(left, alpha).range() <= enough) ||
+            right.alpha - left.alpha < enough / Real50(size_)) {
+            break;
+        }
+        (found.slope() < 0 ? left : right) = found;
+    }
+    return least;
+}
+
+Real50 TorqueReference::least_range() const {
+    struct Interval {
+        double from, to, at_from, at_to;
+        double least_possible(double steepest) const {
+            return 0.5 * (at_from + at_to - steepest * (to - from));
+        }
+    };
+    const double steepest = 2.0 * std::abs(amplitude_);
+    constexpr int first_angles = 720;
+    std::vector<Interval> open;
+    double best = std::numeric_limits<double>::infinity();
+    double last = plain_range(0.0);
+    for (int i = 0; i < first_angles; ++i) {
+        const double to = two_pi * (i + 1) / first_angles;
+        const double next = plain_range(to);
+        open.push_back({two_pi * i / first_angles, to, last, next});
+        last = next;
+        best = std::min(best, next);
+    }
+    const double margin = 1e-11 * size_;
+    constexpr int halvings = 6;  // down to 0.008°
+    constexpr std::size_t most_open = 20'000;
+    for (int pass = 0; pass < halvings && open.size() < most_open; ++pass) {
+        std::vector<Interval> halves;
+        for (const Interval& interval : open) {
+            if (interval.least_possible(steepest) > best + margin) {
+                continue;
+            }
+            const double middle = std::midpoint(interval.from, interval.to);
+            const double there = plain_range(middle);
+            best = std::min(best, there);
+            halves.push_back({interval.from, middle, interval.at_from, there});
+            halves.push_back({middle, interval.to, there, interval.at_to});
+        }
+        open = std::move(halves);
+    }
+    std::erase_if(open, [&](const Interval& interval) {
+        return interval.least_possible(steepest) > best + margin;
+    });
+    // Every local minimum among what is left.
+    Real50 least = range(Real50(0));
+    std::size_t begin = 0;
+    while (begin < open.size()) {
+        std::size_t end = begin + 1;
+        while (end < open.size() && open[end].from == open[end - 1].to) {
+            ++end;
+        }
+        for (std::size_t i = begin; i < end; ++i) {
+            const bool falls = i == begin || open[i].at_from <= open[i - 1].at_from;
+            const bool rises = i + 1 == end || open[i].at_from < open[i + 1].at_from;
+            if (falls && rises) {
+                const double width = open[i].to - open[i].from;
+                least = std::min(least, least_between(open[i].from - width, open[i].to + width));
+            }
+        }
+        begin = end;
+    }
+    return least;
+}
+
+}  // namespace ravnoves::methods
