@@ -15,7 +15,8 @@ class ValidateCommand final : public Command {
                                   "Compute every number printed in the four papers and compare");
         app_->footer(
             "Verdicts: reproduced; artefact (of the way it was computed); slip (a mistake in\n"
-            "print); not derivable (what it takes is not printed).\n"
+            "print); not derivable (what it takes is not printed); given (stated by the paper, or\n"
+            "the inverse of another number: nothing is tested by it).\n"
             "Exit status: 0 each printed number has one of these, 1 not so.\n");
         app_->add_option("--csv", csv_path_, "Write the table to this file too")->type_name("FILE");
     }

@@ -8,7 +8,7 @@
 namespace ravnoves {
 
 /// A source that the program rests on. Comments cite it by its key in brackets: [nazarov]. What its
-/// copy does not say (journal, year) stays empty.
+/// copy does not say (journal, year) stays empty, and its citation says so.
 struct Source {
     std::string_view key;      ///< "gots-klevtsov"
     Text cited_as;             ///< "Gots, Klevtsov"
@@ -16,6 +16,7 @@ struct Source {
     Text title;                ///< in English
     std::string_view journal;  ///< with its number, or the standard's number
     int year = 0;              ///< 0: not known
+    int not_before = 0;        ///< where it is not: the year of the newest source that it cites
     std::string_view pages;    ///< "14–22"
     std::string_view doi;
 };
@@ -26,7 +27,8 @@ std::span<const Source> bibliography();
 /// The source of that key, which must be there.
 const Source& source(std::string_view key);
 
-/// Authors, title and year in one line: `A. Author, "Title", 2021`.
+/// Authors, title and year in one line: `A. Author, "Title", 2021`. Where the copy at hand does not
+/// show the year, it says that and since when the paper may be.
 Message citation(const Source& source);
 
 }  // namespace ravnoves

@@ -31,6 +31,7 @@ const VerdictWords& words_of(Verdict verdict) {
         {"artefact", CORE_TEXT("methods", "artefact")},
         {"slip", CORE_TEXT("methods", "slip")},
         {"not-derivable", CORE_TEXT("methods", "not derivable")},
+        {"given", CORE_TEXT("methods", "given")},
         {"differs", CORE_TEXT("methods", "differs")},
     };
     return words[static_cast<std::size_t>(verdict)];

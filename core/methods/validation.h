@@ -17,12 +17,14 @@ enum class Verdict {
     artefact,       ///< the way it was computed makes it: that way gives it, the right way does not
     slip,           ///< a mistake in print: the mistake gives the printed number, ours is another
     not_derivable,  ///< the paper does not print what is needed to compute it
+    given,          ///< an input that the paper states, or a row that only inverts another
     differs,        ///< none of these held; there should be none
 };
 
 /// All verdicts in the order of their counts.
-inline constexpr Verdict all_verdicts[] = {Verdict::reproduced, Verdict::artefact, Verdict::slip,
-                                           Verdict::not_derivable, Verdict::differs};
+inline constexpr Verdict all_verdicts[] = {Verdict::reproduced, Verdict::artefact,
+                                           Verdict::slip,       Verdict::not_derivable,
+                                           Verdict::given,      Verdict::differs};
 
 std::string_view verdict_id(Verdict verdict);  ///< "not-derivable", for files
 Text verdict_title(Verdict verdict);           ///< "not derivable", for people
@@ -64,7 +66,9 @@ struct ValidationRow {
     std::string difference_text() const;
 };
 
-/// Every number printed in the four papers beside ours.
+/// Every quantity printed in the four papers beside ours: results, and the inputs that they state.
+/// Not among them are the constants within formulas, the ticks of figures' axes, and a number that
+/// the same passage repeats.
 struct ValidationReport {
     std::vector<ValidationRow> rows;  ///< by paper, in the order of the print
 

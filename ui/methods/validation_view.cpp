@@ -30,6 +30,7 @@ QColor verdictColour(Verdict verdict) {
         case Verdict::reproduced:
             return theme.good();
         case Verdict::not_derivable:
+        case Verdict::given:
             return theme.mutedText();
         case Verdict::artefact:
         case Verdict::slip:

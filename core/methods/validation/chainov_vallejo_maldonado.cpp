@@ -45,9 +45,10 @@ void sizes(const Result& result, const Input& input, PaperRows& rows) {
     quoted(lower_end(CORE_TEXT("methods", "angle between the banks of VR engines")), "°", "8");
     quoted(upper_end(CORE_TEXT("methods", "angle between the banks of VR engines")), "°", "20");
     rows.at(in_text(CORE_TEXT("methods", "parameters of the engine")));
-    rows.reproduced(CORE_TEXT("methods", "offset e"), "mm", "12.5",
-                    read_printed("0.278").value * input.crank_radius / units::mm,
-                    CORE_TEXT("methods", "K R."));
+    rows.given(CORE_TEXT("methods", "angle between the banks γ"), "°", "15",
+               input.layout->bank_angle / degree);
+    rows.given(CORE_TEXT("methods", "offset e"), "mm", "12.5", input.layout->offset / units::mm);
+    rows.given("λ", "", "0.265", input.lambda);
     rows.reproduced(CORE_TEXT("methods", "relative offset K"), "", "0.278",
                     input.layout->offset / input.crank_radius, CORE_TEXT("methods", "e / R."));
     rows.reproduced(CORE_TEXT("methods", "crank angle at top dead centre"), "°", "3°20′",
@@ -58,6 +59,17 @@ void sizes(const Result& result, const Input& input, PaperRows& rows) {
                               "To 1′, from the exact top dead centre. It is γ + 2 φ: the formula "
                               "beside it, γ + φ, has lost the 2 and would give 18°20′."),
                     minute);
+}
+
+/// Of the figures 5 and 6.
+void stated(const Input& input, PaperRows& rows) {
+    rows.at(figure(6));
+    rows.given("m_j", "kg", "0.622", input.reciprocating_mass);
+    rows.given("R", "m", "0.045", input.crank_radius);
+    rows.given("n", "min⁻¹", "6200", input.angular_speed / rpm);
+    rows.given("a", "m", "0.063", input.layout->spacing);
+    // From crankpin 4, three spacings behind the first.
+    rows.given("l", "m", "0.0158", input.layout->first_position - 3.0 * input.layout->spacing);
 }
 
 void crankpins(const Result& result, PaperRows& rows) {
@@ -276,6 +288,7 @@ std::vector<ValidationRow> validate_chainov_vallejo_maldonado() {
     moments(rows);
     shafts(result, rows);
     rotating_masses(result, rows);
+    stated(input, rows);
     return rows.take();
 }
 

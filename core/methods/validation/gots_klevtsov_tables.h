@@ -10,7 +10,14 @@ namespace ravnoves::methods::gots_klevtsov {
 inline constexpr double table_2_step = 15.0;  ///< °, of its rows from 0° to 720°
 inline constexpr double table_3_step = 30.0;  ///< °, of its rows (0…720°) and columns (0…330°)
 
-/// M_up; its other column, M_id, is the preset's torque.
+/// M_id.
+inline constexpr std::array<std::string_view, 49> table_2_torque{
+    "0",    "-90",  "-140", "-130",  "-72",    "5",    "67",   "97",   "96",  "76",
+    "49",   "24",   "0",    "-0.73", "-0.154", "-79",  "-106", "-122", "-96", "-80",
+    "-28",  "-44",  "-155", "-315",  "0",      "893",  "798",  "503",  "360", "290",
+    "261",  "227",  "188",  "135",   "82",     "37",   "0",    "30",   "-57", "-97",
+    "-111", "-129", "-88",  "-29",   "-56",    "-122", "-126", "-88",  "0"};
+/// M_up.
 inline constexpr std::array<std::string_view, 49> table_2{
     "0",    "90",   "140",  "130",  "72",    "-5",   "-67",  "-97",  "-96",  "-76",
     "-49",  "-24",  "0",    "0.73", "0.154", "79",   "106",  "122",  "96",   "80",

@@ -1,6 +1,8 @@
 /// The numbers of [nazarov].
 
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "methods/validation/rows.h"
 #include "numerics/units.h"
@@ -31,13 +33,16 @@ struct Column {
     const char* slope;                                                          ///< (24)
     const char *steel_reduction, *equivalent_reduction;                         ///< of the text
     const char *new_aluminium_mass, *aluminium_reduction;                       ///< m_aн, Δm_am
+    const char *l_2, *r, *r_p, *k_rod, *m_a, *m_new, *r_new;  ///< that Table 2 states
 };
 
 constexpr Column columns[] = {
-    {"4.25 l", 4.25, 0.0, "1.180", "1.233", "2.360", "2.465", "4.333", "1.920", "6.253", "5.947",
-     "6.524", "7.867", "4.604", "2.360", "1.951", "2.520", "1.179", "0.684"},
-    {"6 l", 6.0, 7.0, "1.295", "1.331", "2.589", "2.661", "6.869", "3.537", "10.405", "9.492",
-     "10.646", "13.028", "7.109", "2.589", "2.746", "3.666", "1.794", "1.013"},
+    {"4.25 l", 4.25,    0.0,     "1.180", "1.233", "2.360", "2.465", "4.333", "1.920",
+     "6.253",  "5.947", "6.524", "7.867", "4.604", "2.360", "1.951", "2.520", "1.179",
+     "0.684",  "123",   "40",    "47.2",  "0.445", "0.954", "3.45",  "49.3"},
+    {"6 l",    6.0,     7.0,      "1.295",  "1.331", "2.589", "2.661", "6.869", "3.537",
+     "10.405", "9.492", "10.646", "13.028", "7.109", "2.589", "2.746", "3.666", "1.794",
+     "1.013",  "136",   "47.5",   "61.5",   "0.414", "1.377", "5.25",  "63.2"},
 };
 
 /// The plugs with the coefficients rounded as Table 2 prints them: the paper computes on with
@@ -73,6 +78,17 @@ void table_2(const Column& c, const Engine& engine, PaperRows& rows) {
     const Text one = CORE_TEXT("methods", "r_p / r.");
     const Text both = CORE_TEXT("methods", "2 r_p / r, eq. (11).");
     rows.at(table(2));
+    rows.given(of("l₂", c), "mm", c.l_2, std::nullopt,
+               CORE_TEXT("methods", "The paper states it; none of its equations has it."));
+    rows.given(of("r", c), "mm", c.r, *engine.crank_radius / units::mm);
+    rows.given(of("r_p", c), "mm", c.r_p, *engine.plug_radius / units::mm);
+    rows.given(of("r_pн", c), "mm", c.r_new, *engine.new_plug_radius / units::mm);
+    rows.given(of("k_ш", c), "", c.k_rod, *engine.rod_coefficient,
+               CORE_TEXT("methods",
+                         "The paper states it; its definition stands in another paper. Ours is "
+                         "what the program was told."));
+    rows.given(of("m_a", c), "g", c.m_a, *engine.aluminium_plug_mass / units::gram);
+    rows.given(of("m_pн", c), "g", c.m_new, *engine.new_steel_plug_mass / units::gram);
     rows.reproduced(of("k_p", c), "", c.k_p, k.k_p, one);
     rows.reproduced(of("k_pн", c), "", c.k_p_new, *k.k_y_new / 2.0, one);
     rows.reproduced(of("k_y", c), "", c.k_y, k.k_y, both);
@@ -119,18 +135,9 @@ void table_3(const Column& c, const Engine& engine, PaperRows& rows) {
                     from_printed);
     rows.reproduced(of(CORE_TEXT("methods", "slope d(Δm_yk)/d(Δm) (24)"), c), "", c.slope,
                     v8_plugs::plug_set(engine)->coefficients().k_y, CORE_TEXT("methods", "k_y."));
-    rows.reproduced(
-        of("Δm_pm", c), "g", c.steel_reduction,
-        option_of(plugs, OptionId::steel_machined, read_printed(c.steel_max).value * units::gram)
-                .required_reduction /
-            units::gram,
-        CORE_TEXT("methods",
-                  "The lightening of a steel plug that the printed maximum (22) asks for."));
-    const double left = read_printed(c.aluminium_max).value - read_printed(c.aluminium).value;
-    rows.reproduced(
-        of("Δm_am", c), "g", c.aluminium_reduction,
-        left / option_of(plugs, OptionId::steel_to_aluminium).slope,
-        CORE_TEXT("methods", "What the printed maximum (19) leaves for the lightening."));
+    rows.given(of("Δm_pm", c), "g", c.steel_reduction, *engine.max_steel_reduction / units::gram);
+    rows.given(of("Δm_am", c), "g", c.aluminium_reduction,
+               *engine.max_aluminium_reduction / units::gram);
 }
 
 void text(const Column& c, const Engine& engine, PaperRows& rows) {
@@ -145,8 +152,9 @@ void text(const Column& c, const Engine& engine, PaperRows& rows) {
     rows.reproduced(of(CORE_TEXT("methods", "excess that today's steel plugs compensate"), c), "g",
                     c.steel_max, option_of(plugs, OptionId::steel_machined).maximum / units::gram,
                     CORE_TEXT("methods", "Equation (22)."));
-    rows.reproduced(of(CORE_TEXT("methods", "lightening of a steel plug that takes"), c), "g",
-                    c.steel_reduction, reduction(c.steel_max), inverse);
+    rows.given(of(CORE_TEXT("methods", "lightening of a steel plug that takes"), c), "g",
+               c.steel_reduction, reduction(c.steel_max),
+               CORE_TEXT("methods", "Equation (22) backwards: it was computed from this."));
     rows.reproduced(
         of(CORE_TEXT("methods", "excess that aluminium plugs compensate"), c), "g", c.aluminium_max,
         rounded_to(option_of(plugs, OptionId::steel_to_aluminium).constant / units::gram,
@@ -169,9 +177,9 @@ void shifts(PaperRows& rows) {
     rows.reproduced(joined(CORE_TEXT("methods", "largest Δk"), litres(4.25)), "", "0.030",
                     shift_coefficient(largest, curves.front().crank_radius),
                     CORE_TEXT("methods", "Δr / r, eq. (1)."));
-    rows.reproduced(upper_end(CORE_TEXT("methods", "largest shift Δr")), "mm", "1.2",
-                    read_printed("0.030").value * curves.front().crank_radius / units::mm,
-                    CORE_TEXT("methods", "From the printed Δk of the 4.25 l engine."));
+    rows.given(upper_end(CORE_TEXT("methods", "largest shift Δr")), "mm", "1.2",
+               largest / units::mm,
+               CORE_TEXT("methods", "The largest Δk were computed from this."));
     rows.not_derivable(
         lower_end(CORE_TEXT("methods", "largest shift Δr")), "mm", "0.8",
         CORE_TEXT("methods", "The machined shapes that it belongs to are not printed."));
@@ -197,8 +205,51 @@ void plug_masses(PaperRows& rows) {
         "g", "9.685",
         CORE_TEXT("methods", "The mass and the place of such a plug are not printed."));
     rows.at(in_text(CORE_TEXT("methods", "experiments")));
-    rows.not_derivable(CORE_TEXT("methods", "residual unbalance in each correction plane"), "g·mm",
-                       "5", CORE_TEXT("methods", "A limit that was set, not computed."));
+    const Text limit = CORE_TEXT("methods", "A limit that was set, not computed.");
+    rows.given(CORE_TEXT("methods", "residual unbalance of the parts"), "g·mm", "5", std::nullopt,
+               limit);
+    rows.given(CORE_TEXT("methods", "residual unbalance in each correction plane"), "g·mm", "5",
+               std::nullopt, limit);
+}
+
+/// What Table 1 and the text state of shapes and of the other engines.
+void stated(PaperRows& rows) {
+    const Text drawing = CORE_TEXT(
+        "methods", "The paper states it, beside a drawing that is not dimensioned in full.");
+    struct Size {
+        const char *name, *small,
+            *large;  // of the 4.25 l engine, of the 6 and 7 l ones; null: none
+    };
+    constexpr Size sizes[] = {
+        {"d_p", "22", "30"},      {"d_p, ×", "1.5", "1.5"}, {"d_b", nullptr, "25.0"},
+        {"d_r", "23.5", nullptr}, {"h", "14.0", "11.0"},    {"h_u", "10.0", nullptr},
+        {"h_k", "11.0", "8.0"},   {"h_r", "2.0", nullptr},  {"R", "4.0", nullptr},
+        {"r₀", "1", "1.6"},       {"r₁", nullptr, "0.6"},   {"r₂", nullptr, "2.0"},
+        {"r₃", nullptr, "2.0"},   {"b_i", nullptr, "17.0"}, {"c_i", nullptr, "19.6"},
+    };
+    rows.at(table(1));
+    for (const Size& size : sizes) {
+        if (size.small != nullptr) {
+            rows.given(joined(size.name, litres(4.25)), "mm", size.small, std::nullopt, drawing);
+        }
+        if (size.large != nullptr) {
+            rows.given(joined(size.name, litres(6, 7)), "mm", size.large, std::nullopt, drawing);
+        }
+    }
+    rows.at(in_text(figure(2)));
+    constexpr std::pair<double, const char*> radii[] = {
+        {8.32, "60"}, {8.74, "57.5"}, {10.85, "60"}, {14.86, "70"}};
+    for (const auto& [engine, printed] : radii) {
+        const std::string name = litres(engine).english();
+        rows.given(joined("r", litres(engine)), "mm", printed,
+                   *v8_plugs::find_preset(name)->crank_radius / units::mm);
+    }
+    rows.at(in_text(after_equation(24)));
+    const Text example = CORE_TEXT("methods", "The paper chooses it as an example.");
+    rows.given(CORE_TEXT("methods", "diameter of a larger thread"), "mm", "27", std::nullopt,
+               example);
+    rows.given(CORE_TEXT("methods", "pitch of a larger thread"), "mm", "1.5", std::nullopt,
+               example);
 }
 
 }  // namespace
@@ -213,6 +264,7 @@ std::vector<ValidationRow> validate_nazarov() {
         text(column, engine, rows);
     }
     plug_masses(rows);
+    stated(rows);
     return rows.take();
 }
 

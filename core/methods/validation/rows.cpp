@@ -66,6 +66,8 @@ Verdict decide(Claim claim, double printed, double tolerance, std::optional<doub
                 return Verdict::reproduced;
             }
             return claim == Claim::slip ? Verdict::slip : Verdict::artefact;
+        case Claim::given:
+            return !ours || agrees(ours) ? Verdict::given : Verdict::differs;
         case Claim::not_derivable:
             break;
     }
@@ -159,6 +161,17 @@ void PaperRows::not_derivable(Message quantity, std::string unit, std::string_vi
     ValidationRow added = row(std::move(quantity), std::move(unit), std::move(reason));
     added.ours = ours;
     add(Claim::not_derivable, std::move(added), printed, 0.0);
+}
+
+void PaperRows::given(Message quantity, std::string unit, std::string_view printed,
+                      std::optional<double> ours, Message reason) {
+    ValidationRow added = row(std::move(quantity), std::move(unit), std::move(reason));
+    added.ours = ours;
+    add(Claim::given, std::move(added), printed, 0.0);
+}
+
+Message PaperRows::stated() {
+    return CORE_TEXT("methods", "The paper states it; ours is what the program was told.");
 }
 
 }  // namespace ravnoves::methods

@@ -21,13 +21,14 @@ struct Printed {
 Printed read_printed(std::string_view text);
 
 /// What a row claims; whether it is so is decided from its numbers.
-enum class Claim { reproduced, artefact, slip, not_derivable };
+enum class Claim { reproduced, artefact, slip, not_derivable, given };
 
 /// The verdict on a claim:
 ///  - reproduced: ours is within the tolerance of the printed value;
 ///  - artefact, slip: by_slip is within the tolerance of the printed value and ours is not (where
 ///    ours is as well, the number is reproduced);
 ///  - not_derivable: always believed, there is nothing to compute;
+///  - given: ours, where there is one, is within the tolerance: the program was told it;
 ///  - anything else, or a number that is not finite: differs.
 Verdict decide(Claim claim, double printed, double tolerance, std::optional<double> ours,
                std::optional<double> by_slip);
@@ -54,9 +55,14 @@ class PaperRows {
     void not_derivable(Message quantity, std::string unit, std::string_view printed, Message reason,
                        std::optional<double> ours = std::nullopt);
 
+    /// What the paper states and nothing is tested by. @param ours  that the program was told
+    void given(Message quantity, std::string unit, std::string_view printed,
+               std::optional<double> ours, Message reason = stated());
+
     std::vector<ValidationRow> take() { return std::move(rows_); }
 
   private:
+    static Message stated();  ///< why a row is given that needs no other words
     void add(Claim claim, ValidationRow row, std::string_view printed, double tolerance);
     ValidationRow row(Message quantity, std::string unit, Message reason) const;
 

@@ -190,6 +190,38 @@ void counterweight(PaperRows& rows) {
                     "N", "15.4167", weight(0.1), reason);
 }
 
+void stated(PaperRows& rows) {
+    const Input input = elastic_hinge::preset_zotov();
+    const double g = input.gravity;
+    rows.at(in_text(after_equation(3)));
+    rows.given("c", "N/m", "20000000", input.spring->stiffness);
+    rows.given("r", "m", "0.05", input.crank_radius);
+    rows.given("ℓ₀", "m", "0.2", input.spring->free_length);
+    rows.given("P₁", "N", "5", input.crank_mass * g);
+    rows.given("P₂", "N", "6.5", input.rod_mass * g);
+    rows.given("P₃", "N", "6", input.slider_mass * g);
+    rows.given("λ", "", "0.3", input.lambda);
+    rows.given("φ̇", "s⁻¹", "100", input.angular_speed);
+    rows.given("g", "m/s²", "9.82", g);
+    rows.given(CORE_TEXT("methods", "guides 2: ρ₀"), "m", "0.09",
+               input.spring->guide_radius_at_zero);
+    const Text chosen = CORE_TEXT("methods", "The paper chooses it as an example.");
+    for (const int number : {4, 6}) {
+        rows.at(figure(number));
+        for (const char* speed : {"100", "300", "500"}) {
+            rows.given({Text{"", "φ̇ = %1"}, speed}, "s⁻¹", speed, std::nullopt, chosen);
+        }
+    }
+    rows.at(figure(4));
+    for (const char* lambda : {"0.3", "0.4", "0.6", "0.8", "1"}) {
+        rows.given({Text{"", "λ = %1"}, lambda}, "", lambda, std::nullopt, chosen);
+    }
+    rows.at(in_text(after_equation(10)));
+    for (const char* distance : {"0.05", "0.1", "0.15"}) {
+        rows.given({Text{"", "ℓ₂ = %1"}, distance}, "m", distance, std::nullopt, chosen);
+    }
+}
+
 }  // namespace
 
 std::vector<ValidationRow> validate_zotov_sviridov() {
@@ -202,6 +234,7 @@ std::vector<ValidationRow> validate_zotov_sviridov() {
     vanishing_integrals(rows);
     factor_in_crank_moment(rows);
     counterweight(rows);
+    stated(rows);
     return rows.take();
 }
 
