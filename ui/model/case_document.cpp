@@ -7,6 +7,7 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "model/open_case.h"
 #include "scenes/scenes.h"
 #include "text/error_text.h"
 #include "text/file_path.h"

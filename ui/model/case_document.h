@@ -6,10 +6,11 @@
 #include <functional>
 #include <optional>
 
-#include "case-file/case_file.h"
 #include "model/scene_model.h"
 
 namespace ravnoves {
+
+struct CaseFile;
 
 /// What a document asks its user. The window shows it; a test answers it.
 struct DocumentDialogs {

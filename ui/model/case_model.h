@@ -63,10 +63,9 @@ class CaseModel : public SceneModel {
         });
     }
 
-    Json inputJson() const override { return scene_.write(input_); }
-    void loadInput(const Json& json, const CaseContext& context) override {
-        load(openName(), scene_.read(json, context));
-    }
+    // In case_model_json.h.
+    Json inputJson() const override;
+    void loadInput(const Json& json, const CaseContext& context) override;
     void loadDefault() override {
         load(newName(), scene_.defaultInput());
         setTitle(scene_.defaultTitle());

@@ -12,16 +12,11 @@
 
 #include "case-file/case_context.h"
 #include "case-file/field_index.h"
-#include "case-file/json.h"
+#include "case-file/json_fwd.h"
 
 namespace ravnoves {
 
-/// The case that is open on a page, for other pages to refer to.
-struct OpenCase {
-    QString title;
-    Json input;
-    CaseContext context;
-};
+struct OpenCase;
 
 /// Looks up the open case of a scene by its word; nothing where its page was never shown.
 using OpenCases = std::function<std::optional<OpenCase>(const QString& scene)>;

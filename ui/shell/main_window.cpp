@@ -21,7 +21,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "case-file/case_file.h"
 #include "case-file/input_error.h"
+#include "model/open_case.h"
 #include "shell/help_window.h"
 #include "shell/scene_page.h"
 #include "text/error_text.h"

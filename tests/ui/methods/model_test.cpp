@@ -12,6 +12,7 @@
 #include "elastic-hinge/presets.h"
 #include "elastic-hinge/scene.h"
 #include "methods_support.h"
+#include "model/open_case.h"
 
 namespace ravnoves {
 namespace {

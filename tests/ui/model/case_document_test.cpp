@@ -9,6 +9,8 @@
 #include <QTemporaryDir>
 #include <filesystem>
 
+#include "case-file/case_file.h"
+#include "model/open_case.h"
 #include "model/root_model.h"
 
 namespace ravnoves {

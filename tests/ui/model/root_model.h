@@ -3,7 +3,7 @@
 #include <cmath>
 #include <memory>
 
-#include "model/case_model.h"
+#include "model/case_model_json.h"
 #include "vector_registers.h"
 
 namespace ravnoves::test {
@@ -40,7 +40,8 @@ struct RootScene {
     }
 
     std::shared_ptr<int> solves = std::make_shared<int>(0);
-    std::shared_ptr<int> dirty = std::make_shared<int>(0);  ///< with registers that others left in use
+    std::shared_ptr<int> dirty =
+        std::make_shared<int>(0);  ///< with registers that others left in use
 };
 
 inline void visit_fields(FieldVisitor& visitor, RootScene::Input& input) {

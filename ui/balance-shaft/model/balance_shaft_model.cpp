@@ -7,7 +7,7 @@
 
 #include "balance-shaft/scene.h"
 #include "case-file/input_error.h"
-#include "case-file/json.h"
+#include "model/case_model_json.h"
 #include "numerics/vector_state.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
@@ -40,6 +40,16 @@ QString percent(const std::optional<double>& fraction) {
 }
 
 }  // namespace
+
+Input BalanceShaftScene::read(const Json& input, const CaseContext& context) {
+    return balance_shaft::read_input(input, context);
+}
+
+Json BalanceShaftScene::write(const Input& input) {
+    return balance_shaft::write_input(input);
+}
+
+template class CaseModel<BalanceShaftScene>;
 
 BalanceShaftModel::BalanceShaftModel(QObject* parent) : CaseModel({}, parent) {}
 

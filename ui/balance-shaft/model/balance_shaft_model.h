@@ -6,9 +6,7 @@
 
 #include "balance-shaft/envelope_study.h"
 #include "balance-shaft/presets.h"
-#include "balance-shaft/scene.h"
 #include "balance-shaft/solver.h"
-#include "case-file/json.h"
 #include "model/case_model.h"
 
 namespace ravnoves {
@@ -24,15 +22,15 @@ struct BalanceShaftScene {
     };
     static Input defaultInput() { return balance_shaft::preset_tmz_650d(); }
     static QString defaultTitle() { return QStringLiteral("TMZ-650D"); }
-    static Input read(const Json& input, const CaseContext& context) {
-        return balance_shaft::read_input(input, context);
-    }
-    static Json write(const Input& input) { return balance_shaft::write_input(input); }
+    static Input read(const Json& input, const CaseContext& context);
+    static Json write(const Input& input);
     static Solved solve(const Input& input) {
         const balance_shaft::Solver solver(input);
         return {solver, solver.result(), {}, {}};
     }
 };
+
+extern template class CaseModel<BalanceShaftScene>;
 
 /// The state of the balance-shaft page: input, the solver's result, the crank angle of the picture.
 ///

@@ -5,9 +5,10 @@
 #include <cmath>
 
 #include "case-file/input_error.h"
-#include "case-file/json.h"
 #include "case-file/text_file.h"
 #include "elastic-hinge/fields.h"
+#include "elastic-hinge/scene.h"
+#include "model/case_model_json.h"
 #include "numerics/vector_state.h"
 #include "plot/model/ticks.h"
 #include "text/error_text.h"
@@ -97,10 +98,20 @@ QString ElasticHingeScene::defaultTitle() {
     return ElasticHingeModel::tr("Zotov and Sviridov 2021");
 }
 
+Input ElasticHingeScene::read(const Json& input, const CaseContext& /*context*/) {
+    return elastic_hinge::read_input(input);
+}
+
+Json ElasticHingeScene::write(const Input& input) {
+    return elastic_hinge::write_input(input);
+}
+
 ElasticHingeScene::Solved ElasticHingeScene::solve(Input input) const {
     input.guide_search.reset();  // looked for when it is asked for
     return {std::make_shared<const Result>(elastic_hinge::solve(input, options)), std::nullopt};
 }
+
+template class CaseModel<ElasticHingeScene>;
 
 ElasticHingeModel::ElasticHingeModel(QObject* parent)
     : CaseModel(

@@ -7,11 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "case-file/json.h"
 #include "elastic-hinge/guide_export.h"
 #include "elastic-hinge/model/motion_runner.h"
 #include "elastic-hinge/presets.h"
-#include "elastic-hinge/scene.h"
 #include "elastic-hinge/solver.h"
 #include "model/case_model.h"
 
@@ -26,15 +24,15 @@ struct ElasticHingeScene {
     };
     static Input defaultInput() { return elastic_hinge::preset_zotov(); }
     static QString defaultTitle();
-    static Input read(const Json& input, const CaseContext& /*context*/) {
-        return elastic_hinge::read_input(input);
-    }
-    static Json write(const Input& input) { return elastic_hinge::write_input(input); }
+    static Input read(const Json& input, const CaseContext& context);
+    static Json write(const Input& input);
     /// Without the search for a guide.
     Solved solve(Input input) const;
 
     elastic_hinge::SolveOptions options;
 };
+
+extern template class CaseModel<ElasticHingeScene>;
 
 /// The state of the elastic-hinge page: input, the solver's result, the motions (computed in a
 /// worker thread), and what the pictures show.

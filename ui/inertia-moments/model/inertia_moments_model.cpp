@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "inertia-moments/fields.h"
+#include "inertia-moments/scene.h"
+#include "model/case_model_json.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 
@@ -79,6 +81,16 @@ std::pair<double, double> extent(const std::vector<Cylinder>& cylinders, double 
 }
 
 }  // namespace
+
+Input InertiaMomentsScene::read(const Json& input, const CaseContext& /*context*/) {
+    return inertia_moments::read_input(input);
+}
+
+Json InertiaMomentsScene::write(const Input& input) {
+    return inertia_moments::write_input(input);
+}
+
+template class CaseModel<InertiaMomentsScene>;
 
 InertiaMomentsModel::InertiaMomentsModel(QObject* parent) : CaseModel({}, parent) {}
 

@@ -7,9 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "case-file/json.h"
 #include "inertia-moments/presets.h"
-#include "inertia-moments/scene.h"
 #include "inertia-moments/solver.h"
 #include "model/case_model.h"
 
@@ -21,12 +19,12 @@ struct InertiaMomentsScene {
     using Solved = inertia_moments::Result;
     static Input defaultInput() { return inertia_moments::preset_vw_vr5(); }
     static QString defaultTitle() { return QStringLiteral("Volkswagen VR5"); }
-    static Input read(const Json& input, const CaseContext& /*context*/) {
-        return inertia_moments::read_input(input);
-    }
-    static Json write(const Input& input) { return inertia_moments::write_input(input); }
+    static Input read(const Json& input, const CaseContext& context);
+    static Json write(const Input& input);
     static Solved solve(const Input& input) { return inertia_moments::solve(input); }
 };
+
+extern template class CaseModel<InertiaMomentsScene>;
 
 /// The state of the inertia-moments page: input, the solver's result, the crank angle of the
 /// picture, which tabs are in front.

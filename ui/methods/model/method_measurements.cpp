@@ -5,6 +5,7 @@
 
 #include "case-file/input_error.h"
 #include "methods/present_case.h"
+#include "model/open_case.h"
 
 namespace ravnoves {
 
@@ -82,8 +83,7 @@ void MethodMeasurements::keep(std::shared_ptr<const MethodMeasurement> measureme
     Q_EMIT measured(std::move(measurement));
 }
 
-std::vector<std::optional<double>> presentValues(const Kernel& kernel,
-                                                 const std::optional<OpenCase>& open) {
+std::vector<std::optional<double>> presentValues(const Kernel& kernel, const OpenCase* open) {
     std::vector<std::optional<double>> values(kernel.sweeps.size());
     for (std::size_t sweep = 0; open && sweep < values.size(); ++sweep) {
         try {

@@ -9,7 +9,6 @@
 #include "methods/measure.h"
 #include "methods/report.h"
 #include "model/background_job.h"
-#include "model/scene_model.h"
 
 namespace ravnoves {
 
@@ -26,6 +25,8 @@ struct MethodMeasurement {
         return work.kernel == &kernel && work.sweep == sweep && work.value == value;
     }
 };
+
+struct OpenCase;
 
 /// How much patience a measurement has.
 enum class MeasurementEffort {
@@ -70,8 +71,9 @@ class MethodMeasurements : public QObject {
     std::map<Place, std::shared_ptr<const methods::StabilityMap>> maps_;
 };
 
-/// Where the open cases stand on the sweeps of a kernel, by sweep; empty where they say nothing.
+/// Where the open cases stand on the sweeps of a kernel, by sweep; empty where they say nothing,
+/// and all where no case is open (null).
 std::vector<std::optional<double>> presentValues(const methods::Kernel& kernel,
-                                                 const std::optional<OpenCase>& open);
+                                                 const OpenCase* open);
 
 }  // namespace ravnoves

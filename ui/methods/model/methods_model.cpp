@@ -8,6 +8,7 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/range.h"
+#include "model/open_case.h"
 
 namespace ravnoves {
 
@@ -52,6 +53,10 @@ MethodsModel::MethodsModel(QObject* parent)
     connect(measurements_, &MethodMeasurements::runningChanged, this,
             &MethodsModel::measurementChanged);
     connect(measurements_, &MethodMeasurements::failed, this, &MethodsModel::failed);
+}
+
+Json MethodsModel::inputJson() const {
+    return Json::object();
 }
 
 void MethodsModel::loadInput(const Json& input, const CaseContext& /*context*/) {
@@ -106,6 +111,10 @@ bool MethodsModel::setViewOption(const QString& key, const QString& value) {
 
 void MethodsModel::setOpenCases(OpenCases cases) {
     openCases_ = std::move(cases);
+}
+
+QString MethodsModel::caseTitle() const {
+    return open_ ? open_->title : QString();
 }
 
 void MethodsModel::setActive(bool active) {
@@ -189,13 +198,16 @@ bool MethodsModel::isStale() const {
 
 void MethodsModel::lookUpCase() {
     const std::string_view scene = kernel().choice.scene;
-    open_ = openCases_
-                ? openCases_(QString::fromUtf8(scene.data(), static_cast<qsizetype>(scene.size())))
-                : std::nullopt;
+    open_.reset();
+    if (openCases_) {
+        if (auto open = openCases_(QString::fromUtf8(scene.data(), qsizetype(scene.size())))) {
+            open_ = std::make_shared<const OpenCase>(std::move(*open));
+        }
+    }
     // Some of the values need a solution of the case, so not here.
     caseJob_->start([this, index = kernel_,
                      open = open_](const BackgroundJob::Progress&) -> std::function<void()> {
-        return [this, index, values = presentValues(methods::kernels()[index], open)] {
+        return [this, index, values = presentValues(methods::kernels()[index], open.get())] {
             caseValues_[index] = values;
             Q_EMIT caseChanged();
         };

@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "case-file/json.h"
 #include "methods/kernel.h"
 #include "methods/model/method_measurements.h"
 #include "model/scene_model.h"
@@ -26,7 +25,7 @@ class MethodsModel : public SceneModel {
 
     QString sceneName() const override { return QStringLiteral("methods"); }
     bool hasCaseFile() const override { return false; }
-    Json inputJson() const override { return Json::object(); }
+    Json inputJson() const override;
     /// @throws InputError always: no case has this page's word
     void loadInput(const Json& input, const CaseContext& context) override;
     /// The measured table.
@@ -59,7 +58,7 @@ class MethodsModel : public SceneModel {
     /// no case is open. It may lie outside the sweep.
     std::optional<double> caseValue() const;
     /// The case's title; empty where none is open.
-    QString caseTitle() const { return open_ ? open_->title : QString(); }
+    QString caseTitle() const;
 
     /// The method whose failing regions are shaded; its index in kernel().methods.
     std::size_t shownMethod() const { return chosen().method; }
@@ -101,7 +100,7 @@ class MethodsModel : public SceneModel {
     std::size_t kernel_ = 0;
     std::vector<Choice> choices_;
     OpenCases openCases_;
-    std::optional<OpenCase> open_;
+    std::shared_ptr<const OpenCase> open_;
     /// By kernel, by sweep; the last known until they are looked up anew.
     std::vector<std::vector<std::optional<double>>> caseValues_;
     bool active_ = false;

@@ -7,7 +7,7 @@
 
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
-#include "case-file/json.h"
+#include "model/case_model_json.h"
 #include "text/error_text.h"
 #include "v8-plugs/model/v8_names.h"
 #include "v8-plugs/model/v8_text.h"
@@ -64,6 +64,16 @@ Input V8PlugsScene::defaultInput() const {
     }
     return input;
 }
+
+Input V8PlugsScene::read(const Json& input, const CaseContext& /*context*/) {
+    return read_input(input, Completeness::as_is);
+}
+
+Json V8PlugsScene::write(const Input& input) {
+    return write_input(input);
+}
+
+template class CaseModel<V8PlugsScene>;
 
 V8PlugsModel::V8PlugsModel(const QString& journalPath, QObject* parent)
     : CaseModel({.dated = !journalPath.isEmpty()}, parent), journalPath_(journalPath) {

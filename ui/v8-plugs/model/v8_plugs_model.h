@@ -6,12 +6,10 @@
 #include <QVector>
 #include <memory>
 
-#include "case-file/json.h"
 #include "model/case_model.h"
 #include "v8-plugs/input.h"
 #include "v8-plugs/model/journal.h"
 #include "v8-plugs/model/words.h"
-#include "v8-plugs/scene.h"
 #include "v8-plugs/solver.h"
 
 namespace ravnoves {
@@ -22,15 +20,15 @@ struct V8PlugsScene {
     using Solved = v8_plugs::Result;
     Input defaultInput() const;
     static QString defaultTitle() { return {}; }
-    static Input read(const Json& input, const CaseContext& /*context*/) {
-        return v8_plugs::read_input(input, Completeness::as_is);
-    }
-    static Json write(const Input& input) { return v8_plugs::write_input(input); }
+    static Input read(const Json& input, const CaseContext& context);
+    static Json write(const Input& input);
     /// Refuses nothing: what is missing or broken is named in the solution.
     static Solved solve(const Input& input) { return v8_plugs::solve(input); }
 
     bool dated;  ///< a new job is of today
 };
+
+extern template class CaseModel<V8PlugsScene>;
 
 /// The state of the V-8 workshop page: the job on the sheet, what follows from it, its history and
 /// its place in the journal.
