@@ -27,13 +27,10 @@ struct Field {
     Text hint{};                    ///< what it means, an example, its source
     Text placeholder{};             ///< what an empty field of the form stands for ("auto")
     std::span<const Word> words{};  ///< of a choice, in the order of its enumeration
-
-    /// For what takes only key, unit and range.
-    constexpr operator FieldSpec() const { return {key, unit.name, range, unit.to_si}; }
 };
 
 /// The value in the field's unit, as a person would write it: of the doubles that read back to this
-/// SI value, the one with the shortest decimal text.
+/// SI value, the one with the shortest decimal text, so that 46 mm written and read again stays 46.
 double from_si(const Field& field, double si);
 
 /// An SI value rounded to so many significant digits in the field's unit.

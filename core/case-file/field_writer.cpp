@@ -185,7 +185,14 @@ void check_range(const Field& field, double value, std::string_view parent) {
 }
 
 double from_si(const Field& field, double si) {
-    return from_si(static_cast<FieldSpec>(field), si);
+    const double value = si / field.unit;
+    for (const int digits : {12, 15, 16}) {
+        const double shorter = rounded_to(value, digits);
+        if (shorter * field.unit == si) {
+            return shorter;
+        }
+    }
+    return value;
 }
 
 double rounded(double si, const Field& field, int digits) {

@@ -137,14 +137,6 @@ std::optional<double> ObjectReader::optional_number(std::string_view key, const 
     return has(key) ? std::optional(number(key, range)) : std::nullopt;
 }
 
-double ObjectReader::si(const FieldSpec& field, double fallback_si) {
-    return has(field.key) ? si(field) : fallback_si;
-}
-
-std::optional<double> ObjectReader::optional_si(const FieldSpec& field) {
-    return has(field.key) ? std::optional(si(field)) : std::nullopt;
-}
-
 int ObjectReader::integer(std::string_view key, int min, int max) {
     return checked_integer(require(key), pointer_to(key), min, max);
 }

@@ -35,9 +35,7 @@ class ObjectReader {
     std::optional<double> optional_number(std::string_view key, const Range& range);
 
     /// The field in SI units, by its key and range.
-    double si(const FieldSpec& field) { return number(field.key, field.range) * field.to_si; }
-    double si(const FieldSpec& field, double fallback_si);
-    std::optional<double> optional_si(const FieldSpec& field);
+    double si(const Field& field) { return number(field.key, field.range) * field.unit; }
 
     int integer(std::string_view key, int min, int max);
     int integer(std::string_view key, int min, int max, int fallback);

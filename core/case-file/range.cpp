@@ -75,15 +75,4 @@ double rounded_to(double value, int digits) {
     return shorter;
 }
 
-double from_si(const FieldSpec& field, double si) {
-    const double value = si / field.to_si;
-    for (const int digits : {12, 15, 16}) {
-        const double shorter = rounded_to(value, digits);
-        if (shorter * field.to_si == si) {
-            return shorter;
-        }
-    }
-    return value;
-}
-
 }  // namespace ravnoves

@@ -43,18 +43,6 @@ struct Range {
     std::string describe() const { return message().english(); }
 };
 
-/// One input of a scene: the key of the case file, the unit the user sees and the allowed range.
-struct FieldSpec {
-    std::string_view key;   ///< key in the case file, for example "crank_radius_mm"
-    std::string_view unit;  ///< unit of the key, for example "mm"; empty for pure numbers
-    Range range;
-    double to_si = 1.0;  ///< SI value = to_si × value in `unit`
-};
-
-/// The value in the field's unit that to_si takes to this SI value: of the doubles that do, the one
-/// with the shortest decimal text, so that 46 mm written and read again stays 46.
-double from_si(const FieldSpec& field, double si);
-
 /// A number as a person would write it: the shortest decimal text that reads back to the same
 /// double, with a decimal point, in any locale.
 std::string format_number(double value);

@@ -65,22 +65,10 @@ FormSection::FormSection(const QString& title, QWidget* parent) : QWidget(parent
     column->addLayout(grid_);
 }
 
-NumberField* FormSection::addNumber(const QString& label, const FieldSpec& spec,
-                                    const QString& hint, const QString& unit) {
-    auto* field = new NumberField(this);
-    const QString shownUnit = unit.isEmpty() ? unitText(spec.unit) : unit;
-    field->setRange(spec.range, shownUnit);
-    field->setHint(hint);
-    field->setObjectName(
-        QString::fromUtf8(spec.key.data(), static_cast<qsizetype>(spec.key.size())));
-    field->setMaximumWidth(96);
-    addWidget(label, field, shownUnit, {});
-    return field;
-}
-
 NumberField* FormSection::addNumber(const Field& field) {
-    NumberField* number = addNumber(shownText(field.label), field, shownText(field.hint));
-    number->setPlaceholderText(shownText(field.placeholder));
+    auto* number = new NumberField(field, this);
+    number->setMaximumWidth(96);
+    addWidget(shownText(field.label), number, unitText(field.unit.name));
     return number;
 }
 

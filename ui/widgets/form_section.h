@@ -18,11 +18,8 @@ class FormSection : public QWidget {
   public:
     explicit FormSection(const QString& title, QWidget* parent = nullptr);
 
-    /// A row with a number. The label's & gives the mnemonic; it is the field's buddy.
-    /// @param hint  what the value means and its source, for the tooltip
-    NumberField* addNumber(const QString& label, const FieldSpec& spec, const QString& hint,
-                           const QString& unit = {});
-    /// A row for a field as core describes it.
+    /// A row with a number as core describes it. The label's & gives the mnemonic; it is the
+    /// field's buddy.
     NumberField* addNumber(const Field& field);
     /// A row with any widget; unit and hint may be empty.
     void addWidget(const QString& label, QWidget* field, const QString& unit = {},

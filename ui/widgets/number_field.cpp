@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "text/message_text.h"
 #include "text/number_text.h"
 
 namespace ravnoves {
@@ -11,8 +12,13 @@ NumberField::NumberField(QWidget* parent) : ValueEntry(parent) {
     setAlignment(Qt::AlignRight | Qt::AlignVCenter);
 }
 
-NumberField::NumberField(const FieldSpec& spec, QWidget* parent) : NumberField(parent) {
-    setRange(spec.range, unitText(spec.unit));
+NumberField::NumberField(const Field& field, QWidget* parent) : NumberField(parent) {
+    setRange(field.range, unitText(field.unit.name));
+    setHint(shownText(field.hint));
+    setPlaceholderText(shownText(field.placeholder));
+    setAccessibleName(unit_.isEmpty() ? fieldName(field)
+                                      : fieldName(field) + QStringLiteral(", ") + unit_);
+    setObjectName(QString::fromStdString(std::string(field.key)));
 }
 
 void NumberField::setRange(const Range& range, const QString& unit) {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "case-file/range.h"
+#include "case-file/field.h"
 #include "widgets/entry_field.h"
 
 namespace ravnoves {
@@ -13,7 +13,7 @@ class NumberField : public ValueEntry<std::optional<double>> {
 
   public:
     explicit NumberField(QWidget* parent = nullptr);
-    NumberField(const FieldSpec& spec, QWidget* parent = nullptr);
+    NumberField(const Field& field, QWidget* parent = nullptr);
 
     /// The range is in the unit shown; the unit is used in messages and by screen readers.
     void setRange(const Range& range, const QString& unit);
