@@ -17,12 +17,6 @@ bool is_optimum_angle(const std::string& pointer) {
            pointer.ends_with("_angle_deg");
 }
 
-/// The value at an optimum: an independent implementation that searched a grid of angles has met a
-/// slightly larger one than the optimum itself.
-bool is_optimum_value(const std::string& pointer) {
-    return pointer.find("/optimum/") != std::string::npos && !pointer.ends_with("_deg");
-}
-
 bool is_direction(const std::string& pointer) {
     return pointer.ends_with("/angle_deg") || pointer.ends_with("_lag_deg") ||
            pointer.ends_with("/force_angle_deg") || pointer.ends_with("/moment_angle_deg");
@@ -114,9 +108,7 @@ void expect_matches(const Json& expected, const Json& found, const std::string& 
     const double have = found.get<double>();
     double difference = std::abs(have - want);
     double tolerance = std::max(1e-6 * std::abs(want), 1e-9 * scale);
-    if (is_optimum_value(pointer) && have < want) {
-        tolerance = 5e-6 * std::abs(want);
-    } else if (is_optimum_angle(pointer)) {
+    if (is_optimum_angle(pointer)) {
         difference = std::abs(std::remainder(have - want, 360.0));
         tolerance = 0.05;
     } else if (is_direction(pointer)) {
