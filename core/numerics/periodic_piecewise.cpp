@@ -5,6 +5,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "numerics/demand.h"
 #include "numerics/real50.h"
@@ -96,6 +97,46 @@ BasicPeriodicPiecewise<Scalar> BasicPeriodicPiecewise<Scalar>::cubic(std::span<c
                              (next - left) / (6 * h)});
     }
     return f;
+}
+
+template <typename Scalar>
+BasicPeriodicPiecewise<Scalar> BasicPeriodicPiecewise<Scalar>::through(
+    const std::function<Scalar(const Scalar&)>& f, std::vector<Scalar> x) {
+    RAVNOVES_DEMAND(x.size() >= 2, "two knots at least");
+    BasicPeriodicPiecewise result;
+    result.linear_ = false;
+    result.knots_ = std::move(x);
+    const std::size_t n = result.knots_.size() - 1;
+    result.pieces_.reserve(n);
+    const Scalar first = f(result.knots_.front());
+    Scalar value = first;
+    for (std::size_t i = 0; i < n; ++i) {
+        const Scalar& left = result.knots_[i];
+        const Scalar h = result.knots_[i + 1] - left;
+        const Scalar next = i + 1 < n ? f(result.knots_[i + 1]) : first;
+        const Scalar third = f(left + h / 3);
+        const Scalar two_thirds = f(left + 2 * h / 3);
+        // Newton's forward differences over steps of h/3.
+        const Scalar d1 = third - value;
+        const Scalar d2 = two_thirds - 2 * third + value;
+        const Scalar d3 = next - 3 * two_thirds + 3 * third - value;
+        const Scalar per_step = 3 / h;
+        result.pieces_.push_back({value, (d1 - d2 / 2 + d3 / 3) * per_step,
+                                  (d2 - d3) / 2 * per_step * per_step,
+                                  d3 / 6 * per_step * per_step * per_step});
+        value = next;
+    }
+    return result;
+}
+
+template <typename Scalar>
+BasicPeriodicPiecewise<Scalar> BasicPeriodicPiecewise<Scalar>::negated() const {
+    BasicPeriodicPiecewise result = *this;
+    for (Cubic& piece : result.pieces_) {
+        // Not the sign alone: a zero keeps its own.
+        piece = {0 - piece.y, 0 - piece.c1, 0 - piece.c2, 0 - piece.c3};
+    }
+    return result;
 }
 
 template <typename Scalar>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -55,6 +56,12 @@ class BasicPeriodicPiecewise {
     /// The periodic cubic spline (value, slope and curvature continuous, over the ends too).
     static BasicPeriodicPiecewise cubic(std::span<const Scalar> x, std::span<const Scalar> y);
 
+    /// Cubics through the values of a function at the knots and at the thirds between them: the
+    /// error is of the order h⁴ where the function is smooth between the knots.
+    /// @param x  n + 1 ascending knots, n ≥ 1; the function has the period x[n] − x[0]
+    static BasicPeriodicPiecewise through(const std::function<Scalar(const Scalar&)>& f,
+                                          std::vector<Scalar> x);
+
     /// f + factor × g, of two functions with the same knots; straight lines where both are.
     static BasicPeriodicPiecewise sum(const BasicPeriodicPiecewise& f,
                                       const BasicPeriodicPiecewise& g, const Scalar& factor);
@@ -66,6 +73,9 @@ class BasicPeriodicPiecewise {
     std::size_t size() const { return pieces_.size(); }           ///< n
     const std::vector<Scalar>& knots() const { return knots_; }   ///< n + 1 places
     const std::vector<Cubic>& pieces() const { return pieces_; }  ///< n pieces
+
+    /// −f; straight lines stay straight lines.
+    BasicPeriodicPiecewise negated() const;
 
     Place find(Scalar x) const;  ///< any finite x, taken into the period
     Scalar operator()(const Scalar& x) const;
