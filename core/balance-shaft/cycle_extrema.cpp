@@ -64,7 +64,7 @@ struct BasicCycleExtrema<Scalar>::Search {
 template <typename Scalar>
 BasicCycleExtrema<Scalar>::BasicCycleExtrema(const BasicPeriodicPiecewise<Scalar>& moment,
                                              const Scalar& amplitude)
-    : amplitude_(amplitude), linear_(moment.is_linear()) {
+    : amplitude_(amplitude), period_(moment.period()), linear_(moment.is_linear()) {
     using std::abs;
     using std::acos;
     using std::cos;
@@ -274,8 +274,8 @@ BasicExtrema<Scalar> BasicCycleExtrema<Scalar>::operator()(const Scalar& alpha) 
             searched = row;
         }
     }
-    search.found.max.angle_deg = wrap<Scalar>(search.found.max.angle_deg, Scalar(720));
-    search.found.min.angle_deg = wrap<Scalar>(search.found.min.angle_deg, Scalar(720));
+    search.found.max.angle_deg = wrap<Scalar>(search.found.max.angle_deg, period_);
+    search.found.min.angle_deg = wrap<Scalar>(search.found.min.angle_deg, period_);
     return search.found;
 }
 

@@ -12,7 +12,7 @@ namespace ravnoves::balance_shaft {
 template <typename Scalar>
 struct BasicExtremum {
     Scalar value = Scalar(0);      ///< N·m
-    Scalar angle_deg = Scalar(0);  ///< crank angle, 0…720
+    Scalar angle_deg = Scalar(0);  ///< crank angle, 0…720 (0…360 where that is the period)
 };
 
 template <typename Scalar>
@@ -24,11 +24,13 @@ struct BasicExtrema {
 using Extremum = BasicExtremum<double>;
 using Extrema = BasicExtrema<double>;
 
-/// The exact extrema of M(φ) + A sin(φ + α) over a cycle of 720° for one M and one A ≥ 0 and any
-/// number of α, where M is piecewise linear or cubic in φ in degrees with period 720°.
+/// The exact extrema of M(φ) + A sin(φ + α) over a cycle of 720° (four-stroke) or 360° (two-stroke)
+/// for one M and one A ≥ 0 and any number of α, where M is piecewise linear or cubic in φ in
+/// degrees with that period.
 ///
-/// The sine has the period 360°, so the two revolutions are folded once into an upper and a lower
-/// envelope at the union of their knots; per α only that is searched. Between knots the function
+/// The sine has the period 360°, so the two revolutions (the same one twice where the cycle is one)
+/// are folded once into an upper and a lower envelope at the union of their knots; per α only that
+/// is searched. Between knots the function
 /// exceeds its larger end by at most A h²/8 (error of the sine's chord) plus what the cubic rises
 /// above its own chord, so only intervals with an end that near to the best are solved for their
 /// interior extremum: in closed form for lines (cos(φ + α) = −slope/A), by monotone brackets for
@@ -69,6 +71,7 @@ class BasicCycleExtrema {
     void search_interval(Eigen::Index j, Search& search) const;
 
     Scalar amplitude_ = Scalar(0);
+    Scalar period_ = Scalar(720);  ///< of M, °
     bool linear_ = true;
     std::size_t count_ = 0;         ///< folded knots
     std::vector<Scalar> knot_deg_;  ///< count_ + 1, 0 ≤ knot < 360, then the first + 360

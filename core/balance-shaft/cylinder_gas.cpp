@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/roots.hpp>
 #include <cmath>
 
+#include "balance-shaft/torque_table.h"
 #include "case-file/input_error.h"
 #include "case-file/range.h"
 #include "numerics/constants.h"
@@ -15,16 +17,15 @@ namespace {
 
 using boost::math::quadrature::gauss;
 
-constexpr double cycle = 4.0 * pi;
 constexpr int combustion_steps = 256;
 const double vibe_a = std::log(1000.0);
 
-double wrap_cycle(double angle) {
-    angle = std::fmod(angle, cycle);
+double wrap_cycle(double angle, double period) {
+    angle = std::fmod(angle, period);
     if (angle < 0.0) {
-        angle += cycle;
+        angle += period;
     }
-    return angle < cycle ? angle : 0.0;
+    return angle < period ? angle : 0.0;
 }
 
 }  // namespace
@@ -44,29 +45,46 @@ CylinderGas::CylinderGas(const SliderCrank<double>& crank, const CylinderSizes& 
     : CylinderGas(crank, sizes) {
     trace_ = smooth ? PeriodicPiecewise::cubic(trace.crank_angle_deg, trace.pressure)
                     : PeriodicPiecewise::linear(trace.crank_angle_deg, trace.pressure);
+    period_ = pi * strokes_of(trace.crank_angle_deg);
     breaks_.reserve(trace.crank_angle_deg.size());
     for (const double angle : trace.crank_angle_deg) {
-        breaks_.push_back(wrap_cycle(angle * degree));
+        breaks_.push_back(wrap_cycle(angle * degree, period_));
     }
     find_indicated();
 }
 
 CylinderGas::CylinderGas(const SliderCrank<double>& crank, const CylinderSizes& sizes,
-                         const GasCycle& gas_cycle)
+                         const GasCycle& gas_cycle, int strokes)
     : CylinderGas(crank, sizes) {
     cycle_ = gas_cycle;
+    period_ = pi * strokes;
     clearance_ = indicated_.displacement / (cycle_.compression_ratio - 1.0);
     indicated_.clearance = clearance_;
     const double end = cycle_.combustion_start + cycle_.combustion_duration;
-    breaks_ = {0.0, bottom_, cycle_.combustion_start, end, two_pi, two_pi + bottom_};
+    if (strokes == 2) {
+        // The ports close where the piston stands as at their opening, on its way up.
+        const double place = crank_.at(top_dead_centre_ + cycle_.ports_open).s;
+        const auto [low, high] = boost::math::tools::bisect(
+            [&](double angle) { return crank_.at(top_dead_centre_ + angle).s - place; }, bottom_,
+            two_pi, boost::math::tools::eps_tolerance<double>());
+        ports_close_ = (low + high) / 2.0;
+        breaks_ = {cycle_.ports_open, bottom_, ports_close_, cycle_.combustion_start, end};
+    } else {
+        breaks_ = {0.0, bottom_, cycle_.combustion_start, end, two_pi, two_pi + bottom_};
+    }
     // The pressure leaves the start of combustion as τ^(m+1), m any: steps that grow from there.
     for (int parts = 1024; parts > 2; parts /= 4) {
         breaks_.push_back(cycle_.combustion_start + cycle_.combustion_duration / parts);
     }
 
-    const double volume_at_bottom = clearance_ + indicated_.displacement;
+    for (double& angle : breaks_) {
+        angle = wrap_cycle(angle, period_);
+    }
+
+    const double volume_at_closing = strokes == 2 ? volume(ports_close_ + top_dead_centre_)
+                                                  : clearance_ + indicated_.displacement;
     intake_constant_ =
-        cycle_.intake_pressure * std::pow(volume_at_bottom, cycle_.polytropic_compression);
+        cycle_.intake_pressure * std::pow(volume_at_closing, cycle_.polytropic_compression);
     const double start_volume = volume(cycle_.combustion_start + top_dead_centre_);
     start_constant_ = intake_constant_ * std::pow(start_volume, cycle_.polytropic_expansion -
                                                                     cycle_.polytropic_compression);
@@ -141,12 +159,28 @@ double CylinderGas::released_integral(double angle) const {
 }
 
 double CylinderGas::cycle_pressure(double angle) const {
+    if (ports_close_ > 0.0) {
+        if (angle >= ports_close_ || angle < cycle_.ports_open) {
+            return closed_pressure(angle < cycle_.ports_open ? angle + two_pi : angle);
+        }
+        if (angle >= bottom_) {
+            return cycle_.intake_pressure;
+        }
+        const double rest = (bottom_ - angle) / (bottom_ - cycle_.ports_open);
+        const double released = closed_pressure(two_pi + cycle_.ports_open);
+        return cycle_.exhaust_pressure + (released - cycle_.exhaust_pressure) * rest * rest;
+    }
     if (angle < bottom_) {
         return cycle_.intake_pressure;
     }
     if (angle >= two_pi + bottom_) {
         return cycle_.exhaust_pressure;
     }
+    return closed_pressure(angle);
+}
+
+/// From the end of the intake to the release.
+double CylinderGas::closed_pressure(double angle) const {
     const double v = volume(angle + top_dead_centre_);
     if (angle < cycle_.combustion_start) {
         return intake_constant_ * std::pow(v, -cycle_.polytropic_compression);
@@ -157,7 +191,7 @@ double CylinderGas::cycle_pressure(double angle) const {
 }
 
 double CylinderGas::pressure(double theta) const {
-    const double angle = wrap_cycle(theta - top_dead_centre_);
+    const double angle = wrap_cycle(theta - top_dead_centre_, period_);
     return trace_ ? (*trace_)(angle / degree) : cycle_pressure(angle);
 }
 
@@ -165,11 +199,23 @@ double CylinderGas::torque(double theta) const {
     return -(pressure(theta) - sizes_.crankcase_pressure) * area_ * crank_.at(theta).ds;
 }
 
+std::vector<double> CylinderGas::breaks_deg() const {
+    std::vector<double> places;
+    places.reserve(breaks_.size());
+    for (const double angle : breaks_) {
+        // A place given in whole degrees stays so.
+        const double rounded = std::round(angle / degree * 1e9) / 1e9;
+        places.push_back(wrap_cycle(rounded, std::round(period_ / degree)));
+    }
+    std::sort(places.begin(), places.end());
+    return places;
+}
+
 double CylinderGas::work() const {
     // Between the breaks the integrand is smooth: 7 nodes on 5° are exact to rounding.
     std::vector<double> ends = breaks_;
     ends.push_back(0.0);
-    ends.push_back(cycle);
+    ends.push_back(period_);
     std::sort(ends.begin(), ends.end());
     const auto power = [&](double angle) {
         return -pressure(angle + top_dead_centre_) * area_ * crank_.at(angle + top_dead_centre_).ds;
@@ -195,7 +241,7 @@ void CylinderGas::find_indicated() {
     constexpr int samples = 1440;
     int highest = 0;
     for (int i = 0; i < samples; ++i) {
-        const double p = pressure(cycle * i / samples + top_dead_centre_);
+        const double p = pressure(period_ * i / samples + top_dead_centre_);
         if (p > indicated_.peak_pressure) {
             indicated_.peak_pressure = p;
             highest = i;
@@ -203,11 +249,11 @@ void CylinderGas::find_indicated() {
     }
     const auto [highest_angle, negative] = boost::math::tools::brent_find_minima(
         [this](double angle) { return -pressure(angle + top_dead_centre_); },
-        cycle * (highest - 1) / samples, cycle * (highest + 1) / samples, 30);
-    indicated_.peak_pressure_angle = cycle * highest / samples;
+        period_ * (highest - 1) / samples, period_ * (highest + 1) / samples, 30);
+    indicated_.peak_pressure_angle = period_ * highest / samples;
     if (-negative > indicated_.peak_pressure) {
         indicated_.peak_pressure = -negative;
-        indicated_.peak_pressure_angle = wrap_cycle(highest_angle);
+        indicated_.peak_pressure_angle = wrap_cycle(highest_angle, period_);
     }
 }
 

@@ -4,22 +4,30 @@
 #include <string>
 #include <vector>
 
+#include "numerics/constants.h"
 #include "numerics/periodic_piecewise.h"
 #include "numerics/slider_crank.h"
+#include "numerics/units.h"
 
 namespace ravnoves::balance_shaft {
 
-/// A measured cylinder pressure over one four-stroke cycle, at rows of ascending crank angle; the
-/// last row repeats the first 720° later.
+/// A measured cylinder pressure over one cycle, at rows of ascending crank angle; the last row
+/// repeats the first 720° later, or 360° later for a two-stroke engine.
 struct PressureTrace {
-    std::vector<double> crank_angle_deg;  ///< °, from top dead centre at the start of intake
-    std::vector<double> pressure;         ///< Pa, absolute, as many as angles
+    /// °, from top dead centre: four-stroke, at the start of intake; two-stroke, the firing one.
+    std::vector<double> crank_angle_deg;
+    std::vector<double> pressure;  ///< Pa, absolute, as many as angles
+    Unit unit = units::bar;        ///< that it was read in
+    bool unit_named = true;        ///< by the heading of its file; else bar was taken
     bool operator==(const PressureTrace&) const = default;
 };
 
-/// A plain four-stroke cycle: constant pressures for the gas exchange, polytropic compression, one
-/// Wiebe heat release, polytropic expansion. Angles: 0° begins the intake, 360° is the firing top
-/// dead centre.
+/// A plain cycle: constant pressures for the gas exchange, polytropic compression, one Wiebe heat
+/// release, polytropic expansion. 360° is the firing top dead centre.
+///
+/// Four-stroke: 0° begins the intake. Two-stroke: the ports open and close at the same place of the
+/// piston; from their opening to bottom dead centre the pressure falls to that of the exhaust, by a
+/// parabola that meets it level, and from there to their closing it is that of the intake.
 struct GasCycle {
     double compression_ratio = 18.0;       ///< ε
     double intake_pressure = 1e5;          ///< Pa, absolute
@@ -27,10 +35,11 @@ struct GasCycle {
     double polytropic_compression = 1.35;  ///< exponent until combustion begins
     double polytropic_expansion = 1.30;    ///< exponent of combustion and expansion
     std::optional<double> heat;            ///< J per cycle; one of heat and imep
-    std::optional<double> imep;            ///< Pa, indicated mean effective pressure over 720°
+    std::optional<double> imep;            ///< Pa, indicated mean effective pressure
     double combustion_start = 0.0;         ///< rad
     double combustion_duration = 0.0;      ///< rad
     double wiebe_m = 1.0;                  ///< form exponent of Vibe's law
+    double ports_open = 110.0 * degree;    ///< of a two-stroke, rad after top dead centre
     bool operator==(const GasCycle&) const = default;
 };
 
@@ -46,7 +55,7 @@ struct CylinderSizes {
 struct IndicatedCycle {
     double displacement = 0.0;         ///< V_d, m³
     std::optional<double> clearance;   ///< V_c, m³; empty for a trace (compression ratio unknown)
-    double work = 0.0;                 ///< ∮ p dV over 720°, J
+    double work = 0.0;                 ///< ∮ p dV over the cycle, J
     double imep = 0.0;                 ///< work / V_d, Pa
     std::optional<double> heat;        ///< J, of a GasCycle
     double peak_pressure = 0.0;        ///< Pa
@@ -68,19 +77,25 @@ class CylinderGas {
     /// @param smooth  reads the trace by the periodic spline, else by straight lines
     CylinderGas(const SliderCrank<double>& crank, const CylinderSizes& sizes,
                 const PressureTrace& trace, bool smooth);
+    /// @param strokes  2 or 4
     /// @throws InputError where the imep asked for needs a negative heat
-    CylinderGas(const SliderCrank<double>& crank, const CylinderSizes& sizes,
-                const GasCycle& cycle);
+    CylinderGas(const SliderCrank<double>& crank, const CylinderSizes& sizes, const GasCycle& cycle,
+                int strokes = 4);
 
     double pressure(double theta) const;  ///< Pa; any θ, rad
     /// V = V_c + A (s_max − s), m³; V_c = 0 for a trace.
     double volume(double theta) const;
     double torque(double theta) const;  ///< gas torque, N·m
     const IndicatedCycle& indicated() const { return indicated_; }
+    double period() const { return period_; }  ///< 4π, or 2π of a two-stroke engine
+    double top_dead_centre() const { return top_dead_centre_; }  ///< θ, rad
+    /// θ in degrees, ascending from 0 to the period, where the pressure has a kink or a jump.
+    std::vector<double> breaks_deg() const;
 
   private:
     CylinderGas(const SliderCrank<double>& crank, const CylinderSizes& sizes);
     double cycle_pressure(double angle) const;
+    double closed_pressure(double angle) const;
     double wiebe_integral(double from, double to) const;
     double released_integral(double angle) const;
     double work() const;
@@ -89,6 +104,7 @@ class CylinderGas {
     SliderCrank<double> crank_;
     CylinderSizes sizes_;
     double area_ = 0.0;
+    double period_ = 0.0;
     double top_dead_centre_ = 0.0;  ///< θ, rad
     double bottom_ = 0.0;           ///< bottom dead centre after top dead centre, rad, near π
     double longest_ = 0.0;          ///< s at top dead centre, m
@@ -98,6 +114,7 @@ class CylinderGas {
     std::optional<PeriodicPiecewise> trace_;  ///< Pa over degrees
 
     GasCycle cycle_;
+    double ports_close_ = 0.0;  ///< of a two-stroke, rad from TDC
     double heat_ = 0.0;
     double start_constant_ = 0.0;   ///< p_s V_sⁿ
     double intake_constant_ = 0.0;  ///< p V^n_c of compression

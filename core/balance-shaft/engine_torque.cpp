@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ravnoves::balance_shaft {
 
@@ -16,40 +17,48 @@ std::optional<CylinderGas> cylinder_gas(const Input& input) {
             return CylinderGas(slider_crank(input), source.cylinder, source.trace,
                                input.interpolation == Interpolation::periodic_cubic);
         case TorqueSource::Kind::cycle:
-            return CylinderGas(slider_crank(input), source.cylinder, source.cycle);
+            return CylinderGas(slider_crank(input), source.cylinder, source.cycle, input.strokes);
         default:
             return std::nullopt;
     }
 }
 
-std::vector<double> TorqueParts::torque(double angular_speed) const {
-    std::vector<double> sum(gas.size());
-    for (std::size_t i = 0; i < sum.size(); ++i) {
-        sum[i] = gas[i] + angular_speed * angular_speed * unit_inertia[i];
-    }
-    return sum;
+PeriodicPiecewise TorqueParts::torque(double angular_speed) const {
+    return PeriodicPiecewise::sum(gas, unit_inertia, angular_speed * angular_speed);
 }
 
-TorqueParts torque_parts(const Input& input, const CylinderGas& gas) {
-    double rows_per_degree = 2.0;
-    if (input.torque.kind == TorqueSource::Kind::pressure) {
-        rows_per_degree =
-            std::clamp(static_cast<double>(input.torque.trace.pressure.size() - 1) / 720.0,
-                       rows_per_degree, 10.0);
+namespace {
+
+/// Every 0.5° of the cycle and the breaks, ascending; what all but coincides counts once.
+std::vector<double> torque_knots(const CylinderGas& gas) {
+    const int steps = static_cast<int>(std::lround(gas.period() / degree * 2.0));
+    std::vector<double> knots = gas.breaks_deg();
+    for (int i = 0; i <= steps; ++i) {
+        knots.push_back(i / 2.0);
     }
-    const int rows = static_cast<int>(std::lround(720.0 * rows_per_degree));
+    std::sort(knots.begin(), knots.end());
+    constexpr double same = 1e-7;
+    knots.erase(
+        std::unique(knots.begin(), knots.end(), [](double a, double b) { return b - a < same; }),
+        knots.end());
+    knots.back() = steps / 2.0;
+    return knots;
+}
+
+}  // namespace
+
+TorqueParts torque_parts(const Input& input, const CylinderGas& gas) {
     const SliderCrank<double> crank = slider_crank(input);
     const double top = crank.top_dead_centre();
     const double mass = input.reciprocating_mass();
-    TorqueParts parts;
-    for (int i = 0; i <= rows; ++i) {
-        const double angle = 720.0 * i / rows;
-        const double theta = 720.0 * (i % rows) / rows * degree + top;
-        parts.crank_angle_deg.push_back(angle);
-        parts.gas.push_back(gas.torque(theta));
-        parts.unit_inertia.push_back(inertia_torque(crank, mass, 1.0, theta));
-    }
-    return parts;
+    const std::vector<double> knots = torque_knots(gas);
+    return {PeriodicPiecewise::through(
+                [&](const double& angle) { return gas.torque(angle * degree + top); }, knots),
+            PeriodicPiecewise::through(
+                [&](const double& angle) {
+                    return inertia_torque(crank, mass, 1.0, angle * degree + top);
+                },
+                knots)};
 }
 
 std::optional<TorqueParts> torque_parts(const Input& input, const InertiaCheck& check) {
@@ -59,28 +68,30 @@ std::optional<TorqueParts> torque_parts(const Input& input, const InertiaCheck& 
     const TorqueTable& table = input.torque.table;
     // m_j r² of the fit, on a crank of radius 1.
     const double speed2 = input.angular_speed * input.angular_speed;
-    const SliderCrank<double> crank{1.0, 1.0 / check.fitted_lambda};
-    TorqueParts parts;
-    parts.crank_angle_deg = table.crank_angle_deg;
+    const SliderCrank<double> crank{1.0, 1.0 / check.fitted_lambda,
+                                    input.torque.cylinder.offset / input.crank_radius};
+    const double top = crank.top_dead_centre();
+    std::vector<double> gas(table.size());
+    std::vector<double> unit_inertia(table.size());
     for (std::size_t i = 0; i < table.size(); ++i) {
-        const double unit =
-            inertia_torque(crank, *check.fitted / speed2, 1.0, table.crank_angle_deg[i] * degree);
-        parts.unit_inertia.push_back(unit);
-        parts.gas.push_back(table.torque[i] - speed2 * unit);
+        unit_inertia[i] = inertia_torque(crank, *check.fitted / speed2, 1.0,
+                                         table.crank_angle_deg[i] * degree + top);
+        gas[i] = table.torque[i] - speed2 * unit_inertia[i];
     }
-    return parts;
+    const auto curve = [&](std::vector<double>&& values) {
+        return torque_curve({table.crank_angle_deg, std::move(values)}, input.interpolation);
+    };
+    return TorqueParts{curve(std::move(gas)), curve(std::move(unit_inertia))};
 }
 
-PeriodicPiecewise tipping_moment(const std::vector<double>& crank_angle_deg,
-                                 const std::vector<double>& torque, Interpolation interpolation) {
-    std::vector<double> angle = crank_angle_deg;
-    angle.back() = angle.front() + 720.0;
-    std::vector<double> moment(torque.size());
-    std::transform(torque.begin(), torque.end(), moment.begin(),
-                   [](double value) { return 0.0 - value; });
-    moment.back() = moment.front();
-    return interpolation == Interpolation::linear ? PeriodicPiecewise::linear(angle, moment)
-                                                  : PeriodicPiecewise::cubic(angle, moment);
+PeriodicPiecewise torque_curve(const TorqueTable& table, Interpolation interpolation) {
+    // Rounding must not leave a period other than the cycle's, or a step at its end.
+    std::vector<double> angle = table.crank_angle_deg;
+    angle.back() = angle.front() + 180.0 * strokes_of(angle);
+    std::vector<double> torque = table.torque;
+    torque.back() = torque.front();
+    return interpolation == Interpolation::linear ? PeriodicPiecewise::linear(angle, torque)
+                                                  : PeriodicPiecewise::cubic(angle, torque);
 }
 
 }  // namespace ravnoves::balance_shaft

@@ -18,26 +18,26 @@ SliderCrank<double> slider_crank(const Input& input);
 /// @throws InputError where the cycle cannot be
 std::optional<CylinderGas> cylinder_gas(const Input& input);
 
-/// Engine torque at rows of one cycle, in the part that follows the speed and the part that does
-/// not: M_id = gas + ω² unit_inertia. What an offset cylinder adds to the tipping moment is in
-/// neither (with_offset_term()).
+/// Engine torque over the crank angle in degrees, in the part that follows the speed and the part
+/// that does not: M_id = gas + ω² unit_inertia. What an offset cylinder adds to the tipping moment
+/// is in neither (with_offset_term()).
 struct TorqueParts {
-    std::vector<double> crank_angle_deg;  ///< rows, the last one 720° after the first
-    std::vector<double> gas;              ///< N·m
-    std::vector<double> unit_inertia;     ///< −m_j s′ s″, N·m s²
+    PeriodicPiecewise gas;           ///< N·m
+    PeriodicPiecewise unit_inertia;  ///< −m_j s′ s″, N·m s², with the same knots
 
-    std::vector<double> torque(double angular_speed) const;  ///< M_id, N·m
+    PeriodicPiecewise torque(double angular_speed) const;  ///< M_id, N·m
 };
 
-/// The parts of a computed torque, every 0.5° (every 0.1° at the finest where a trace is finer).
+/// The parts of a computed torque: cubics between every 0.5° and every place where the pressure has
+/// a kink, so that the curve is the torque itself to about 1e-5 of its range, whatever
+/// interpolation a table would have.
 TorqueParts torque_parts(const Input& input, const CylinderGas& gas);
 
 /// The parts of a table that belongs to the masses and the speed entered: its fitted inertia torque
 /// and the rest. Nothing where it does not belong to them.
 std::optional<TorqueParts> torque_parts(const Input& input, const InertiaCheck& check);
 
-/// −M_id over the crank angle in degrees, by the interpolation asked for.
-PeriodicPiecewise tipping_moment(const std::vector<double>& crank_angle_deg,
-                                 const std::vector<double>& torque, Interpolation interpolation);
+/// M_id of a table over the crank angle in degrees, by the interpolation asked for.
+PeriodicPiecewise torque_curve(const TorqueTable& table, Interpolation interpolation);
 
 }  // namespace ravnoves::balance_shaft

@@ -87,6 +87,7 @@ void visit_cycle(FieldVisitor& visitor, GasCycle& cycle) {
     visitor.number(field::combustion_start, cycle.combustion_start);
     visitor.number(field::combustion_duration, cycle.combustion_duration);
     visitor.number(field::wiebe_m, cycle.wiebe_m, usual.wiebe_m);
+    visitor.number(field::ports_open, cycle.ports_open, usual.ports_open);
 }
 
 void visit_torque(FieldVisitor& visitor, Input& input) {
@@ -164,6 +165,11 @@ void visit_fields(FieldVisitor& visitor, GearPair& gears) {
     visitor.number(field::backlash, gears.backlash, usual.backlash);
 }
 
+void visit_fields(FieldVisitor& visitor, FlywheelTarget& flywheel) {
+    visitor.number(field::flywheel_inertia, flywheel.inertia);
+    visitor.number(field::fluctuation, flywheel.fluctuation);
+}
+
 void visit_fields(FieldVisitor& visitor, SpeedBand& band) {
     visitor.number(field::band_from, band.from);
     visitor.number(field::band_to, band.to);
@@ -205,6 +211,7 @@ void visit_fields(FieldVisitor& visitor, Input& input) {
     visitor.number(field::counterweight_mass, input.counterweight_mass);
     visitor.number(field::centre_distance, input.centre_distance);
     visitor.number(field::shaft_angle, input.shaft_angle);
+    visitor.integer(field::strokes, input.strokes, 4);
     visit_torque(visitor, input);
     visitor.choice(field::interpolation, input.interpolation, Interpolation::linear,
                    Written::always);
@@ -227,6 +234,7 @@ void visit_fields(FieldVisitor& visitor, Input& input) {
     visitor.object_with_defaults(field::gears, input.gears);
     visitor.object_with_defaults(field::envelope, input.envelope);
     visitor.object(field::relieved_shaft, input.relieved_shaft);
+    visitor.object(field::flywheel, input.flywheel);
     visitor.object(field::speed_band, input.speed_band);
 }
 

@@ -106,6 +106,14 @@ inline constexpr Field shaft_angle{.key = "shaft_angle_deg",
                                    .unit = units::degree,
                                    .range = Range::between(-3600, 3600),
                                    .symbol = "α"};
+inline constexpr Field strokes{
+    .key = "strokes",
+    .range = Range::between(2, 4),
+    .label = CORE_TEXT("balance-shaft", "Stro&kes"),
+    .hint =
+        CORE_TEXT("balance-shaft",
+                  "A four-stroke engine has a cycle of two turns, 720°, a two-stroke engine one "
+                  "of one turn, 360°. Torque table and pressure trace must span it.")};
 inline constexpr Word interpolation_words[] = {
     {"linear", CORE_TEXT("balance-shaft", "straight lines")},
     {"periodic-cubic", CORE_TEXT("balance-shaft", "periodic cubic spline")}};
@@ -315,8 +323,7 @@ inline constexpr Field imep{
     .range = Range::between(-1e3, 1e3),
     .label = CORE_TEXT("balance-shaft", "I&MEP"),
     .hint = CORE_TEXT("balance-shaft",
-                      "Indicated mean effective pressure over 720°; the heat that gives it is "
-                      "found."),
+                      "Indicated mean effective pressure; the heat that gives it is found."),
     .placeholder = CORE_TEXT("balance-shaft", "from the other")};
 inline constexpr Field combustion_start{
     .key = "combustion_start_deg",
@@ -338,6 +345,36 @@ inline constexpr Field wiebe_m{
     .hint = CORE_TEXT("balance-shaft",
                       "Form exponent of Wiebe's law; 0.5 to 1.5 for diesels, 2 to 4 for petrol "
                       "engines.")};
+inline constexpr Field ports_open{
+    .key = "ports_open_deg",
+    .unit = units::degree,
+    .range = Range::between(60, 175),
+    .label = CORE_TEXT("balance-shaft", "Ports ope&n"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "Of a two-stroke engine: crank angle after top dead centre at which the "
+                      "exhaust opens. It closes at the same place of the piston.")};
+
+inline constexpr Field flywheel{.key = "flywheel"};
+inline constexpr Field flywheel_inertia{
+    .key = "inertia_kg_m2",
+    .unit = units::kg_m2,
+    .range = Range::greater_than(0, 1e9),
+    .label = CORE_TEXT("balance-shaft", "Moment of inertia &J"),
+    .symbol = "J",
+    .hint = CORE_TEXT("balance-shaft",
+                      "Of flywheel, crank and all that turns with them. The coefficient of "
+                      "fluctuation follows from it."),
+    .placeholder = CORE_TEXT("balance-shaft", "from the other")};
+inline constexpr Field fluctuation{
+    .key = "fluctuation",
+    .range = Range::greater_than(0, 2),
+    .label = CORE_TEXT("balance-shaft", "Fl&uctuation δ"),
+    .symbol = "δ",
+    .hint = CORE_TEXT("balance-shaft",
+                      "Coefficient of fluctuation wanted: highest less lowest speed over the mean "
+                      "one. About 1/20 for pumps, 1/100 for generators. The moment of inertia "
+                      "follows from it."),
+    .placeholder = CORE_TEXT("balance-shaft", "from the other")};
 
 inline constexpr Field speed_band{.key = "speed_band"};
 inline constexpr Field band_from{

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "balance-shaft/play_range.h"
 #include "numerics/constants.h"
 
 namespace ravnoves::balance_shaft {
@@ -48,18 +49,18 @@ GearError gear_error(const Solver& solver, double shaft_angle) {
     result.play = distance > 0.0 ? std::min(input.gears.backlash / distance, pi) : 0.0;
     result.play_force = std::max(residual(force, result.phase_error - result.play),
                                  residual(force, result.phase_error + result.play));
-    constexpr int places = 16;
     result.play_range_low = result.range;
     result.play_range_high = result.range;
-    for (int i = 0; i <= places && result.play > 0.0; ++i) {
-        const double range = solver.range(angle + result.play * (2.0 * i / places - 1.0));
-        result.play_range_low = std::min(result.play_range_low, range);
-        result.play_range_high = std::max(result.play_range_high, range);
+    const double turned = angle + solver.shaft_phase();
+    if (result.play > 0.0) {
+        const PlayRange reach =
+            play_range(solver.extrema(), turned - result.play, turned + result.play);
+        result.play_range_low = std::min(result.range, reach.low);
+        result.play_range_high = std::max(result.range, reach.high);
     }
 
-    constexpr int last = 720;
+    const int last = static_cast<int>(input.cycle_deg());
     const double amplitude = force * distance;
-    const double turned = angle + solver.shaft_phase();
     for (int i = 0; i <= last; ++i) {
         const double phi = i * degree;
         const double tipping = solver.M_up(phi);

@@ -28,7 +28,7 @@ struct GearError {
     double play_range_low = 0.0;  ///< least and largest ΔM_ups over the play, N·m
     double play_range_high = 0.0;
 
-    std::vector<double> crank_angle_deg;  ///< 0…720, every degree
+    std::vector<double> crank_angle_deg;  ///< 0 to the end of the cycle, every degree
     std::vector<double> M_ups;            ///< with the error, N·m
     std::vector<double> M_ups_low;        ///< band of the play about it, N·m
     std::vector<double> M_ups_high;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "balance-shaft/input.h"
@@ -18,18 +19,26 @@ constexpr double to_deg = 165.0;
 constexpr std::size_t fewest_rows = 5;
 constexpr double least_lambda = 0.02;
 constexpr double largest_lambda = 0.6;
-/// A fit that leaves more than this of the torque's RMS has not found an inertia torque.
-constexpr double largest_residual = 0.4;
+
+/// On a crank of radius 1 whose cylinder is offset by K, at an angle φ from top dead centre.
+PistonMotion<double> unit_motion(double lambda, double relative_offset, double angle) {
+    const SliderCrank<double> crank{1.0, 1.0 / lambda, relative_offset};
+    return crank.at(angle + crank.top_dead_centre());
+}
 
 /// Inertia torque for m_j r² ω² = 1: −s′ s″/r².
-double unit_torque(double lambda, double sine, double cosine) {
-    const PistonMotion<double> motion = SliderCrank<double>{1.0, 1.0 / lambda}.at(sine, cosine);
+double unit_torque(double lambda, double relative_offset, double angle) {
+    const PistonMotion<double> motion = unit_motion(lambda, relative_offset, angle);
     return -motion.ds * motion.d2s;
 }
 
+/// Where the rod is not known, λ is searched up to what lets the crank turn round.
+double most_lambda(double relative_offset) {
+    return std::min(largest_lambda, 0.999 / (1.0 + std::abs(relative_offset)));
+}
+
 struct Row {
-    double sine;  ///< of the crank angle from the dead centre that begins the stroke
-    double cosine;
+    double angle;  ///< of the crank from the dead centre that begins the stroke, rad
     double torque;
     double weight;
 };
@@ -39,9 +48,12 @@ struct Fit {
     double lambda = 0.0;
     double gas = 0.0;       ///< d, N·m
     double residual = 0.0;  ///< weighted RMS, N·m
-    double size = 0.0;      ///< weighted RMS of the torque, N·m
     double begin_deg = 0.0;
+    bool at_bound = false;  ///< λ ends on a bound of its search
     bool found = false;
+
+    /// How much it leaves, as a part of what it found.
+    double badness() const { return residual / scale; }
 };
 
 /// Rows between begin + 15° and begin + 165° with the weights of the trapezoidal rule, so that
@@ -50,9 +62,10 @@ std::vector<Row> rows_of_stroke(const TorqueTable& table, double begin_deg) {
     std::vector<Row> rows;
     const std::size_t count = table.size() - 1;
     for (std::size_t i = 0; i < count; ++i) {
-        double angle = std::fmod(table.crank_angle_deg[i] - begin_deg, 720.0);
+        const double period = 180.0 * strokes_of(table.crank_angle_deg);
+        double angle = std::fmod(table.crank_angle_deg[i] - begin_deg, period);
         if (angle < 0.0) {
-            angle += 720.0;
+            angle += period;
         }
         if (angle < from_deg - 1e-9 || angle > to_deg + 1e-9) {
             continue;
@@ -61,13 +74,14 @@ std::vector<Row> rows_of_stroke(const TorqueTable& table, double begin_deg) {
                                   ? table.crank_angle_deg[count] - table.crank_angle_deg[count - 1]
                                   : table.crank_angle_deg[i] - table.crank_angle_deg[i - 1];
         const double after = table.crank_angle_deg[i + 1] - table.crank_angle_deg[i];
-        rows.push_back(
-            {std::sin(angle * degree), std::cos(angle * degree), table.torque[i], before + after});
+        rows.push_back({angle * degree, table.torque[i], before + after});
     }
     return rows;
 }
 
-Fit fit_stroke(const TorqueTable& table, double begin_deg) {
+/// @param lambda_given  r/L where it is known
+Fit fit_stroke(const TorqueTable& table, double relative_offset, double begin_deg,
+               std::optional<double> lambda_given) {
     const std::vector<Row> rows = rows_of_stroke(table, begin_deg);
     Fit fit;
     fit.begin_deg = begin_deg;
@@ -80,11 +94,10 @@ Fit fit_stroke(const TorqueTable& table, double begin_deg) {
         weights += row.weight;
         squares += row.weight * row.torque * row.torque;
     }
-    fit.size = std::sqrt(squares / weights);
-    if (!(fit.size > 0.0)) {
+    if (!(squares > 0.0)) {
         return fit;
     }
-    // For each λ the other two are linear: C g(θ; λ) + d sin θ by the normal equations.
+    // For each λ the other two are linear: C g(θ; λ) − d s′(θ; λ) by the normal equations.
     struct Linear {
         double scale;
         double gas;
@@ -97,8 +110,9 @@ Fit fit_stroke(const TorqueTable& table, double begin_deg) {
         double gt = 0.0;
         double st = 0.0;
         for (const Row& row : rows) {
-            const double g = unit_torque(lambda, row.sine, row.cosine);
-            const double s = row.sine;
+            const PistonMotion<double> motion = unit_motion(lambda, relative_offset, row.angle);
+            const double g = -motion.ds * motion.d2s;
+            const double s = -motion.ds;
             gg += row.weight * g * g;
             gs += row.weight * g * s;
             ss += row.weight * s * s;
@@ -112,26 +126,34 @@ Fit fit_stroke(const TorqueTable& table, double begin_deg) {
         return {scale, gas, std::sqrt(std::max(square, 0.0) / weights)};
     };
     const auto residual_at = [&](double lambda) { return solve_at(lambda).residual; };
-    // A scan first: the residual may have more than one minimum over λ.
-    constexpr int scans = 16;
-    const double step = (largest_lambda - least_lambda) / scans;
-    int best = 0;
-    double least = residual_at(least_lambda);
-    for (int i = 1; i <= scans; ++i) {
-        const double residual = residual_at(least_lambda + i * step);
-        if (residual < least) {
-            least = residual;
-            best = i;
+    if (lambda_given) {
+        fit.lambda = *lambda_given;
+    } else {
+        // A scan first: the residual may have more than one minimum over λ.
+        constexpr int scans = 16;
+        const double most = most_lambda(relative_offset);
+        const double step = (most - least_lambda) / scans;
+        int best = 0;
+        double least = residual_at(least_lambda);
+        for (int i = 1; i <= scans; ++i) {
+            const double residual = residual_at(least_lambda + i * step);
+            if (residual < least) {
+                least = residual;
+                best = i;
+            }
         }
+        fit.lambda = boost::math::tools::brent_find_minima(
+                         residual_at, std::max(least_lambda, least_lambda + (best - 1) * step),
+                         std::min(most, least_lambda + (best + 1) * step), 30)
+                         .first;
+        constexpr double near_bound = 1e-3;
+        fit.at_bound = fit.lambda < least_lambda + near_bound || fit.lambda > most - near_bound;
     }
-    const auto [lambda, residual] = boost::math::tools::brent_find_minima(
-        residual_at, std::max(least_lambda, least_lambda + (best - 1) * step),
-        std::min(largest_lambda, least_lambda + (best + 1) * step), 30);
-    fit.lambda = lambda;
-    fit.residual = residual;
-    fit.scale = solve_at(lambda).scale;
-    fit.gas = solve_at(lambda).gas;
-    fit.found = fit.scale > 0.0 && residual <= largest_residual * fit.size;
+    const Linear solved = solve_at(fit.lambda);
+    fit.residual = solved.residual;
+    fit.scale = solved.scale;
+    fit.gas = solved.gas;
+    fit.found = fit.scale > 0.0;
     return fit;
 }
 
@@ -142,17 +164,40 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
     const double speed = input.angular_speed;
     const double mass = input.reciprocating_mass();
     check.entered = mass * input.crank_radius * input.crank_radius * speed * speed;
-    const Fit first = fit_stroke(table, 0.0);
-    const Fit second = fit_stroke(table, 360.0);
-    const bool take_second = second.found && (!first.found || second.residual * first.size <
-                                                                  first.residual * second.size);
+    const std::optional<double> lambda =
+        input.rod_length ? std::optional(input.crank_radius / *input.rod_length) : std::nullopt;
+    check.lambda_fitted = !lambda;
+    const bool four_stroke = strokes_of(table.crank_angle_deg) == 4;
+    const double offset = input.torque.cylinder.offset / input.crank_radius;
+    const Fit first = fit_stroke(table, offset, 0.0, lambda);
+    const Fit second = four_stroke ? fit_stroke(table, offset, 360.0, lambda) : Fit{};
+    const bool take_second = second.found && (!first.found || second.badness() < first.badness());
     const Fit& fit = take_second ? second : first;
-    if (!fit.found || !(check.entered > 0.0)) {
-        check.text = CORE_TEXT(
-            "balance-shaft",
-            "The torque on the gas-exchange strokes does not look like the inertia torque "
-            "of a slider-crank, so it cannot be compared with the masses and the speed "
-            "entered.");
+    const auto number = [](double value, int digits = 3) {
+        return Number{rounded_to(value, digits)};
+    };
+    if (!fit.found || !(check.entered > 0.0) || fit.badness() > InertiaCheck::largest_residual) {
+        check.text =
+            four_stroke
+                ? CORE_TEXT(
+                      "balance-shaft",
+                      "The torque on the gas-exchange strokes does not look like the inertia "
+                      "torque of a slider-crank, so it cannot be compared with the masses and "
+                      "the speed entered.")
+                : CORE_TEXT(
+                      "balance-shaft",
+                      "A two-stroke engine has no stroke on which the gas torque is small, so "
+                      "the torque cannot be compared with the masses and the speed entered.");
+        return check;
+    }
+    if (fit.at_bound) {
+        check.text = {
+            CORE_TEXT("balance-shaft",
+                      "The torque on the gas-exchange stroke would be the inertia torque of a "
+                      "crank with r/L = %1, as far as the search goes, so it cannot be compared "
+                      "with the masses and the speed entered. Enter the rod length, and that is "
+                      "held instead."),
+            number(fit.lambda)};
         return check;
     }
     check.fitted = fit.scale;
@@ -164,9 +209,6 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
     check.consistent = std::abs(ratio - 1.0) <= InertiaCheck::tolerance;
     check.matching_speed = speed * std::sqrt(ratio);
     check.matching_mass = mass * ratio;
-    const auto number = [](double value, int digits = 3) {
-        return Number{rounded_to(value, digits)};
-    };
     check.text =
         *check.consistent
             ? Message(CORE_TEXT("balance-shaft",
@@ -185,6 +227,19 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
     return check;
 }
 
+InertiaCheck check_inertia(const Input& input) {
+    if (!input.torque.is_computed()) {
+        return check_inertia(input.torque.table, input);
+    }
+    InertiaCheck check;
+    check.entered = input.reciprocating_mass() * input.crank_radius * input.crank_radius *
+                    input.angular_speed * input.angular_speed;
+    check.text = CORE_TEXT("balance-shaft",
+                           "The torque is computed from the masses and the speed entered, so there "
+                           "is nothing to compare.");
+    return check;
+}
+
 Input with_matching_speed(const Input& input, const InertiaCheck& check) {
     Input changed = input;
     if (check.fitted) {
@@ -200,12 +255,12 @@ Input with_rebuilt_torque(const Input& input, const InertiaCheck& check) {
     }
     const double lambda =
         input.rod_length ? input.crank_radius / *input.rod_length : check.fitted_lambda;
+    const double offset = input.torque.cylinder.offset / input.crank_radius;
     TorqueTable& table = changed.torque.table;
     for (std::size_t i = 0; i < table.size(); ++i) {
-        const double sine = std::sin(table.crank_angle_deg[i] * degree);
-        const double cosine = std::cos(table.crank_angle_deg[i] * degree);
-        table.torque[i] += check.entered * unit_torque(lambda, sine, cosine) -
-                           *check.fitted * unit_torque(check.fitted_lambda, sine, cosine);
+        const double angle = table.crank_angle_deg[i] * degree;
+        table.torque[i] += check.entered * unit_torque(lambda, offset, angle) -
+                           *check.fitted * unit_torque(check.fitted_lambda, offset, angle);
     }
     table.torque.back() = table.torque.front();
     changed.torque.kind = TorqueSource::Kind::table;

@@ -12,15 +12,20 @@ struct Input;
 ///
 /// Where the cylinder exchanges its gas, M_id is nearly the inertia torque alone,
 /// M_j = −m_j ω² s′ s″ = C g(φ; λ) with C = m_j r² ω² and g the crank's exact kinematics, and a
-/// little gas torque d sin φ of a steady pressure. C, λ and d are fitted to the table's rows on one
-/// stroke, 15°…165° after the top dead centre that begins it (of the two such strokes in a cycle,
-/// the one that looks like it more).
+/// little gas torque −d s′(φ; λ)/r of a steady pressure. C, d and, where no rod length gives it, λ
+/// are fitted to the table's rows on one stroke, 15°…165° after the top dead centre that begins it
+/// (of the two such strokes in a four-stroke cycle, the one that looks like it more).
+///
+/// A fit that leaves much, or that ends on a bound of λ, has found something else: then nothing is
+/// said, and text is the reason. A torque that was computed from the masses and the speed is not
+/// compared with them.
 struct InertiaCheck {
     double entered = 0.0;           ///< m_j r² ω² of the input, N·m
     std::optional<double> fitted;   ///< the table's, N·m; empty where no fit is possible
     double fitted_lambda = 0.0;     ///< r/L of the fit
     double gas_exchange = 0.0;      ///< d of the fit, N·m
     double residual_rms = 0.0;      ///< of the rows against the fit, N·m
+    bool lambda_fitted = true;      ///< false where the rod length gives it
     double stroke_begin_deg = 0.0;  ///< 0 or 360: the dead centre that begins the stroke
     /// fitted is within tolerance of entered; empty where no fit is possible.
     std::optional<bool> consistent;
@@ -28,14 +33,19 @@ struct InertiaCheck {
     double matching_speed = 0.0;
     /// The reciprocating mass that has it at the speed entered, kg.
     double matching_mass = 0.0;
-    Message text;  ///< what this means, in English sentences
+    Message text;  ///< what this means, or why nothing can be said, in English sentences
 
     static constexpr double tolerance = 0.15;  ///< of fitted against entered
+    /// The largest residual (RMS) of a fit that is believed, as a part of what it found.
+    static constexpr double largest_residual = 0.04;
 };
 
 /// @param table  M_id over a cycle
-/// @param input  speed, masses and crank; not its torque
+/// @param input  speed, masses, crank and rod; not its torque
 InertiaCheck check_inertia(const TorqueTable& table, const Input& input);
+
+/// The check of an input: of its table, or why there is none.
+InertiaCheck check_inertia(const Input& input);
 
 /// First remedy: the same input at the speed that the torque belongs to.
 Input with_matching_speed(const Input& input, const InertiaCheck& check);

@@ -37,7 +37,38 @@ void check_masses(const Input& input) {
     }
 }
 
-void check_cycle(const GasCycle& cycle, const SliderCrank<double>& crank,
+/// The ports of a two-stroke engine: closed while it burns, open at the bottom dead centre.
+void check_ports(const GasCycle& cycle, double bottom, const std::string& parent) {
+    const auto angle = [](double radians) {
+        return Number{radians / units::degree, units::degree, 6};
+    };
+    if (!(cycle.ports_open < bottom)) {
+        throw InputError(pointer(field::ports_open, parent),
+                         {CORE_TEXT("balance-shaft",
+                                    "must be less than the angle of the bottom dead centre, %1"),
+                          angle(bottom)},
+                         angle(cycle.ports_open));
+    }
+    const double end = cycle.combustion_start + cycle.combustion_duration;
+    const double opening = two_pi + cycle.ports_open;
+    if (end > opening) {
+        throw InputError(
+            pointer(field::combustion_duration, parent),
+            {CORE_TEXT("balance-shaft", "must end the combustion before the ports open at %1"),
+             angle(opening)},
+            angle(end));
+    }
+    // As far before the dead centre as they open after it, but for the offset of the cylinder.
+    const double closing = 2.0 * bottom - cycle.ports_open;
+    if (cycle.combustion_start < closing) {
+        throw InputError(
+            pointer(field::combustion_start, parent),
+            {CORE_TEXT("balance-shaft", "must be after the ports have closed, %1"), angle(closing)},
+            angle(cycle.combustion_start));
+    }
+}
+
+void check_cycle(const GasCycle& cycle, const SliderCrank<double>& crank, int strokes,
                  const std::string& parent) {
     if (cycle.heat.has_value() == cycle.imep.has_value()) {
         throw InputError(
@@ -49,12 +80,28 @@ void check_cycle(const GasCycle& cycle, const SliderCrank<double>& crank,
     }
     const double end = cycle.combustion_start + cycle.combustion_duration;
     const double bottom = two_pi + crank.bottom_dead_centre() - crank.top_dead_centre();
-    if (end > bottom) {
+    if (strokes == 2) {
+        check_ports(cycle, bottom - two_pi, parent);
+    } else if (end > bottom) {
         throw InputError(pointer(field::combustion_duration, parent),
                          {CORE_TEXT("balance-shaft",
                                     "must end the combustion before the bottom dead centre at %1"),
                           Number{bottom / units::degree, units::degree, 6}},
                          Number{end / units::degree, units::degree, 6});
+    }
+}
+
+/// The rows of a table or trace must span the cycle that the strokes give.
+void check_strokes(const Input& input) {
+    const int wanted = input.strokes_of_torque();
+    if (wanted != input.strokes) {
+        throw InputError(
+            pointer(field::strokes),
+            {input.torque.kind == TorqueSource::Kind::pressure
+                 ? CORE_TEXT("balance-shaft", "must be %1, since the pressure trace spans %2")
+                 : CORE_TEXT("balance-shaft", "must be %1, since the torque table spans %2"),
+             wanted, Number{180.0 * wanted, units::degree}},
+            Number{1.0 * input.strokes});
     }
 }
 
@@ -79,6 +126,7 @@ void check_torque(const Input& input) {
     const TorqueSource& source = input.torque;
     if (!source.is_computed()) {
         check_torque_table(source.table, pointer(field::torque));
+        check_strokes(input);
         check_rod(input, "/input");
         return;
     }
@@ -103,8 +151,9 @@ void check_torque(const Input& input) {
     }
     if (traced) {
         check_pressure_trace(source.trace, pointer(field::csv, parent));
+        check_strokes(input);
     } else {
-        check_cycle(source.cycle, crank, parent);
+        check_cycle(source.cycle, crank, input.strokes, parent);
     }
 }
 
@@ -174,6 +223,12 @@ double Input::reciprocating_mass() const {
     return sum;
 }
 
+int Input::strokes_of_torque() const {
+    return torque.kind == TorqueSource::Kind::cycle ? strokes
+           : torque.is_computed()                   ? strokes_of(torque.trace.crank_angle_deg)
+                                                    : strokes_of(torque.table.crank_angle_deg);
+}
+
 double Input::effective_rod_length() const {
     return rod_length.value_or(crank_radius / default_lambda);
 }
@@ -199,7 +254,19 @@ void check_speed_band(const SpeedBand& band) {
 void check_input(const Input& input) {
     check_fields(input);
     check_masses(input);
+    if (input.strokes != 2 && input.strokes != 4) {
+        throw InputError(pointer(field::strokes), CORE_TEXT("balance-shaft", "must be 2 or 4"),
+                         Number{1.0 * input.strokes});
+    }
     check_torque(input);
+    if (input.flywheel &&
+        input.flywheel->inertia.has_value() == input.flywheel->fluctuation.has_value()) {
+        throw InputError(
+            pointer(field::flywheel),
+            CORE_TEXT("balance-shaft", "must hold either inertia_kg_m2 or fluctuation"),
+            input.flywheel->inertia ? CORE_TEXT("balance-shaft", "both")
+                                    : CORE_TEXT("balance-shaft", "neither"));
+    }
     const GearPair& gears = input.gears;
     if (std::abs(gears.shifted_teeth) >= gears.teeth) {
         throw InputError(

@@ -39,6 +39,13 @@ enum class Interpolation {
     periodic_cubic,  ///< the periodic cubic spline
 };
 
+/// What is known of the flywheel: exactly one of the two.
+struct FlywheelTarget {
+    std::optional<double> inertia;      ///< J of all that turns evenly, kg·m²
+    std::optional<double> fluctuation;  ///< δ wanted, (ω_max − ω_min) / ω
+    bool operator==(const FlywheelTarget&) const = default;
+};
+
 /// Where the engine torque comes from.
 struct TorqueSource {
     enum class Kind {
@@ -112,6 +119,7 @@ struct Input {
     std::optional<double> counterweight_mass;  ///< m₁, kg; empty: by equation (1)
     double centre_distance = 0.0;              ///< l, m
     double shaft_angle = 0.0;                  ///< α, rad
+    int strokes = 4;                           ///< 2 or 4; the cycle is 180° times that
     TorqueSource torque;                       ///< M_id
     Interpolation interpolation = Interpolation::linear;
     double step_deg = 1.0;  ///< step of the curves and of the sweep, °
@@ -120,11 +128,15 @@ struct Input {
     EnvelopeSizes envelope;
     double crank_share = 0.5;  ///< κ of the comparison without a shaft
     GearPair gears;
+    std::optional<FlywheelTarget> flywheel;
     std::optional<SpeedBand> speed_band;
     std::optional<RelievedShaftSizes> relieved_shaft;
 
-    double reciprocating_mass() const;    ///< m_j, kg
-    double effective_rod_length() const;  ///< L, m, given or by default
+    double reciprocating_mass() const;                    ///< m_j, kg
+    double effective_rod_length() const;                  ///< L, m, given or by default
+    double cycle_deg() const { return 180.0 * strokes; }  ///< 720° or 360°
+    /// What the torque's rows say of the strokes; `strokes` itself where it has none.
+    int strokes_of_torque() const;
     bool operator==(const Input&) const = default;
 };
 
@@ -132,6 +144,7 @@ struct Input {
 void visit_fields(FieldVisitor& visitor, Input& input);
 void visit_fields(FieldVisitor& visitor, EnvelopeSizes& sizes);
 void visit_fields(FieldVisitor& visitor, GearPair& gears);
+void visit_fields(FieldVisitor& visitor, FlywheelTarget& flywheel);
 void visit_fields(FieldVisitor& visitor, SpeedBand& band);
 void visit_fields(FieldVisitor& visitor, RelievedShaftSizes& sizes);
 

@@ -1,7 +1,6 @@
 #include "balance-shaft/offset_cylinder.h"
 
 #include <cmath>
-#include <vector>
 
 #include "numerics/constants.h"
 #include "numerics/harmonics.h"
@@ -32,13 +31,10 @@ PeriodicPiecewise with_offset_term(const PeriodicPiecewise& moment,
     constexpr double longest_deg = 0.5;
     const PeriodicPiecewise fine = moment.refined(longest_deg);
     const double top = crank.top_dead_centre();
-    std::vector<double> term;
-    term.reserve(fine.knots().size());
-    for (const double angle : fine.knots()) {
-        term.push_back(offset_lever(crank, angle * degree + top));
-    }
-    term.back() = term.front();
-    return PeriodicPiecewise::sum(fine, PeriodicPiecewise::cubic(fine.knots(), term), factor);
+    const auto term = PeriodicPiecewise::through(
+        [&](const double& angle) { return offset_lever(crank, angle * degree + top); },
+        fine.knots());
+    return PeriodicPiecewise::sum(fine, term, factor);
 }
 
 }  // namespace ravnoves::balance_shaft

@@ -31,7 +31,7 @@ inline double offset_lever(const SliderCrank<double>& crank, double theta) {
 }
 
 /// The moment over the crank angle φ from top dead centre, in degrees, with factor × e s″ added:
-/// by a periodic spline through it every half degree. The moment itself where the offset is 0.
+/// by cubics through it every half degree. The moment itself where the offset is 0.
 /// @param factor  m_j ω², kg/s², or m_j for what follows ω²; 0 gives the same knots
 PeriodicPiecewise with_offset_term(const PeriodicPiecewise& moment,
                                    const SliderCrank<double>& crank, double factor);

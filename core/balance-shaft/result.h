@@ -7,6 +7,7 @@
 #include "balance-shaft/clearance.h"
 #include "balance-shaft/cylinder_gas.h"
 #include "balance-shaft/envelope.h"
+#include "balance-shaft/flywheel.h"
 #include "balance-shaft/inertia_check.h"
 #include "case-file/message.h"
 
@@ -14,18 +15,18 @@ namespace ravnoves::balance_shaft {
 
 /// Criteria of one moment over the continuous cycle (not over its samples).
 struct MomentMetrics {
-    double mean = 0.0;       ///< N·m, cycle integral / 4π
+    double mean = 0.0;       ///< N·m, cycle integral / cycle
     double max = 0.0;        ///< N·m
     double min = 0.0;        ///< N·m
     double range = 0.0;      ///< max − min, N·m
     double rms = 0.0;        ///< N·m, about the mean
-    double max_angle = 0.0;  ///< crank angle of the maximum, rad, 0…4π
-    double min_angle = 0.0;  ///< crank angle of the minimum, rad, 0…4π
+    double max_angle = 0.0;  ///< crank angle of the maximum, rad, 0…4π (2π)
+    double min_angle = 0.0;  ///< crank angle of the minimum, rad, 0…4π (2π)
 };
 
 /// Moments over the cycle, sampled at every step_deg, both ends included.
 struct MomentCurves {
-    std::vector<double> crank_angle_deg;  ///< 0…720
+    std::vector<double> crank_angle_deg;  ///< 0…720, or 0…360 of a two-stroke engine
     std::vector<double> M_up;             ///< tipping moment −M_id + e m_j ω² s″, N·m
     std::vector<double> M_s;              ///< moment of the shaft, (4), N·m
     std::vector<double> M_ups;            ///< moment on the mounts, (5), N·m
@@ -58,12 +59,12 @@ struct Optimum {
 
 /// One line of an order spectrum: amplitude × sin(order × φ + phase).
 struct OrderLine {
-    double order = 0.0;      ///< multiples of the crank's speed; a four-stroke has halves
+    double order = 0.0;      ///< multiples of the crank's speed; a four-stroke has halves, too
     double amplitude = 0.0;  ///< N·m
     double phase = 0.0;      ///< rad
 };
 
-inline constexpr std::size_t spectrum_lines = 24;  ///< orders ½, 1 … 12
+inline constexpr std::size_t spectrum_orders = 12;  ///< the highest order of a spectrum
 
 /// Everything that the page shows and that the command line prints.
 struct Result {
@@ -81,10 +82,12 @@ struct Result {
     std::optional<double> order_1_share;
     double printed_mean_M_up = 0.0;  ///< mean over the table's rows, both ends, N·m
     InertiaCheck inertia_check;
-    std::vector<OrderLine> spectrum_M_up;     ///< spectrum_lines, exact for the interpolant
+    /// Orders ½, 1 … 12 (1, 2 … 12 of a two-stroke engine), exact for the interpolant.
+    std::vector<OrderLine> spectrum_M_up;
     std::optional<IndicatedCycle> indicated;  ///< where the torque is computed
-    double indicated_power = 0.0;             ///< work × ω / 4π, W; where the torque is computed
-    Optimum best_range;                       ///< of all angles
+    double indicated_power = 0.0;  ///< work × ω / cycle, W; where the torque is computed
+    Flywheel flywheel;
+    Optimum best_range;  ///< of all angles
     Optimum best_rms;
     BuildableAngles buildable;
     Optimum best_range_buildable;  ///< of the angles that can be built
@@ -101,7 +104,7 @@ struct Result {
     double shaft_angle = 0.0;  ///< α, rad, 0…2π
     MomentMetrics M_s;
     MomentMetrics M_ups;
-    double printed_mean_M_s = 0.0;    ///< mean over the paper's 25 nodes, N·m
+    double printed_mean_M_s = 0.0;    ///< mean over the paper's 25 nodes (two-stroke: 13), N·m
     double printed_mean_M_ups = 0.0;  ///< printed_mean_M_s + printed_mean_M_up, N·m
     /// Change of range and RMS against the engine without a shaft, as a fraction (−0.1 is 10 %
     /// less); empty where M_up is constant.

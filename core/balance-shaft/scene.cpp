@@ -102,14 +102,14 @@ Json write_clearances(const FrontView& view, double shaft_angle) {
             {"gear_tip_radius_mm", view.gear_tip_radius / units::mm}};
 }
 
-Json write(const IndicatedCycle& indicated, double power) {
+Json write(const IndicatedCycle& indicated, double power, double angular_speed) {
     return {{"displacement_cm3", indicated.displacement / units::cm3},
             {"clearance_volume_cm3", number_or_null(indicated.clearance, 1.0 / units::cm3.to_si)},
             {"heat_J", number_or_null(indicated.heat, 1.0)},
             {"work_J", indicated.work},
             {"mean_effective_pressure_bar", indicated.imep / units::bar},
             {"power_kW", power / units::kW},
-            {"mean_torque_Nm", indicated.work / (4.0 * pi)},
+            {"mean_torque_Nm", power / angular_speed},
             {"peak_pressure_bar", indicated.peak_pressure / units::bar},
             {"peak_pressure_crank_angle_deg", indicated.peak_pressure_angle / degree}};
 }
@@ -123,9 +123,23 @@ Json write(const InertiaCheck& check) {
         json["residual_rms_Nm"] = check.residual_rms;
         json["matching_speed_rpm"] = check.matching_speed / rpm;
         json["matching_mass_kg"] = check.matching_mass;
+        json["lambda_is_given"] = !check.lambda_fitted;
+    }
+    if (!check.consistent) {
+        json["reason"] = check.text.english();
     }
     json["text"] = check.text.english();
     return json;
+}
+
+Json write(const Flywheel& flywheel) {
+    return {{"excess_work_J", flywheel.excess_work},
+            {"fluctuation", number_or_null(flywheel.fluctuation, 1.0)},
+            {"inertia_kg_m2", number_or_null(flywheel.inertia, 1.0)},
+            {"max_energy_J", flywheel.max_energy},
+            {"max_crank_angle_deg", flywheel.max_angle / degree},
+            {"min_energy_J", flywheel.min_energy},
+            {"min_crank_angle_deg", flywheel.min_angle / degree}};
 }
 
 Json write_spectrum(const Result& result) {
@@ -279,13 +293,15 @@ Json write_result(const Result& result) {
     };
     json["inertia_check"] = write(result.inertia_check);
     json["spectrum"] = write_spectrum(result);
+    json["flywheel"] = write(result.flywheel);
     if (result.indicated) {
-        json["indicated"] = write(*result.indicated, result.indicated_power);
+        json["indicated"] = write(*result.indicated, result.indicated_power, result.angular_speed);
     }
     Json curves = {{"crank_angle_deg", result.curves.crank_angle_deg},
                    {"M_up_Nm", result.curves.M_up},
                    {"M_s_Nm", result.curves.M_s},
-                   {"M_ups_Nm", result.curves.M_ups}};
+                   {"M_ups_Nm", result.curves.M_ups},
+                   {"excess_energy_J", result.flywheel.energy}};
     if (result.indicated) {
         curves["M_gas_Nm"] = result.curves.M_gas;
         curves["M_inertia_Nm"] = result.curves.M_inertia;

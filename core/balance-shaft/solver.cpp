@@ -3,17 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "balance-shaft/best_range.h"
 #include "balance-shaft/cycle_extrema.h"
 #include "balance-shaft/engine_torque.h"
+#include "balance-shaft/trace_check.h"
 #include "numerics/periodic_piecewise.h"
 
 namespace ravnoves::balance_shaft {
 
 namespace {
 
-constexpr double whole_cycle_deg = 720.0;
 constexpr double turn_deg = 360.0;
 /// Differences below this part of the size are rounding.
 constexpr double rounding = 1e-12;
@@ -59,19 +60,33 @@ struct Forces {
 };
 
 /// The mean over the paper's 25 nodes, every 30° with both ends: 24 of them cancel, the last
-/// repeats φ = 0.
-double printed_mean_of_shaft_moment(double amplitude, double alpha) {
-    constexpr double nodes = 25.0;
+/// repeats φ = 0. A cycle of 360° has 13 such nodes.
+double printed_mean_of_shaft_moment(double amplitude, double alpha, int strokes) {
+    const double nodes = 6.0 * strokes + 1.0;
     return amplitude * std::sin(alpha) / nodes;
 }
 
-/// M_id at rows over the cycle, as given or computed.
-TorqueTable engine_torque(const Input& input, const std::optional<CylinderGas>& gas) {
-    if (!gas) {
-        return input.torque.table;
+/// M_id over the cycle, as given or computed.
+PeriodicPiecewise engine_torque(const Input& input, const std::optional<CylinderGas>& gas) {
+    return gas ? torque_parts(input, *gas).torque(input.angular_speed)
+               : torque_curve(input.torque.table, input.interpolation);
+}
+
+/// The mean of M_up over the rows of the table, both ends, as the paper takes it; of a computed
+/// torque over every 0.5°.
+double printed_mean_of_rows(const Input& input, const PeriodicPiecewise& moment) {
+    double sum = 0.0;
+    if (!input.torque.is_computed()) {
+        for (const double torque : input.torque.table.torque) {
+            sum -= torque;
+        }
+        return sum / static_cast<double>(input.torque.table.size());
     }
-    const TorqueParts parts = torque_parts(input, *gas);
-    return {parts.crank_angle_deg, parts.torque(input.angular_speed)};
+    const int steps = static_cast<int>(2.0 * input.cycle_deg());
+    for (int i = 0; i <= steps; ++i) {
+        sum += moment(0.5 * i);
+    }
+    return sum / (steps + 1);
 }
 
 OrderLine order_line(double order, const FourierPair& pair) {
@@ -98,15 +113,15 @@ struct Solver::Prepared {
     BuildableAngles buildable;
     SliderCrank<double> crank;
     double top;  ///< θ at top dead centre, where φ is 0, rad
-    PistonFirstOrder first_order;
+    PistonFirstOrder piston_1;
     double phase;  ///< M_s = P₁ l sin(α + φ + phase), rad
     Forces forces;
     std::optional<CylinderGas> gas;   ///< where the torque is computed
-    TorqueTable table;                ///< M_id, given or computed
+    PeriodicPiecewise torque;         ///< M_id over φ in degrees, given or computed
     PeriodicPiecewise moment;         ///< M_up over φ in degrees
     CycleExtrema extrema;             ///< of M_up + M_s
     double variance = 0.0;            ///< of M_up, (N·m)²
-    std::vector<FourierPair> series;  ///< of M_up, orders ½, 1, 1½ …
+    std::vector<FourierPair> series;  ///< of M_up, orders ½, 1, 1½ …, or 1, 2 …
     FourierPair order_1;              ///< M_up's component a cos φ + b sin φ
     /// What result() starts from: all but what follows the shaft's angle.
     Result base;
@@ -125,7 +140,10 @@ struct Solver::Prepared {
     double rms_at(double alpha) const { return std::sqrt(std::max(variance_at(alpha), 0.0)); }
     Extrema extrema_at(double alpha) const { return extrema(alpha + phase); }
 
-    TorqueTable inertia_table() const;
+    /// Crank turns of the cycle, and the place of order 1 in the spectrum.
+    std::size_t turns() const { return input.strokes == 2 ? 1 : 2; }
+    std::size_t first_order() const { return turns() - 1; }
+
     void prepare_spectrum();
     void prepare_curves();
     void prepare_optima();
@@ -141,18 +159,19 @@ Solver::Prepared::Prepared(const Input& checked)
       buildable(buildable_angles(view)),
       crank(slider_crank(checked)),
       top(crank.top_dead_centre()),
-      first_order(piston_first_order(crank)),
-      phase(top - first_order.lag),
+      piston_1(piston_first_order(crank)),
+      phase(top - piston_1.lag),
       forces(checked),
       gas(cylinder_gas(checked)),
-      table(engine_torque(checked, gas)),
+      torque(engine_torque(checked, gas)),
       moment(with_offset_term(
-          tipping_moment(table.crank_angle_deg, table.torque, checked.interpolation), crank,
+          torque.negated(), crank,
           checked.reciprocating_mass() * checked.angular_speed * checked.angular_speed)),
       extrema(moment, forces.moment_amplitude),
       variance(moment.variance()),
-      series(moment.fourier_series(degree / 2.0, spectrum_lines)),
-      order_1(series[1]) {
+      series(
+          moment.fourier_series(degree / static_cast<double>(turns()), turns() * spectrum_orders)),
+      order_1(series[first_order()]) {
     base.angular_speed = input.angular_speed;
     base.reciprocating_mass = input.reciprocating_mass();
     base.inertia_force_1_max = forces.inertia_force_1_max;
@@ -167,48 +186,35 @@ Solver::Prepared::Prepared(const Input& checked)
         base.order_1_share =
             std::min(base.order_1_amplitude * base.order_1_amplitude / (2.0 * variance), 1.0);
     }
-    double sum = 0.0;
-    for (const double torque : table.torque) {
-        sum -= torque;
-    }
-    base.printed_mean_M_up = sum / static_cast<double>(table.size());
+    base.printed_mean_M_up = printed_mean_of_rows(input, moment);
     if (gas) {
         base.indicated = gas->indicated();
-        base.indicated_power = base.indicated->work * input.angular_speed / (4.0 * pi);
+        base.indicated_power = base.indicated->work * input.angular_speed / gas->period();
     }
     base.dead_centre = top;
-    base.counterweight_lag = first_order.lag;
-    base.inertia_check = check_inertia(inertia_table(), input);
+    base.counterweight_lag = piston_1.lag;
+    base.inertia_check = check_inertia(input);
     prepare_spectrum();
     prepare_curves();
+    base.flywheel =
+        flywheel(torque, input.angular_speed, input.flywheel, base.curves.crank_angle_deg);
     prepare_optima();
     prepare_buildable();
     prepare_sweep();
     prepare_notes();
 }
 
-/// M_id without the gas torque where that is known.
-TorqueTable Solver::Prepared::inertia_table() const {
-    if (!gas) {
-        return table;
-    }
-    TorqueTable inertia = table;
-    for (std::size_t i = 0; i < table.size(); ++i) {
-        inertia.torque[i] -= gas->torque(table.crank_angle_deg[i] * degree + top);
-    }
-    return inertia;
-}
-
 void Solver::Prepared::prepare_spectrum() {
     for (std::size_t k = 0; k < series.size(); ++k) {
-        base.spectrum_M_up.push_back(order_line(static_cast<double>(k + 1) / 2.0, series[k]));
+        base.spectrum_M_up.push_back(
+            order_line(static_cast<double>(k + 1) / static_cast<double>(turns()), series[k]));
     }
     base.spectrum_M_ups = base.spectrum_M_up;
 }
 
 void Solver::Prepared::prepare_curves() {
     MomentCurves& curves = base.curves;
-    curves.crank_angle_deg = grid(whole_cycle_deg, input.step_deg);
+    curves.crank_angle_deg = grid(input.cycle_deg(), input.step_deg);
     const std::size_t count = curves.crank_angle_deg.size();
     curves.M_up.reserve(count);
     cos_curve.reserve(count);
@@ -312,7 +318,8 @@ void Solver::Prepared::prepare_sweep() {
         const double alpha = angle * degree;
         sweep.range.push_back(extrema.range(alpha + phase));
         sweep.rms.push_back(rms_at(alpha));
-        const double printed = printed_mean_of_shaft_moment(forces.moment_amplitude, alpha + phase);
+        const double printed =
+            printed_mean_of_shaft_moment(forces.moment_amplitude, alpha + phase, input.strokes);
         sweep.printed_mean_M_s.push_back(printed);
         sweep.printed_mean_M_ups.push_back(printed + base.printed_mean_M_up);
     }
@@ -341,6 +348,12 @@ void Solver::Prepared::prepare_notes() {
                 number(base.best_rms.value), number(base.M_up.rms));
         }
     }
+    if (input.torque.kind == TorqueSource::Kind::pressure) {
+        Message note = check_trace(input, *gas);
+        if (!note.empty()) {
+            base.notes.push_back(std::move(note));
+        }
+    }
     prepare_notes_on_building();
     const double balanced = 2.0 * forces.counterweight_force / forces.inertia_force_1_max;
     constexpr double noticeable = 1e-3;
@@ -364,7 +377,7 @@ void Solver::Prepared::prepare_notes_on_building() {
                       "where the crank stands %1 from the cylinder's direction, α from that "
                       "direction; both counterweights lag by %2, so that they meet the first "
                       "order's part in quadrature too."),
-            in_degrees(top), in_degrees(first_order.lag));
+            in_degrees(top), in_degrees(piston_1.lag));
     }
     if (buildable.stretches.empty()) {
         base.notes.emplace_back(CORE_TEXT("balance-shaft", "Nothing can be built: %1"),
@@ -413,7 +426,8 @@ void Solver::move_shaft(double shaft_angle, Result& result) const {
     shaft.min_angle = wrap_turn(3.0 * pi / 2.0 - turned);
     result.M_ups = metrics_of(prepared.extrema_at(alpha), prepared.base.M_up.mean,
                               prepared.variance_at(alpha));
-    result.printed_mean_M_s = printed_mean_of_shaft_moment(amplitude, turned);
+    result.printed_mean_M_s =
+        printed_mean_of_shaft_moment(amplitude, turned, prepared.input.strokes);
     result.printed_mean_M_ups = result.printed_mean_M_s + prepared.base.printed_mean_M_up;
     if (prepared.base.order_1_share) {
         result.range_change = result.M_ups.range / prepared.base.M_up.range - 1.0;
@@ -424,7 +438,8 @@ void Solver::move_shaft(double shaft_angle, Result& result) const {
 
     const double x = amplitude * std::sin(turned);
     const double y = amplitude * std::cos(turned);
-    result.spectrum_M_ups[1] = order_line(1.0, {prepared.order_1.a + x, prepared.order_1.b + y});
+    result.spectrum_M_ups[prepared.first_order()] =
+        order_line(1.0, {prepared.order_1.a + x, prepared.order_1.b + y});
 
     const auto count = static_cast<Eigen::Index>(prepared.cos_curve.size());
     using Curve = Eigen::Map<const Eigen::ArrayXd>;
@@ -448,7 +463,7 @@ double Solver::shaft_phase() const {
 }
 
 const PistonFirstOrder& Solver::first_order() const {
-    return prepared_->first_order;
+    return prepared_->piston_1;
 }
 
 const BuildableAngles& Solver::buildable() const {
@@ -461,6 +476,10 @@ double Solver::range(double shaft_angle) const {
 
 double Solver::rms(double shaft_angle) const {
     return prepared_->rms_at(shaft_angle);
+}
+
+const CycleExtrema& Solver::extrema() const {
+    return prepared_->extrema;
 }
 
 double Solver::counterweight_force() const {

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "balance-shaft/cycle_extrema.h"
 #include "balance-shaft/envelope.h"
 #include "balance-shaft/input.h"
 #include "balance-shaft/offset_cylinder.h"
@@ -38,6 +39,8 @@ class Solver {
     double range(double shaft_angle) const;
     /// RMS of M_ups about its mean at α, N·m.
     double rms(double shaft_angle) const;
+    /// Of M_up + M_s, for what asks about many angles.
+    const CycleExtrema& extrema() const;
     double counterweight_force() const;  ///< P₁, N
     const FrontView& front_view() const;
     Envelope envelope(double shaft_angle) const;

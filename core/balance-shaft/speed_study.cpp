@@ -1,8 +1,11 @@
 #include "balance-shaft/speed_study.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <deque>
 #include <limits>
+#include <utility>
 
 #include "balance-shaft/best_range.h"
 #include "balance-shaft/engine_torque.h"
@@ -14,8 +17,15 @@ namespace ravnoves::balance_shaft {
 
 namespace {
 
+/// Ratios nearer than this are the same.
+constexpr double exact = 1e-11;
+
 double rms_of(double variance) {
     return std::sqrt(std::max(variance, 0.0));
+}
+
+double squared(double x) {
+    return x * x;
 }
 
 double wrapped(double angle) {
@@ -58,7 +68,7 @@ SpeedStudy::SpeedStudy(const Input& input, const SpeedBand& band, const Progress
     if (gas) {
         parts = torque_parts(input, *gas);
     } else {
-        const InertiaCheck check = check_inertia(input.torque.table, input);
+        const InertiaCheck check = check_inertia(input);
         parts = torque_parts(input, check);
         if (!parts) {
             reason_ = check.fitted
@@ -76,15 +86,11 @@ SpeedStudy::SpeedStudy(const Input& input, const SpeedBand& band, const Progress
     buildable_ = buildable_angles(front_view(input));
     std::vector<AngleStretch> within = buildable_.stretches;
     turn(within);
-    const auto gas_moment = with_offset_term(
-        tipping_moment(parts->crank_angle_deg, parts->gas, input.interpolation), crank, 0.0);
-    const auto inertia_moment = with_offset_term(
-        tipping_moment(parts->crank_angle_deg, parts->unit_inertia, input.interpolation), crank,
-        input.reciprocating_mass());
-    const FourierPair gas_order = gas_moment.fourier(degree);
-    const FourierPair inertia_order = inertia_moment.fourier(degree);
-    // P₁ l for ω = 1.
-    const double unit_amplitude =
+    gas_ = with_offset_term(parts->gas.negated(), crank, 0.0);
+    inertia_ = with_offset_term(parts->unit_inertia.negated(), crank, input.reciprocating_mass());
+    gas_order_ = gas_.fourier(degree);
+    inertia_order_ = inertia_.fourier(degree);
+    unit_amplitude_ =
         input.counterweight_mass.value_or(input.reciprocating_mass() * input.crank_radius /
                                           (2.0 * input.counterweight_radius)) *
         input.counterweight_radius * input.centre_distance;
@@ -98,31 +104,26 @@ SpeedStudy::SpeedStudy(const Input& input, const SpeedBand& band, const Progress
         point.angular_speed = k + 1 == band.speeds ? band.to
                                                    : band.from + (band.to - band.from) * k /
                                                                      std::max(band.speeds - 1, 1);
-        const double square = point.angular_speed * point.angular_speed;
-        const double amplitude = unit_amplitude * square;
-        const auto moment = PeriodicPiecewise::sum(gas_moment, inertia_moment, square);
-        const FourierPair order{gas_order.a + square * inertia_order.a,
-                                gas_order.b + square * inertia_order.b};
-        const double variance = moment.variance();
-        point.moment_amplitude = amplitude;
-        point.range_without = CycleExtrema(moment, 0.0).range(0.0);
-        point.rms_without = rms_of(variance);
-        speeds_.push_back({CycleExtrema(moment, amplitude), variance, order});
-        const BestRange best = minimise_range(speeds_.back().extrema);
+        speeds_.push_back(speed_at(point.angular_speed));
+        const Speed& speed = speeds_.back();
+        point.moment_amplitude = speed.amplitude;
+        point.range_without = speed.without.max.value - speed.without.min.value;
+        point.rms_without = rms_of(speed.variance);
+        const BestRange best = minimise_range(speed.extrema);
         point.best_range_angle = wrapped(best.shaft_angle - phase_);
         point.best_range = best.range;
         // M_s opposes the first order.
-        const double opposed = std::atan2(-order.a, -order.b);
+        const double opposed = std::atan2(-speed.order_1.a, -speed.order_1.b);
         point.best_rms_angle = wrapped(opposed - phase_);
+        const double first = std::hypot(speed.order_1.a, speed.order_1.b);
+        point.best_rms = rms_of(speed.variance + speed.amplitude * (speed.amplitude / 2.0 - first));
         if (!within.empty()) {
             point.buildable_range_angle =
                 buildable_.contains(point.best_range_angle)
                     ? point.best_range_angle
-                    : wrapped(minimise_range(speeds_.back().extrema, within).shaft_angle - phase_);
+                    : wrapped(minimise_range(speed.extrema, within).shaft_angle - phase_);
             point.buildable_rms_angle = wrapped(nearest(within, opposed) - phase_);
         }
-        const double first = std::hypot(order.a, order.b);
-        point.best_rms = rms_of(variance + amplitude * (amplitude / 2.0 - first));
         points_.push_back(point);
     }
     complete_ = true;
@@ -159,64 +160,238 @@ std::optional<SpeedStudy::Map> SpeedStudy::map(std::size_t angles, const Progres
     return map;
 }
 
-SpeedStudy::LeastBad SpeedStudy::least_bad_angle(Criterion criterion, Measure measure,
-                                                 std::vector<AngleStretch> within) const {
-    LeastBad answer;
-    turn(within);
-    if (speeds_.empty()) {
-        return answer;
+SpeedStudy::Speed SpeedStudy::speed_at(double angular_speed) const {
+    const double square = angular_speed * angular_speed;
+    const auto moment = PeriodicPiecewise::sum(gas_, inertia_, square);
+    const double amplitude = unit_amplitude_ * square;
+    return {angular_speed,
+            amplitude,
+            CycleExtrema(moment, amplitude),
+            CycleExtrema(moment, 0.0)(0.0),
+            moment.variance(),
+            {gas_order_.a + square * inertia_order_.a, gas_order_.b + square * inertia_order_.b}};
+}
+
+namespace {
+
+/// A value is over this: itself, or what it is without a shaft.
+double divisor_of(double without, bool is_relative) {
+    return is_relative && without > 0.0 ? without : 1.0;
+}
+
+}  // namespace
+
+double SpeedStudy::divisor(const Speed& speed, Criterion criterion, Measure measure) {
+    return divisor_of(criterion == Criterion::range
+                          ? speed.without.max.value - speed.without.min.value
+                          : speed.variance,
+                      measure == Measure::relative);
+}
+
+/// The criterion (of the RMS its square) over its divisor, with a sinusoid of α that bounds it.
+Cut<double> SpeedStudy::cut(const Speed& speed, Criterion criterion, Measure measure,
+                            double alpha) {
+    const double over = divisor(speed, criterion, measure);
+    Cut<double> cut;
+    if (criterion == Criterion::range) {
+        cut = range_cut(speed.extrema, alpha);
+        cut.value /= over;
+        cut.bound = {cut.bound.constant / over, cut.bound.p / over, cut.bound.q / over};
+    } else {
+        cut.bound = {(speed.variance + speed.amplitude * speed.amplitude / 2.0) / over,
+                     speed.amplitude * speed.order_1.b / over,
+                     speed.amplitude * speed.order_1.a / over};
+        cut.value = cut.bound(alpha);
     }
+    cut.alpha = alpha;
+    return cut;
+}
+
+/// At every α the largest of these speeds.
+SpeedStudy::AtSpeeds SpeedStudy::least_bad_of(const std::vector<const Speed*>& speeds,
+                                              Criterion criterion, Measure measure,
+                                              const std::vector<AngleStretch>& within) {
     const bool by_range = criterion == Criterion::range;
-    // For the RMS the variance is minimised, a sinusoid of α at each speed; its divisor is squared.
-    std::vector<double> divisors;
     double steepest = 0.0;
     double size = 0.0;
-    for (std::size_t k = 0; k < speeds_.size(); ++k) {
-        const double without = by_range ? points_[k].range_without : points_[k].rms_without;
-        double divisor = measure == Measure::relative && without > 0.0 ? without : 1.0;
-        const double amplitude = points_[k].moment_amplitude;
-        const double first = std::hypot(speeds_[k].order_1.a, speeds_[k].order_1.b);
-        divisor = by_range ? divisor : divisor * divisor;
-        divisors.push_back(divisor);
-        steepest = std::max(steepest, (by_range ? 2.0 : first) * amplitude / divisor);
-        size = std::max(size, (by_range ? amplitude : amplitude * (amplitude + first)) / divisor);
+    for (const Speed* speed : speeds) {
+        const double over = divisor(*speed, criterion, measure);
+        const double first = std::hypot(speed->order_1.a, speed->order_1.b);
+        steepest = std::max(steepest, (by_range ? 2.0 : first) * speed->amplitude / over);
+        size =
+            std::max(size, (by_range ? 1.0 : speed->amplitude + first) * speed->amplitude / over);
     }
     std::size_t worst = 0;
     const auto evaluate = [&](double alpha) {
-        Cut<double> highest;
-        highest.value = -1.0;
-        for (std::size_t k = 0; k < speeds_.size(); ++k) {
-            Cut<double> cut;
-            if (by_range) {
-                cut.value = speeds_[k].extrema.range(alpha) / divisors[k];
-            } else {
-                const double amplitude = points_[k].moment_amplitude;
-                cut.bound = {(speeds_[k].variance + amplitude * amplitude / 2.0) / divisors[k],
-                             amplitude * speeds_[k].order_1.b / divisors[k],
-                             amplitude * speeds_[k].order_1.a / divisors[k]};
-                cut.value = cut.bound(alpha);
-            }
-            if (cut.value > highest.value) {
-                highest = cut;
+        double highest = -1.0;
+        for (std::size_t k = 0; k < speeds.size(); ++k) {
+            const double value =
+                by_range ? speeds[k]->extrema.range(alpha) / divisor(*speeds[k], criterion, measure)
+                         : cut(*speeds[k], criterion, measure, alpha).value;
+            if (value > highest) {
+                highest = value;
                 worst = k;
             }
         }
-        if (by_range) {
-            highest = range_cut(speeds_[worst].extrema, alpha);
-            highest.value /= divisors[worst];
-            highest.bound.constant /= divisors[worst];
-            highest.bound.p /= divisors[worst];
-            highest.bound.q /= divisors[worst];
-        }
-        highest.alpha = alpha;
-        return highest;
+        return cut(*speeds[worst], criterion, measure, alpha);
     };
     const auto best = minimise_over_angle<double>(evaluate, steepest, size, within);
     evaluate(best.alpha);
+    return {best.alpha, best.value, best.gap, speeds[worst]->angular_speed};
+}
+
+/// The speed of the band at which the RMS over that without a shaft is largest at α: a quotient of
+/// squares, both quadratic in ω².
+double SpeedStudy::worst_rms_speed(double alpha) const {
+    const double gas = gas_.variance();
+    const double inertia = inertia_.variance();
+    const double both = PeriodicPiecewise::sum(gas_, inertia_, 1.0).variance() - gas - inertia;
+    const auto first = [&](const FourierPair& order) {
+        return std::sin(alpha) * order.a + std::cos(alpha) * order.b;
+    };
+    const std::array<double, 3> with{
+        gas, both + unit_amplitude_ * first(gas_order_),
+        inertia + unit_amplitude_ * (unit_amplitude_ / 2.0 + first(inertia_order_))};
+    const std::array<double, 3> without{gas, both, inertia};
+    const auto ratio = [&](double q) {
+        return (with[0] + q * (with[1] + q * with[2])) /
+               (without[0] + q * (without[1] + q * without[2]));
+    };
+    // The derivative's numerator, a + 2 b q + c q².
+    const double a = with[1] * without[0] - with[0] * without[1];
+    const double b = with[2] * without[0] - with[0] * without[2];
+    const double c = with[2] * without[1] - with[1] * without[2];
+    const double low = squared(speeds_.front().angular_speed);
+    const double high = squared(speeds_.back().angular_speed);
+    double worst = ratio(low) > ratio(high) ? low : high;
+    const double root = b * b - a * c;
+    if (root >= 0.0) {
+        const double sum = -(b + std::copysign(std::sqrt(root), b));
+        for (const double q : {sum / c, a / sum}) {
+            if (q > low && q < high && ratio(q) > ratio(worst)) {
+                worst = q;
+            }
+        }
+    }
+    return std::sqrt(worst);
+}
+
+/// The speed of the band at which the range over that without a shaft is largest at α, by branch
+/// and bound over q = ω²: both ranges are convex in q (the largest of differences that are linear
+/// in it), so between two speeds the one with the shaft lies under its chord, the one without over
+/// its tangents.
+std::optional<SpeedStudy::Speed> SpeedStudy::worst_range_speed(
+    const std::vector<const Speed*>& speeds, double alpha) const {
+    struct End {
+        double q = 0.0;  ///< ω²
+        double with = 0.0;
+        double without = 0.0;
+        double slope = 0.0;  ///< of the range without a shaft by q
+        double ratio() const { return with / divisor_of(without, true); }
+    };
+    const auto end_of = [&](const Speed& speed) -> End {
+        return {squared(speed.angular_speed), speed.extrema.range(alpha),
+                speed.without.max.value - speed.without.min.value,
+                inertia_(speed.without.max.angle_deg) - inertia_(speed.without.min.angle_deg)};
+    };
+    const auto most_between = [](const End& left, const End& right) {
+        const double at_ends = std::max(left.ratio(), right.ratio());
+        // Where the two tangents meet, from the left end.
+        const double width = right.q - left.q;
+        const double bend = right.slope - left.slope;
+        if (!(bend > 0.0)) {
+            return at_ends;  // a straight line: both are, or the chord over it is monotone
+        }
+        const double t =
+            std::clamp((left.without - right.without + right.slope * width) / bend, 0.0, width);
+        const double tangent = left.without + left.slope * t;
+        const double chord = left.with + (right.with - left.with) * t / width;
+        return tangent > 0.0 ? std::max(at_ends, chord / tangent)
+                             : std::numeric_limits<double>::infinity();
+    };
+    std::vector<End> ends;
+    ends.reserve(speeds.size());
+    for (const Speed* speed : speeds) {
+        ends.push_back(end_of(*speed));
+    }
+    std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.q < b.q; });
+    End worst = *std::max_element(ends.begin(), ends.end(),
+                                  [](const End& a, const End& b) { return a.ratio() < b.ratio(); });
+    std::optional<Speed> found;
+    using Interval = std::array<End, 2>;
+    std::vector<Interval> open;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        open.push_back({ends[i], ends[i + 1]});
+    }
+    constexpr int most_evaluations = 2000;
+    for (int evaluations = 0; !open.empty() && evaluations < most_evaluations;) {
+        const Interval interval = open.back();
+        open.pop_back();
+        const double width = interval[1].q - interval[0].q;
+        if (width <= exact * interval[1].q ||
+            most_between(interval[0], interval[1]) <= worst.ratio() * (1.0 + exact)) {
+            continue;
+        }
+        const Speed speed = speed_at(std::sqrt(interval[0].q + width / 2.0));
+        ++evaluations;
+        const End middle = end_of(speed);
+        if (middle.ratio() > worst.ratio()) {
+            worst = middle;
+            found = speed;
+        }
+        open.push_back({middle, interval[1]});
+        open.push_back({interval[0], middle});
+    }
+    return found;
+}
+
+SpeedStudy::LeastBad SpeedStudy::least_bad_angle(Criterion criterion, Measure measure,
+                                                 std::vector<AngleStretch> within) const {
+    if (speeds_.empty()) {
+        return {};
+    }
+    turn(within);
+    const bool by_range = criterion == Criterion::range;
+    std::vector<const Speed*> speeds;
+    for (const Speed& speed : speeds_) {
+        speeds.push_back(&speed);
+    }
+    // The best angle for some speeds, the worst speed for that angle, which joins them: so the best
+    // for some becomes the best for the band.
+    std::deque<Speed> added;
+    AtSpeeds best;
+    double worst = 0.0;
+    double worst_speed = 0.0;
+    constexpr int most_rounds = 60;
+    for (int round = 0; round < most_rounds; ++round) {
+        best = least_bad_of(speeds, criterion, measure, within);
+        worst = best.value;
+        worst_speed = best.worst_speed;
+        // In N·m the criterion is convex in ω²: the worst speed is an end of the band.
+        if (measure == Measure::absolute) {
+            break;
+        }
+        std::optional<Speed> other = by_range ? worst_range_speed(speeds, best.alpha)
+                                              : speed_at(worst_rms_speed(best.alpha));
+        if (!other) {
+            break;
+        }
+        const double value = cut(*other, criterion, measure, best.alpha).value;
+        if (value > worst) {
+            worst = value;
+            worst_speed = other->angular_speed;
+        }
+        if (value <= best.value * (1.0 + exact)) {
+            break;
+        }
+        speeds.push_back(&added.emplace_back(*std::move(other)));
+    }
+    const double bound = best.value - best.gap;
+    LeastBad answer;
     answer.shaft_angle = wrapped(best.alpha - phase_);
-    answer.value = by_range ? best.value : rms_of(best.value);
-    answer.gap = by_range ? best.gap : answer.value - rms_of(best.value - best.gap);
-    answer.worst_speed = points_[worst].angular_speed;
+    answer.value = by_range ? worst : rms_of(worst);
+    answer.gap = answer.value - (by_range ? bound : rms_of(bound));
+    answer.worst_speed = worst_speed;
     return answer;
 }
 

@@ -54,7 +54,7 @@ class SpeedStudy {
         relative,  ///< the criterion over its value without a shaft at the same speed
     };
 
-    /// The angle whose worst speed is the least bad.
+    /// The angle whose worst speed in the whole band, not only of its points, is the least bad.
     struct LeastBad {
         double shaft_angle = 0.0;  ///< rad, 0…2π
         double value = 0.0;        ///< the measure at the worst speed
@@ -75,7 +75,9 @@ class SpeedStudy {
     /// @param angles  ≥ 1
     std::optional<Map> map(std::size_t angles, const Progress& progress = {}) const;
 
-    /// Minimax over the band's speeds, proven by cutting planes. The study must be complete.
+    /// Minimax over every speed of the band, proven: cutting planes over α, and for the worst speed
+    /// at an α its convexity (absolute: an end of the band), a quotient of quadratics (relative,
+    /// RMS) or branch and bound (relative, range). The study must be complete.
     LeastBad least_bad_angle(Criterion criterion, Measure measure) const {
         return least_bad_angle(criterion, measure, whole_turn());
     }
@@ -86,10 +88,29 @@ class SpeedStudy {
 
   private:
     struct Speed {
-        CycleExtrema extrema;
-        double variance;
+        double angular_speed;  ///< rad/s
+        double amplitude;      ///< of the shaft, N·m
+        CycleExtrema extrema;  ///< with the shaft
+        Extrema without;       ///< without it
+        double variance;       ///< without it, (N·m)²
         FourierPair order_1;
     };
+    /// The least bad angle for some speeds; of the RMS the square.
+    struct AtSpeeds {
+        double alpha = 0.0;
+        double value = 0.0;
+        double gap = 0.0;
+        double worst_speed = 0.0;
+    };
+
+    Speed speed_at(double angular_speed) const;
+    static double divisor(const Speed& speed, Criterion criterion, Measure measure);
+    static Cut<double> cut(const Speed& speed, Criterion criterion, Measure measure, double alpha);
+    static AtSpeeds least_bad_of(const std::vector<const Speed*>& speeds, Criterion criterion,
+                                 Measure measure, const std::vector<AngleStretch>& within);
+    double worst_rms_speed(double alpha) const;
+    std::optional<Speed> worst_range_speed(const std::vector<const Speed*>& speeds,
+                                           double alpha) const;
 
     /// From α to α + phase_, which the moments go by.
     void turn(std::vector<AngleStretch>& stretches) const;
@@ -98,6 +119,11 @@ class SpeedStudy {
     BuildableAngles buildable_;
     double phase_ = 0.0;  ///< Solver::shaft_phase()
     bool complete_ = false;
+    PeriodicPiecewise gas_;      ///< parts of M_up = gas + ω² inertia, N·m
+    PeriodicPiecewise inertia_;  ///< N·m s²
+    FourierPair gas_order_;      ///< their first orders
+    FourierPair inertia_order_;
+    double unit_amplitude_ = 0.0;  ///< P₁ l for ω = 1, N·m s²
     std::vector<Point> points_;
     std::vector<Speed> speeds_;
 };

@@ -13,7 +13,7 @@ namespace ravnoves::balance_shaft {
 
 namespace {
 
-constexpr double cycle_deg = 720.0;
+constexpr double one_turn_deg = 360.0;
 constexpr double largest_angle_deg = 1e5;
 constexpr double span_tolerance = 1e-3;          ///< of the span, for tables rounded by hand
 constexpr double end_torque_tolerance = 1e-9;    ///< of the largest torque
@@ -113,7 +113,7 @@ Number count(const std::vector<double>& values) {
     return {static_cast<double>(values.size())};
 }
 
-/// A table of two columns, of one cycle of 720°.
+/// A table of two columns, of one cycle.
 struct Cycle {
     TableFormat format;
     std::vector<double> angle_deg;
@@ -121,6 +121,13 @@ struct Cycle {
 };
 
 }  // namespace
+
+int strokes_of(const std::vector<double>& crank_angle_deg) {
+    return !crank_angle_deg.empty() &&
+                   near(crank_angle_deg.back() - crank_angle_deg.front(), one_turn_deg)
+               ? 2
+               : 4;
+}
 
 Message TableFormat::describe() const {
     Message text(CORE_TEXT("balance-shaft", "%1 rows"), rows);
@@ -138,15 +145,18 @@ Message TableFormat::describe() const {
                          : CORE_TEXT("balance-shaft", "angles in degrees"));
     add(has_header, CORE_TEXT("balance-shaft", "with a header"));
     add(!pressure_unit.empty(),
-        {CORE_TEXT("balance-shaft", "pressure in %1"), Text{"core", pressure_unit.data()}});
-    add(repeated, CORE_TEXT("balance-shaft", "360° repeated to 720°"));
+        {unit_named
+             ? CORE_TEXT("balance-shaft", "pressure in %1")
+             : CORE_TEXT("balance-shaft", "pressure taken for %1, as no heading names its unit"),
+         Text{"core", pressure_unit.data()}});
+    add(strokes == 2, CORE_TEXT("balance-shaft", "360°, the cycle of a two-stroke engine"));
     add(closed, CORE_TEXT("balance-shaft", "end joined to the start"));
     return text;
 }
 
 namespace {
 
-/// Checks the rows, finds the unit of the angles and brings the table to one cycle of 720°.
+/// Checks the rows, finds the unit of the angles and brings the table to one cycle in degrees.
 Cycle to_cycle(TwoColumns&& rows, const Column& column) {
     Cycle cycle{{}, std::move(rows.first), std::move(rows.second)};
     cycle.format.separator = rows.separator;
@@ -176,7 +186,7 @@ Cycle to_cycle(TwoColumns&& rows, const Column& column) {
     double span = angle.back() - first;
     const auto from_header = header_says_radians(rows.header);
     const auto is_cycle = [&](double length, bool radians) {
-        const double turn = radians ? two_pi : cycle_deg / 2.0;
+        const double turn = radians ? two_pi : one_turn_deg;
         return near(length, turn) || near(length, 2.0 * turn);
     };
     const double open_span = span + angle.back() - angle[angle.size() - 2];
@@ -208,24 +218,8 @@ Cycle to_cycle(TwoColumns&& rows, const Column& column) {
             a /= degree;
         }
     }
-    cycle.format.repeated = near(angle.back() - angle.front(), cycle_deg / 2.0);
-    const double first_deg = angle.front();
-    if (cycle.format.repeated) {
-        const std::size_t half = angle.size();
-        if (2 * half - 1 > largest_torque_table) {
-            throw InputError(
-                "",
-                {CORE_TEXT("balance-shaft", "the table of 720° must have at most %1 rows"),
-                 largest_torque_table},
-                Number{static_cast<double>(2 * half - 1)});
-        }
-        angle.back() = first_deg + cycle_deg / 2.0;
-        for (std::size_t i = 1; i < half; ++i) {
-            angle.push_back(angle[i] + cycle_deg / 2.0);
-            value.push_back(value[i]);
-        }
-    }
-    angle.back() = first_deg + cycle_deg;
+    cycle.format.strokes = strokes_of(angle);
+    angle.back() = angle.front() + one_turn_deg * cycle.format.strokes / 2.0;
     cycle.format.rows = angle.size();
     // Rounding of the units must not have undone the order.
     for (std::size_t i = 1; i < angle.size(); ++i) {
@@ -239,8 +233,8 @@ Cycle to_cycle(TwoColumns&& rows, const Column& column) {
     return cycle;
 }
 
-/// The unit that the header names for a pressure.
-Unit pressure_unit(std::string_view header) {
+/// The unit that the header names for a pressure, if any.
+std::optional<Unit> pressure_unit(std::string_view header) {
     const auto has_word = [&](std::string_view word) {
         const auto is_letter = [](char c) {
             return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -265,9 +259,12 @@ Unit pressure_unit(std::string_view header) {
         return units::pascal;
     }
     if (has_word("psi")) {
-        return {"psi", 6894.757293168361};
+        return psi;
     }
-    return units::bar;
+    if (has_word("bar") || header.find("бар") != std::string_view::npos) {
+        return units::bar;
+    }
+    return std::nullopt;
 }
 
 void check_table(const std::vector<double>& angle, const std::vector<double>& value,
@@ -315,9 +312,13 @@ void check_table(const std::vector<double>& angle, const std::vector<double>& va
     }
     check_end(value, column, end_torque_tolerance, values + "/" + std::to_string(value.size() - 1));
     const double span = angle.back() - angle.front();
+    const double cycle_deg = one_turn_deg * strokes_of(angle) / 2.0;
     if (std::abs(span - cycle_deg) > 1e-9 * cycle_deg) {
         throw InputError(
-            angles, CORE_TEXT("balance-shaft", "must span 720°, the last row repeating the first"),
+            angles,
+            CORE_TEXT("balance-shaft",
+                      "must span 720°, or 360° for a two-stroke engine, the last row repeating the "
+                      "first"),
             Number{span, units::degree});
     }
 }
@@ -334,12 +335,14 @@ ParsedTorqueTable parse_torque_table(std::string_view text) {
 
 ParsedPressureTrace parse_pressure_trace(std::string_view text) {
     TwoColumns rows = read_two_columns(text, rule_for(pressure_column(units::bar)));
-    const Unit unit = pressure_unit(rows.header);
+    const std::optional<Unit> named = pressure_unit(rows.header);
+    const Unit unit = named.value_or(units::bar);
     Cycle cycle = to_cycle(std::move(rows), pressure_column(unit));
     ParsedPressureTrace result;
     static_cast<TableFormat&>(result) = cycle.format;
     result.pressure_unit = unit.name;
-    result.trace = {std::move(cycle.angle_deg), std::move(cycle.value)};
+    result.unit_named = named.has_value();
+    result.trace = {std::move(cycle.angle_deg), std::move(cycle.value), unit, named.has_value()};
     return result;
 }
 

@@ -10,11 +10,11 @@
 
 namespace ravnoves::balance_shaft {
 
-/// Engine torque M_id over one four-stroke cycle, at rows of ascending crank angle.
+/// Engine torque M_id over one cycle, at rows of ascending crank angle.
 ///
-/// The last row repeats the first one cycle later: its angle is the first angle + 720°, its torque
-/// is the first torque. Angles are kept in degrees because tables are written in them: 15° stays
-/// 15°.
+/// The last row repeats the first one cycle later: its angle is the first angle + 720°
+/// (four-stroke) or 360° (two-stroke), its torque is the first torque. Angles are kept in degrees
+/// because tables are written in them: 15° stays 15°.
 struct TorqueTable {
     std::vector<double> crank_angle_deg;  ///< °, from top dead centre, in the direction of rotation
     std::vector<double> torque;           ///< N·m, as many as angles
@@ -27,16 +27,21 @@ inline constexpr std::size_t largest_torque_table = 1'000'000;  ///< rows
 inline constexpr double largest_torque = 1e12;                  ///< N·m
 
 inline constexpr double largest_pressure = 1e10;  ///< Pa
+inline constexpr Unit psi{"psi", 6894.757293168361};
+
+/// Strokes of the cycle that rows span: 2 for 360°, else 4.
+int strokes_of(const std::vector<double>& crank_angle_deg);
 
 /// What the text of a table of two columns turned out to be, for the page to say.
 struct TableFormat {
     char separator = '\t';    ///< between the columns: comma, semicolon, tab or blank
     bool has_header = false;  ///< the first line held words
     bool in_radians = false;  ///< angles were in radians (by the header or by the span)
-    bool repeated = false;    ///< the text spanned 360° and stands here twice
+    int strokes = 4;          ///< of the cycle that the angles span: 2 for 360°
     bool decimal_comma = false;
-    std::size_t rows = 0;            ///< of the table, after repeating
+    std::size_t rows = 0;            ///< of the table
     std::string_view pressure_unit;  ///< "bar", "kPa" and so on, of a pressure trace
+    bool unit_named = true;          ///< the header names it; else bar is taken
     bool closed = false;             ///< a pressure trace's end was made to meet its start
 
     /// "49 rows, separated by semicolons, decimal comma, angles in degrees": one sentence without
@@ -57,8 +62,8 @@ struct ParsedPressureTrace : TableFormat {
 /// Two columns, crank angle and torque, separated by semicolon, tab, comma or blanks; decimal point
 /// or comma; a header line, empty lines, a byte-order mark and lines that begin with '#' are
 /// passed over. Further columns are refused. Angles in degrees or radians: the header says which
-/// ("rad", "deg", "°"), else the span (720, 360, 4π or 2π within 0.1 %). A span of 360° is
-/// repeated.
+/// ("rad", "deg", "°"), else the span (720, 360, 4π or 2π within 0.1 %). A span of 360° is the
+/// cycle of a two-stroke engine.
 /// @throws InputError that names line and column ("line 4, column 2"), or the row for a table that
 ///         is not one cycle: unsorted, duplicate angle, too few rows, end that differs from start
 ParsedTorqueTable parse_torque_table(std::string_view text);
@@ -73,8 +78,9 @@ ParsedPressureTrace parse_pressure_trace(std::string_view text);
 /// @throws InputError
 void check_pressure_trace(const PressureTrace& trace, const std::string& where);
 
-/// Checks that a table is one cycle: at least 3 rows, finite, angles ascending, span of 720°, last
-/// torque equal to the first (to 1e-9 of the largest), at most largest_torque_table rows.
+/// Checks that a table is one cycle: at least 3 rows, finite, angles ascending, span of 720° or
+/// 360°, last torque equal to the first (to 1e-9 of the largest), at most largest_torque_table
+/// rows.
 /// @param where  JSON pointer of the object that holds crank_angle_deg and torque_Nm
 /// @throws InputError
 void check_torque_table(const TorqueTable& table, const std::string& where);

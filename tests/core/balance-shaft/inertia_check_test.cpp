@@ -21,13 +21,15 @@ double angle_of(const Optimum& optimum) {
 TEST(InertiaCheck, FindsHalfTheInertiaInThePapersTable) {
     const Result result = solve(preset_tmz_650d());
     const InertiaCheck& check = result.inertia_check;
-    EXPECT_NEAR(*check.fitted, 206.0, 0.5);
-    EXPECT_NEAR(check.fitted_lambda, 0.326, 0.0005);
-    EXPECT_NEAR(check.residual_rms, 0.8, 0.05);
+    // Least squares over the eleven rows in a script of its own: 204.914, 0.3275, 0.8377.
+    EXPECT_NEAR(*check.fitted, 204.91, 0.05);
+    EXPECT_NEAR(check.fitted_lambda, 0.3275, 0.0005);
+    EXPECT_NEAR(check.residual_rms, 0.8377, 0.0005);
+    EXPECT_NEAR(check.gas_exchange, -2.99, 0.01);
     EXPECT_NEAR(check.entered, 395.0, 0.5);
     EXPECT_FALSE(*check.consistent);
     EXPECT_NEAR(check.matching_speed / rpm, 2600.0, 10.0);
-    EXPECT_NEAR(check.matching_mass, 0.69, 0.005);
+    EXPECT_NEAR(check.matching_mass, 0.682, 0.001);
     EXPECT_EQ(check.stroke_begin_deg, 0.0);
     EXPECT_EQ(result.notes.front(), check.text);
     const Json json = write_result(result).at("inertia_check");
@@ -41,9 +43,15 @@ TEST(InertiaCheck, TheMatchingSpeedMakesTheShaftUseful) {
     const Input input = preset_tmz_650d();
     const InertiaCheck check = solve(input).inertia_check;
     const Input slower = with_matching_speed(input, check);
-    const Result result = solve(slower);
-    EXPECT_TRUE(*result.inertia_check.consistent);
-    EXPECT_NEAR(*result.inertia_check.fitted, result.inertia_check.entered, 1e-6);
+    const Result matched = solve(slower);
+    EXPECT_TRUE(*matched.inertia_check.consistent);
+    EXPECT_NEAR(*matched.inertia_check.fitted, matched.inertia_check.entered, 1e-6);
+    EXPECT_NEAR(slower.angular_speed / rpm, 2590.3, 0.5);
+    EXPECT_LT(matched.best_range.value, 0.911 * matched.M_up.range);
+    EXPECT_NEAR(matched.best_rms.value, 186.15, 0.05);
+    Input near = input;
+    near.angular_speed = 2600.0 * rpm;
+    const Result result = solve(near);
     // With M_s at 2600 min⁻¹: α ≈ 20° cuts the range by 9 %, α ≈ 12° the RMS from 213 to 186.
     EXPECT_NEAR(angle_of(result.best_range), 20.0, 1.0);
     EXPECT_NEAR(result.best_range.value / result.M_up.range, 0.91, 0.005);
@@ -147,12 +155,76 @@ TEST(InertiaCheck, FindsTheGasExchangeWhereverTheCycleBegins) {
     EXPECT_NEAR(first.gas_exchange, -0.05e5 * pi / 4 * 0.0955 * 0.0955 * 0.046, 0.3);
 }
 
-TEST(InertiaCheck, AComputedTorqueIsConsistentByItself) {
+TEST(InertiaCheck, AComputedTorqueIsNotComparedWithItself) {
     const Result result = solve(engine(1.3, 0.15));
-    EXPECT_TRUE(*result.inertia_check.consistent);
-    EXPECT_NEAR(*result.inertia_check.fitted, result.inertia_check.entered,
-                1e-6 * result.inertia_check.entered);
-    EXPECT_NEAR(result.inertia_check.fitted_lambda, 0.046 / 0.15, 1e-5);
+    EXPECT_FALSE(result.inertia_check.consistent);
+    EXPECT_FALSE(result.inertia_check.fitted);
+    EXPECT_GT(result.inertia_check.entered, 0.0);
+    const Json json = write_result(result).at("inertia_check");
+    EXPECT_TRUE(json.at("consistent").is_null());
+    EXPECT_EQ(json.at("reason"), result.inertia_check.text.english());
+    EXPECT_EQ(
+        json.at("reason"),
+        "The torque is computed from the masses and the speed entered, so there is nothing to "
+        "compare.");
+}
+
+/// C (−s′ s″) − d s′ on a crank of r/L = λ, every 15°, with a wave of a part of C for what a fit
+/// leaves.
+TorqueTable synthetic(double scale, double lambda, double gas, double wave = 0.0) {
+    const SliderCrank<double> crank{1.0, 1.0 / lambda};
+    TorqueTable table;
+    for (int i = 0; i <= 48; ++i) {
+        const double angle = 15.0 * (i % 48) * degree;
+        const PistonMotion<double> motion = crank.at(angle);
+        table.crank_angle_deg.push_back(15.0 * i);
+        table.torque.push_back(-scale * motion.ds * motion.d2s - gas * motion.ds +
+                               wave * scale * std::sin(7.0 * angle));
+    }
+    return table;
+}
+
+TEST(InertiaCheck, ASteadyPressureOnThePistonDoesNotMoveTheFit) {
+    // Half a bar on the piston of the paper's engine against an inertia of 20 N·m; sin φ in place
+    // of −s′ made 25.05 of it.
+    const double gas = 0.5e5 * pi / 4.0 * 0.0955 * 0.0955 * 0.046;
+    Input input = preset_tmz_650d();
+    for (const double sign : {1.0, -1.0}) {
+        input.rod_length.reset();
+        const InertiaCheck free = check_inertia(synthetic(20.0, 0.3, sign * gas), input);
+        ASSERT_TRUE(free.fitted);
+        EXPECT_NEAR(*free.fitted, 20.0, 1e-4);
+        EXPECT_NEAR(free.fitted_lambda, 0.3, 1e-5);
+        EXPECT_NEAR(free.gas_exchange, sign * gas, 1e-3);
+        EXPECT_TRUE(free.lambda_fitted);
+        input.rod_length = 0.046 / 0.3;
+        const InertiaCheck held = check_inertia(synthetic(20.0, 0.3, sign * gas), input);
+        EXPECT_NEAR(*held.fitted, 20.0, 1e-9);
+        EXPECT_NEAR(held.fitted_lambda, 0.3, 1e-12);
+        EXPECT_FALSE(held.lambda_fitted);
+    }
+}
+
+TEST(InertiaCheck, SaysNothingWhereTheFitLeavesMuchOrEndsOnABound) {
+    Input input = preset_tmz_650d();
+    input.rod_length.reset();
+    EXPECT_TRUE(check_inertia(synthetic(400.0, 0.3, 5.0, 0.01), input).consistent);
+    const InertiaCheck rough = check_inertia(synthetic(400.0, 0.3, 5.0, 0.2), input);
+    EXPECT_FALSE(rough.consistent);
+    EXPECT_FALSE(rough.fitted);
+    EXPECT_EQ(rough.text.english().rfind("The torque on the gas-exchange strokes does not look", 0),
+              0U);
+    // No slider-crank has r/L = 0.7, or none at all; the search ends at 0.6 and at 0.02.
+    for (const double lambda : {0.7, 0.001}) {
+        const InertiaCheck bound = check_inertia(synthetic(400.0, lambda, 0.0), input);
+        EXPECT_FALSE(bound.consistent) << lambda;
+        EXPECT_FALSE(bound.fitted) << lambda;
+        EXPECT_NE(bound.text.english(), "") << lambda;
+    }
+    EXPECT_NE(check_inertia(synthetic(400.0, 0.001, 0.0), input)
+                  .text.english()
+                  .find("as far as the search goes"),
+              std::string::npos);
 }
 
 TEST(InertiaCheck, SaysWhereNoFitIsPossible) {
@@ -174,7 +246,7 @@ TEST(InertiaCheck, SaysWhereNoFitIsPossible) {
 TEST(OrderSpectrum, IsThatOfTheInterpolantAndOnlyTheFirstOrderMoves) {
     const Solver solver(preset_tmz_650d());
     Result result = solver.result();
-    ASSERT_EQ(result.spectrum_M_up.size(), spectrum_lines);
+    ASSERT_EQ(result.spectrum_M_up.size(), 2 * spectrum_orders);
     // Every line against a sum over a fine grid (a trapezium rule, exact enough for lines).
     constexpr int samples = 72'000;
     for (const std::size_t k : {0U, 1U, 2U, 3U, 7U, 23U}) {
@@ -191,7 +263,7 @@ TEST(OrderSpectrum, IsThatOfTheInterpolantAndOnlyTheFirstOrderMoves) {
         EXPECT_NEAR(line.amplitude * std::cos(line.phase), b, 1e-3);
     }
     solver.move_shaft(*result.best_rms.shaft_angle, result);
-    for (std::size_t k = 0; k < spectrum_lines; ++k) {
+    for (std::size_t k = 0; k < 2 * spectrum_orders; ++k) {
         if (k != 1) {
             EXPECT_EQ(result.spectrum_M_ups[k].amplitude, result.spectrum_M_up[k].amplitude);
         }

@@ -92,6 +92,55 @@ TEST(SpeedStudy, TheLeastBadAngleIsTheMinimaxOfADenseMap) {
     }
 }
 
+TEST(SpeedStudy, TheLeastBadAngleCoversTheBandAndNotOnlyItsPoints) {
+    const Input input = diesel();
+    // Few points: the worst speed of the relative measures may lie between them.
+    const SpeedStudy coarse(input, band(1200, 4500, 2));
+    const SpeedStudy fine(input, band(1200, 4500, 41));
+    // A scan of the band, and a finer one about the worst of it.
+    const auto worst_ratio = [&](Criterion criterion, double alpha) {
+        double worst = 0.0;
+        double worst_rpm = 0.0;
+        const auto look = [&](double n) {
+            if (n < 1200.0 || n > 4500.0) {
+                return;
+            }
+            Input at = input;
+            at.angular_speed = n * rpm;
+            const Solver solver(at);
+            const MomentMetrics& without = solver.result().M_up;
+            const double value = criterion == Criterion::range ? solver.range(alpha) / without.range
+                                                               : solver.rms(alpha) / without.rms;
+            if (value > worst) {
+                worst = value;
+                worst_rpm = n;
+            }
+        };
+        for (int k = 0; k <= 150; ++k) {
+            look(1200.0 + 22.0 * k);
+        }
+        const double centre = worst_rpm;
+        for (int k = -40; k <= 40; ++k) {
+            look(centre + 0.55 * k);
+        }
+        return worst;
+    };
+    for (const Criterion criterion : {Criterion::range, Criterion::rms}) {
+        for (const Measure measure : {Measure::absolute, Measure::relative}) {
+            const auto found = coarse.least_bad_angle(criterion, measure);
+            EXPECT_LE(found.gap, 1e-9 * found.value);
+            EXPECT_NEAR(fine.least_bad_angle(criterion, measure).value, found.value,
+                        1e-8 * found.value);
+        }
+    }
+    for (const Criterion criterion : {Criterion::range, Criterion::rms}) {
+        const auto found = coarse.least_bad_angle(criterion, Measure::relative);
+        const double brute = worst_ratio(criterion, found.shaft_angle);
+        EXPECT_LE(brute, found.value * (1.0 + 1e-9));
+        EXPECT_GE(brute, found.value * (1.0 - 1e-5));
+    }
+}
+
 TEST(SpeedStudy, ABandOfOneSpeedHasThatSpeedsBestAngle) {
     Input input = diesel();
     input.angular_speed = 3000.0 * rpm;

@@ -63,6 +63,15 @@ inline Input diesel() {
     return input;
 }
 
+/// The same as a two-stroke engine.
+inline Input two_stroke() {
+    Input input = diesel();
+    input.strokes = 2;
+    input.torque.cycle.intake_pressure = 1.2e5;
+    input.torque.cycle.exhaust_pressure = 1.1e5;
+    return input;
+}
+
 /// A torque table over 720° with n irregular rows, drawn by a fixed seed.
 inline TorqueTable random_table(unsigned seed, std::size_t rows, double size = 500.0) {
     std::mt19937 generator(seed);

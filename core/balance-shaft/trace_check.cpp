@@ -1,0 +1,184 @@
+#include "balance-shaft/trace_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "case-file/range.h"
+#include "numerics/constants.h"
+
+namespace ravnoves::balance_shaft {
+
+namespace {
+
+struct LineFit {
+    double slope = 0.0;
+    double level = 0.0;
+    double residual = 0.0;  ///< RMS
+};
+
+LineFit fit_line(const std::vector<double>& x, const std::vector<double>& y) {
+    const auto count = static_cast<double>(x.size());
+    double mean_x = 0.0;
+    double mean_y = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        mean_x += x[i] / count;
+        mean_y += y[i] / count;
+    }
+    double xx = 0.0;
+    double xy = 0.0;
+    double yy = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        xx += (x[i] - mean_x) * (x[i] - mean_x);
+        xy += (x[i] - mean_x) * (y[i] - mean_y);
+        yy += (y[i] - mean_y) * (y[i] - mean_y);
+    }
+    const double slope = xy / xx;
+    return {slope, mean_y - slope * mean_x, std::sqrt(std::max(yy - slope * xy, 0.0) / count)};
+}
+
+/// The mean pressure about an angle from top dead centre, Pa.
+double mean_pressure(const CylinderGas& gas, double angle_deg) {
+    constexpr int reach = 10;
+    double sum = 0.0;
+    for (int i = -reach; i <= reach; ++i) {
+        sum += gas.pressure(gas.top_dead_centre() + (angle_deg + i) * degree);
+    }
+    return sum / (2 * reach + 1);
+}
+
+}  // namespace
+
+std::optional<CompressionFit> fit_compression(const CylinderGas& gas) {
+    std::vector<double> volume;  // without V_c, displacements
+    std::vector<double> pressure;
+    std::vector<double> logarithm;
+    for (int before = 80; before >= 30; --before) {
+        const double theta = gas.top_dead_centre() + two_pi - before * degree;
+        volume.push_back((gas.volume(theta) - gas.indicated().clearance.value_or(0.0)) /
+                         gas.indicated().displacement);
+        pressure.push_back(gas.pressure(theta));
+        if (!(pressure.back() > 0.0)) {
+            return std::nullopt;
+        }
+        logarithm.push_back(std::log(pressure.back()));
+    }
+    constexpr int ratios = 200;
+    constexpr double least_ratio = 4.0;
+    constexpr double largest_ratio = 30.0;
+    constexpr double usual_exponent = 1.35;
+    CompressionFit fit;
+    double least_residual = 0.0;
+    for (int k = 0; k <= ratios; ++k) {
+        const double ratio = least_ratio * std::pow(largest_ratio / least_ratio, 1.0 * k / ratios);
+        std::vector<double> x;
+        std::vector<double> power;
+        for (const double v : volume) {
+            const double whole = v + 1.0 / (ratio - 1.0);
+            x.push_back(std::log(whole));
+            power.push_back(std::pow(whole, -usual_exponent));
+        }
+        const LineFit free = fit_line(x, logarithm);
+        if (k == 0 || free.residual < fit.residual) {
+            fit.exponent = -free.slope;
+            fit.residual = free.residual;
+        }
+        const LineFit held = fit_line(power, pressure);
+        if (k == 0 || held.residual < least_residual) {
+            fit.missing_pressure = -held.level;
+            least_residual = held.residual;
+        }
+    }
+    return fit;
+}
+
+Message check_trace(const Input& input, const CylinderGas& gas) {
+    const PressureTrace& trace = input.torque.trace;
+    const double atmosphere = 1e5;
+    const double peak = gas.indicated().peak_pressure;
+    const double least = *std::min_element(trace.pressure.begin(), trace.pressure.end());
+    constexpr double least_rise = 2.0;
+    if (!(peak > least_rise * least)) {
+        return {};  // nothing that has a phase
+    }
+    const auto rounded = [](double value, int digits) { return Number{rounded_to(value, digits)}; };
+
+    // Place of the peak, from the firing top dead centre, −cycle/2 … cycle/2.
+    const double cycle_deg = input.cycle_deg();
+    const double peak_deg = gas.indicated().peak_pressure_angle / degree;
+    const double late = std::remainder(peak_deg - 360.0, cycle_deg);
+    constexpr double earliest = -6.0;
+    constexpr double latest = 45.0;
+    const auto is_usual = [](double angle) { return angle > earliest && angle < latest; };
+    if (!is_usual(late)) {
+        if (input.strokes == 4 && is_usual(std::remainder(late - 360.0, cycle_deg))) {
+            return {CORE_TEXT("balance-shaft",
+                              "The peak of the pressure trace lies at %1, beside the top dead "
+                              "centre of the gas exchange. The firing one is at 360°: move the "
+                              "trace by a turn."),
+                    Number{peak_deg, units::degree, 4}};
+        }
+        return {CORE_TEXT("balance-shaft",
+                          "The peak of the pressure trace lies %1 after the firing top dead centre "
+                          "at %2; from 5° before to 45° after it is usual. The crank angles of the "
+                          "trace look out of phase."),
+                Number{late, units::degree, 3},
+                Number{input.strokes == 4 ? 360.0 : 0.0, units::degree}};
+    }
+
+    // Pressure at the bottom dead centre before compression.
+    const double bottom = mean_pressure(gas, 180.0);
+    constexpr double least_bottom = 0.2;  // of the atmosphere; throttled engines reach 0.25
+    constexpr double largest_bottom = 8.0;
+    const double parts = bottom / atmosphere;
+    const std::optional<CompressionFit> fit = fit_compression(gas);
+    const bool lacks_atmosphere = fit && fit->exponent > 1.6 &&
+                                  fit->missing_pressure > 0.6 * atmosphere &&
+                                  fit->missing_pressure < 1.5 * atmosphere;
+    constexpr double largest_ratio = 300.0;  // of peak to bottom pressure
+    if (lacks_atmosphere || (parts < least_bottom && peak > largest_ratio * bottom)) {
+        if (input.torque.cylinder.crankcase_pressure < atmosphere / 2.0) {
+            return {};  // both are gauge pressures, so the torque is right
+        }
+        return {CORE_TEXT("balance-shaft",
+                          "The pressure trace looks like gauge pressure: at the bottom dead centre "
+                          "before compression it has %1 bar. Absolute pressure is wanted; add that "
+                          "of the atmosphere, about 1 bar."),
+                rounded(bottom / units::bar, 3)};
+    }
+    if (parts > largest_bottom || parts < least_bottom) {
+        // The unit that would make it nearest to an atmosphere.
+        Unit likely = trace.unit;
+        for (const Unit& unit : {units::pascal, units::kPa, psi, units::bar, units::MPa}) {
+            const auto misfit = [&](const Unit& u) {
+                return std::abs(std::log(bottom / trace.unit * u / atmosphere));
+            };
+            if (misfit(unit) < misfit(likely)) {
+                likely = unit;
+            }
+        }
+        return {trace.unit_named
+                    ? CORE_TEXT("balance-shaft",
+                                "At the bottom dead centre before compression the pressure trace "
+                                "has %1 bar. Its numbers look like %2, though its heading says %3.")
+                    : CORE_TEXT("balance-shaft",
+                                "At the bottom dead centre before compression the pressure trace "
+                                "has %1 bar. Its numbers look like %2, but its heading names no "
+                                "unit and %3 was taken."),
+                rounded(bottom / units::bar, 3), Text{"core", likely.name.data()},
+                Text{"core", trace.unit.name.data()}};
+    }
+    constexpr double least_exponent = 1.2;
+    constexpr double largest_exponent = 1.48;
+    constexpr double largest_residual = 0.02;  // of a curve that is a polytrope
+    if (fit && fit->residual < largest_residual &&
+        !(fit->exponent >= least_exponent && fit->exponent <= largest_exponent)) {
+        return {CORE_TEXT("balance-shaft",
+                          "The compression in the pressure trace has the polytropic exponent %1; "
+                          "1.25 to 1.42 is usual. The crank angles may be out of phase by a few "
+                          "degrees, or the zero of the pressure off."),
+                rounded(fit->exponent, 3)};
+    }
+    return {};
+}
+
+}  // namespace ravnoves::balance_shaft

@@ -1,0 +1,174 @@
+#include "balance-shaft/trace_check.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "balance-shaft/engine_torque.h"
+#include "balance-shaft/scene.h"
+#include "test_cases.h"
+
+namespace ravnoves::balance_shaft {
+namespace {
+
+using test::diesel;
+using test::two_stroke;
+
+/// How a trace is written down: in this unit, with this zero, this late, this noisy.
+struct Written {
+    double per_bar = 1.0;
+    double zero_bar = 0.0;
+    double late_deg = 0.0;
+    double noise_bar = 0.0;
+    std::string heading = "angle;pressure bar";
+};
+
+/// The trace of a computed cycle as an indicator would give it.
+Input traced(const Input& computed, const Written& written) {
+    const CylinderGas cycle = *cylinder_gas(computed);
+    std::mt19937 generator(3);
+    std::normal_distribution<double> noise(0.0, 1.0);
+    const int rows = static_cast<int>(computed.cycle_deg());
+    std::string csv = written.heading + "\n";
+    for (int i = 0; i < rows; ++i) {
+        const double bar = cycle.pressure((i - written.late_deg) * degree) / 1e5 +
+                           written.zero_bar + written.noise_bar * noise(generator);
+        csv +=
+            std::to_string(i) + ";" + std::to_string(std::max(bar, 1e-6) * written.per_bar) + "\n";
+    }
+    Input input = computed;
+    input.torque.kind = TorqueSource::Kind::pressure;
+    input.torque.trace = parse_pressure_trace(csv).trace;
+    return input;
+}
+
+std::string note_of(const Input& input) {
+    return check_trace(input, *cylinder_gas(input)).english();
+}
+
+Input petrol() {
+    Input input = diesel();
+    GasCycle& cycle = input.torque.cycle;
+    cycle.compression_ratio = 10.0;
+    cycle.intake_pressure = 0.95e5;
+    cycle.exhaust_pressure = 1.05e5;
+    cycle.combustion_start = 340.0 * degree;
+    cycle.combustion_duration = 55.0 * degree;
+    cycle.wiebe_m = 2.5;
+    cycle.heat = 1500.0;
+    return input;
+}
+
+Input idling() {
+    Input input = petrol();
+    input.torque.cycle.intake_pressure = 0.35e5;
+    input.torque.cycle.heat = 350.0;
+    return input;
+}
+
+Input supercharged(double bar) {
+    Input input = diesel();
+    input.torque.cycle.compression_ratio = 14.0;
+    input.torque.cycle.intake_pressure = bar * 1e5;
+    input.torque.cycle.exhaust_pressure = 0.9 * bar * 1e5;
+    input.torque.cycle.heat = 1300.0 * bar;
+    return input;
+}
+
+Input motored() {
+    Input input = diesel();
+    input.torque.cycle.heat = 0.0;
+    return input;
+}
+
+std::vector<Input> sane_engines() {
+    return {diesel(),          petrol(),  idling(),    supercharged(2.5),
+            supercharged(5.0), motored(), two_stroke()};
+}
+
+TEST(TraceCheck, SaneTracesAreNotAccused) {
+    for (const Input& engine : sane_engines()) {
+        EXPECT_EQ(note_of(traced(engine, {})), "");
+        EXPECT_EQ(note_of(traced(engine, {.noise_bar = 0.02})), "");
+        EXPECT_EQ(note_of(traced(engine, {.late_deg = 1.0})), "");
+        EXPECT_EQ(note_of(traced(engine, {.heading = "angle;pressure"})), "");
+        EXPECT_EQ(note_of(traced(engine, {.per_bar = 100.0, .heading = "angle;p, kPa"})), "");
+    }
+    for (const double exponent : {1.28, 1.39}) {
+        Input engine = diesel();
+        engine.torque.cycle.polytropic_compression = exponent;
+        EXPECT_EQ(note_of(traced(engine, {})), "");
+    }
+    Input flat = traced(diesel(), {});
+    std::fill(flat.torque.trace.pressure.begin(), flat.torque.trace.pressure.end(), 1e5);
+    EXPECT_EQ(note_of(flat), "");
+}
+
+TEST(TraceCheck, FindsTheExponentOfTheCompression) {
+    for (const Input& engine : sane_engines()) {
+        const auto fit = fit_compression(*cylinder_gas(traced(engine, {})));
+        ASSERT_TRUE(fit);
+        EXPECT_NEAR(fit->exponent, engine.torque.cycle.polytropic_compression, 0.01);
+        EXPECT_NEAR(fit->missing_pressure, 0.0, 0.06 * engine.torque.cycle.intake_pressure);
+    }
+}
+
+TEST(TraceCheck, GaugePressureIsNoticed) {
+    for (const Input& engine : {diesel(), petrol(), supercharged(2.5), motored(), two_stroke()}) {
+        const Input gauge = traced(engine, {.zero_bar = -1.0});
+        EXPECT_EQ(note_of(gauge).rfind("The pressure trace looks like gauge pressure", 0), 0U)
+            << note_of(gauge);
+        // It stands in the result.
+        const Result result = solve(gauge);
+        EXPECT_NE(std::find(result.notes.begin(), result.notes.end(),
+                            check_trace(gauge, *cylinder_gas(gauge))),
+                  result.notes.end());
+        // With the crankcase in gauge pressure, too, the torque is right.
+        Input both = gauge;
+        both.torque.cylinder.crankcase_pressure = 0.0;
+        EXPECT_EQ(note_of(both), "");
+    }
+}
+
+TEST(TraceCheck, AnotherUnitIsNoticed) {
+    const struct {
+        double per_bar;
+        const char* name;
+    } units[] = {{100.0, "kPa"}, {0.1, "MPa"}, {14.5037738, "psi"}};
+    for (const Input& engine : {diesel(), petrol(), supercharged(2.5), two_stroke()}) {
+        for (const auto& unit : units) {
+            // 0.25 bar at the dead centre might be a throttled engine as well.
+            if (unit.per_bar < 1.0 && engine.torque.cycle.intake_pressure > 2e5) {
+                continue;
+            }
+            const std::string unnamed =
+                note_of(traced(engine, {.per_bar = unit.per_bar, .heading = "angle;pressure"}));
+            EXPECT_NE(unnamed.find(std::string("Its numbers look like ") + unit.name + ","),
+                      std::string::npos)
+                << unit.name << ": " << unnamed;
+            EXPECT_NE(unnamed.find("names no unit and bar was taken"), std::string::npos);
+            const std::string named = note_of(traced(engine, {.per_bar = unit.per_bar}));
+            EXPECT_NE(named.find("though its heading says bar"), std::string::npos) << named;
+        }
+    }
+}
+
+TEST(TraceCheck, AWrongPhaseIsNoticed) {
+    for (const Input& engine : sane_engines()) {
+        for (const double late : {-180.0, -90.0, -40.0, 90.0, 180.0}) {
+            const std::string note = note_of(traced(engine, {.late_deg = late}));
+            EXPECT_EQ(note.rfind("The peak of the pressure trace lies ", 0), 0U)
+                << late << ": " << note;
+        }
+        // A few degrees: the peak may be anywhere near, but not the exponent.
+        for (const double late : {-7.0, 7.0}) {
+            EXPECT_NE(note_of(traced(engine, {.late_deg = late})), "") << late;
+        }
+    }
+    const std::string turn = note_of(traced(diesel(), {.late_deg = 360.0}));
+    EXPECT_NE(turn.find("move the trace by a turn"), std::string::npos) << turn;
+}
+
+}  // namespace
+}  // namespace ravnoves::balance_shaft
