@@ -13,6 +13,7 @@
 #include "balance-shaft/buildable_bands.h"
 #include "balance-shaft/cycle_view.h"
 #include "balance-shaft/envelope_view.h"
+#include "balance-shaft/flywheel_view.h"
 #include "balance-shaft/forces_view.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/orders_view.h"
@@ -76,6 +77,7 @@ QWidget* BalanceShaftPage::buildPlots() {
     addView(new SpeedView(model_, views_), "speed", tr("Speed"));
     addView(new EnvelopeView(model_, views_), "envelope", tr("Size"));
     addView(new OrdersView(model_, views_), "orders", tr("Orders"));
+    addView(new FlywheelView(model_, views_), "flywheel", tr("Flywheel"));
     addView(new ForcesView(model_, views_), "forces", tr("Forces"));
     addView(new RelievedShaftView(model_, views_), "relieved", tr("Relief"));
     return holder;
@@ -91,7 +93,7 @@ QWidget* BalanceShaftPage::buildMoments() {
     const QString newtonMetre = tr("N·m");
 
     moments_ = new PlotView(tr("Moments over the cycle"), holder);
-    moments_->setXAxis({crankAxis, 0.0, 720.0, true});
+    moments_->setXAxis({crankAxis, 0.0, model_->cycleDeg(), true});
     moments_->setYAxis(PlotView::Side::Left, {newtonMetre});
     up_ = moments_->addCurve({.name = QStringLiteral("Mᵤₚ"),
                               .colour = 0,
@@ -159,6 +161,10 @@ QWidget* BalanceShaftPage::buildMoments() {
 void BalanceShaftPage::showSweep() {
     const Result& result = model_->result();
     const balance_shaft::AngleSweep& sweep = result.sweep;
+    if (moments_->xInterval().second != model_->cycleDeg() && !moments_->isZoomed()) {
+        moments_->setXAxis({tr("φ, °"), 0.0, model_->cycleDeg(), true});
+    }
+    crank_->setRange(0.0, model_->cycleDeg());
     moments_->setCurve(up_, result.curves.crank_angle_deg, result.curves.M_up);
     // Room for every α, so that the axis rests while the shaft moves.
     const double reach = result.moment_amplitude;

@@ -63,6 +63,19 @@ void BalanceShaftPage::addEngine(Form* form) {
         angularSpeed->setText(fixedNumber(model_->input().angular_speed, 2, QLocale()) +
                               tr(" rad/s"));
     });
+    auto* strokes = new QComboBox(form);
+    strokes->setObjectName(QStringLiteral("strokes"));
+    strokes->addItem(tr("four-stroke"), 4);
+    strokes->addItem(tr("two-stroke"), 2);
+    engine->addWidget(shownText(field::strokes.label), strokes, {}, shownText(field::strokes.hint));
+    const auto showStrokes = [this, strokes] {
+        strokes->setCurrentIndex(strokes->findData(model_->input().strokes));
+    };
+    connect(strokes, &QComboBox::activated, this, [this, strokes, showStrokes](int index) {
+        model_->setStrokes(strokes->itemData(index).toInt());  // says itself why not
+        showStrokes();
+    });
+    form->follow(showStrokes);
     form->number("/crank_radius_mm");
     // It stands in the object of the torque where that is computed.
     NumberField* rod = form->number(

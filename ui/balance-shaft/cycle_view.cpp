@@ -42,7 +42,6 @@ CycleView::CycleView(BalanceShaftModel* model, QWidget* parent)
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(Theme::space);
     torque_ = new PlotView(tr("Engine torque and its parts"), plots);
-    torque_->setXAxis({tr("φ, °"), 0.0, 720.0, true});
     torque_->setYAxis(PlotView::Side::Left, {tr("N·m")});
     gas_ = torque_->addCurve({.name = tr("gas"), .colour = 1, .toolTip = tr("−(p − p₀) A s′")});
     inertia_ =
@@ -57,7 +56,6 @@ CycleView::CycleView(BalanceShaftModel* model, QWidget* parent)
                                 .toolTip = tr("Engine torque, gas plus inertia")});
     connect(torque_, &PlotView::cursorMoved, model_, &BalanceShaftModel::setCrankAngleDeg);
     pressure_ = new PlotView(tr("Cylinder pressure"), plots);
-    pressure_->setXAxis({tr("φ, °"), 0.0, 720.0, true});
     pressure_->setYAxis(PlotView::Side::Left, {tr("bar")});
     pressureCurve_ =
         pressure_->addCurve({.name = tr("p"), .colour = 7, .width = 1.8, .inLegend = false});
@@ -97,6 +95,9 @@ void CycleView::showResult() {
     stack_->setCurrentIndex(computed ? 1 : 0);
     if (!computed) {
         return;
+    }
+    for (PlotView* plot : {torque_, pressure_}) {
+        plot->setXAxis({tr("φ, °"), 0.0, model_->cycleDeg(), true});
     }
     torque_->setCurve(gas_, curves.crank_angle_deg, curves.M_gas);
     torque_->setCurve(inertia_, curves.crank_angle_deg, curves.M_inertia);

@@ -122,7 +122,7 @@ ForcesView::ForcesView(BalanceShaftModel* model, QWidget* parent) : QWidget(pare
     });
     grid->addWidget(gearBar, 0, 1);
     gears_ = new PlotView(tr("Mᵤₚₛ with gear error"), this);
-    gears_->setXAxis({tr("φ, °"), 0.0, 720.0, true});
+    gears_->setXAxis({tr("φ, °"), 0.0, model_->cycleDeg(), true});
     gears_->setYAxis(PlotView::Side::Left, {tr("N·m")});
     low_ = gears_->addCurve({.name = tr("play, low"),
                              .colour = 3,
@@ -226,6 +226,9 @@ void ForcesView::showGears() {
     const balance_shaft::Result& result = model_->result();
     gears_->setYRange(PlotView::Side::Left, result.M_up.min - result.moment_amplitude,
                       result.M_up.max + result.moment_amplitude);
+    if (gears_->xInterval().second != model_->cycleDeg() && !gears_->isZoomed()) {
+        gears_->setXAxis({tr("φ, °"), 0.0, model_->cycleDeg(), true});
+    }
     gears_->setCurve(right_, result.curves.crank_angle_deg, result.curves.M_ups);
     gears_->setCurve(wrong_, error.crank_angle_deg, error.M_ups);
     const bool play = error.play > 0.0;

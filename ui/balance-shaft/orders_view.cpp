@@ -37,8 +37,8 @@ OrdersView::OrdersView(BalanceShaftModel* model, QWidget* parent) : QWidget(pare
     auto* inside = new QVBoxLayout(panel);
     inside->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     inside->addWidget(captionLabel(
-        tr("A four-stroke cycle has half orders. A shaft at crank speed changes order 1 alone; the "
-           "best RMS is where it opposes that order."),
+        tr("A four-stroke cycle has half orders, a two-stroke one has whole ones. A shaft at crank "
+           "speed changes order 1 alone; the best RMS is where it opposes that order."),
         panel));
     table_ = new ResultTable(panel);
     table_->setAccessibleName(tr("Order spectrum"));

@@ -151,8 +151,10 @@ QWidget* TorqueSourceEditor::buildPressure() {
     auto* form = new Form(model_);
     FormSection* file = form->section({});
     file->addWide(captionLabel(
-        tr("Measured cylinder pressure over 720° as a CSV file: crank angle from top dead centre "
-           "before intake, absolute pressure (bar unless the heading says kPa, MPa, Pa or psi)."),
+        tr("Measured cylinder pressure over a cycle as a CSV file: crank angle from top dead "
+           "centre "
+           "before intake (two-stroke, 360°: from the firing one), absolute pressure (bar unless "
+           "the heading says kPa, MPa, Pa or psi)."),
         form));
     auto* import =
         new QPushButton(themedIcon(QStringLiteral("import")), tr("&Read CSV file…"), form);
@@ -182,8 +184,8 @@ QWidget* TorqueSourceEditor::buildCycle() {
     const char* place = "/torque/cycle";
     auto* form = new Form(model_);
     form->section({})->addWide(captionLabel(
-        tr("A plain four-stroke cycle: constant pressures for gas exchange, polytropic "
-           "compression, one Wiebe heat release, polytropic expansion."),
+        tr("A plain cycle: constant pressures for gas exchange, polytropic compression, one Wiebe "
+           "heat release, polytropic expansion. 360° is the firing top dead centre."),
         form));
     form->section(tr("Cylinder"));
     addNumbers(form, place, {field::bore, field::offset, field::crankcase_pressure});
@@ -191,6 +193,13 @@ QWidget* TorqueSourceEditor::buildCycle() {
     addNumbers(form, place,
                {field::compression_ratio, field::intake_pressure, field::exhaust_pressure,
                 field::polytropic_compression, field::polytropic_expansion});
+    NumberField* ports = form->number(
+        field::ports_open, [this] { return model_->input().torque.cycle.ports_open / degree; },
+        [this](std::optional<double> value) {
+            model_->edit(fieldName(field::ports_open),
+                         [&](Input& input) { input.torque.cycle.ports_open = *value * degree; });
+        });
+    form->follow([this, ports] { ports->setEnabled(model_->input().strokes == 2); });
     form->section(tr("Combustion"));
     const auto addLoad = [&](const Field& load, std::optional<double> GasCycle::*own,
                              std::optional<double> GasCycle::*other) {

@@ -29,7 +29,7 @@ TorqueTableEditor::TorqueTableEditor(BalanceShaftModel* model, TorqueTableModel*
       table_(table) {
     table_->setParent(this);
     caption()->setText(
-        tr("Engine torque over one four-stroke cycle, 720°. Paste a whole table from a "
+        tr("Engine torque over one cycle, 720° (two-stroke 360°). Paste a whole table from a "
            "spreadsheet, or type."));
     addTool(QStringLiteral("import"), tr("Import CSV file…"), [this] { importWithDialog(); });
     addTool(QStringLiteral("export"), tr("Export CSV file…"), [this] { exportWithDialog(); });
@@ -42,6 +42,7 @@ TorqueTableEditor::TorqueTableEditor(BalanceShaftModel* model, TorqueTableModel*
             input.torque.kind = balance_shaft::TorqueSource::Kind::table;
             input.torque.csv.clear();
             input.torque.table = table_->checkedTable();
+            input.strokes = input.strokes_of_torque();
         });
     });
     connect(table_, &EditableTable::troubleChanged, this, [this](const QString& trouble) {

@@ -77,6 +77,24 @@ TEST_F(TorqueSourceTest, FieldsOfTheCycleEditTheCase) {
     EXPECT_DOUBLE_EQ(model->input().torque.cycle.compression_ratio, 16.5);
 }
 
+TEST_F(TorqueSourceTest, ATraceOfOneTurnMakesATwoStrokeAndAnOddOneANote) {
+    const QTemporaryDir folder;
+    const auto import = [&](double shift) {
+        QString csv = QStringLiteral("angle,pressure bar\n");
+        for (int i = 0; i < 360; ++i) {
+            const double turn = std::cos((i - shift) * degree);
+            csv += QStringLiteral("%1,%2\n").arg(i).arg(1.1 + 40.0 * std::exp(12.0 * (turn - 1.0)));
+        }
+        const QString path = folder.filePath(QStringLiteral("p.csv"));
+        write_text_file(path.toStdString(), csv.toStdString());
+        return source->importTrace(path);
+    };
+    EXPECT_EQ(import(100.0), QString());
+    EXPECT_EQ(model->input().strokes, 2);
+    EXPECT_EQ(model->result().curves.crank_angle_deg.back(), 360.0);
+    EXPECT_TRUE(model->notesText().contains(QStringLiteral("out of phase")));
+}
+
 TEST_F(TorqueSourceTest, ReadsAPressureTrace) {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("trace.csv"));

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <QComboBox>
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
@@ -8,6 +9,7 @@
 
 #include "balance-shaft/balance_shaft_page.h"
 #include "balance-shaft/envelope_view.h"
+#include "balance-shaft/flywheel_view.h"
 #include "balance-shaft/forces_view.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/orders_view.h"
@@ -15,6 +17,8 @@
 #include "balance-shaft/torque_source_editor.h"
 #include "events.h"
 #include "model/background_job.h"
+#include "widgets/number_field.h"
+#include "widgets/result_table.h"
 #include "widgets/value_slider.h"
 
 namespace ravnoves {
@@ -46,6 +50,74 @@ TEST_F(BalanceShaftViewsTest, OrdersFollowTheShaft) {
     model->setShaftAngleDeg(200.0);
     EXPECT_NE(*view->plot()->valueAt(1, 1.0), before);
     EXPECT_EQ(*view->plot()->valueAt(1, 0.5), half);
+}
+
+TEST_F(BalanceShaftViewsTest, TheFlywheelAnswersForInertiaAndForFluctuation) {
+    auto* view = open<FlywheelView>();
+    EXPECT_FALSE(model->input().flywheel);
+    auto* inertia = view->findChild<NumberField*>(QStringLiteral("inertia_kg_m2"));
+    auto* fluctuation = view->findChild<NumberField*>(QStringLiteral("fluctuation"));
+    ASSERT_TRUE(inertia && fluctuation);
+    const auto type = [](NumberField* field, const char* text) {
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, QLatin1String(text));
+        QTest::keyClick(field, Qt::Key_Return);
+    };
+    type(inertia, "0.4");
+    EXPECT_DOUBLE_EQ(*model->input().flywheel->inertia, 0.4);
+    const double found = *model->result().flywheel.fluctuation;
+    EXPECT_GT(found, 0.0);
+    type(fluctuation, "0.01");
+    EXPECT_FALSE(model->input().flywheel->inertia);
+    EXPECT_TRUE(inertia->text().isEmpty());
+    EXPECT_NEAR(*model->result().flywheel.inertia, 0.4 * found / 0.01, 1e-9);
+    // The extremes of the curve are those of the result.
+    const auto& wheel = model->result().flywheel;
+    EXPECT_NEAR(*view->plot()->valueAt(0, std::round(wheel.max_angle / degree)), wheel.max_energy,
+                0.01 * wheel.excess_work);
+    fluctuation->selectAll();
+    QTest::keyClick(fluctuation, Qt::Key_Delete);
+    QTest::keyClick(fluctuation, Qt::Key_Return);
+    EXPECT_FALSE(model->input().flywheel);
+    EXPECT_EQ(view->table()->rowCount(), model->flywheelRows().size());
+}
+
+TEST_F(BalanceShaftViewsTest, ATwoStrokeHasPlotsOfOneTurn) {
+    auto* strokes = page.findChild<QComboBox*>(QStringLiteral("strokes"));
+    ASSERT_NE(strokes, nullptr);
+    const auto choose = [&](int index) {
+        strokes->setCurrentIndex(index);
+        Q_EMIT strokes->activated(index);
+    };
+    // The paper's table is one of 720°: refused, and the choice says so by staying.
+    choose(1);
+    EXPECT_EQ(model->input().strokes, 4);
+    EXPECT_EQ(strokes->currentIndex(), 0);
+    model->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
+    choose(1);
+    EXPECT_EQ(model->input().strokes, 2);
+    EXPECT_EQ(page.momentPlot()->xInterval().second, 360.0);
+    auto* view = open<FlywheelView>();
+    EXPECT_EQ(view->plot()->xInterval().second, 360.0);
+    model->setCrankAngleDeg(400.0);
+    EXPECT_EQ(model->crankAngleDeg(), 40.0);
+    EXPECT_FALSE(open<OrdersView>()->plot()->valueAt(1, 0.5));
+    // The table brings its own cycle back.
+    EXPECT_EQ(model->setTorqueKind(balance_shaft::TorqueSource::Kind::table), QString());
+    EXPECT_EQ(model->input().strokes, 4);
+    EXPECT_EQ(page.momentPlot()->xInterval().second, 720.0);
+}
+
+TEST_F(BalanceShaftViewsTest, ATableThatRepeatsATurnCanBeHalvedAndDoubled) {
+    model->edit(QStringLiteral("Table"), [](balance_shaft::Input& input) {
+        input.torque.table = {{0, 90, 180, 360, 450, 540, 720}, {1, 2, 3, 1, 2, 3, 1}};
+    });
+    EXPECT_EQ(model->setStrokes(2), QString());
+    EXPECT_EQ(model->input().torque.table,
+              (balance_shaft::TorqueTable{{0, 90, 180, 360}, {1, 2, 3, 1}}));
+    EXPECT_EQ(model->setStrokes(4), QString());
+    EXPECT_EQ(model->input().torque.table.size(), 7U);
 }
 
 TEST_F(BalanceShaftViewsTest, ShareSliderTurnsTheEllipseIntoALine) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "balance-shaft/fields.h"
 #include "balance-shaft/scene.h"
 #include "case-file/input_error.h"
 #include "model/case_model_json.h"
@@ -87,6 +88,7 @@ QString BalanceShaftModel::setTorqueKind(balance_shaft::TorqueSource::Kind kind)
     using Kind = balance_shaft::TorqueSource::Kind;
     return edit(tr("Torque source"), [&](Input& input) {
         input.torque.kind = kind;
+        input.strokes = input.strokes_of_torque();
         if (!input.torque.is_computed()) {
             return;
         }
@@ -95,10 +97,11 @@ QString BalanceShaftModel::setTorqueKind(balance_shaft::TorqueSource::Kind kind)
         if (kind == Kind::cycle && !cycle.heat && !cycle.imep) {
             cycle.combustion_start = 352.0 * degree;
             cycle.combustion_duration = 60.0 * degree;
-            // The load of the torque that was there: mean torque × 4π = work per cycle.
+            // The load of the torque that was there: mean torque × cycle = work per cycle.
             const double radius = 0.5 * input.torque.cylinder.bore;
             const double displacement = pi * radius * radius * 2.0 * input.crank_radius;
-            cycle.imep = std::max(0.0, -result().M_up.mean) * 2.0 * two_pi / displacement;
+            cycle.imep =
+                std::max(0.0, -result().M_up.mean) * input.cycle_deg() * degree / displacement;
         }
     });
 }
@@ -109,8 +112,56 @@ QString BalanceShaftModel::setPressureTrace(const balance_shaft::PressureTrace& 
         input.torque.kind = balance_shaft::TorqueSource::Kind::pressure;
         input.torque.trace = trace;
         input.torque.csv = path.toStdString();
+        input.strokes = input.strokes_of_torque();
         fillCylinder(input);
     });
+}
+
+namespace {
+
+/// The table over one turn where it holds the same turn twice, and the other way round.
+void bringToStrokes(balance_shaft::TorqueTable& table, int strokes) {
+    std::vector<double>& angle = table.crank_angle_deg;
+    std::vector<double>& torque = table.torque;
+    const std::size_t rows = angle.size() - 1;
+    if (strokes == 4) {
+        for (std::size_t i = 1; i <= rows; ++i) {
+            angle.push_back(angle[i] + 360.0);
+            torque.push_back(torque[i]);
+        }
+        return;
+    }
+    const std::size_t half = rows / 2;
+    for (std::size_t i = 0; i <= half; ++i) {
+        if (rows % 2 != 0 || std::abs(angle[i + half] - angle[i] - 360.0) > 1e-9 ||
+            torque[i + half] != torque[i]) {
+            return;
+        }
+    }
+    angle.resize(half + 1);
+    torque.resize(half + 1);
+}
+
+}  // namespace
+
+QString BalanceShaftModel::setStrokes(int strokes) {
+    using Kind = balance_shaft::TorqueSource::Kind;
+    return edit(fieldName(balance_shaft::field::strokes), [&](Input& input) {
+        const bool tabled = !input.torque.is_computed();
+        if (tabled && input.strokes_of_torque() != strokes) {
+            bringToStrokes(input.torque.table, strokes);
+            if (input.strokes_of_torque() == strokes) {
+                input.torque.kind = Kind::table;
+                input.torque.csv.clear();
+            }
+        }
+        input.strokes = strokes;
+    });
+}
+
+void BalanceShaftModel::taken() {
+    Q_EMIT shaftMoved();
+    setCrankAngleDeg(crankAngle_);
 }
 
 double BalanceShaftModel::shaftAngleDeg() const {
@@ -142,7 +193,10 @@ void BalanceShaftModel::setCrankAngleDeg(double angle) {
     if (!std::isfinite(angle)) {
         return;
     }
-    angle = wrap(angle, 720.0);
+    // The end of the slider is the end of the cycle.
+    if (angle != cycleDeg()) {
+        angle = wrap(angle, cycleDeg());
+    }
     if (angle != crankAngle_) {
         crankAngle_ = angle;
         Q_EMIT crankAngleChanged(angle);
@@ -282,6 +336,27 @@ QVector<QStringList> BalanceShaftModel::cycleRows() const {
         rows.push_back({tr("Heat per cycle"), number(*cycle.heat, 1), tr("J")});
     }
     return rows;
+}
+
+QVector<QStringList> BalanceShaftModel::flywheelRows() const {
+    const balance_shaft::Flywheel& wheel = result().flywheel;
+    const auto maybe = [](const std::optional<double>& value, int digits) {
+        return value ? formNumber(*value, QLocale(), digits) : QStringLiteral("–");
+    };
+    const QString angle = QStringLiteral("°");
+    // Half of δ to each side of the mean speed.
+    const auto swing =
+        wheel.fluctuation
+            ? std::optional(*wheel.fluctuation * result().angular_speed / 2.0 / units::rpm)
+            : std::nullopt;
+    return {
+        {tr("Excess work ΔE"), number(wheel.excess_work, 1), tr("J")},
+        {tr("Fluctuation δ"), maybe(wheel.fluctuation, 4), QString()},
+        {tr("Moment of inertia J"), maybe(wheel.inertia, 4), tr("kg·m²")},
+        {tr("Speed swings by ±"), maybe(swing, 3), tr("min⁻¹")},
+        {tr("Fastest at crank angle"), number(wheel.max_angle / degree, 1), angle},
+        {tr("Slowest at crank angle"), number(wheel.min_angle / degree, 1), angle},
+    };
 }
 
 namespace {

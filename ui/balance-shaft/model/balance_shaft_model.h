@@ -61,7 +61,12 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     double shaftAngleDeg() const;  ///< α, 0…360
     void setShaftAngleDeg(double angle);
 
-    double crankAngleDeg() const { return crankAngle_; }  ///< φ of the picture, 0…720
+    /// Two- or four-stroke. A torque table that holds the same turn twice is halved or doubled with
+    /// it; any other and a trace keep their cycle and refuse. Returns as edit().
+    QString setStrokes(int strokes);
+    double cycleDeg() const { return input().cycle_deg(); }  ///< 360 or 720
+
+    double crankAngleDeg() const { return crankAngle_; }  ///< φ of the picture, within the cycle
     void setCrankAngleDeg(double angle);
 
     Means means() const { return means_; }
@@ -90,6 +95,8 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     QVector<QStringList> quantityRows() const;
     /// Work, pressures and power of a computed torque; empty for a table.
     QVector<QStringList> cycleRows() const;
+    /// Excess work, fluctuation and moment of inertia.
+    QVector<QStringList> flywheelRows() const;
     /// Best α for range and RMS as sentences: of what can be built, and what another would gain.
     QString bestRangeText() const;
     QString bestRmsText() const;
@@ -103,7 +110,7 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     void meansChanged();
 
   private:
-    void taken() override { Q_EMIT shaftMoved(); }
+    void taken() override;
     void applyShaftAngle(double radians);
 
     double crankAngle_ = 60.0;

@@ -1,0 +1,121 @@
+#include "balance-shaft/flywheel_view.h"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include "balance-shaft/fields.h"
+#include "balance-shaft/model/balance_shaft_model.h"
+#include "plot/plot_view.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
+#include "theme/theme.h"
+#include "widgets/form.h"
+#include "widgets/panel.h"
+#include "widgets/result_table.h"
+
+namespace ravnoves {
+
+using balance_shaft::FlywheelTarget;
+using balance_shaft::Input;
+namespace field = balance_shaft::field;
+
+FlywheelView::FlywheelView(BalanceShaftModel* model, QWidget* parent)
+    : QWidget(parent), model_(model) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, Theme::space, 0, 0);
+    column->setSpacing(Theme::space);
+    plot_ = new PlotView(tr("Excess energy over the cycle"), this);
+    plot_->setXAxis({tr("φ, °"), 0.0, model_->cycleDeg(), true});
+    plot_->setYAxis(PlotView::Side::Left, {tr("J")});
+    energy_ = plot_->addCurve({.name = tr("E"),
+                               .colour = 2,
+                               .width = 1.8,
+                               .inLegend = false,
+                               .toolTip = tr("Work of the engine torque less that of its mean")});
+    connect(plot_, &PlotView::cursorMoved, model_, &BalanceShaftModel::setCrankAngleDeg);
+    column->addWidget(plot_, 3);
+
+    auto* lower = new QHBoxLayout;
+    lower->setSpacing(Theme::space);
+    auto* formPanel = new Panel(this);
+    auto* formColumn = new QVBoxLayout(formPanel);
+    formColumn->setContentsMargins(0, 0, 0, 0);
+    formColumn->addWidget(buildForm());
+    lower->addWidget(formPanel, 2);
+    auto* answerPanel = new Panel(this);
+    auto* answerColumn = new QVBoxLayout(answerPanel);
+    answerColumn->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
+    table_ = new ResultTable(answerPanel);
+    table_->setAccessibleName(tr("Excess work, fluctuation and moment of inertia"));
+    table_->setColumns({tr("Flywheel"), tr("Value"), tr("Unit")});
+    answerColumn->addWidget(table_);
+    answerColumn->addStretch();
+    lower->addWidget(answerPanel, 3);
+    column->addLayout(lower, 2);
+
+    connect(model_, &SceneModel::changed, this, [this] {
+        if (isVisible()) {
+            showResult();
+        }
+    });
+    connect(model_, &BalanceShaftModel::crankAngleChanged, plot_, &PlotView::setPresentX);
+    plot_->setPresentX(model_->crankAngleDeg());
+}
+
+QWidget* FlywheelView::buildForm() {
+    auto* form = new Form(model_, this);
+    FormSection* section = form->section(tr("Flywheel"));
+    // Each is the other's answer: the one that is typed is given, the other one follows.
+    const auto add = [&](const Field& given, std::optional<double> FlywheelTarget::*own,
+                         std::optional<double> FlywheelTarget::*other) {
+        NumberField* number = form->number(
+            given,
+            [this, own]() -> std::optional<double> {
+                const auto& target = model_->input().flywheel;
+                return target ? (*target).*own : std::nullopt;
+            },
+            [this, &given, own, other](std::optional<double> value) {
+                model_->edit(fieldName(given), [&](Input& input) {
+                    FlywheelTarget target = input.flywheel.value_or(FlywheelTarget{});
+                    target.*own = value;
+                    if (value) {
+                        (target.*other).reset();
+                    }
+                    input.flywheel =
+                        target == FlywheelTarget{} ? std::nullopt : std::optional(target);
+                });
+            });
+        number->setOptional(true);
+        number->setDigits(6);
+    };
+    add(field::flywheel_inertia, &FlywheelTarget::inertia, &FlywheelTarget::fluctuation);
+    add(field::fluctuation, &FlywheelTarget::fluctuation, &FlywheelTarget::inertia);
+    section->addWide(
+        captionLabel(tr("The load takes the mean torque. The inertia of piston and rod is in the "
+                        "torque already and is not a part of J."),
+                     form));
+    static_cast<QVBoxLayout*>(form->layout())->addStretch();
+    return form;
+}
+
+void FlywheelView::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    showResult();
+}
+
+void FlywheelView::showResult() {
+    const balance_shaft::Result& result = model_->result();
+    const balance_shaft::Flywheel& wheel = result.flywheel;
+    if (plot_->xInterval().second != model_->cycleDeg() && !plot_->isZoomed()) {
+        plot_->setXAxis({tr("φ, °"), 0.0, model_->cycleDeg(), true});
+    }
+    plot_->setCurve(energy_, result.curves.crank_angle_deg, wheel.energy);
+    const QLocale locale;
+    plot_->setMarks({{wheel.max_angle / degree, wheel.max_energy,
+                      tr("fastest, %1 J").arg(fixedNumber(wheel.max_energy, 0, locale)), 2},
+                     {wheel.min_angle / degree, wheel.min_energy,
+                      tr("slowest, %1 J").arg(fixedNumber(wheel.min_energy, 0, locale)), 2}});
+    table_->setRows(model_->flywheelRows());
+}
+
+}  // namespace ravnoves
