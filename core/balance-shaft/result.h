@@ -99,6 +99,7 @@ struct Result {
     double counterweight_lag = 0.0;
     AngleSweep sweep;
     std::vector<Message> notes;  ///< what the user should know beyond the numbers
+    Message assumed_sizes;  ///< what is_buildable rests on and the case does not give, or empty
 
     // What follows the shaft's angle: updated by Solver::move_shaft().
     double shaft_angle = 0.0;  ///< α, rad, 0…2π

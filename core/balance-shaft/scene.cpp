@@ -258,6 +258,9 @@ Json write_result(const Result& result) {
     for (const Message& note : result.notes) {
         notes.push_back(note.english());
     }
+    if (!result.assumed_sizes.empty()) {
+        notes.push_back(result.assumed_sizes.english());
+    }
     Json json = {
         {"angular_speed_rad_s", result.angular_speed},
         {"reciprocating_mass_kg", result.reciprocating_mass},

@@ -388,10 +388,7 @@ void Solver::Prepared::prepare_notes_on_building() {
             CORE_TEXT("balance-shaft",
                       "No angle that can be built makes the range smaller than without a shaft."));
     }
-    const Message assumed = assumed_sizes(input);
-    if (!assumed.empty()) {
-        base.notes.push_back(assumed);
-    }
+    base.assumed_sizes = balance_shaft::assumed_sizes(input);
 }
 
 Solver::Solver(const Input& input) {

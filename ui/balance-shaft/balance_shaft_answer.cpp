@@ -3,6 +3,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "balance-shaft/mechanism_view.h"
@@ -72,7 +73,11 @@ QWidget* BalanceShaftPage::buildAnswer() {
     quantities_->horizontalHeader()->hide();
     answerColumn->addWidget(quantities_);
     notes_ = captionLabel({}, answer);
-    answerColumn->addWidget(notes_);
+    notesArea_ = scrolled(notes_, answer);
+    notesArea_->setMinimumHeight(4 * notes_->fontMetrics().height());
+    notesArea_->viewport()->setAutoFillBackground(false);
+    notes_->setAutoFillBackground(false);
+    answerColumn->addWidget(notesArea_, 1);
     column->addWidget(answer);
     return holder;
 }

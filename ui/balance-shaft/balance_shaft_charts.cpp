@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSlider>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -199,7 +200,7 @@ void BalanceShaftPage::showSweep() {
     bestRangeAction_->setEnabled(goRange_->isEnabled());
     bestRmsAction_->setEnabled(goRms_->isEnabled());
     notes_->setText(model_->notesText());
-    notes_->setVisible(!notes_->text().isEmpty());
+    notesArea_->setVisible(!notes_->text().isEmpty());
 }
 
 void BalanceShaftPage::showShaft() {

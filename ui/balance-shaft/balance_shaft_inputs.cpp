@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "balance-shaft/balance_shaft_page.h"
-#include "balance-shaft/envelope.h"
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/torque_source_editor.h"
@@ -144,7 +143,7 @@ QWidget* BalanceShaftPage::buildInputs() {
     QLabel* assumed = captionLabel({}, sizes);
     sizes->addWide(assumed);
     form->follow([this, assumed] {
-        const Message text = balance_shaft::assumed_sizes(model_->input());
+        const Message& text = model_->result().assumed_sizes;
         assumed->setText(messageText(text));
         assumed->setVisible(!text.empty());
     });

@@ -6,6 +6,7 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QScrollArea;
 class QTabWidget;
 
 namespace ravnoves {
@@ -72,6 +73,7 @@ class BalanceShaftPage : public ScenePage {
     QPushButton* goRange_ = nullptr;
     QPushButton* goRms_ = nullptr;
     QLabel* notes_ = nullptr;
+    QScrollArea* notesArea_ = nullptr;
     QAction* playAction_ = nullptr;
     QAction* bestRangeAction_ = nullptr;
     QAction* bestRmsAction_ = nullptr;

@@ -372,10 +372,10 @@ QString bestText(const Optimum& best, const Optimum& all, bool canBeBuilt,
     }
     QString text = sentence.arg(number(*best.shaft_angle / degree, 2), number(best.value, 1));
     if (!canBeBuilt) {
-        text += say(QT_TRANSLATE_NOOP("ravnoves::BalanceShaftModel", ", but nothing can be built"));
+        text += say(QT_TRANSLATE_NOOP("ravnoves::BalanceShaftModel", "\nbut nothing can be built"));
     } else if (all.shaft_angle && *all.shaft_angle != *best.shaft_angle) {
         text += say(QT_TRANSLATE_NOOP("ravnoves::BalanceShaftModel",
-                                      "; %1° would gain %2 N·m but cannot be built"))
+                                      "\ncannot be built: −%2 at %1°"))
                     .arg(number(*all.shaft_angle / degree, 2), number(best.value - all.value, 1));
     }
     return text;
