@@ -382,11 +382,22 @@ void Solver::Prepared::prepare_notes_on_building() {
     if (buildable.stretches.empty()) {
         base.notes.emplace_back(CORE_TEXT("balance-shaft", "Nothing can be built: %1"),
                                 buildable.reason);
-    } else if (base.best_range_buildable.value >= base.M_up.range &&
-               base.best_range.value < base.M_up.range) {
-        base.notes.emplace_back(
-            CORE_TEXT("balance-shaft",
-                      "No angle that can be built makes the range smaller than without a shaft."));
+    } else {
+        const auto lost = [](const Optimum& built, const Optimum& all, double without) {
+            return built.value >= without && all.value < without;
+        };
+        if (lost(base.best_range_buildable, base.best_range, base.M_up.range)) {
+            base.notes.emplace_back(
+                CORE_TEXT("balance-shaft",
+                          "No angle that can be built makes the range smaller than without a "
+                          "shaft."));
+        }
+        if (lost(base.best_rms_buildable, base.best_rms, base.M_up.rms)) {
+            base.notes.emplace_back(
+                CORE_TEXT("balance-shaft",
+                          "No angle that can be built makes the RMS smaller than without a "
+                          "shaft."));
+        }
     }
     base.assumed_sizes = balance_shaft::assumed_sizes(input);
 }

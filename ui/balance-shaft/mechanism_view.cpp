@@ -188,8 +188,15 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
                            colour);
     };
     drawForce(piston, pose.inertia_force_1, theme.error());
-    drawForce(map.at(pose.crank_counterweight), pose.crank_counterweight_force, theme.curve(1));
-    drawForce(map.at(pose.shaft_counterweight), pose.shaft_counterweight_force, theme.curve(2));
+    // A force acts along its line: it is drawn from inside the weight.
+    const auto inside = [](const QPointF& axis, const QPointF& mass, double radius, double rho) {
+        return rho > 0.8 * radius ? axis + (mass - axis) * (0.8 * radius / rho) : mass;
+    };
+    const double rho = sizes.counterweight_radius;
+    drawForce(inside(crank, map.at(pose.crank_counterweight), sizes.crank_swing_radius, rho),
+              pose.crank_counterweight_force, theme.curve(1));
+    drawForce(inside(shaft, map.at(pose.shaft_counterweight), sizes.shaft_swing_radius, rho),
+              pose.shaft_counterweight_force, theme.curve(2));
 
     // α between the cylinder axis and the line of centres, positive clockwise.
     const double alpha = model_->shaftAngleDeg();

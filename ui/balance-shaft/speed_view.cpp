@@ -48,6 +48,12 @@ QRgb mapColour(double part) {
     return qRgb(mix(0), mix(1), mix(2));
 }
 
+/// The same for what cannot be built: nearer to light grey.
+QRgb paled(QRgb colour) {
+    const auto mix = [](int channel) { return (channel + 2 * 220) / 3; };
+    return qRgb(mix(qRed(colour)), mix(qGreen(colour)), mix(qBlue(colour)));
+}
+
 }  // namespace
 
 SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
@@ -361,11 +367,16 @@ void SpeedView::showMap() {
     }
     const auto [least, most] = std::minmax_element(relative.begin(), relative.end());
     const double span = std::max(*most - *least, 1e-12);
+    std::vector<bool> canBuild;
+    for (const double angle : study_.map->shaft_angle_deg) {
+        canBuild.push_back(study_.study->buildable().contains(angle * degree));
+    }
     QImage image(angles, speeds, QImage::Format_RGB32);
     for (int s = 0; s < speeds; ++s) {
         auto* line = reinterpret_cast<QRgb*>(image.scanLine(speeds - 1 - s));
         for (int a = 0; a < angles; ++a) {
-            line[a] = mapColour((relative[cell(s, a)] - *least) / span);
+            const QRgb colour = mapColour((relative[cell(s, a)] - *least) / span);
+            line[a] = canBuild[static_cast<std::size_t>(a)] ? colour : paled(colour);
         }
     }
     const auto& points = study_.study->points();
