@@ -359,12 +359,12 @@ inline constexpr Field flywheel_inertia{
     .key = "inertia_kg_m2",
     .unit = units::kg_m2,
     .range = Range::greater_than(0, 1e9),
-    .label = CORE_TEXT("balance-shaft", "Moment of inertia &J"),
+    .label = CORE_TEXT("balance-shaft", "Inertia &J"),
     .symbol = "J",
     .hint = CORE_TEXT("balance-shaft",
                       "Of flywheel, crank and all that turns with them. The coefficient of "
                       "fluctuation follows from it."),
-    .placeholder = CORE_TEXT("balance-shaft", "from the other")};
+    .placeholder = CORE_TEXT("balance-shaft", "auto")};
 inline constexpr Field fluctuation{
     .key = "fluctuation",
     .range = Range::greater_than(0, 2),
@@ -374,7 +374,7 @@ inline constexpr Field fluctuation{
                       "Coefficient of fluctuation wanted: highest less lowest speed over the mean "
                       "one. About 1/20 for pumps, 1/100 for generators. The moment of inertia "
                       "follows from it."),
-    .placeholder = CORE_TEXT("balance-shaft", "from the other")};
+    .placeholder = CORE_TEXT("balance-shaft", "auto")};
 
 inline constexpr Field speed_band{.key = "speed_band"};
 inline constexpr Field band_from{

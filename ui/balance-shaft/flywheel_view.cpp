@@ -41,7 +41,7 @@ FlywheelView::FlywheelView(BalanceShaftModel* model, QWidget* parent)
     auto* formColumn = new QVBoxLayout(formPanel);
     formColumn->setContentsMargins(0, 0, 0, 0);
     formColumn->addWidget(buildForm());
-    lower->addWidget(formPanel, 2);
+    lower->addWidget(formPanel, 1);
     auto* answerPanel = new Panel(this);
     auto* answerColumn = new QVBoxLayout(answerPanel);
     answerColumn->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
@@ -50,7 +50,7 @@ FlywheelView::FlywheelView(BalanceShaftModel* model, QWidget* parent)
     table_->setColumns({tr("Flywheel"), tr("Value"), tr("Unit")});
     answerColumn->addWidget(table_);
     answerColumn->addStretch();
-    lower->addWidget(answerPanel, 3);
+    lower->addWidget(answerPanel, 1);
     column->addLayout(lower, 2);
 
     connect(model_, &SceneModel::changed, this, [this] {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "numerics/constants.h"
@@ -136,6 +137,34 @@ TEST(PeriodicSpline, ConvergesWithTheFourthOrder) {
         }
         previous = error;
     }
+}
+
+TEST(CubicsThroughAFunction, ConvergeWithTheFourthOrderAndKeepKinks) {
+    // A kink at 1 and over the ends; the knots lie on them.
+    const std::function<double(const double&)> f = [](const double& x) {
+        return std::exp(std::sin(pi * x)) + std::abs(x - 1.0);
+    };
+    double previous = 0.0;
+    for (const int n : {20, 40, 80}) {
+        std::vector<double> knots;
+        for (int i = 0; i <= n; ++i) {
+            knots.push_back(0.2 * i * 10.0 / n);
+        }
+        const auto curve = PeriodicPiecewise::through(f, knots);
+        const auto mirrored = curve.negated();
+        double error = 0.0;
+        for (int i = 0; i < 2000; ++i) {
+            const double x = 0.001 * i;
+            error = std::max(error, std::abs(curve(x) - f(x)));
+            EXPECT_EQ(mirrored(x), -curve(x));
+        }
+        if (previous > 0.0) {
+            EXPECT_NEAR(std::log2(previous / error), 4.0, 0.4);
+        }
+        previous = error;
+        EXPECT_FALSE(curve.is_linear());
+    }
+    EXPECT_LT(previous, 2e-6);
 }
 
 TEST(PeriodicSpline, OfAConstantIsTheConstant) {
