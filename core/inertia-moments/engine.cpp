@@ -65,8 +65,18 @@ Engine reduce(const Input& input) {
     engine.lambda = input.lambda;
     engine.angular_speed = input.angular_speed;
     engine.reciprocating_mass = input.reciprocating_mass;
-    engine.rotating_mass = input.rotating_mass;
     engine.reference_position = input.reference_position;
+    engine.cylinders = input.layout ? make_cylinders(*input.layout, input.crank_radius,
+                                                     input.lambda, input.cycle())
+                                    : input.cylinders;
+    for (Cylinder& cylinder : engine.cylinders) {
+        cylinder.crankpin_angle = wrap_turn(cylinder.crankpin_angle);
+    }
+    engine.throws = crank_throws(engine.cylinders, engine.crank_radius);
+    engine.rotating_mass = input.rotating_mass;
+    if (input.rotating_mass_of_throw) {
+        engine.rotating_mass /= static_cast<double>(rods_per_throw(engine.throws).value_or(1));
+    }
     if (input.rod) {
         const RigidRod& rod = *input.rod;
         const double length = input.rod_length();
@@ -75,12 +85,6 @@ Engine reduce(const Input& input) {
         engine.rotating_mass += rod.mass * (1.0 - share);
         engine.rod_couple_inertia =
             rod.inertia - rod.mass * rod.centre_from_big_end * (length - rod.centre_from_big_end);
-    }
-    engine.cylinders = input.layout
-                           ? make_cylinders(*input.layout, input.crank_radius, input.lambda)
-                           : input.cylinders;
-    for (Cylinder& cylinder : engine.cylinders) {
-        cylinder.crankpin_angle = wrap_turn(cylinder.crankpin_angle);
     }
     return engine;
 }

@@ -6,6 +6,7 @@
 
 #include "case-file/message.h"
 #include "inertia-moments/input.h"
+#include "inertia-moments/throws.h"
 #include "numerics/slider_crank.h"
 
 namespace ravnoves::inertia_moments {
@@ -17,13 +18,18 @@ struct Engine {
     double lambda = 0.0;              ///< R/L
     double angular_speed = 0.0;       ///< ω, rad/s
     double reciprocating_mass = 0.0;  ///< kg, with the rod's share m c/L
-    double rotating_mass = 0.0;       ///< kg, with the rod's share m (1 − c/L)
+    double rotating_mass = 0.0;       ///< kg, of one cylinder, with the rod's share m (1 − c/L)
     /// J − m c (L − c), kg·m²: what the rod's inertia exceeds that of the two masses by. It acts
     /// on the roll moment and the torque only.
     double rod_couple_inertia = 0.0;
     double reference_position = 0.0;  ///< m
     std::vector<Cylinder> cylinders;
+    std::vector<Throw> throws;  ///< the crankpins with their rods
 
+    /// kg on a crankpin, at the radius R
+    double mass_on(const Throw& pin) const {
+        return rotating_mass * static_cast<double>(pin.cylinders.size());
+    }
     /// m_j R ω², N
     double force_unit() const {
         return reciprocating_mass * crank_radius * angular_speed * angular_speed;

@@ -68,6 +68,28 @@ void visit_layout(FieldVisitor& visitor, Layout& layout, double crank_radius) {
     size(field::first_position, layout.first_position);
 }
 
+/// The mass of one cylinder or that of one throw.
+void visit_rotating_mass(FieldVisitor& visitor, Input& input) {
+    const bool of_throw =
+        visitor.has(field::rotating_mass_per_throw.key, input.rotating_mass_of_throw);
+    const bool of_cylinder = visitor.has(field::rotating_mass.key, !input.rotating_mass_of_throw);
+    if (visitor.is_reading()) {
+        if (of_throw && of_cylinder) {
+            throw InputError(
+                visitor.pointer() + "/" + std::string(field::rotating_mass_per_throw.key),
+                {CORE_TEXT("core", "must be left out where %1 is given"),
+                 field::rotating_mass.key});
+        }
+        input.rotating_mass_of_throw = of_throw;
+    }
+    if (of_cylinder || !of_throw) {
+        visitor.number(field::rotating_mass, input.rotating_mass, 0.0, Written::always);
+    }
+    if (of_throw) {
+        visitor.number(field::rotating_mass_per_throw, input.rotating_mass);
+    }
+}
+
 }  // namespace
 
 void visit_fields(FieldVisitor& visitor, Cylinder& cylinder) {
@@ -113,7 +135,7 @@ void visit_fields(FieldVisitor& visitor, Input& input) {
     visitor.number(field::lambda, input.lambda);
     visitor.number(field::speed, input.angular_speed);
     visitor.number(field::reciprocating_mass, input.reciprocating_mass);
-    visitor.number(field::rotating_mass, input.rotating_mass, 0.0, Written::always);
+    visit_rotating_mass(visitor, input);
     visitor.number(field::reference_position, input.reference_position, 0.0, Written::always);
     const int which =
         visitor.one_of({field::cylinders.key, field::layout.key}, input.layout ? 1 : 0);
@@ -132,6 +154,7 @@ void visit_fields(FieldVisitor& visitor, Input& input) {
             visitor.integers(field::firing_order, input.firing_order);
         }
     }
+    visitor.integer(field::strokes, input.strokes, 4);
     visitor.object(field::rod, input.rod);
     if (visitor.has(field::shafts.key, !input.shafts.empty())) {
         visitor.list(field::shafts, input.shafts);

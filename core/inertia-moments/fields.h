@@ -44,8 +44,25 @@ inline constexpr Field rotating_mass{
     .range = Range::at_least(0),
     .label = CORE_TEXT("inertia-moments", "R&otating mass"),
     .hint = CORE_TEXT("inertia-moments",
-                      "Of one throw, reduced to the crank radius: unbalanced part of the throw and "
-                      "the rod's share unless the rod is a rigid body.")};
+                      "Of one cylinder, reduced to the crank radius: its part of the throw's "
+                      "unbalance, and the rod's share unless the rod is a rigid body below. A pin "
+                      "that two rods share carries it twice.")};
+inline constexpr Field rotating_mass_per_throw{
+    .key = "rotating_mass_per_throw_kg",
+    .unit = units::kg,
+    .range = Range::at_least(0),
+    .label = CORE_TEXT("inertia-moments", "R&otating mass of a throw"),
+    .hint = CORE_TEXT("inertia-moments",
+                      "Instead of the mass of one cylinder: all that turns on one crankpin, with "
+                      "the shares of its rods unless the rod is a rigid body below. Only where all "
+                      "pins carry the same number of rods.")};
+inline constexpr Field strokes{
+    .key = "strokes",
+    .range = Range::between(2, 4),
+    .label = CORE_TEXT("inertia-moments", "C&ycle"),
+    .hint = CORE_TEXT("inertia-moments",
+                      "4 or 2 strokes: the cylinders fire over 720° or over 360° of the crank. "
+                      "Crankpins for even firing follow it.")};
 inline constexpr Field reference_position{
     .key = "reference_position_mm",
     .unit = units::mm,
@@ -55,7 +72,11 @@ inline constexpr Field reference_position{
                       "Axial position of the point that moments refer to, in the coordinates of "
                       "the cylinders; positive towards cylinder 1.")};
 inline constexpr Field step{
-    .key = "step_deg", .unit = units::degree, .range = Range::between(0.01, 90)};
+    .key = "step_deg",
+    .unit = units::degree,
+    .range = Range::between(0.01, 90),
+    .hint = CORE_TEXT("inertia-moments",
+                      "Step of the curves in the result; without it there are none.")};
 /// Of a table; also of a layout.
 inline constexpr Field firing_order{
     .key = "firing_order",
@@ -66,7 +87,9 @@ inline constexpr Field firing_order{
                       "even firing follow it.")};
 
 // Of each entry of "cylinders".
-inline constexpr Field cylinders{.key = "cylinders"};
+inline constexpr Field cylinders{
+    .key = "cylinders",
+    .hint = CORE_TEXT("inertia-moments", "The cylinders one by one, instead of a layout.")};
 inline constexpr Field axial_position{
     .key = "axial_position_mm",
     .unit = units::mm,
@@ -96,11 +119,22 @@ inline constexpr Field crankpin_angle{
 // Of the object "layout".
 enum class LayoutType { vr, library };
 inline constexpr Word layout_types[] = {{"vr"}, {"library"}};
-inline constexpr Field layout{.key = "layout"};
-inline constexpr Field layout_type{.key = "type", .words = layout_types};
-inline constexpr Field layout_name{.key = "name"};
-inline constexpr Field layout_cylinders{.key = "cylinders",
-                                        .range = Range::between(1, most_cylinders)};
+inline constexpr Field layout{
+    .key = "layout",
+    .hint = CORE_TEXT("inertia-moments", "A layout, instead of the cylinders one by one.")};
+inline constexpr Field layout_type{
+    .key = "type",
+    .hint = CORE_TEXT("inertia-moments",
+                      "A VR engine of any number of cylinders, or a layout of the library."),
+    .words = layout_types};
+inline constexpr Field layout_name{
+    .key = "name",
+    .hint = CORE_TEXT("inertia-moments",
+                      "Name in the library, for example i4, v6-60, v8-cross-plane.")};
+inline constexpr Field layout_cylinders{
+    .key = "cylinders",
+    .range = Range::between(1, most_cylinders),
+    .hint = CORE_TEXT("inertia-moments", "Number of cylinders of a VR engine.")};
 inline constexpr Field included_angle{
     .key = "bank_angle_deg",
     .unit = units::degree,
@@ -144,7 +178,10 @@ inline constexpr Field first_position{
                       "the centre of mass at z = 0.")};
 
 // Of the object "rod".
-inline constexpr Field rod{.key = "rod"};
+inline constexpr Field rod{
+    .key = "rod",
+    .hint = CORE_TEXT("inertia-moments",
+                      "The rod as a rigid body; without it its shares are in the masses.")};
 inline constexpr Field rod_mass{.key = "mass_kg",
                                 .unit = units::kg,
                                 .range = Range::at_least(0),
@@ -177,7 +214,10 @@ inline constexpr Field shaft_basis{
                       "The paper designs its shafts for the two-term form; what they leave of the "
                       "exact order is then what the two-term form leaves out."),
     .words = bases};
-inline constexpr Field shafts{.key = "balance_shafts"};
+inline constexpr Field shafts{
+    .key = "balance_shafts",
+    .hint = CORE_TEXT("inertia-moments",
+                      "The balance shafts, each made for the order that it cancels.")};
 inline constexpr Field shaft_order{
     .key = "order",
     .range = Range::between(1, highest_order),
@@ -236,7 +276,9 @@ inline constexpr Field shaft_enabled{
     .hint = CORE_TEXT("inertia-moments", "Switched on, the shaft counts in what is left over.")};
 
 // Of the object "counterweights".
-inline constexpr Field end_webs{.key = "counterweights"};
+inline constexpr Field end_webs{
+    .key = "counterweights",
+    .hint = CORE_TEXT("inertia-moments", "The two counterweights on the end webs.")};
 inline constexpr Field front_position{
     .key = "front_position_mm",
     .unit = units::mm,
@@ -267,6 +309,8 @@ inline constexpr Field first_order_share{
                       "Of the forward part of the reciprocating first order; 1 in a cross-plane V8 "
                       "cancels it wholly, in a single it is the balance for half the reciprocating "
                       "mass.")};
-inline constexpr Field webs_enabled{.key = "enabled"};
+inline constexpr Field webs_enabled{
+    .key = "enabled",
+    .hint = CORE_TEXT("inertia-moments", "Switched on, they count in what is left over.")};
 
 }  // namespace ravnoves::inertia_moments::field

@@ -82,6 +82,16 @@ void check_end_webs(const EndWebs& webs) {
     }
 }
 
+void check_throws(const Input& input, const Engine& engine) {
+    if (input.rotating_mass_of_throw && !rods_per_throw(engine.throws)) {
+        throw InputError("/input/rotating_mass_per_throw_kg",
+                         CORE_TEXT("inertia-moments",
+                                   "must be given for one cylinder (rotating_mass_kg) on a crank "
+                                   "whose throws carry different numbers of rods"),
+                         describe_difference(engine.throws));
+    }
+}
+
 void check_size(const Input& input, const Engine& engine) {
     if (input.rod && !(engine.reciprocating_mass > 0.0 && engine.rotating_mass >= 0.0)) {
         throw InputError("/input/rod/centre_from_big_end_mm",
@@ -128,6 +138,10 @@ void check_size(const Input& input, const Engine& engine) {
 
 void check_input(const Input& input) {
     check_fields(input);
+    if (input.strokes != 2 && input.strokes != 4) {
+        throw InputError("/input/strokes", CORE_TEXT("inertia-moments", "must be 2 or 4"),
+                         Number{static_cast<double>(input.strokes)});
+    }
     if (input.layout) {
         check_layout(*input.layout);
         // Only the offsets matter for locking; crankpins would need a top dead centre.
@@ -144,7 +158,9 @@ void check_input(const Input& input) {
     if (input.end_webs) {
         check_end_webs(*input.end_webs);
     }
-    check_size(input, reduce(input));
+    const Engine engine = reduce(input);
+    check_throws(input, engine);
+    check_size(input, engine);
 }
 
 }  // namespace ravnoves::inertia_moments

@@ -97,11 +97,15 @@ struct Input {
     double angular_speed = 0.0;  ///< ω, rad/s
     /// m_j, kg, of one cylinder. With a rod: without any share of the rod.
     double reciprocating_mass = 0.0;
-    /// kg, of one crank throw at the radius R. With a rod: without any share of the rod.
+    /// kg at the radius R, of one cylinder: a crankpin that two rods share carries it twice. With a
+    /// rod: without any share of the rod.
     double rotating_mass = 0.0;
+    /// The mass above is given for each throw (throws.h); its rods share it out.
+    bool rotating_mass_of_throw = false;
     double reference_position = 0.0;  ///< z of the point that moments refer to, m
     std::vector<Cylinder> cylinders;  ///< where there is no layout
     std::vector<int> firing_order;    ///< of the table, numbers from 1; may be empty
+    int strokes = 4;                  ///< of a cycle: 4 (720°) or 2 (360°)
     std::optional<Layout> layout;     ///< instead of the table
     std::optional<RigidRod> rod;      ///< empty: its shares are in the two masses
     std::vector<Shaft> shafts;
@@ -109,7 +113,8 @@ struct Input {
     std::optional<EndWebs> end_webs;
     std::optional<double> step;  ///< rad; empty: 1°, and no curves in the result file
 
-    double rod_length() const { return crank_radius / lambda; }  ///< L, m
+    double rod_length() const { return crank_radius / lambda; }            ///< L, m
+    double cycle() const { return strokes == 2 ? two_pi : 2.0 * two_pi; }  ///< rad of the crank
     bool operator==(const Input&) const = default;
 };
 

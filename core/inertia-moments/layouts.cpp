@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -155,7 +156,8 @@ int cylinder_count(const Layout& layout) {
     return layout.name == "vr" ? layout.cylinders : require_layout(layout.name).cylinders;
 }
 
-std::vector<Cylinder> make_cylinders(const Layout& layout, double crank_radius, double lambda) {
+std::vector<Cylinder> make_cylinders(const Layout& layout, double crank_radius, double lambda,
+                                     double cycle) {
     const Arrangement arrangement = arrangement_of(layout);
     const int count = cylinder_count(layout);
     const LayoutSpec* spec = layout.name == "vr" ? nullptr : &require_layout(layout.name);
@@ -193,7 +195,7 @@ std::vector<Cylinder> make_cylinders(const Layout& layout, double crank_radius, 
         cylinders.push_back(cylinder);
     }
     if (spec == nullptr || spec->even_firing_pins) {
-        set_even_firing(cylinders, layout.firing_order, crank_radius, lambda);
+        set_even_firing(cylinders, layout.firing_order, crank_radius, lambda, cycle);
     }
     return cylinders;
 }
@@ -236,7 +238,7 @@ Message firing_order_text(std::span<const int> order) {
 }
 
 void set_even_firing(std::vector<Cylinder>& cylinders, std::span<const int> firing_order,
-                     double crank_radius, double lambda) {
+                     double crank_radius, double lambda, double cycle) {
     const auto count = cylinders.size();
     std::vector<int> place(count, 0);  // in the firing order, of each cylinder
     for (std::size_t n = 0; n < count; ++n) {
@@ -248,7 +250,7 @@ void set_even_firing(std::vector<Cylinder>& cylinders, std::span<const int> firi
     };
     const Cylinder first = cylinders.front();
     const double top_1 = top(first);
-    const double interval = 2.0 * two_pi / static_cast<double>(count);
+    const double interval = cycle / static_cast<double>(count);
     for (std::size_t i = 0; i < count; ++i) {
         Cylinder& cylinder = cylinders[i];
         const double firing = interval * (place[i] - place[0]);
@@ -257,32 +259,84 @@ void set_even_firing(std::vector<Cylinder>& cylinders, std::span<const int> firi
     }
 }
 
-std::vector<FiringEvent> firing_events(const Engine& engine, std::span<const int> firing_order) {
+namespace {
+
+/// φ of a top dead centre, rad, in any turn.
+double top_dead_centre(const Engine& engine, int number) {
+    const Cylinder& cylinder = engine.cylinders[static_cast<std::size_t>(number) - 1];
+    return engine.mechanism(cylinder).top_dead_centre() - engine.crank_phase(cylinder);
+}
+
+constexpr double at_once = 1e-9;  ///< rad, between firings that are one
+
+/// From one angle forward to another, 0…2π; what rounding makes of 0 is 0.
+double angle_forward(double from, double to) {
+    const double way = wrap_turn(to - from);
+    return way > two_pi - at_once ? 0.0 : way;
+}
+
+}  // namespace
+
+std::vector<int> dead_centre_order(const Engine& engine) {
+    std::vector<int> order(engine.cylinders.size());
+    std::iota(order.begin(), order.end(), 1);
+    const double first = top_dead_centre(engine, 1);
+    const auto after_first = [&](int number) {
+        const double way = angle_forward(first, top_dead_centre(engine, number));
+        return std::round(way / at_once);  // those that come together stay in their order
+    };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int a, int b) { return after_first(a) < after_first(b); });
+    return order;
+}
+
+bool fires_evenly(std::span<const FiringEvent> firing) {
+    return !firing.empty() &&
+           std::all_of(firing.begin(), firing.end(), [&](const FiringEvent& event) {
+               return std::abs(event.interval - firing.front().interval) < 1e-6;
+           });
+}
+
+Message describe_misfit(const Engine& engine, std::span<const int> firing_order, double cycle) {
+    if (cycle > two_pi) {
+        return {CORE_TEXT("inertia-moments",
+                          "The order %1 cannot be run through in two turns of this crank."),
+                firing_order_text(firing_order)};
+    }
+    return {CORE_TEXT("inertia-moments",
+                      "The order %1 cannot be run through in one turn of this crank, as a "
+                      "two-stroke has to: its cylinders come to the top in the order %2."),
+            firing_order_text(firing_order), firing_order_text(dead_centre_order(engine))};
+}
+
+std::vector<FiringEvent> firing_events(const Engine& engine, std::span<const int> firing_order,
+                                       double cycle) {
     const auto count = engine.cylinders.size();
+    const bool two_stroke = cycle < 1.5 * two_pi;
+    if (two_stroke && firing_order.empty()) {
+        return firing_events(engine, dead_centre_order(engine), cycle);
+    }
     if (!is_firing_order(firing_order, static_cast<int>(count))) {
         return {};
     }
     std::vector<FiringEvent> events(count);
     for (std::size_t n = 0; n < count; ++n) {
-        const Cylinder& cylinder = engine.cylinders[static_cast<std::size_t>(firing_order[n]) - 1];
         events[n].cylinder = firing_order[n];
-        // Top dead centre by φ, in one turn; intervals below lift it into the cycle.
-        events[n].crank_angle =
-            engine.mechanism(cylinder).top_dead_centre() - engine.crank_phase(cylinder);
+        // In one turn; intervals below lift it into the cycle.
+        events[n].crank_angle = top_dead_centre(engine, firing_order[n]);
     }
     double sum = 0.0;
     for (std::size_t n = 0; n < count; ++n) {
         FiringEvent& event = events[n];
         const FiringEvent& next = events[(n + 1) % count];
-        event.interval = wrap_turn(next.crank_angle - event.crank_angle);
-        if (event.interval < 1e-9) {
+        event.interval = angle_forward(event.crank_angle, next.crank_angle);
+        if (event.interval < at_once && !two_stroke) {
             event.interval = two_pi;  // one cylinder at a time
         }
         sum += event.interval;
     }
-    const double cycle = 2.0 * two_pi;
-    if (std::abs(sum - two_pi) < 1e-6) {
-        // The order fits in one turn (twins, single cylinders): the other turn is a pause.
+    if (std::abs(sum - (cycle - two_pi)) < 1e-6) {
+        // The order fits in one turn less (twins, single cylinders; all at once): that is a pause.
         events.back().interval += two_pi;
         sum += two_pi;
     }

@@ -50,18 +50,21 @@ Arrangement arrangement_of(const Layout& layout);
 int cylinder_count(const Layout& layout);
 
 /// The cylinders of a layout. "vr": odd cylinders in bank 1 (positive angle and offset), crankpins
-/// for even firing over 720°.
+/// for even firing over the cycle.
 /// @param layout  checked: known name, firing order a permutation
+/// @param cycle   rad, as Input::cycle()
 /// @throws std::invalid_argument for an unknown name (our fault: check_input() comes first)
-std::vector<Cylinder> make_cylinders(const Layout& layout, double crank_radius, double lambda);
+std::vector<Cylinder> make_cylinders(const Layout& layout, double crank_radius, double lambda,
+                                     double cycle = 2.0 * two_pi);
 
-/// Sets every crankpin so that the cylinders fire at even intervals over 720° in the given order:
-/// κ_i = θ_tdc,i − θ_tdc,1 + β_i − β_1 − n_i·720°/N, n_i the place in the order after cylinder 1.
-/// For two banks it shifts the second one's crankpins against the in-line engine by γ + 2 θ_tdc
-/// (the paper prints γ + θ_tdc; its own angle, 21°40′, is the one with 2). Result 0…2π.
+/// Sets every crankpin so that the cylinders fire at even intervals over the cycle, 720° or 360°,
+/// in the given order: κ_i = θ_tdc,i − θ_tdc,1 + β_i − β_1 − n_i·cycle/N, n_i the place in the
+/// order after cylinder 1. For two banks it shifts the second one's crankpins against the in-line
+/// engine by γ + 2 θ_tdc (the paper prints γ + θ_tdc; its own angle, 21°40′, is the one with 2).
+/// Result 0…2π.
 /// @param firing_order  a permutation of 1…N
 void set_even_firing(std::vector<Cylinder>& cylinders, std::span<const int> firing_order,
-                     double crank_radius, double lambda);
+                     double crank_radius, double lambda, double cycle = 2.0 * two_pi);
 
 /// A crank angle in the turn 0 ≤ angle < 2π; what rounding leaves just below 2π becomes 0. rad
 double wrap_turn(double angle);
@@ -74,15 +77,28 @@ Message firing_order_trouble(std::span<const int> order, int count);
 /// "1-3-4-2"; "nothing" for an empty one.
 Message firing_order_text(std::span<const int> order);
 
-/// One firing of the four-stroke cycle.
+/// One firing of the cycle.
 struct FiringEvent {
     int cylinder = 0;          ///< number from 1
     double crank_angle = 0.0;  ///< φ at which it fires (top dead centre), rad, from 0 at the first
     double interval = 0.0;     ///< to the next firing, rad
 };
 
-/// The firings over 720° for an order: each cylinder fires at one of its two top dead centres of
-/// the cycle. Empty where the order cannot be run through in two turns on this crank.
-std::vector<FiringEvent> firing_events(const Engine& engine, std::span<const int> firing_order);
+/// The firings over the cycle for an order. Of four strokes (720°): each cylinder fires at one of
+/// its two top dead centres, no two at once. Of two strokes (360°): each fires whenever it comes to
+/// the top, and several may do so at once; without an order it is the crank's own.
+/// Empty where the order cannot be run through in the cycle on this crank.
+std::vector<FiringEvent> firing_events(const Engine& engine, std::span<const int> firing_order,
+                                       double cycle = 2.0 * two_pi);
+
+/// True where the same interval lies between all firings.
+bool fires_evenly(std::span<const FiringEvent> firing);
+
+/// The cylinders in the order in which the crank brings them to the top, from cylinder 1: the only
+/// one in which a two-stroke can fire, but for those that come to the top at once.
+std::vector<int> dead_centre_order(const Engine& engine);
+
+/// Why firing_events() has none for an order, as a sentence.
+Message describe_misfit(const Engine& engine, std::span<const int> firing_order, double cycle);
 
 }  // namespace ravnoves::inertia_moments

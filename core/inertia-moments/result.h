@@ -27,6 +27,8 @@ struct Result {
     EngineOrders remaining;
     std::vector<Difference> differences;
     std::vector<FiringEvent> firing;  ///< empty without a firing order that fits
+    Message firing_trouble;           ///< why the order does not fit; empty where it does
+    std::vector<Message> notes;       ///< what the model leaves out of this engine, sentences
     WrenchCurves curves;              ///< exact, reciprocating parts
     WrenchCurves remaining_curves;    ///< with rotating masses, counterweights and shafts
 };

@@ -57,6 +57,21 @@ Json write_orders(const EngineOrders& orders) {
     return object;
 }
 
+Json write_throws(const Engine& engine) {
+    Json throws = Json::array();
+    for (const Throw& pin : engine.throws) {
+        Json cylinders = Json::array();
+        for (const std::size_t i : pin.cylinders) {
+            cylinders.push_back(i + 1);
+        }
+        throws.push_back({{"cylinders", std::move(cylinders)},
+                          {"axial_position_mm", pin.position / units::mm},
+                          {"crankpin_angle_deg", turn_degrees(pin.crankpin_angle)},
+                          {"rotating_mass_kg", engine.mass_on(pin)}});
+    }
+    return throws;
+}
+
 Json write_rotating(const RotatingMasses& rotating) {
     // A counterweight lies opposite; its lag is measured against the rotation.
     const auto lag = [](Complex vector, double scale) -> Json {
@@ -180,6 +195,7 @@ Json write_result(const Input& input, const Result& result) {
     json["two_term"] = write_orders(result.two_term);
     json["exact"] = write_orders(result.exact);
     json["rotating"] = write_rotating(result.rotating);
+    json["throws"] = write_throws(result.engine);
     json["difference"] = write_differences(result);
     if (!result.exact.accurate) {
         json["difference"]["warnings"].push_back(less_accurate.english);
@@ -192,6 +208,14 @@ Json write_result(const Input& input, const Result& result) {
                               {"interval_deg", event.interval / degree}});
         }
         json["firing"] = std::move(firing);
+        json["firing_cycle_deg"] = input.cycle() / degree;
+        json["fires_evenly"] = fires_evenly(result.firing);
+    } else if (!result.firing_trouble.empty()) {
+        json["firing_reason"] = result.firing_trouble.english();
+    }
+    json["notes"] = Json::array();
+    for (const Message& note : result.notes) {
+        json["notes"].push_back(note.english());
     }
     if (!result.shafts.empty()) {
         Json shafts = Json::array();

@@ -116,8 +116,12 @@ Result solve(const Input& input) {
     check_designs(result);
     result.remaining = with_balancing(engine, result.exact, result.rotating, result.counterweights,
                                       input.end_webs && input.end_webs->enabled, result.shafts);
-    result.firing =
-        firing_events(engine, input.layout ? input.layout->firing_order : input.firing_order);
+    const auto& order = input.layout ? input.layout->firing_order : input.firing_order;
+    result.firing = firing_events(engine, order, input.cycle());
+    if (result.firing.empty() && !order.empty()) {
+        result.firing_trouble = describe_misfit(engine, order, input.cycle());
+    }
+    result.notes = articulated_rod_notes(engine.throws, engine.cylinders, engine.crank_radius);
     const double step = input.step.value_or(usual_step);
     const auto intervals = static_cast<std::size_t>(std::ceil(two_pi / step - 1e-9));
     result.curves = exact_curves(engine, intervals);

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "inertia-moments/model/inertia_moments_model.h"
+#include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
@@ -169,8 +170,8 @@ FiringWheel::FiringWheel(InertiaMomentsModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     setAccessibleName(tr("Firing order"));
     setToolTip(
-        tr("One four-stroke cycle of 720°, counter-clockwise from the top: cylinders in "
-           "the order of firing, the intervals between them, the present crank angle."));
+        tr("One cycle of the crank, 720° or 360°, counter-clockwise from the top: cylinders in the "
+           "order of firing, the intervals between them, the present crank angle."));
     connectTo(model, this);
     connect(model_, &InertiaMomentsModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
 }
@@ -185,10 +186,8 @@ void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
         painter.setPen(theme.mutedText());
         painter.setFont(Theme::font());
         painter.drawText(QRectF(rect()).adjusted(20, 0, -20, 0), Qt::AlignCenter | Qt::TextWordWrap,
-                         model_->firingOrderText().isEmpty()
-                             ? tr("No firing order given.")
-                             : tr("The order %1 cannot be run through in two turns of this crank.")
-                                   .arg(model_->firingOrderText()));
+                         result.firing_trouble.empty() ? tr("No firing order given.")
+                                                       : messageText(result.firing_trouble));
         return;
     }
     const double radius = 0.5 * std::min(width(), height()) - 34.0;
@@ -196,9 +195,10 @@ void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
         return;
     }
     const QPointF centre = QRectF(rect()).center();
-    // A turn of the wheel is a cycle of 720°.
+    // A turn of the wheel is a cycle.
+    const double perCycle = two_pi / model_->input().cycle();
     const auto place = [&](double crankAngle, double r) {
-        const double angle = 0.5 * crankAngle;
+        const double angle = perCycle * crankAngle;
         return centre + QPointF(-std::sin(angle), -std::cos(angle)) * r;
     };
     painter.setPen(QPen(theme.border(), 2.0));
@@ -211,7 +211,11 @@ void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
         most = std::max(most, event.interval);
     }
     const bool even = most - least < 0.05 * degree;
+    constexpr double atOnce = 0.05 * degree;
     for (const FiringEvent& event : result.firing) {
+        if (event.interval < atOnce) {
+            continue;
+        }
         painter.setFont(Theme::font(Theme::smallSize));
         painter.setPen(theme.mutedText());
         const QString interval = fixedNumber(event.interval / degree, even ? 0 : 1, QLocale());
@@ -219,8 +223,10 @@ void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
                              place(event.crank_angle + 0.5 * event.interval, radius - 20.0),
                              interval + QStringLiteral("°"));
     }
+    double inwards = 0.0;  // those that fire at once stand one below the other
     for (const FiringEvent& event : result.firing) {
-        const QPointF at = place(event.crank_angle, radius);
+        const QPointF at = place(event.crank_angle, std::max(radius - inwards, 0.0));
+        inwards = event.interval < atOnce ? inwards + 24.0 : 0.0;
         painter.setPen(QPen(theme.text(), 1.4));
         painter.setBrush(event.cylinder == 1 ? theme.accent() : theme.panel());
         painter.drawEllipse(at, 11.0, 11.0);
@@ -246,8 +252,12 @@ void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
                           : tr("uneven, %1° to %2°")
                                 .arg(fixedNumber(least / degree, 1, QLocale()),
                                      fixedNumber(most / degree, 1, QLocale())));
+    std::vector<int> order;
+    for (const FiringEvent& event : result.firing) {
+        order.push_back(event.cylinder);
+    }
     painter.drawText(QRectF(rect()).adjusted(8, 6, -8, -6), Qt::AlignTop | Qt::AlignRight,
-                     model_->firingOrderText());
+                     InertiaMomentsModel::orderText(order));
 }
 
 }  // namespace ravnoves

@@ -60,6 +60,7 @@ EngineForm::EngineForm(InertiaMomentsModel* model) : Form(model), model_(model) 
     section(tr("Layout"));
     addLayoutChoice();
     addFiringOrder();
+    addCycle();
     FormSection* sizes = section({});
     number("/layout/spacing_mm");
     number("/layout/stagger_mm");
@@ -73,7 +74,7 @@ EngineForm::EngineForm(InertiaMomentsModel* model) : Form(model), model_(model) 
         tr("φ at TDC"), tr("Top dead centre: arcsin(λK/(1 + λ)), from the cylinder's axis on the "
                            "side of its offset. Volkswagen VR5: 3°20′."));
     number("/reciprocating_mass_kg");
-    number("/rotating_mass_kg")->setOptional(false);
+    addRotatingMass();
     addRod();
     fillUp(this);
     follow([this, sizes, rodLength, deadCentre] {
@@ -126,6 +127,51 @@ void EngineForm::addFiringOrder() {
     current()->addWidget(shownText(field::firing_order.label), order);
     groupSteps(order);
     follow([this, order] { order->setValue(model_->firingOrder()); });
+}
+
+void EngineForm::addCycle() {
+    auto* cycle = new QComboBox(this);
+    cycle->setObjectName(QStringLiteral("strokes"));
+    cycle->addItem(tr("four strokes, 720°"), 4);
+    cycle->addItem(tr("two strokes, 360°"), 2);
+    current()->addWidget(shownText(field::strokes.label), cycle, {},
+                         shownText(field::strokes.hint));
+    connect(cycle, &QComboBox::activated, this, [this, cycle](int index) {
+        model_->finishDrag();
+        model_->editField("/strokes", cycle->itemData(index).toInt(), fieldName(field::strokes));
+        model_->finishDrag();
+    });
+    follow([this, cycle] { cycle->setCurrentIndex(cycle->findData(model_->input().strokes)); });
+}
+
+void EngineForm::addRotatingMass() {
+    FormSection* ofCylinder = section({});
+    number("/rotating_mass_kg")->setOptional(false);
+    FormSection* ofThrow = section({});
+    number("/rotating_mass_per_throw_kg")->setOptional(false);
+    section({});
+    auto* given = new QComboBox(this);
+    given->setObjectName(QStringLiteral("rotating_mass_given"));
+    given->addItems({tr("of one cylinder"), tr("of one throw")});
+    current()->addWidget(tr("It is the &mass"), given, {},
+                         tr("Where rods share a crankpin, a throw carries the mass of one cylinder "
+                            "once for each of them. Choosing the other way changes the number, not "
+                            "the engine."));
+    QLabel* onThrow = current()->addResult(tr("On each throw"),
+                                           tr("At the crank radius, with the share of rigid rods"));
+    onThrow->setObjectName(QStringLiteral("mass_on_throw"));
+    connect(given, &QComboBox::activated, this, [this, given](int index) {
+        model_->setRotatingMassOfThrow(index == 1);
+        given->setCurrentIndex(model_->input().rotating_mass_of_throw ? 1 : 0);  // where refused
+    });
+    follow([this, ofCylinder, ofThrow, given, onThrow] {
+        const bool throws = model_->input().rotating_mass_of_throw;
+        ofCylinder->setVisible(!throws);
+        ofThrow->setVisible(throws);
+        given->setCurrentIndex(throws ? 1 : 0);
+        given->setEnabled(throws || model_->hasSharedPins());
+        onThrow->setText(model_->throwMassText());
+    });
 }
 
 void EngineForm::addRod() {

@@ -22,6 +22,8 @@ class EngineForm : public Form {
   private:
     void addLayoutChoice();
     void addFiringOrder();
+    void addCycle();
+    void addRotatingMass();
     void addRod();
     void showLayout();
 

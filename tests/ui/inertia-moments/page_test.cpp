@@ -197,6 +197,68 @@ TEST_F(InertiaMomentsPageTest, RigidRodIsSwitchedOnAsTwoMasses) {
     EXPECT_FALSE(model->input().rod.has_value());
 }
 
+TEST_F(InertiaMomentsPageTest, RotatingMassIsGivenForACylinderOrForAThrow) {
+    auto* given = page.findChild<QComboBox*>(QStringLiteral("rotating_mass_given"));
+    auto* onThrow = page.findChild<QLabel*>(QStringLiteral("mass_on_throw"));
+    EXPECT_TRUE(field("rotating_mass_kg")->toolTip().startsWith(QStringLiteral("Of one cylinder")));
+    EXPECT_FALSE(given->isEnabled());  // each pin of the VR5 has one rod
+    EXPECT_EQ(onThrow->text(), QStringLiteral("0.8 kg, rods: 1"));
+    model->chooseLayout(QStringLiteral("v8-cross-plane"));
+    EXPECT_TRUE(given->isEnabled());
+    EXPECT_EQ(onThrow->text(), QStringLiteral("1.6 kg, rods: 2"));
+    const double weight = model->result().counterweights->front.mass();
+    given->setFocus();
+    QTest::keyClick(given, Qt::Key_Down);
+    EXPECT_TRUE(model->input().rotating_mass_of_throw);
+    EXPECT_TRUE(field("rotating_mass_per_throw_kg")->isVisible());
+    EXPECT_FALSE(field("rotating_mass_kg")->isVisible());
+    EXPECT_NEAR(*field("rotating_mass_per_throw_kg")->value(), 1.6, 1e-12);
+    EXPECT_NEAR(model->result().counterweights->front.mass(), weight, 1e-12);
+    type(field("rotating_mass_per_throw_kg"), QStringLiteral("2"));
+    EXPECT_NEAR(model->result().engine.rotating_mass, 1.0, 1e-12);
+    EXPECT_TRUE(page.resultsAsText().contains(QStringLiteral("On a throw, rods: 2, g")));
+    model->history()->undo();
+    model->history()->undo();
+    EXPECT_FALSE(model->input().rotating_mass_of_throw);
+    EXPECT_NEAR(*field("rotating_mass_kg")->value(), 0.8, 1e-12);
+}
+
+TEST_F(InertiaMomentsPageTest, TwoStrokesFireInOneTurn) {
+    auto* strokes = page.findChild<QComboBox*>(QStringLiteral("strokes"));
+    model->chooseLayout(QStringLiteral("i4"));
+    EXPECT_NEAR(model->result().firing[0].interval / degree, 180.0, 1e-9);
+    strokes->setFocus();
+    QTest::keyClick(strokes, Qt::Key_Down);
+    EXPECT_EQ(model->input().strokes, 2);
+    EXPECT_NEAR(model->result().firing[0].interval / degree, 90.0, 1e-9);
+    tab(Tabs::Charts, "firing");
+    EXPECT_FALSE(page.grab().isNull());
+    // On a crank of its own the order of a four-stroke does not fit, and the page says which would.
+    model->chooseLayout(QStringLiteral("v8-cross-plane"));
+    EXPECT_TRUE(model->result().firing.empty());
+    EXPECT_FALSE(model->result().firing_trouble.empty());
+    EXPECT_FALSE(page.grab().isNull());
+    model->setFiringOrder(inertia_moments::dead_centre_order(model->result().engine));
+    EXPECT_EQ(model->result().firing.size(), 8U);
+    EXPECT_FALSE(page.grab().isNull());  // pairs that fire at once
+    model->history()->undo();
+    EXPECT_EQ(model->input().strokes, 2);
+}
+
+TEST_F(InertiaMomentsPageTest, ARadialIsSaidToHavePlainRods) {
+    EXPECT_FALSE(model->warningText().contains(QStringLiteral("master")));
+    model->edit(QStringLiteral("radial"), [](inertia_moments::Input& input) {
+        input.layout.reset();
+        input.firing_order.clear();
+        for (int i = 0; i < 5; ++i) {
+            input.cylinders.push_back({0.0, i * 72.0 * degree, 0.0, 0.0});
+        }
+    });
+    EXPECT_TRUE(model->warningText().contains(QStringLiteral("master")));
+    EXPECT_TRUE(page.resultsAsText().contains(QStringLiteral("articulated")));
+    EXPECT_FALSE(page.grab().isNull());
+}
+
 TEST_F(InertiaMomentsPageTest, ClickOnAShaftShowsWhatItCancels) {
     tab(Tabs::Charts, "shafts");
     ShaftView* view = page.charts()->shaftView();

@@ -182,8 +182,8 @@ void InertiaMomentsModel::chooseLayout(const QString& name) {
         input.cylinders.clear();
         input.firing_order.clear();
         input.reference_position = 0.0;
-        const auto cylinders =
-            inertia_moments::make_cylinders(*input.layout, input.crank_radius, input.lambda);
+        const auto cylinders = inertia_moments::make_cylinders(*input.layout, input.crank_radius,
+                                                               input.lambda, input.cycle());
         const bool counted = input.end_webs && input.end_webs->enabled;
         input.end_webs = inertia_moments::usual_end_webs(cylinders, input.crank_radius);
         input.end_webs->enabled = counted;
@@ -214,7 +214,8 @@ QString InertiaMomentsModel::setEvenFiring() {
         return tr("Even firing needs a firing order.");
     }
     return edit(tr("Even firing"), [&](Input& input) {
-        inertia_moments::set_even_firing(tableOf(input), order, input.crank_radius, input.lambda);
+        inertia_moments::set_even_firing(tableOf(input), order, input.crank_radius, input.lambda,
+                                         input.cycle());
         input.cylinders = inertia_moments::rounded(std::move(input.cylinders));
     });
 }
@@ -252,6 +253,57 @@ QString InertiaMomentsModel::setFiringOrder(const std::vector<int>& order) {
     return edit(fieldName(field::firing_order), [&](Input& input) {
         (input.layout ? input.layout->firing_order : input.firing_order) = order;
     });
+}
+
+// -------------------------------------------------------------------------------------- throws
+
+namespace {
+
+/// One throw for each number of rods, from the fewest to the most.
+std::vector<const inertia_moments::Throw*> kindsOfThrow(const Result& result) {
+    std::vector<const inertia_moments::Throw*> kinds;
+    for (const inertia_moments::Throw& each : result.engine.throws) {
+        const bool known = std::any_of(kinds.begin(), kinds.end(), [&](const auto* kind) {
+            return kind->cylinders.size() == each.cylinders.size();
+        });
+        if (!known) {
+            kinds.push_back(&each);
+        }
+    }
+    std::sort(kinds.begin(), kinds.end(), [](const auto* a, const auto* b) {
+        return a->cylinders.size() < b->cylinders.size();
+    });
+    return kinds;
+}
+
+}  // namespace
+
+bool InertiaMomentsModel::hasSharedPins() const {
+    return result().engine.throws.size() < result().engine.cylinders.size();
+}
+
+QString InertiaMomentsModel::setRotatingMassOfThrow(bool ofThrow) {
+    const auto rods = inertia_moments::rods_per_throw(result().engine.throws);
+    const QString trouble = edit(fieldName(field::rotating_mass), [&](Input& input) {
+        if (input.rotating_mass_of_throw != ofThrow) {
+            const auto count = static_cast<double>(rods.value_or(1));
+            const double mass = ofThrow ? input.rotating_mass * count : input.rotating_mass / count;
+            input.rotating_mass = rounded(mass, field::rotating_mass, 12);
+            input.rotating_mass_of_throw = ofThrow;
+        }
+    });
+    finishDrag();
+    return trouble;
+}
+
+QString InertiaMomentsModel::throwMassText() const {
+    QStringList kinds;
+    for (const inertia_moments::Throw* kind : kindsOfThrow(result())) {
+        kinds << tr("%1 kg, rods: %2")
+                     .arg(formNumber(result().engine.mass_on(*kind), QLocale(), 4))
+                     .arg(kind->cylinders.size());
+    }
+    return kinds.join(QLatin1Char('\n'));
 }
 
 // ------------------------------------------------------------------------------------- sliders
@@ -564,6 +616,12 @@ QVector<QStringList> InertiaMomentsModel::weightRows() const {
             rotating.moment_factor, rotating.moment_scale),
         row(tr("against the force"), dash, -rotating.force_factor, rotating.force_scale),
         row(tr("against the moment"), dash, -rotating.moment_factor, rotating.moment_scale)};
+    for (const inertia_moments::Throw* kind : kindsOfThrow(result())) {
+        rows.push_back({tr("On a throw, rods: %1, g").arg(kind->cylinders.size()),
+                        figure(result().engine.mass_on(*kind) / units::gram),
+                        {},
+                        {}});
+    }
     if (result().counterweights) {
         const inertia_moments::CounterweightDesign& design = *result().counterweights;
         const double scale = std::abs(design.against_force) + std::abs(design.against_moment);
@@ -614,6 +672,9 @@ QString InertiaMomentsModel::warningText() const {
     QStringList lines;
     if (!result().exact.accurate) {
         lines << shownText(inertia_moments::less_accurate);
+    }
+    for (const Message& note : result().notes) {
+        lines << messageText(note);
     }
     std::vector<const Difference*> warnings;
     for (const Difference& d : result().differences) {

@@ -68,6 +68,16 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     /// @return an empty string, or what is wrong with it
     QString setFiringOrder(const std::vector<int>& order);
 
+    // --------------------------------------------------------------- throws
+
+    /// True where rods share a crankpin: the mass of a throw is not that of a cylinder.
+    bool hasSharedPins() const;
+    /// Gives the rotating mass for a throw or for a cylinder; the engine stays as it is.
+    /// @return an empty string, or why it cannot be done
+    QString setRotatingMassOfThrow(bool ofThrow);
+    /// "1.6 kg, rods: 2", from the lightest to the heaviest throw where they differ.
+    QString throwMassText() const;
+
     // --------------------------------------------------- the sliders, in their units
 
     double bankAngleDeg() const;  ///< between the outermost banks

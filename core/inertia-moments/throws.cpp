@@ -1,0 +1,119 @@
+#include "inertia-moments/throws.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+namespace ravnoves::inertia_moments {
+
+namespace {
+
+/// Angles that differ by less are the same, rad: what rounding in a table leaves.
+constexpr double same_angle = 1e-6;
+/// Rods nearer than this share of the crank radius run in one plane.
+constexpr double same_plane = 1e-3;
+
+bool same_direction(double a, double b) {
+    return std::abs(std::remainder(a - b, two_pi)) < same_angle;
+}
+
+bool shares_pin(const Throw& pin, const Cylinder& cylinder, std::span<const Cylinder> all,
+                double crank_radius) {
+    if (!same_direction(pin.crankpin_angle, cylinder.crankpin_angle)) {
+        return false;
+    }
+    bool near = false;
+    for (const std::size_t i : pin.cylinders) {
+        if (same_direction(all[i].bank_angle, cylinder.bank_angle)) {
+            return false;
+        }
+        const double distance = std::abs(all[i].axial_position - cylinder.axial_position);
+        near = near || distance < crank_radius * (1.0 - 1e-9);
+    }
+    return near;
+}
+
+}  // namespace
+
+std::vector<Throw> crank_throws(std::span<const Cylinder> cylinders, double crank_radius) {
+    std::vector<std::size_t> order(cylinders.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return cylinders[a].axial_position > cylinders[b].axial_position;
+    });
+    std::vector<Throw> throws;
+    for (const std::size_t i : order) {
+        const Cylinder& cylinder = cylinders[i];
+        // The throw behind the others is the nearest.
+        const auto pin = std::find_if(throws.rbegin(), throws.rend(), [&](const Throw& each) {
+            return shares_pin(each, cylinder, cylinders, crank_radius);
+        });
+        Throw& own = pin != throws.rend()
+                         ? *pin
+                         : throws.emplace_back(Throw{{}, 0.0, cylinder.crankpin_angle});
+        own.cylinders.push_back(i);
+    }
+    for (Throw& each : throws) {
+        for (const std::size_t i : each.cylinders) {
+            each.position +=
+                cylinders[i].axial_position / static_cast<double>(each.cylinders.size());
+        }
+    }
+    return throws;
+}
+
+std::optional<std::size_t> rods_per_throw(std::span<const Throw> throws) {
+    const bool alike = std::all_of(throws.begin(), throws.end(), [&](const Throw& each) {
+        return each.cylinders.size() == throws.front().cylinders.size();
+    });
+    return alike && !throws.empty() ? std::optional(throws.front().cylinders.size()) : std::nullopt;
+}
+
+Message describe_difference(std::span<const Throw> throws) {
+    const auto [least, most] = std::minmax_element(
+        throws.begin(), throws.end(),
+        [](const Throw& a, const Throw& b) { return a.cylinders.size() < b.cylinders.size(); });
+    return {CORE_TEXT("inertia-moments", "throws with %1 and with %2 rods"),
+            least->cylinders.size(), most->cylinders.size()};
+}
+
+std::vector<Message> articulated_rod_notes(std::span<const Throw> throws,
+                                           std::span<const Cylinder> cylinders,
+                                           double crank_radius) {
+    std::vector<Message> notes;
+    for (const Throw& each : throws) {
+        // From the front to the rear: those of one plane follow one another.
+        std::string plane;
+        std::size_t count = 0;
+        std::string widest;
+        std::size_t most = 0;
+        double last = 0.0;
+        for (const std::size_t i : each.cylinders) {
+            const double position = cylinders[i].axial_position;
+            if (count == 0 || std::abs(position - last) > same_plane * crank_radius) {
+                plane.clear();
+                count = 0;
+            }
+            plane += (count == 0 ? "" : ", ") + std::to_string(i + 1);
+            ++count;
+            last = position;
+            if (count > most) {
+                most = count;
+                widest = plane;
+            }
+        }
+        if (most >= 3) {
+            notes.emplace_back(
+                CORE_TEXT("inertia-moments",
+                          "Cylinders %1 share a crankpin in one plane: there one rod is the master "
+                          "and the others hang on it. All are computed as plain rods on the pin; "
+                          "articulated ones add a second order to the force, of some hundredths of "
+                          "the first, and uneven dead centres."),
+                widest);
+        }
+    }
+    return notes;
+}
+
+}  // namespace ravnoves::inertia_moments

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "case-file/message.h"
+#include "inertia-moments/input.h"
+
+namespace ravnoves::inertia_moments {
+
+/// A throw of the crank: one crankpin with the rods that run on it.
+struct Throw {
+    std::vector<std::size_t> cylinders;  ///< indices in the table, from the front to the rear
+    double position = 0.0;               ///< mean axial position of its rods, m
+    double crankpin_angle = 0.0;         ///< κ, rad
+};
+
+/// The throws, from the front to the rear. Rods share a crankpin where it stands at the same angle
+/// for both, their cylinders stand in different directions, and less than the crank radius lies
+/// between them along the crank (0 where they are forked, else the width of a big end).
+std::vector<Throw> crank_throws(std::span<const Cylinder> cylinders, double crank_radius);
+
+/// The number of rods on every throw; nothing where throws differ in it.
+std::optional<std::size_t> rods_per_throw(std::span<const Throw> throws);
+
+/// Why a mass for each throw cannot be shared out: "throws carry from 1 to 2 rods".
+Message describe_difference(std::span<const Throw> throws);
+
+/// What the model leaves out of a radial: three rods or more cannot run on one pin in one plane, so
+/// all but one of them hang on the master rod. One sentence for each such throw.
+std::vector<Message> articulated_rod_notes(std::span<const Throw> throws,
+                                           std::span<const Cylinder> cylinders,
+                                           double crank_radius);
+
+}  // namespace ravnoves::inertia_moments

@@ -1,0 +1,303 @@
+// What a throw carries, radials, and the cycle of two strokes.
+#include "inertia-moments/throws.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "engines.h"
+#include "inertia-moments/scene.h"
+
+namespace ravnoves::inertia_moments {
+namespace {
+
+constexpr double two_stroke = two_pi;
+
+Input engine_of(std::string_view layout) {
+    Input input;
+    input.crank_radius = 0.045;
+    input.lambda = 0.28;
+    input.angular_speed = 300.0;
+    input.reciprocating_mass = 0.5;
+    input.rotating_mass = 0.8;
+    input.layout = usual_layout(*find_layout(layout), input.crank_radius);
+    return input;
+}
+
+/// A radial: all cylinders in one plane on one pin.
+Input radial(int count) {
+    Input input = engine_of("i1");
+    input.layout.reset();
+    for (int i = 0; i < count; ++i) {
+        input.cylinders.push_back({0.0, two_pi * i / count, 0.0, 0.0});
+    }
+    return input;
+}
+
+std::string refusal_of(const Json& json) {
+    try {
+        solve_scene(json, {});
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(Throws, RodsThatShareAPinAreOneThrow) {
+    const std::map<std::string_view, std::size_t> rods{
+        {"i1", 1},     {"i2-180", 1}, {"i2-360", 1}, {"i4", 1},
+        {"i6", 1},     {"v2-45", 2},  {"v2-90", 2},  {"v8-cross-plane", 2},
+        {"flat-2", 1}, {"flat-4", 1}, {"v6-60", 1},  {"v8-flat-plane", 2},
+        {"vr5", 1},    {"vr6", 1},    {"w12", 1}};
+    for (const auto& [name, expected] : rods) {
+        const Engine engine = make_engine(engine_of(name));
+        EXPECT_EQ(rods_per_throw(engine.throws), expected) << name;
+        EXPECT_EQ(engine.throws.size() * expected, engine.cylinders.size()) << name;
+    }
+    // Side by side on the pin, the throw lies between its rods.
+    Input v8 = engine_of("v8-cross-plane");
+    v8.layout->stagger = 0.024;
+    const Engine engine = make_engine(v8);
+    ASSERT_EQ(engine.throws.size(), 4U);
+    EXPECT_EQ(engine.throws[1].cylinders, (std::vector<std::size_t>{2, 3}));
+    EXPECT_NEAR(engine.throws[1].position,
+                0.5 * (engine.cylinders[2].axial_position + engine.cylinders[3].axial_position),
+                1e-15);
+}
+
+// The counterweights follow from the pins alone: so many kilograms at R on each.
+TEST(Throws, CounterweightsAreThoseOfTheMassOnEachPin) {
+    Input input = engine_of("v8-cross-plane");
+    input.rotating_mass = 1.6;
+    input.rotating_mass_of_throw = true;
+    input.end_webs = EndWebs{0.25, -0.25, 0.05, 0.05, 0.0, true};
+    const Result result = solve(input);
+    Complex force;
+    Complex moment;
+    for (const int pin : {0, 1, 2, 3}) {
+        constexpr std::array angles{0.0, 90.0, 270.0, 180.0};
+        const double z = input.layout->first_position - pin * input.layout->spacing;
+        const Complex at =
+            std::polar(1.6 * 0.045, angles.at(static_cast<std::size_t>(pin)) * degree);
+        force += at;
+        moment += at * z;
+    }
+    for (const Counterweight& weight :
+         {result.counterweights->front, result.counterweights->rear}) {
+        force += weight.unbalance;
+        moment += weight.unbalance * weight.position;
+    }
+    EXPECT_NEAR(std::abs(force), 0.0, 1e-15);
+    EXPECT_NEAR(std::abs(moment), 0.0, 1e-15);
+    for (const Throw& pin : result.engine.throws) {
+        EXPECT_DOUBLE_EQ(result.engine.mass_on(pin), 1.6);
+    }
+    // Half of it for each of the two cylinders is the same engine.
+    Input each = input;
+    each.rotating_mass = 0.8;
+    each.rotating_mass_of_throw = false;
+    EXPECT_DOUBLE_EQ(solve(each).counterweights->front.mass(), result.counterweights->front.mass());
+    // Taken for that of one throw, the mass of one cylinder would make them half as heavy.
+    each.rotating_mass = 1.6;
+    EXPECT_DOUBLE_EQ(solve(each).counterweights->front.mass(),
+                     2.0 * result.counterweights->front.mass());
+}
+
+TEST(Throws, ARigidRodAddsItsShareForEachRodOnThePin) {
+    Input input = engine_of("v8-cross-plane");
+    input.rotating_mass = 1.0;
+    input.rotating_mass_of_throw = true;
+    const double length = input.rod_length();
+    input.rod = RigidRod{0.6, 0.25 * length, 0.002};
+    const Engine engine = make_engine(input);
+    EXPECT_NEAR(engine.mass_on(engine.throws[0]), 1.0 + 2 * 0.6 * 0.75, 1e-15);
+}
+
+TEST(Throws, AMassForEachThrowNeedsThrowsThatAreAlike) {
+    Input input = engine_of("v2-60");
+    input.layout.reset();
+    // Two on one pin, a third alone.
+    input.cylinders = {{0.05, 0.5, 0.0, 0.0}, {0.03, -0.5, 0.0, 0.0}, {-0.06, 0.5, 0.0, 2.0}};
+    Json json = write_input(input);
+    const Json solved = solve_scene(json, {});
+    ASSERT_EQ(solved.at("throws").size(), 2U);
+    EXPECT_EQ(solved.at("throws").at(0).at("cylinders"), Json({1, 2}));
+    EXPECT_DOUBLE_EQ(solved.at("throws").at(0).at("rotating_mass_kg").get<double>(), 1.6);
+    EXPECT_DOUBLE_EQ(solved.at("throws").at(1).at("rotating_mass_kg").get<double>(), 0.8);
+    json["rotating_mass_per_throw_kg"] = 1.2;
+    EXPECT_EQ(
+        refusal_of(json),
+        "/input/rotating_mass_per_throw_kg: must be left out where rotating_mass_kg is given");
+    json.erase("rotating_mass_kg");
+    EXPECT_EQ(refusal_of(json),
+              "/input/rotating_mass_per_throw_kg: must be given for one cylinder "
+              "(rotating_mass_kg) on a crank whose throws carry different numbers of rods, got "
+              "throws with 1 and with 2 rods");
+    json["cylinders"].erase(2);
+    EXPECT_EQ(refusal_of(json), "no error");
+    // In any order of the keys.
+    EXPECT_EQ(nlohmann::json(write_input(read_input(json))), nlohmann::json(json));
+}
+
+TEST(Radials, AreSaidToHavePlainRods) {
+    EXPECT_TRUE(solve(radial(2)).notes.empty());  // fork and blade
+    for (const int count : {3, 5, 9}) {
+        const Result result = solve(radial(count));
+        ASSERT_EQ(result.notes.size(), 1U) << count;
+        EXPECT_NE(result.notes[0].english().find("master"), std::string::npos);
+    }
+    EXPECT_TRUE(solve(engine_of("v8-cross-plane")).notes.empty());
+    // Three rods side by side are plain ones.
+    Input arrow = radial(3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        arrow.cylinders[i].axial_position = -0.025 * static_cast<double>(i);
+    }
+    EXPECT_TRUE(solve(arrow).notes.empty());
+    EXPECT_EQ(solve(arrow).engine.throws.size(), 1U);
+    const Json json = solve_scene(write_input(radial(5)), {});
+    EXPECT_EQ(json.at("notes").size(), 1U);
+    EXPECT_EQ(json.at("throws").size(), 1U);
+}
+
+/// Amplitudes of one order of Σ −s̈ u, forward and backward, in m R ω², of a radial whose other rods
+/// hang on the master rod of cylinder 1 at a distance from the crankpin (in R): brute force from
+/// the positions of the pins. 0: plain rods.
+std::pair<double, double> articulated_order(int count, double lambda, double knuckle, int order) {
+    constexpr int samples = 512;
+    const double length = 1.0 / lambda;
+    const Complex up(0.0, 1.0);
+    const auto along = [](Complex pin, Complex axis, double rod) {
+        const Complex q = pin * std::conj(axis);
+        return q.real() + std::sqrt(rod * rod - q.imag() * q.imag());
+    };
+    Complex forward;
+    Complex backward;
+    for (int i = 0; i < count; ++i) {
+        const Complex turn = std::polar(1.0, two_pi * i / count);
+        Complex coefficient;
+        for (int k = 0; k < samples; ++k) {
+            const double phi = two_pi * k / samples;
+            const Complex pin = up * std::polar(1.0, phi);
+            const Complex master = (up * along(pin, up, length) - pin) / length;
+            const double s =
+                i == 0 ? along(pin, up, length)
+                       : along(pin + knuckle * master * turn, up * turn, length - knuckle);
+            coefficient += s * std::polar(1.0 / samples, -order * phi);
+        }
+        forward += 1.0 * order * order * coefficient * up * turn;
+        backward += 1.0 * order * order * std::conj(coefficient) * up * turn;
+    }
+    return {std::abs(forward), std::abs(backward)};
+}
+
+// What the note says: the second order that plain rods do not have.
+TEST(Radials, ArticulatedRodsAddASecondOrder) {
+    const double lambda = 0.27;
+    for (const int count : {5, 7, 9}) {
+        Input input = radial(count);
+        input.lambda = lambda;
+        const Result result = solve(input);
+        const double unit = result.engine.force_unit();
+        for (const int order : {1, 2}) {
+            const RotatingPair& plain = result.exact.order(order).force;
+            const auto [forward, backward] = articulated_order(count, lambda, 0.0, order);
+            EXPECT_NEAR(std::abs(plain.forward) / unit, forward, 1e-10);
+            EXPECT_NEAR(std::abs(plain.backward) / unit, backward, 1e-10);
+        }
+        EXPECT_NEAR(articulated_order(count, lambda, 0.35, 1).first, count / 2.0, 1e-3);
+        const double second = articulated_order(count, lambda, 0.35, 2).first / (count / 2.0);
+        EXPECT_GT(second, 0.04);
+        EXPECT_LT(second, 0.08);
+    }
+}
+
+// At its firing angle each piston stands at top dead centre, once in a turn: the definition.
+TEST(TwoStrokes, PistonsAreAtTopDeadCentreAtEvenIntervalsOfOneTurn) {
+    for (const char* name : {"i3", "i4", "i5", "i6", "vr5", "vr6", "v6-60", "flat-6"}) {
+        Input input = engine_of(name);
+        input.strokes = 2;
+        const Result result = solve(input);
+        const auto count = result.engine.cylinders.size();
+        ASSERT_EQ(result.firing.size(), count) << name;
+        EXPECT_TRUE(fires_evenly(result.firing)) << name;
+        const double first = result.engine.mechanism(result.engine.cylinders[0]).top_dead_centre();
+        for (const FiringEvent& event : result.firing) {
+            EXPECT_NEAR(event.interval, two_pi / static_cast<double>(count), 1e-9);
+            const Cylinder& cylinder =
+                result.engine.cylinders[static_cast<std::size_t>(event.cylinder) - 1];
+            const auto motion = result.engine.mechanism(cylinder).at(
+                first + event.crank_angle + result.engine.crank_phase(cylinder));
+            EXPECT_NEAR(motion.ds, 0.0, 1e-9) << name;
+            EXPECT_LT(motion.d2s, 0.0) << name;
+        }
+        EXPECT_EQ(solve_scene(write_input(input), {}).at("firing_cycle_deg"), 360.0);
+    }
+}
+
+// A two-stroke in-line four has its pins at 90° and no second order, but a moment of the first.
+TEST(TwoStrokes, InlineFourHasNoSecondOrderForce) {
+    Input input = test::unit_engine("i4");
+    input.strokes = 2;
+    const Result result = solve(input);
+    EXPECT_NEAR(result.exact.order(1).force.max(), 0.0, 1e-13);
+    EXPECT_NEAR(result.exact.order(2).force.max(), 0.0, 1e-13);
+    EXPECT_GT(result.exact.order(1).moment.max(), 1.0);
+    input.strokes = 4;
+    EXPECT_NEAR(solve(input).two_term.order(2).force.max(), 4.0 * 0.25, 1e-13);
+}
+
+TEST(TwoStrokes, FireWhenTheyComeToTheTop) {
+    Input input = engine_of("flat-2");
+    input.strokes = 2;
+    Result result = solve(input);
+    ASSERT_EQ(result.firing.size(), 2U);
+    EXPECT_NEAR(result.firing[0].interval, 0.0, 1e-12);  // both at once
+    EXPECT_NEAR(result.firing[1].interval, two_stroke, 1e-12);
+    EXPECT_FALSE(fires_evenly(result.firing));
+    result = solve([] {
+        Input single = engine_of("i1");
+        single.strokes = 2;
+        return single;
+    }());
+    ASSERT_EQ(result.firing.size(), 1U);
+    EXPECT_NEAR(result.firing[0].interval, two_stroke, 1e-12);
+    EXPECT_TRUE(fires_evenly(result.firing));
+    // The order of a four-stroke needs two turns; the crank's own is said.
+    input = engine_of("v8-cross-plane");
+    input.strokes = 2;
+    result = solve(input);
+    EXPECT_TRUE(result.firing.empty());
+    const std::string why = result.firing_trouble.english();
+    EXPECT_NE(why.find("one turn"), std::string::npos) << why;
+    const std::vector<int> own = dead_centre_order(result.engine);
+    input.layout->firing_order = own;
+    result = solve(input);
+    EXPECT_EQ(result.firing.size(), 8U) << why;
+    EXPECT_TRUE(result.firing_trouble.empty());
+    // Without an order it is the crank's.
+    Input table = input;
+    table.cylinders = result.engine.cylinders;
+    table.layout.reset();
+    ASSERT_EQ(solve(table).firing.size(), 8U);
+    EXPECT_EQ(solve(table).firing[3].cylinder, own[3]);
+    table.strokes = 4;
+    EXPECT_TRUE(solve(table).firing.empty());
+}
+
+TEST(TwoStrokes, OthersAreRefused) {
+    Json json = write_input(engine_of("i3"));
+    for (const int strokes : {1, 3, 5}) {
+        json["strokes"] = strokes;
+        EXPECT_EQ(refusal_of(json).find("/input/strokes: must be "), 0U);
+    }
+    json["strokes"] = 2;
+    EXPECT_EQ(write_input(read_input(json)).at("strokes"), 2);
+    json["strokes"] = 4;
+    EXPECT_FALSE(write_input(read_input(json)).contains("strokes"));
+}
+
+}  // namespace
+}  // namespace ravnoves::inertia_moments
