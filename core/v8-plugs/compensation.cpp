@@ -21,9 +21,13 @@ Message two_sentences(Message first, Message second) {
 
 /// The action of an option in the imperative.
 Message action(const Option& option) {
-    // A hundredth of a gram is what the words show; less is not worth a set-up of the machine.
-    const bool machined = option.reduction >= 0.005 * units::gram;
-    if (keeps_steel_plugs(option.id)) {
+    const bool machined = option.machined();
+    if (has_new_plugs(option.id)) {
+        return machined ? Message(CORE_TEXT("V8", "Machine all 8 new steel plugs by %1 each."),
+                                  grams(option.reduction))
+                        : CORE_TEXT("V8", "Leave the 8 new steel plugs as they are.");
+    }
+    if (has_steel_plugs(option.id)) {
         return machined ? Message(CORE_TEXT("V8", "Machine all 8 steel plugs by %1 each."),
                                   grams(option.reduction))
                         : CORE_TEXT("V8", "Fit today's 8 steel plugs as they are.");
@@ -97,28 +101,41 @@ std::optional<GearMasses> gear_masses(const Engine& engine) {
                       *engine.oil_coefficient};
 }
 
-bool keeps_steel_plugs(OptionId option) {
-    return option == OptionId::steel_machined || option == OptionId::new_steel_to_steel;
+bool has_steel_plugs(OptionId option) {
+    return option != OptionId::steel_to_aluminium && option != OptionId::new_steel_to_aluminium;
+}
+
+bool has_new_plugs(OptionId option) {
+    return option == OptionId::new_steel_machined;
 }
 
 bool needs_new_crankshaft(OptionId option) {
-    return option == OptionId::new_steel_to_steel || option == OptionId::new_steel_to_aluminium;
+    return option == OptionId::new_steel_to_steel || option == OptionId::new_steel_machined ||
+           option == OptionId::new_steel_to_aluminium;
 }
 
 std::optional<Option> evaluate_option(OptionId id, const PlugSet& plugs, double unbalanced_mass,
                                       double tolerance) {
-    const bool steel = keeps_steel_plugs(id);
+    const bool steel = has_steel_plugs(id);
     const bool new_crankshaft = needs_new_crankshaft(id);
     if ((!steel && !plugs.aluminium) || (new_crankshaft && !plugs.new_design)) {
         return std::nullopt;
     }
-    const double k_y = plugs.coefficients().k_y;
     Option option{};
     option.id = id;
-    option.slope = k_y;
+    option.plug_radius = plugs.plug_radius;
     option.plug_mass_unmachined = steel ? plugs.steel_mass : plugs.aluminium->mass;
     option.max_reduction = steel ? plugs.max_steel_reduction : plugs.aluminium->max_reduction;
-    if (new_crankshaft) {
+    if (has_new_plugs(id)) {
+        option.plug_radius = plugs.new_design->radius;
+        option.plug_mass_unmachined = plugs.new_design->mass;
+        option.max_reduction *= std::min(1.0, plugs.new_design->mass / plugs.steel_mass);
+    }
+    const double k_y = 2.0 * option.plug_radius / plugs.crank_radius;
+    option.slope = k_y;
+    if (has_new_plugs(id)) {
+        option.constant = 0.0;  // the counterweights expect these plugs
+    } else if (new_crankshaft) {
         // (13), (14): the counterweights expect the new plugs, today's are fitted.
         option.constant = *plugs.coefficients().k_y_new * plugs.new_design->mass -
                           k_y * option.plug_mass_unmachined;
@@ -298,7 +315,7 @@ std::optional<BobWeight> nominal_bob_weight(const PlugSet& plugs, const GearMass
 BobWeight option_bob_weight(const PlugSet& plugs, const GearMasses& gear, Process process,
                             const MassChanges& changes, const Option& option) {
     return bob_weight(plugs, gear, process, changes, option.plug_mass_unmachined - option.reduction,
-                      plugs.plug_radius);
+                      option.plug_radius);
 }
 
 double shift_coefficient(double shift, double crank_radius) {

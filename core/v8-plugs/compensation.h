@@ -49,7 +49,7 @@ struct PlugSet {
     };
     struct NewDesign {
         double radius;  ///< r_pн, m
-        double mass;    ///< m_pн, kg
+        double mass;    ///< m_pн, kg, of steel
     };
     double crank_radius;         ///< r, m, > 0
     double plug_radius;          ///< r_p, m, > 0
@@ -79,39 +79,50 @@ enum class OptionId {
     steel_machined,         ///< today's steel plugs machined, (18), (22)
     steel_to_aluminium,     ///< aluminium plugs instead, (15), (19)
     new_steel_to_steel,     ///< today's steel plugs in a crankshaft made for new ones, (16), (20)
+    new_steel_machined,     ///< the new steel plugs of such a crankshaft machined, (18) with k_yн
     new_steel_to_aluminium  ///< aluminium plugs in such a crankshaft, (17), (21)
 };
-inline constexpr std::array<OptionId, 4> all_options{
+/// In the order of cost on each crankshaft.
+inline constexpr std::array<OptionId, 5> all_options{
     OptionId::steel_machined, OptionId::steel_to_aluminium, OptionId::new_steel_to_steel,
-    OptionId::new_steel_to_aluminium};
+    OptionId::new_steel_machined, OptionId::new_steel_to_aluminium};
 
 /// Names of the options, in the order of the enumeration.
 inline constexpr Word option_words[] = {
     {"steel-machined", CORE_TEXT("V8", "Machine today's steel plugs")},
     {"steel-to-aluminium", CORE_TEXT("V8", "Aluminium plugs")},
     {"new-steel-to-steel", CORE_TEXT("V8", "New crankshaft, today's steel plugs")},
+    {"new-steel-machined", CORE_TEXT("V8", "New crankshaft, its steel plugs machined")},
     {"new-steel-to-aluminium", CORE_TEXT("V8", "New crankshaft, aluminium plugs")}};
 constexpr const Word& option_word(OptionId option) {
     return option_words[static_cast<std::size_t>(option)];
 }
-/// True where the option keeps today's steel plugs (machined), false where it fits aluminium ones.
-bool keeps_steel_plugs(OptionId option);
+/// True where the option's plugs are of steel, today's or new ones; false where of aluminium.
+bool has_steel_plugs(OptionId option);
+/// True where the plugs are those of the new design, not today's in steel or aluminium.
+bool has_new_plugs(OptionId option);
 /// True where the option is for a crankshaft made for the plugs of the new design.
 bool needs_new_crankshaft(OptionId option);
 
 /// One way to compensate: constant + slope · reduction, the reduction from 0 to its limit.
 struct Option {
     OptionId id;
-    double constant;              ///< Δm_yra, Δm_yhr, Δm_yna (12)–(14) or 0, kg
-    double slope;                 ///< k_y (24)
-    double max_reduction;         ///< the wall-strength limit of one plug, kg
+    double constant;     ///< Δm_yra, Δm_yhr, Δm_yna (12)–(14) or 0, kg
+    double slope;        ///< k_y (24), or k_yн where new plugs are machined
+    double plug_radius;  ///< r_p or r_pн, m
+    /// The wall-strength limit of one plug, kg. The paper gives none for a new plug: that of
+    /// today's steel plug is taken, in proportion where the new one is lighter.
+    double max_reduction;
     double maximum;               ///< (19)–(22), kg
     double required_reduction;    ///< one plug, kg; may be negative or beyond the limit
     double reduction;             ///< the same, clamped to what is possible, kg
     bool feasible;                ///< |residual unbalance| within the tolerance
     double residual_mass;         ///< excess left on a crankpin, kg; negative: over-compensated
     double residual_unbalance;    ///< the same times r, kg·m
-    double plug_mass_unmachined;  ///< m_p or m_a, kg
+    double plug_mass_unmachined;  ///< m_p, m_a or m_pн, kg
+
+    /// A hundredth of a gram is what the words show; less is not worth a set-up of the machine.
+    bool machined() const { return reduction >= 0.005 * units::gram; }
 };
 
 /// The option; nothing where the engine has not the plugs it needs.
@@ -134,8 +145,8 @@ struct Advice {
     std::optional<OptionId> with_other_crankshaft;
 };
 
-/// The first option that works in the order of cost (nothing, machine today's steel plugs,
-/// aluminium plugs) among those for the crankshaft that is fitted.
+/// The first option that works in the order of cost (nothing, steel plugs, aluminium plugs) among
+/// those for the crankshaft that is fitted.
 Advice advise(const PlugSet& plugs, Crankshaft crankshaft, double unbalanced_mass,
               double tolerance);
 
@@ -194,7 +205,7 @@ std::optional<BobWeight> nominal_bob_weight(const PlugSet& plugs, const GearMass
 /// Bob weight with these parts and plugs of the given mass at the radius, eqs. (4), (5), (7), (8).
 BobWeight bob_weight(const PlugSet& plugs, const GearMasses& gear, Process process,
                      const MassChanges& changes, double plug_mass, double plug_radius);
-/// Bob weight after the option: today's plugs, lightened by its reduction.
+/// Bob weight after the option: its plugs, lightened by its reduction.
 BobWeight option_bob_weight(const PlugSet& plugs, const GearMasses& gear, Process process,
                             const MassChanges& changes, const Option& option);
 

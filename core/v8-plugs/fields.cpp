@@ -268,8 +268,8 @@ void visit_fields(FieldVisitor& visitor, WeighIn& sheet) {
                    FieldVisitor::Written::always);
     for (const Part part : all_parts) {
         PartColumn& column = sheet[part];
-        visitor.object_of({.key = part_word(part).word}, false, column != PartColumn{},
-                          [&] { visit_fields(visitor, column); });
+        visitor.object_of({.key = part_word(part).word, .label = part_word(part).label}, false,
+                          column != PartColumn{}, [&] { visit_fields(visitor, column); });
     }
 }
 
@@ -311,7 +311,7 @@ void visit_fields(FieldVisitor& visitor, Input& input) {
         visitor.object_of(field::engine, true, true, [&] {
             for (const EngineField& each : engine_fields()) {
                 if (!is_inapplicable(input.engine, each.group)) {
-                    visitor.number(each.field, input.engine.*each.member);
+                    visitor.required(each.field, input.engine.*each.member);
                 }
             }
         });

@@ -25,7 +25,9 @@ inline constexpr Field engine{
     .label = CORE_TEXT("V8", "&Engine"),
     .hint = CORE_TEXT("V8", "Engines of the paper by displacement, then your own."),
     .placeholder = CORE_TEXT("V8", "other")};
-inline constexpr Field engine_overrides{.key = "engine_overrides"};
+inline constexpr Field engine_overrides{
+    .key = "engine_overrides",
+    .hint = CORE_TEXT("V8", "Values that replace those of the preset, or that it does not give.")};
 inline constexpr Field process{
     .key = "process",
     .label = CORE_TEXT("V8", "&Work"),
@@ -36,7 +38,10 @@ inline constexpr Field crankshaft{
     .label = CORE_TEXT("V8", "Cran&kshaft"),
     .hint = CORE_TEXT("V8", "Which plugs the counterweights of the crankshaft were made for."),
     .words = crankshaft_words};
-inline constexpr Field mass_changes{.key = "mass_changes_g"};
+inline constexpr Field mass_changes{
+    .key = "mass_changes_g",
+    .hint =
+        CORE_TEXT("V8", "How much heavier the parts are than nominal; negative where lighter.")};
 inline constexpr Field changes_source{
     .key = "mass_changes_from",
     .label = CORE_TEXT("V8", "Source of the mass changes"),
@@ -50,19 +55,28 @@ inline constexpr Field tolerance{
     .hint = CORE_TEXT("V8", "In each correction plane. The paper accepts 5 g·mm.")};
 
 // ------------------------------------------------------------------------- weigh-in sheet
-inline constexpr Field weigh_in{.key = "weigh_in"};
+inline constexpr Field weigh_in{.key = "weigh_in",
+                                .hint = CORE_TEXT("V8", "Weights of the parts as the scale says.")};
 inline constexpr Field numbering{.key = "cylinder_numbering",
                                  .label = CORE_TEXT("V8", "C&ylinders of a crankpin"),
                                  .hint = CORE_TEXT("V8", "Which two cylinders share a crankpin."),
                                  .words = numbering_words};
-inline constexpr Field nominal{
-    .key = "nominal_g", .unit = units::gram, .range = Range::between(0.001, 100'000)};
+inline constexpr Field nominal{.key = "nominal_g",
+                               .unit = units::gram,
+                               .range = Range::between(0.001, 100'000),
+                               .hint = CORE_TEXT("V8", "Nominal mass of the part.")};
 inline constexpr Field permitted_spread{
-    .key = "permitted_spread_g", .unit = units::gram, .range = Range::between(0, 100'000)};
-inline constexpr Field part_mass{.key = "mass_g", .unit = units::gram, .range = nominal.range};
+    .key = "permitted_spread_g",
+    .unit = units::gram,
+    .range = Range::between(0, 100'000),
+    .hint = CORE_TEXT("V8", "By how much the parts may differ from one another.")};
+inline constexpr Field part_mass{.key = "mass_g",
+                                 .unit = units::gram,
+                                 .range = nominal.range,
+                                 .hint = CORE_TEXT("V8", "Eight masses, by cylinder.")};
 
 // ----------------------------------------------------------------------------------- plug
-inline constexpr Field plug{.key = "plug"};
+inline constexpr Field plug{.key = "plug", .hint = CORE_TEXT("V8", "Sizes of the plug.")};
 inline constexpr Field thread{
     .key = "thread",
     .label = CORE_TEXT("V8", "&Thread"),
@@ -115,7 +129,8 @@ inline constexpr Field aluminium_density{
     .hint = CORE_TEXT("V8", "Wrought alloys 2640 to 2850 kg/m³.")};
 
 // ------------------------------------------------------------------------------- machine
-inline constexpr Field balancing{.key = "balancing"};
+inline constexpr Field balancing{
+    .key = "balancing", .hint = CORE_TEXT("V8", "Limits and readings of the balancing machine.")};
 inline constexpr Field grade{
     .key = "grade_mm_s",
     .unit = units::mm_per_s,
@@ -160,7 +175,7 @@ inline constexpr Field rear_reading{
     .hint = CORE_TEXT("V8", "Residual unbalance after correction.")};
 
 // ------------------------------------------------------------------------- head of the card
-inline constexpr Field job{.key = "job"};
+inline constexpr Field job{.key = "job", .hint = CORE_TEXT("V8", "Head of the job card.")};
 inline constexpr Field engine_number{.key = "engine_number",
                                      .label = CORE_TEXT("V8", "Engine &number"),
                                      .hint = CORE_TEXT("V8", "The journal finds the job by it.")};

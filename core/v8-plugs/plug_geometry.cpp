@@ -157,21 +157,22 @@ Boring plan_boring(const PlugGeometry& plug, const BoreLimits& limits, double re
             boring.limit = Boring::Limit::bottom;
         }
     }
+    // Moment of what is cut off about the old centre of mass, over the mass that stays.
+    const double old_centre = plug.centre_of_mass();
+    const double old_volume = plug.volume();
+    // The cut lies between the faces of the cutter's way that were still full of metal.
+    double moment = 0.0;
+    double cut = 0.0;
+    const auto remove = [&](double section, double from, double to) {
+        cut += section * (to - from);
+        moment += section * (to - from) * (plug.height - (from + to) / 2.0 - old_centre);
+    };
+    remove(ring, 0.0, std::min(boring.depth, plug.bore_depth));
+    if (boring.depth > plug.bore_depth) {
+        remove(area, plug.bore_depth, boring.depth);
+    }
+    boring.cut_distance = cut > 0.0 ? moment / cut : 0.0;
     if (boring.limit == Boring::Limit::none) {
-        // Moment of what is cut off about the old centre of mass, over the mass that stays.
-        const double old_centre = plug.centre_of_mass();
-        const double old_volume = plug.volume();
-        // The cut lies between the faces of the cutter's way that were still full of metal.
-        double moment = 0.0;
-        double cut = 0.0;
-        const auto remove = [&](double section, double from, double to) {
-            cut += section * (to - from);
-            moment += section * (to - from) * (plug.height - (from + to) / 2.0 - old_centre);
-        };
-        remove(ring, 0.0, std::min(boring.depth, plug.bore_depth));
-        if (boring.depth > plug.bore_depth) {
-            remove(area, plug.bore_depth, boring.depth);
-        }
         boring.shift = moment / (old_volume - cut);
     }
     return boring;

@@ -78,7 +78,10 @@ struct Boring {
     double bottom = 0.0;         ///< left under the bore, m
     double max_reduction = 0.0;  ///< what the walls allow in all, kg
     Limit limit = Limit::none;   ///< what forbids the reduction asked for
-    double shift = 0.0;          ///< centre of mass of the bored plug moves inwards by this much, m
+    /// How far beyond the plug's centre of mass, outwards, that of the metal cut off lies, m; also
+    /// where a limit forbids the cut.
+    double cut_distance = 0.0;
+    double shift = 0.0;  ///< centre of mass of the bored plug moves inwards by this much, m
 };
 
 /// Mass removed from the plug when the cutter bores to `depth` from the outer face, kg.

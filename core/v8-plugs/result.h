@@ -6,6 +6,7 @@
 #include "v8-plugs/compensation.h"
 #include "v8-plugs/plug_geometry.h"
 #include "v8-plugs/residual_unbalance.h"
+#include "v8-plugs/shift.h"
 #include "v8-plugs/weigh_in.h"
 
 namespace ravnoves::v8_plugs {
@@ -34,13 +35,13 @@ struct Result {
     MassChanges changes;
     std::optional<double> unbalanced_mass;  ///< Δm_y, kg; needs k_ш
     std::optional<PlugSet> plugs;
-    std::array<std::optional<Option>, 4> options;  ///< in the order of all_options
+    std::array<std::optional<Option>, all_options.size()> options;  ///< in the order of all_options
     std::optional<Advice> advice;
 
     // bob weights; need the nominal masses too
     std::optional<BobWeight> nominal;  ///< of the crankshaft that is fitted
     std::optional<BobWeight> before;   ///< these parts, the plugs the crankshaft was made for
-    std::array<std::optional<OptionBobWeight>, 4> bob_weights;
+    std::array<std::optional<OptionBobWeight>, all_options.size()> bob_weights;
 
     // weigh-in
     std::optional<std::array<double, crankpin_count>> crankpin_excess;  ///< kg
@@ -50,11 +51,23 @@ struct Result {
     // plug
     std::optional<PlugMass> steel_plug;
     std::optional<PlugMass> aluminium_plug;
-    std::array<std::optional<Boring>, 4> boring;  ///< for each option's reduction
+    /// For each option's reduction; not of new plugs, of which the sheet says nothing.
+    std::array<std::optional<Boring>, all_options.size()> boring;
+    /// Where an option machines its plugs.
+    std::array<std::optional<ShiftEffect>, all_options.size()> shift;
 
     std::optional<BalancingVerdict> balancing;
 
     const std::optional<Option>& option(OptionId id) const { return options[index(id)]; }
+    /// What the neglected shift does to the option that is advised; nothing where it does not
+    /// matter.
+    const ShiftEffect* shift_that_matters() const {
+        if (!advice || advice->kind != Advice::Kind::option) {
+            return nullptr;
+        }
+        const auto& effect = shift[index(advice->option->id)];
+        return effect && effect->matters ? &*effect : nullptr;
+    }
 };
 
 }  // namespace ravnoves::v8_plugs

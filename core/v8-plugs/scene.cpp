@@ -39,7 +39,21 @@ Json shift_json(double plug_mass, double shift, double crank_radius) {
             {"unbalance_g_mm", shift_unbalance(plug_mass, shift) / units::gram_mm}};
 }
 
-Json boring_json(const Boring& boring, double plug_mass) {
+Json shift_effect_json(const ShiftEffect& effect) {
+    Json json{{"from", effect.planned ? "bore" : "range"},
+              {"shift_mm", {effect.least_shift / units::mm, effect.greatest_shift / units::mm}},
+              {"unbalance_g_mm", {effect.least / units::gram_mm, effect.greatest / units::gram_mm}},
+              {"residual_unbalance_g_mm", effect.residual_unbalance / units::gram_mm},
+              {"beyond_tolerance", effect.matters},
+              {"corrected_reduction_g",
+               {effect.least_reduction / units::gram, effect.greatest_reduction / units::gram}}};
+    if (effect.depth) {
+        json["corrected_depth_mm"] = *effect.depth / units::mm;
+    }
+    return json;
+}
+
+Json boring_json(const Boring& boring, const std::optional<ShiftEffect>& effect) {
     Json json{{"possible", boring.limit == Boring::Limit::none},
               {"limited_by", limit_name(boring.limit)},
               {"depth_mm", boring.depth / units::mm},
@@ -48,8 +62,8 @@ Json boring_json(const Boring& boring, double plug_mass) {
               {"bottom_mm", boring.bottom / units::mm},
               {"maximum_reduction_g", boring.max_reduction / units::gram}};
     if (boring.limit == Boring::Limit::none) {
-        json["shift_mm"] = boring.shift / units::mm;
-        json["shift_unbalance_g_mm"] = shift_unbalance(plug_mass, boring.shift) / units::gram_mm;
+        json["shift_mm"] = effect ? effect->greatest_shift / units::mm : 0.0;
+        json["shift_unbalance_g_mm"] = effect ? effect->greatest / units::gram_mm : 0.0;
     }
     return json;
 }
@@ -89,8 +103,11 @@ Json option_json(const Result& result, OptionId id, double crank_radius, double 
     json["bobweight"] = bob_weight_json(weights.after);
     json["centre_of_mass_shift"] = Json::array({shift_json(plug, smallest_shift, crank_radius),
                                                 shift_json(plug, largest_shift, crank_radius)});
+    if (const auto& effect = result.shift[index(id)]) {
+        json["shift_effect"] = shift_effect_json(*effect);
+    }
     if (const auto& boring = result.boring[index(id)]) {
-        json["boring"] = boring_json(*boring, plug);
+        json["boring"] = boring_json(*boring, result.shift[index(id)]);
     }
     return json;
 }
@@ -199,6 +216,14 @@ Json write_result(const Input& input, const Result& result) {
         }
     }
     json["reason"] = std::move(reason);
+    // Green, amber or red: works; works by the method's count only; does not.
+    const ShiftEffect* shift = result.shift_that_matters();
+    json["state"] = json["recommended"].is_null() ? "fails"
+                    : shift != nullptr            ? "warning"
+                                                  : "works";
+    if (shift != nullptr) {
+        json["warning"] = describe(*shift, input.tolerance).english();
+    }
     if (result.nominal && result.before) {
         json["bobweight"] = {{"nominal", bob_weight_json(*result.nominal)},
                              {"before", bob_weight_json(*result.before)}};

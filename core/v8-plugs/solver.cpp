@@ -7,7 +7,7 @@ namespace ravnoves::v8_plugs {
 namespace {
 
 PlugMaterial material_of(OptionId id) {
-    return keeps_steel_plugs(id) ? PlugMaterial::steel : PlugMaterial::aluminium;
+    return has_steel_plugs(id) ? PlugMaterial::steel : PlugMaterial::aluminium;
 }
 
 PlugMass plug_mass(double typed, const PlugGeometry& geometry, double density) {
@@ -49,10 +49,27 @@ void solve_plug(const Input& input, Result& result) {
         return;
     }
     for (const OptionId id : all_options) {
-        if (const auto& option = result.option(id)) {
+        const auto& option = result.option(id);
+        if (option && !has_new_plugs(id)) {
             result.boring[index(id)] = plan_boring(*geometry, *limits, option->reduction,
                                                    input.plug->density(material_of(id)));
         }
+    }
+}
+
+void solve_shifts(const Input& input, Result& result) {
+    for (const OptionId id : all_options) {
+        const auto& option = result.option(id);
+        if (!option) {
+            continue;
+        }
+        const auto& boring = result.boring[index(id)];
+        std::optional<BoreSetup> setup;
+        if (boring && boring->limit == Boring::Limit::none) {
+            setup = BoreSetup{*input.plug->geometry(), *input.plug->limits(),
+                              input.plug->density(material_of(id))};
+        }
+        result.shift[index(id)] = shift_effect(*option, input.tolerance, setup);
     }
 }
 
@@ -101,6 +118,7 @@ Result solve(const Input& input) {
     solve_bob_weights(input, result);
     solve_weigh_in(input, result);
     solve_plug(input, result);
+    solve_shifts(input, result);
     if (input.balancing) {
         if (const auto check = input.balancing->check()) {
             result.balancing = judge(*check);

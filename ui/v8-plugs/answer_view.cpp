@@ -66,7 +66,7 @@ QWidget* AnswerView::buildAdvice() {
     excess_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     troubles_ = namedLabel(panel, "troubles", Theme::baseSize);
     options_ = new ResultTable(panel);
-    options_->setAccessibleName(tr("The four options"));
+    options_->setAccessibleName(tr("The options"));
     options_->setColumns(model_->optionColumns());
     auto* numbers = new QHBoxLayout;
     numbers->addWidget(hang_, 3);
@@ -124,7 +124,11 @@ void AnswerView::showAdvice() {
     const bool works = v8_text::works(model_->solution());
     // What is still missing is no sentence for the display size.
     advice_->setFont(Theme::font(works ? Theme::displaySize : Theme::titleSize, true));
-    colourText(advice_, !advice ? theme.mutedText() : works ? theme.text() : theme.error());
+    const bool doubtful = model_->solution().shift_that_matters() != nullptr;
+    colourText(advice_, !advice    ? theme.mutedText()
+                        : doubtful ? theme.warning()
+                        : works    ? theme.text()
+                                   : theme.error());
     say(boring_, model_->boringText());
     say(hang_, model_->hangText());
     const bool known = model_->solution().before.has_value();

@@ -13,7 +13,7 @@ class ResultTable;
 class ShiftPlot;
 class V8PlugsModel;
 
-/// What follows from the job: the advice in words, the four options, the bob weight line by line,
+/// What follows from the job: the advice in words, the options, the bob weight line by line,
 /// the plug and the plots.
 class AnswerView : public QWidget {
     Q_OBJECT

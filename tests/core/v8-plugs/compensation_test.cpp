@@ -156,13 +156,34 @@ TEST(Compensation, WordsOfATechnician) {
     EXPECT_EQ(words(-1.0),
               "The parts are 1.00 g per crankpin lighter than nominal (40.0 g·mm), and plugs can "
               "only be lightened: heavier parts or heavier plugs are needed.");
-    EXPECT_EQ(words(1.0, Crankshaft::new_plugs),
-              "No plug of this crankshaft has the mass that is needed. The nearest is "
-              "“New crankshaft, today's steel plugs”, which over-compensates by 0.92 g on each "
-              "crankpin: 36.8 g·mm "
-              "against the 5.0 g·mm allowed. A standard crankshaft would do: “Machine today's "
-              "steel plugs”.");
+    EXPECT_EQ(words(1.0, Crankshaft::new_plugs), "Machine all 8 new steel plugs by 0.41 g each.");
     EXPECT_EQ(words(1.92, Crankshaft::new_plugs), "Fit today's 8 steel plugs as they are.");
+}
+
+// The counterweights expect the new plugs: what is taken off them at their own radius is what they
+// compensate, up to the limit of today's plugs.
+TEST(Compensation, NewPlugsAreMachinedAtTheirOwnRadius) {
+    const PlugSet plugs = plug_set(*find_preset("4.25 l")).value();
+    const auto option = [&](double excess_g) {
+        return evaluate_option(OptionId::new_steel_machined, plugs, excess_g * gram, 0.0).value();
+    };
+    EXPECT_EQ(option(1.0).constant, 0.0);
+    EXPECT_NEAR(option(1.0).reduction / gram, 1.0 * 40.0 / (2.0 * 49.3), 1e-12);
+    EXPECT_EQ(option(1.0).residual_mass, 0.0);
+    EXPECT_NEAR(option(1.0).maximum / gram, 2.0 * 49.3 / 40.0 * 1.951, 1e-12);
+    EXPECT_FALSE(option(4.9).feasible);
+    // On this crankshaft every excess up to the largest has an option now.
+    for (double excess = 0.0; excess < 7.8; excess += 0.05) {
+        EXPECT_EQ(advise(plugs, Crankshaft::new_plugs, excess * gram, gram * millimetre).kind ==
+                      Advice::Kind::option,
+                  excess * 40.0 > 1.0)
+            << excess;
+    }
+    // A new plug that is lighter than today's bears less.
+    PlugSet light = plugs;
+    light.new_design->mass = 0.5 * plugs.steel_mass;
+    EXPECT_DOUBLE_EQ(evaluate_option(OptionId::new_steel_machined, light, gram, 0.0)->max_reduction,
+                     0.5 * plugs.max_steel_reduction);
 }
 
 TEST(Compensation, ManufactureDropsTheRepairParts) {
@@ -176,6 +197,7 @@ TEST(Compensation, EngineWithoutAluminiumOrNewPlugsHasFewerOptions) {
     plugs.new_design.reset();
     EXPECT_FALSE(evaluate_option(OptionId::new_steel_to_steel, plugs, gram, 0.0));
     EXPECT_FALSE(evaluate_option(OptionId::new_steel_to_aluminium, plugs, gram, 0.0));
+    EXPECT_FALSE(evaluate_option(OptionId::new_steel_machined, plugs, gram, 0.0));
     EXPECT_TRUE(evaluate_option(OptionId::steel_to_aluminium, plugs, gram, 0.0));
     EXPECT_EQ(advise(plugs, Crankshaft::new_plugs, gram, 0.0).kind, Advice::Kind::no_new_plug_data);
     plugs.aluminium.reset();

@@ -86,7 +86,8 @@ TEST_P(Paper, Table3) {
     EXPECT_NEAR(option(OptionId::new_steel_to_aluminium).constant / gram, p.new_aluminium, digit);
     EXPECT_NEAR(printed_maximum(OptionId::new_steel_to_aluminium), p.new_aluminium_max, digit);
     for (const OptionId id : all_options) {
-        EXPECT_NEAR(option(id).slope, p.slope, digit);
+        // The paper machines today's plugs only.
+        EXPECT_NEAR(option(id).slope, has_new_plugs(id) ? p.k_y_new : p.slope, digit);
         EXPECT_NEAR(option(id).maximum / gram, printed_maximum(id), digit);
     }
 }

@@ -59,15 +59,15 @@ TEST_F(V8ModelTest, OptionsWithConstantSlopeReachNeedAndWhatIsLeft) {
     V8PlugsModel model({});
     model.loadInput(example("v8-4.25-repair.case.json"), {});
     const auto rows = model.optionRows();
-    ASSERT_EQ(rows.size(), 4);
+    ASSERT_EQ(rows.size(), 5);
     EXPECT_EQ(rows.at(0), (QStringList{u"✓ Machine today's steel plugs"_s, u"0.000"_s, u"2.360"_s,
                                        u"4.604"_s, u"1.832"_s, u"0.000"_s, u"0.0"_s}));
     // For the other crankshaft, in brackets; 4.3225 − 6.25281 g times 40 mm.
-    EXPECT_EQ(rows.at(3),
+    EXPECT_EQ(rows.at(4),
               (QStringList{u"(✗) New crankshaft, aluminium plugs"_s, u"6.253"_s, u"2.360"_s,
                            u"7.867"_s, u"−0.818"_s, u"−1.930"_s, u"−77.2"_s}));
     EXPECT_EQ(model.optionColumns().size(), rows.at(0).size());
-    EXPECT_TRUE(model.optionToolTip(3).startsWith(u"For the other crankshaft."_s));
+    EXPECT_TRUE(model.optionToolTip(4).startsWith(u"For the other crankshaft."_s));
     model.edit(u"crankshaft"_s, [](Input& input) { input.crankshaft = Crankshaft::new_plugs; });
     EXPECT_TRUE(model.optionRows().at(2).constFirst().startsWith(u"✓ "_s));
 }
@@ -85,7 +85,7 @@ TEST_F(V8ModelTest, HalfFilledSheetNamesWhatIsMissing) {
         << qPrintable(model.adviceText());
     EXPECT_TRUE(model.engineNote().contains(u"only the crank radius"_s));
     EXPECT_FALSE(model.hangText().contains(u"Hang"_s));
-    EXPECT_EQ(model.optionRows().size(), 4);
+    EXPECT_EQ(model.optionRows().size(), 5);
     model.chooseEngine(0);
     EXPECT_TRUE(model.engineNote().contains(u"weigh the plugs"_s));
 }
@@ -190,6 +190,14 @@ TEST_F(V8ModelTest, ShiftOfThePlannedBoreIsSaid) {
     // By hand: 233.3 mm³ cut 6.24 mm above the middle of 4861 mm³.
     EXPECT_TRUE(model.shiftText().contains(u"Bored as planned here it moves by 0.31\u00A0mm"_s))
         << qPrintable(model.shiftText());
+    // 1.83 g twice, 6.24 mm farther out than counted: beyond the tolerance, so another depth.
+    EXPECT_TRUE(model.shiftText().contains(u"22.9"_s)) << qPrintable(model.shiftText());
+    ASSERT_FALSE(model.troubles().isEmpty());
+    EXPECT_TRUE(model.troubles().constFirst().contains(u"from the face instead"_s))
+        << qPrintable(model.troubles().constFirst());
+    EXPECT_EQ(model.solution().shift_that_matters()->planned, true);
+    model.edit(u"tolerance"_s, [](Input& input) { input.tolerance = 30e-6; });
+    EXPECT_EQ(model.solution().shift_that_matters(), nullptr);
 }
 
 TEST_F(V8ModelTest, SpreadAbovePermittedIsWarnedOf) {

@@ -109,6 +109,28 @@ class V8PageTest : public ::testing::Test {
     V8PlugsModel* model = nullptr;
 };
 
+TEST_F(V8PageTest, AnswerIsAmberWhereTheNeglectedShiftMatters) {
+    type("repair_piston_and_rings", u"4.3"_s);
+    auto* advice = page.findChild<QLabel*>(u"advice"_s);
+    const auto colour = [&] { return advice->palette().color(QPalette::WindowText); };
+    EXPECT_EQ(colour(), Theme::instance().text());
+    model->edit(u"plug"_s, [](Input& input) {
+        input.plug.emplace();
+        input.plug->thread = Thread{22e-3, 1.5e-3};
+        input.plug->height = 14e-3;
+        input.plug->cutter_diameter = 14e-3;
+    });
+    EXPECT_EQ(colour(), Theme::instance().warning());
+    EXPECT_TRUE(label("advice").startsWith(u"Machine all 8 steel plugs by 1.82"_s))
+        << qPrintable(label("advice"));
+    EXPECT_TRUE(label("troubles").contains(u"Bore to"_s)) << qPrintable(label("troubles"));
+    model->edit(u"excess"_s, [](Input& input) {
+        input.plug.reset();
+        input.typed_changes.repair_piston_and_rings = 0.1;
+    });
+    EXPECT_EQ(colour(), Theme::instance().error());
+}
+
 TEST_F(V8PageTest, AnswerFollowsTyping) {
     type("rod_big_end", u"0,5"_s);
     type("repair_piston_and_rings", u"2"_s);

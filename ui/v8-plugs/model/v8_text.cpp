@@ -118,6 +118,9 @@ QStringList spreadTroubles(const Words& words, const WeighIn& sheet) {
 
 QStringList troubles(const Words& words, const Input& input, const Result& solution) {
     QStringList list = engineTroubles(words, input.engine);
+    if (const ShiftEffect* effect = solution.shift_that_matters()) {
+        list << words.message(describe(*effect, input.tolerance));
+    }
     if (input.plug) {
         list << plugTroubles(words, *input.plug);
     }
@@ -142,12 +145,13 @@ QString shiftText(const Words& words, const Input& input, const Result& solution
             .arg(words.number(shift_unbalance(plug, smallest_shift) / units::gram_mm, 1),
                  gramMillimetres(words, shift_unbalance(plug, largest_shift)),
                  gramMillimetres(words, input.tolerance));
-    const auto& boring = solution.boring[index(option.id)];
-    if (boring && boring->cuts && boring->limit == Boring::Limit::none) {
-        text += QLatin1Char(' ') +
-                words.translate("V8", "Bored as planned here it moves by %1: %2.")
-                    .arg(withUnit(words.plain(boring->shift / units::mm, 2), words.unit(units::mm)),
-                         gramMillimetres(words, shift_unbalance(plug, boring->shift)));
+    const auto& effect = solution.shift[index(option.id)];
+    if (effect && effect->planned) {
+        text +=
+            QLatin1Char(' ') + words.translate("V8", "Bored as planned here it moves by %1: %2.")
+                                   .arg(withUnit(words.plain(effect->greatest_shift / units::mm, 2),
+                                                 words.unit(units::mm)),
+                                        gramMillimetres(words, effect->greatest));
     }
     return text;
 }

@@ -1,0 +1,122 @@
+#include "v8-plugs/shift.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ravnoves::v8_plugs {
+
+namespace {
+
+Number in_grams(double mass) {
+    return {mass / units::gram, units::gram, -2};
+}
+
+Number in_gram_millimetres(double unbalance) {
+    return {unbalance / units::gram_mm, units::gram_mm, -1};
+}
+
+/// Where the cut that takes so much off lies, m beyond the plug's centre of mass.
+double distance_of_cut(const BoreSetup& setup, double reduction) {
+    return plan_boring(setup.plug, setup.limits, reduction, setup.density).cut_distance;
+}
+
+/// x (r_p + d(x)) = Δm r_p: what is cut counts at its own radius, not at that of the plug.
+double bored_reduction(const Option& option, const BoreSetup& setup) {
+    const double wanted = option.required_reduction * option.plug_radius;
+    double low = 0.0;
+    double high = option.max_reduction;
+    const auto removed = [&](double x) {
+        return x * (option.plug_radius + distance_of_cut(setup, x));
+    };
+    if (removed(high) <= wanted) {
+        return high;
+    }
+    for (int i = 0; i < 200 && low < high; ++i) {
+        const double middle = 0.5 * (low + high);
+        if (middle == low || middle == high) {
+            break;
+        }
+        (removed(middle) < wanted ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+/// (m − x)(r_p − Δr) = (m − Δm) r_p
+double shifted_reduction(const Option& option, double shift) {
+    const double mass = option.plug_mass_unmachined;
+    const double wanted = mass - (mass - option.required_reduction) * option.plug_radius /
+                                     (option.plug_radius - shift);
+    return std::clamp(wanted, 0.0, option.max_reduction);
+}
+
+}  // namespace
+
+std::optional<ShiftEffect> shift_effect(const Option& option, double tolerance,
+                                        const std::optional<BoreSetup>& setup) {
+    if (!option.machined()) {
+        return std::nullopt;
+    }
+    const double plug = option.plug_mass_unmachined - option.reduction;
+    ShiftEffect effect;
+    effect.planned = setup.has_value();
+    if (setup) {
+        // The body's own shift; what is cut off counts at its radius, whatever the plug weighs.
+        const Boring boring =
+            plan_boring(setup->plug, setup->limits, option.reduction, setup->density);
+        effect.least_shift = effect.greatest_shift = boring.shift;
+        effect.least = effect.greatest = 2.0 * option.reduction * boring.cut_distance;
+    } else {
+        effect.least_shift = smallest_shift;
+        effect.greatest_shift = largest_shift;
+        effect.least = shift_unbalance(plug, smallest_shift);
+        effect.greatest = shift_unbalance(plug, largest_shift);
+    }
+    const double one = option.residual_unbalance - effect.least;
+    const double other = option.residual_unbalance - effect.greatest;
+    effect.residual_unbalance = std::abs(one) > std::abs(other) ? one : other;
+    effect.matters = option.feasible && std::abs(effect.residual_unbalance) > tolerance;
+    if (setup) {
+        effect.least_reduction = effect.greatest_reduction = bored_reduction(option, *setup);
+        const Boring boring =
+            plan_boring(setup->plug, setup->limits, effect.least_reduction, setup->density);
+        if (boring.limit == Boring::Limit::none) {
+            effect.depth = boring.depth;
+        }
+    } else {
+        effect.least_reduction = shifted_reduction(option, effect.greatest_shift);
+        effect.greatest_reduction = shifted_reduction(option, effect.least_shift);
+    }
+    return effect;
+}
+
+Message describe(const ShiftEffect& effect, double tolerance) {
+    if (!effect.matters) {
+        return {};
+    }
+    const Number beyond = in_gram_millimetres(std::abs(effect.residual_unbalance));
+    const Number allowed = in_gram_millimetres(tolerance);
+    if (!effect.planned) {
+        return {CORE_TEXT("V8",
+                          "The method neglects that the centre of mass of a machined plug moves, "
+                          "by 0.8 to 1.2 mm in the paper: with it up to %1 would be left, beyond "
+                          "the %2 allowed. Give the plug's sizes and the cutter, or take off %3 to "
+                          "%4 each instead."),
+                beyond, allowed, in_grams(effect.least_reduction),
+                in_grams(effect.greatest_reduction)};
+    }
+    if (!effect.depth) {
+        return {
+            CORE_TEXT("V8",
+                      "The method neglects that the plug's centre of mass moves: bored like "
+                      "this %1 would be left, beyond the %2 allowed. Take off %3 each instead."),
+            beyond, allowed, in_grams(effect.least_reduction)};
+    }
+    return {CORE_TEXT("V8",
+                      "The method neglects that the plug's centre of mass moves: bored like this "
+                      "%1 would be left, beyond the %2 allowed. Bore to %3 from the face instead, "
+                      "%4 off each plug."),
+            beyond, allowed, Number{*effect.depth / units::mm, units::mm, -2},
+            in_grams(effect.least_reduction)};
+}
+
+}  // namespace ravnoves::v8_plugs

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+
+#include "v8-plugs/compensation.h"
+#include "v8-plugs/plug_geometry.h"
+
+namespace ravnoves::v8_plugs {
+
+/// What it is worth on a crankpin that the centre of mass of a machined plug moves towards the
+/// crank axis, which the method neglects (2): so much more than it counts is compensated. From the
+/// bore that is planned, or for the range of shifts that the paper gives.
+struct ShiftEffect {
+    bool planned = false;         ///< from the bore; then least and greatest are the same
+    double least_shift = 0.0;     ///< Δr, m
+    double greatest_shift = 0.0;  ///< m
+    double least = 0.0;           ///< compensated beyond what the method counts, kg·m
+    double greatest = 0.0;        ///< kg·m
+    /// What is left on a crankpin with it, the worse of both ends, kg·m; negative: too much is
+    /// compensated.
+    double residual_unbalance = 0.0;
+    /// The option works by the method's count, and with the shift it leaves more than the
+    /// tolerance.
+    bool matters = false;
+    /// What to take off one plug so that with the shift nothing is left over, kg; within the limit
+    /// of the plug. For the greatest and for the least shift.
+    double least_reduction = 0.0;
+    double greatest_reduction = 0.0;
+    std::optional<double> depth;  ///< of the bore for that, from the face, m; where planned
+
+    friend bool operator==(const ShiftEffect&, const ShiftEffect&) = default;
+};
+
+/// How the plugs are bored, where that is known.
+struct BoreSetup {
+    PlugGeometry plug;
+    BoreLimits limits;
+    double density;  ///< kg/m³
+};
+
+/// Nothing where the option takes nothing off its plugs.
+std::optional<ShiftEffect> shift_effect(const Option& option, double tolerance,
+                                        const std::optional<BoreSetup>& setup);
+
+/// The warning, with what to do instead; empty where the shift does not matter.
+Message describe(const ShiftEffect& effect, double tolerance);
+
+}  // namespace ravnoves::v8_plugs
