@@ -17,8 +17,11 @@ inline constexpr Field given_as{
                   "The paper gives weights. With masses gravity may be 0: a mechanism that lies "
                   "flat."),
 };
-inline constexpr Field weights{.key = "weights_N"};
-inline constexpr Field masses{.key = "masses_kg"};
+inline constexpr Field weights{
+    .key = "weights_N", .hint = CORE_TEXT("elastic-hinge", "Weights of crank, rod and slider.")};
+inline constexpr Field masses{
+    .key = "masses_kg",
+    .hint = CORE_TEXT("elastic-hinge", "Masses of crank, rod and slider, instead of weights.")};
 
 inline constexpr Range weight_range = Range::between(0, 1e9);  ///< N
 inline constexpr Range mass_range = Range::between(0, 1e8);    ///< kg
@@ -145,7 +148,8 @@ inline constexpr Field guide_sign{
     .words = guide_sign_words,
 };
 
-inline constexpr Field spring{.key = "spring"};
+inline constexpr Field spring{
+    .key = "spring", .hint = CORE_TEXT("elastic-hinge", "The spring of the crank's hinge.")};
 inline constexpr Field stiffness{
     .key = "stiffness_N_m",
     .unit = units::N_per_m,
@@ -280,7 +284,9 @@ inline constexpr Field profile_error_waves{
                       "of centre, 2 an oval one. A whole number."),
 };
 
-inline constexpr Field guide_search{.key = "guide_search"};
+inline constexpr Field guide_search{
+    .key = "guide_search",
+    .hint = CORE_TEXT("elastic-hinge", "Asks for a spring whose guide can be made.")};
 inline constexpr Field wanted_relief{
     .key = "relief_mm",
     .unit = units::mm,
@@ -305,7 +311,8 @@ inline constexpr Field smallest_spring_length{
     .placeholder = CORE_TEXT("elastic-hinge", "0.4 ℓ₀"),
 };
 
-inline constexpr Field motion{.key = "motion"};
+inline constexpr Field motion{
+    .key = "motion", .hint = CORE_TEXT("elastic-hinge", "Asks for the motion, by integration.")};
 inline constexpr Field turns{
     .key = "turns",
     .range = Range::between(0.01, 1000),

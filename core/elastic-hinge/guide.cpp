@@ -1,9 +1,10 @@
 #include "elastic-hinge/guide.h"
 
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
+
+#include "numerics/greatest_near.h"
 
 namespace ravnoves::elastic_hinge {
 
@@ -32,16 +33,18 @@ Text name_of(Hinge hinge) {
     return CORE_TEXT("elastic-hinge", "the rod's hinge");
 }
 
-/// The greatest value of f near the sample of a grid where it is greatest.
-template <typename Function>
-std::pair<double, double> greatest_near(const Function& f, double sample, double step) {
-    const auto [place, value] = boost::math::tools::brent_find_minima(
-        [&](double x) {
-            const double y = -f(x);
-            return std::isfinite(y) ? y : std::numeric_limits<double>::max();
-        },
-        sample - step, sample + step, 26);
-    return {place, -value};
+/// ρ / √(ρ² + ρ′²), the cosine of the pressure angle.
+double pressure_cosine(const GuidePoint& point) {
+    return point.radius / std::sqrt(point.radius * point.radius + point.slope * point.slope);
+}
+
+/// Radius of the profile that a roller touches whose centre runs through the point.
+double profile_radius(const GuidePoint& point, Branch branch, double roller) {
+    // The profile lies outside a compressed spring's rollers and inside a stretched one's.
+    const double side = branch == Branch::compressed ? 1.0 : -1.0;
+    return roller > 0.0 ? std::sqrt(point.radius * point.radius + roller * roller +
+                                    2.0 * side * roller * point.radius * pressure_cosine(point))
+                        : point.radius;
 }
 
 struct BranchScan {
@@ -51,23 +54,21 @@ struct BranchScan {
     double most_bent_at = 0.0;
 
     void take(const GuidePoint& point, double phi, Branch branch, double roller) {
-        summary.min_radius = std::min(summary.min_radius, point.radius);
-        summary.max_radius = std::max(summary.max_radius, point.radius);
         const double side = branch == Branch::compressed ? 1.0 : -1.0;
-        const double length = std::sqrt(point.radius * point.radius + point.slope * point.slope);
-        if (!std::isfinite(length)) {
+        const double cosine = pressure_cosine(point);
+        if (!std::isfinite(cosine) || !std::isfinite(point.slope)) {
             return;
         }
-        // ρ / length is the cosine of the pressure angle.
-        const double cosine = point.radius / length;
-        least_cosine = std::min(least_cosine, cosine);
+        if (cosine < least_cosine) {
+            least_cosine = cosine;
+            steepest_at = phi;
+        }
         const double bend = point.curvature();
         if (std::isfinite(bend)) {
             if (std::abs(bend) > most_bent) {
                 most_bent = std::abs(bend);
                 most_bent_at = phi;
             }
-            // The profile lies outside a compressed spring's rollers and inside a stretched one's.
             const double against = -side * bend;
             if (against > sharpest) {
                 sharpest = against;
@@ -75,12 +76,15 @@ struct BranchScan {
                 summary.undercut_angle = point.angle;
             }
         }
-        const double profile = roller > 0.0
-                                   ? std::sqrt(point.radius * point.radius + roller * roller +
-                                               2.0 * side * roller * point.radius * cosine)
-                                   : point.radius;
-        summary.profile_min_radius = std::min(summary.profile_min_radius, profile);
-        summary.profile_max_radius = std::max(summary.profile_max_radius, profile);
+        const double profile = profile_radius(point, branch, roller);
+        if (profile < summary.profile_min_radius) {
+            summary.profile_min_radius = profile;
+            lowest_at = phi;
+        }
+        if (profile > summary.profile_max_radius) {
+            summary.profile_max_radius = profile;
+            highest_at = phi;
+        }
     }
 
     /// @param step  of the grid, rad
@@ -94,6 +98,22 @@ struct BranchScan {
         if (sharpest > 0.0) {
             sharpest = std::max(sharpest, sharpest_bend(shape, branch, sharpest_at, step));
         }
+        const auto point = [&](double phi) { return shape.at(branch, phi); };
+        if (least_cosine < 1.0) {
+            const auto cosine = [&](double phi) { return -pressure_cosine(point(phi)); };
+            least_cosine = std::min(least_cosine, -greatest_near(cosine, steepest_at, step).second);
+        }
+        const auto profile = [&](double phi) { return profile_radius(point(phi), branch, roller); };
+        const auto inwards = [&](double phi) { return -profile(phi); };
+        if (roller > 0.0) {
+            summary.profile_min_radius = std::min(summary.profile_min_radius,
+                                                  -greatest_near(inwards, lowest_at, step).second);
+            summary.profile_max_radius = std::max(summary.profile_max_radius,
+                                                  greatest_near(profile, highest_at, step).second);
+        } else {
+            summary.profile_min_radius = summary.min_radius;
+            summary.profile_max_radius = summary.max_radius;
+        }
         summary.smallest_curvature_radius = most_bent > 0.0 ? 1.0 / most_bent : summary.max_radius;
         if (sharpest > 0.0 && std::isfinite(1.0 / sharpest)) {
             summary.largest_roller_radius = 1.0 / sharpest;
@@ -105,11 +125,13 @@ struct BranchScan {
 
     double most_bent = 0.0;
     double least_cosine = 1.0;
+    double steepest_at = 0.0;
+    double lowest_at = 0.0;
+    double highest_at = 0.0;
 };
 
 BranchScan start_scan() {
     BranchScan scan;
-    scan.summary.min_radius = std::numeric_limits<double>::max();
     scan.summary.profile_min_radius = std::numeric_limits<double>::max();
     return scan;
 }
@@ -245,9 +267,24 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     if (square > 0.0) {
         guide.minimum_stiffness = spring->stiffness * (greatest / square);
     }
-    for (const Demand& demand : demands) {
+    const std::size_t n = demands.size();
+    const double step = two_pi / static_cast<double>(std::max<std::size_t>(n, 2) - 1);
+    const auto hinge_moment = [](const Demand& demand) {
+        return std::abs(demand.moment * demand.dpolar);
+    };
+    double largest_at = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+        if (const double moment = hinge_moment(demands[i]); moment > guide.largest_moment) {
+            guide.largest_moment = moment;
+            largest_at = step * static_cast<double>(i);
+        }
+    }
+    if (guide.largest_moment > 0.0) {
+        const auto moment_at = [&](double phi) {
+            return hinge_moment(shape->design().demand(hinge, phi));
+        };
         guide.largest_moment =
-            std::max(guide.largest_moment, std::abs(demand.moment * demand.dpolar));
+            std::max(guide.largest_moment, greatest_near(moment_at, largest_at, step).second);
     }
 
     const bool exists = greatest <= square + shape->rounding();
@@ -257,17 +294,22 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
     guide.largest_deflection = highest;
     const double half_length = 0.5 * spring->free_length;
 
-    const std::size_t n = demands.size();
     guide.polar_angle.resize(n);
     guide.radius_compressed.resize(n);
     guide.radius_stretched.resize(n);
     BranchScan compressed = start_scan();
     BranchScan stretched = start_scan();
     const bool fits = half_length > highest;  // a compressed spring keeps a length
-    double steepest_error = 0.0;
     const double waves = input.profile_error_waves;
+    // ρ′² + (n d)², what waves on the profile work by.
+    const auto wave_effect = [&](const GuidePoint& outer) {
+        const double slope = std::isfinite(outer.slope) ? outer.slope : 0.0;
+        const double wave = waves * std::abs(outer.radius - half_length);
+        return slope * slope + wave * wave;
+    };
+    double steepest_error = 0.0;
+    double steepest_error_at = 0.0;
     bool missing = false;
-    const double step = two_pi / static_cast<double>(std::max<std::size_t>(n, 2) - 1);
     for (std::size_t i = 0; i < n; ++i) {
         const Demand& demand = demands[i];
         const double phi = step * static_cast<double>(i);
@@ -287,10 +329,10 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
                 compressed.take(inner, phi, Branch::compressed, input.roller_radius);
             }
             stretched.take(outer, phi, Branch::stretched, input.roller_radius);
-            const double d = std::abs(outer.radius - half_length);
-            const double slope = std::isfinite(outer.slope) ? outer.slope : 0.0;
-            const double wave = waves * d;
-            steepest_error = std::max(steepest_error, slope * slope + wave * wave);
+            if (const double effect = wave_effect(outer); effect > steepest_error) {
+                steepest_error = effect;
+                steepest_error_at = phi;
+            }
         }
     }
 
@@ -315,13 +357,24 @@ Guide make_guide(std::shared_ptr<const Design> design, Hinge hinge,
         return guide;
     }
 
+    if (steepest_error > 0.0) {
+        const auto effect_at = [&](double phi) {
+            return wave_effect(shape->at(Branch::stretched, phi));
+        };
+        steepest_error =
+            std::max(steepest_error, greatest_near(effect_at, steepest_error_at, step).second);
+    }
     guide.relief = highest + lowest > 0.0 ? (greatest - least) / (highest + lowest) : 0.0;
     guide.spring_travel = 2.0 * guide.relief;
     guide.largest_spring_force = 2.0 * spring->stiffness * highest;
     guide.smallest_spring_force = 2.0 * spring->stiffness * lowest;
+    stretched.summary.min_radius = half_length + lowest;
+    stretched.summary.max_radius = half_length + highest;
     guide.stretched = stretched.finish(*shape, Branch::stretched, step, input.roller_radius);
     guide.stretched.exists = true;
     if (fits) {
+        compressed.summary.min_radius = half_length - highest;
+        compressed.summary.max_radius = half_length - lowest;
         guide.compressed = compressed.finish(*shape, Branch::compressed, step, input.roller_radius);
         guide.compressed.exists = true;
     }

@@ -41,7 +41,7 @@ struct Result {
     /// The counterweight's mass that (10) asks for at the given distance, kg; 0 without one.
     double balancing_mass = 0.0;
 
-    double largest_side_force_without = 0.0;  ///< N, over the samples
+    double largest_side_force_without = 0.0;  ///< N, over the continuous turn
     double largest_side_force_with = 0.0;
     /// What the slider's guide bears when a hinge with M₁₂'s potential part is built, by
     /// Newton–Euler: equal to side_force_with_hinge but for a counterweight after (9) as printed

@@ -6,17 +6,26 @@
 #include <limits>
 
 #include "case-file/input_error.h"
+#include "numerics/greatest_near.h"
 
 namespace ravnoves::elastic_hinge {
 
 namespace {
 
-double largest(const std::vector<double>& values) {
-    double most = 0.0;
-    for (const double value : values) {
-        most = std::max(most, std::abs(value));
+/// The largest |value| of a curve, of which the samples are given, over the continuous turn.
+template <typename Function>
+double largest(const std::vector<double>& samples, const std::vector<double>& angles,
+               const Function& curve) {
+    std::size_t at = 0;
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+        at = std::abs(samples[i]) > std::abs(samples[at]) ? i : at;
     }
-    return most;
+    if (samples.empty() || samples[at] == 0.0) {
+        return 0.0;
+    }
+    const auto size = [&](double phi) { return std::abs(curve(phi)); };
+    return std::max(std::abs(samples[at]),
+                    greatest_near(size, angles[at], angles[1] - angles[0]).second);
 }
 
 /// Not finite anywhere: the sum of finite numbers in range is finite, of others it is not.
@@ -129,6 +138,7 @@ void compare_kinematics(const Input& input, const Design& design,
     const double square = input.angular_speed * input.angular_speed;
     const std::size_t n = grid.size();
     double moment_error = 0.0;
+    double moment_error_angle = 0.0;
     result.other_rod_hinge_moment.resize(exact ? n : 0);
     for (std::size_t i = 0; 2 * i < n; ++i) {
         const double s = grid.sin_phi[i];
@@ -147,14 +157,77 @@ void compare_kinematics(const Input& input, const Design& design,
             result.other_rod_hinge_moment[i] = other.weight + square * other.inertia;
             result.other_rod_hinge_moment[n - 1 - i] = other.weight - square * other.inertia;
             // At φ or at −φ, whichever is worse.
-            moment_error = std::max(
-                moment_error, std::abs(other.weight - states[i].moment.weight) +
-                                  square * std::abs(other.inertia - states[i].moment.inertia));
+            const double error = std::abs(other.weight - states[i].moment.weight) +
+                                 square * std::abs(other.inertia - states[i].moment.inertia);
+            if (error > moment_error) {
+                moment_error = error;
+                moment_error_angle = grid.angle[i];
+            }
         }
     }
-    if (exact) {
-        result.series_moment_error = moment_error;
+    if (!exact) {
+        return;
     }
+    const auto cosine_error = [&](double phi) {
+        const double s = std::sin(phi);
+        const double c = std::cos(phi);
+        return std::abs(rod_angle_series(mechanism.lambda, s, c).cos_psi -
+                        rod_angle_exact(mechanism.lambda, s, c).cos_psi);
+    };
+    const double step = grid.angle[1] - grid.angle[0];
+    if (const auto [place, error] = greatest_near(cosine_error, result.series_error_angle, step);
+        error > result.series_error) {
+        result.series_error = error;
+        result.series_error_angle = place;
+    }
+    const auto error_of_moment = [&](double phi) {
+        const double s = std::sin(phi);
+        const double c = std::cos(phi);
+        const auto one = rod_hinge_moment(mechanism, design.static_moment(), s, c,
+                                          rod_angle_exact(mechanism.lambda, s, c));
+        const auto other = rod_hinge_moment(mechanism, design.static_moment(), s, c,
+                                            rod_angle_series(mechanism.lambda, s, c));
+        return std::abs(other.weight - one.weight) + square * std::abs(other.inertia - one.inertia);
+    };
+    result.series_moment_error =
+        std::max(moment_error, greatest_near(error_of_moment, moment_error_angle, step).second);
+}
+
+void find_largest_side_forces(const Input& input, const Design& design, const AngleGrid& grid,
+                              bool hinge_is_true, Result& result) {
+    const Mechanism<double>& mechanism = design.mechanism();
+    const double square = input.angular_speed * input.angular_speed;
+    const double mean = design.rod_hinge_mean();
+    struct Forces {
+        double without, with, by_newton_euler;
+    };
+    const auto at = [&](double phi) {
+        const double s = std::sin(phi);
+        const double c = std::cos(phi);
+        const auto rod = rod_angle(input.kinematics, mechanism.lambda, s, c);
+        const auto chosen = rod_hinge_moment(mechanism, design.static_moment(), s, c, rod);
+        const double lever = mechanism.lambda / mechanism.crank_radius;
+        Forces forces{-(chosen.weight + square * chosen.true_inertia) * lever / rod.cos_psi,
+                      -mean * lever / rod.cos_psi, 0.0};
+        if (!result.side_force_true.empty()) {
+            const auto exact_rod = rod_angle_exact(mechanism.lambda, s, c);
+            const auto moment =
+                rod_hinge_moment(mechanism, design.static_moment(), s, c, exact_rod);
+            forces.by_newton_euler = (chosen.weight + square * chosen.inertia - mean -
+                                      (moment.weight + square * moment.true_inertia)) *
+                                     lever / exact_rod.cos_psi;
+        }
+        return forces;
+    };
+    result.largest_side_force_without = largest(result.curves.side_force_without_hinge, grid.angle,
+                                                [&](double phi) { return at(phi).without; });
+    result.largest_side_force_with = largest(result.curves.side_force_with_hinge, grid.angle,
+                                             [&](double phi) { return at(phi).with; });
+    result.largest_side_force_true =
+        hinge_is_true && !result.side_force_true.empty()
+            ? result.largest_side_force_with
+            : largest(result.side_force_true, grid.angle,
+                      [&](double phi) { return at(phi).by_newton_euler; });
 }
 
 void add_notes(const Input& input, Result& result) {
@@ -295,9 +368,7 @@ Result solve(const Input& input, const SolveOptions& options) {
             }
         }
     }
-    result.largest_side_force_without = largest(result.curves.side_force_without_hinge);
-    result.largest_side_force_with = largest(result.curves.side_force_with_hinge);
-    result.largest_side_force_true = largest(result.side_force_true);
+    find_largest_side_forces(input, design, grid, hinge_is_true, result);
 
     result.crank_guide = make_guide(result.design, Hinge::crank, input.spring, input, crank_demand);
     check_finite(result.crank_guide);

@@ -270,6 +270,72 @@ TEST(ElasticHingeGuide, LargestRollerDoesNotDependOnTheSamples) {
     }
 }
 
+// What a designer reads must not depend on where samples fall.
+TEST(ElasticHingeGuide, NoNumberDependsOnTheSamples) {
+    for (const double lambda : {0.3, 0.7, 0.93}) {
+        Input input = preset_zotov();
+        input.lambda = lambda;
+        input.spring = Spring{23e3, 0.16, 0.04};
+        input.roller_radius = 0.008;
+        input.kinematics = Kinematics::series;
+        input.rod_counterweight = RodCounterweight{0.1, 2.0, CounterweightInertia::as_printed};
+        const auto numbers = [&](int samples) {
+            SolveOptions options;
+            options.samples = samples;
+            const Result result = solve(input, options);
+            const Guide& guide = result.crank_guide;
+            std::vector<double> list{result.largest_side_force_without,
+                                     result.largest_side_force_with,
+                                     result.largest_side_force_true,
+                                     result.series_error,
+                                     result.series_moment_error.value(),
+                                     guide.largest_moment,
+                                     guide.error.torque};
+            for (const auto branch : {&Guide::compressed, &Guide::stretched}) {
+                const BranchSummary& summary = guide.*branch;
+                list.insert(list.end(),
+                            {summary.min_radius, summary.max_radius, summary.profile_min_radius,
+                             summary.profile_max_radius, summary.max_pressure_angle,
+                             summary.smallest_curvature_radius});
+            }
+            return list;
+        };
+        const auto usual = numbers(721);
+        const auto shifted = numbers(1000);
+        const auto fine = numbers(20001);
+        for (std::size_t i = 0; i < usual.size(); ++i) {
+            EXPECT_GT(usual[i], 0.0) << i;
+            EXPECT_NEAR(usual[i], fine[i], 1e-9 * fine[i]) << lambda << " " << i;
+            EXPECT_NEAR(shifted[i], fine[i], 1e-9 * fine[i]) << lambda << " " << i;
+        }
+    }
+}
+
+// Near locking all happens within a degree: by brute force on angles that crowd there.
+TEST(ElasticHingeGuide, LeastPreloadHoldsNearLocking) {
+    for (const double lambda : {0.9, 0.999, 0.99999}) {
+        Input input = preset_zotov();
+        input.lambda = lambda;
+        const Mechanism<double> m = mechanism_of(input);
+        const double square = input.angular_speed * input.angular_speed;
+        const auto energy = [&](double phi) {
+            const double s = std::sin(phi);
+            const double c = std::cos(phi);
+            const double inertia = reduced_inertia(m, s, c, rod_angle_exact(lambda, s, c)).value;
+            return 0.5 * inertia * square + potential_amplitude(m) * s;
+        };
+        double most = energy(0.0);
+        for (const double centre : {0.0, 0.5 * pi, pi, 1.5 * pi}) {
+            for (int i = -20000; i <= 20000; ++i) {
+                const double x = i / 20000.0;
+                most = std::max(most, energy(centre + 0.25 * pi * x * x * x));
+            }
+        }
+        const double least = std::sqrt((most - energy(0.0)) / (2.0 * input.spring->stiffness));
+        EXPECT_NEAR(solve(input).crank_guide.minimum_preload, least, 1e-8 * least) << lambda;
+    }
+}
+
 TEST(ElasticHingeGuide, ProfileErrorIsTheWorstOverAngleAndPhase) {
     for (const int waves : {1, 2, 7}) {
         Input input = soft_zotov();

@@ -126,6 +126,36 @@ TEST(ElasticHingeMotion, ExtremeSpeedsAreThoseOfTheMotionNotOfItsSamples) {
     EXPECT_NEAR(coarse.min_speed, fine.min_speed, 1e-8);
 }
 
+// Without hinge the speed follows from the energy alone: its extremes over the turn, closed form.
+TEST(ElasticHingeMotion, RippleIsThatOfTheEnergyIntegral) {
+    const Result result = solve(preset_zotov());
+    const Mechanism<double>& m = result.design->mechanism();
+    const auto inertia = [&](double phi) {
+        const double s = std::sin(phi);
+        const double c = std::cos(phi);
+        return reduced_inertia(m, s, c, rod_angle_exact(m.lambda, s, c)).value;
+    };
+    const double begin = inertia(0.0) * 1e4;
+    double least = 1e9;
+    double most = 0.0;
+    constexpr int n = 400000;
+    for (int i = 0; i < n; ++i) {
+        const double phi = two_pi * i / n;
+        const double speed =
+            std::sqrt((begin - 2.0 * potential_amplitude(m) * std::sin(phi)) / inertia(phi));
+        least = std::min(least, speed);
+        most = std::max(most, speed);
+    }
+    MotionSetup setup;
+    setup.start_speed = 100.0;
+    setup.turns = 1.0;
+    setup.samples_per_turn = 36;
+    const Motion motion = simulate(result.design, result.crank_guide, setup);
+    EXPECT_NEAR(motion.min_speed, least, 1e-7);
+    EXPECT_NEAR(motion.max_speed, most, 1e-7);
+    EXPECT_DOUBLE_EQ(motion.ripple, (motion.max_speed - motion.min_speed) / motion.mean_speed);
+}
+
 TEST(ElasticHingeMotion, HingeIsExactAtItsDesignSpeedOnly) {
     Input input = preset_zotov();
     const double at_design = run(input, HingeSet::crank).ripple;
