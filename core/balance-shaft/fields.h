@@ -20,7 +20,8 @@ inline constexpr Field speed{
 inline constexpr Field angular_speed{.key = "angular_speed_rad_s",
                                      .unit = units::rad_per_s,
                                      .range = Range::greater_than(0),
-                                     .symbol = "ω"};
+                                     .symbol = "ω",
+                                     .hint = CORE_TEXT("balance-shaft", "Instead of the speed.")};
 inline constexpr Field crank_radius{
     .key = "crank_radius_mm",
     .unit = units::mm,
@@ -29,12 +30,19 @@ inline constexpr Field crank_radius{
     .symbol = "r",
     .hint = CORE_TEXT("balance-shaft", "Half the stroke. TMZ-650D: 46 mm (stroke 92 mm).")};
 /// The object {name: kg}; its parts must add up to more than 0.
-inline constexpr Field reciprocating_masses{.key = "reciprocating_masses_kg", .unit = units::kg};
+inline constexpr Field reciprocating_masses{
+    .key = "reciprocating_masses_kg",
+    .unit = units::kg,
+    .hint = CORE_TEXT("balance-shaft",
+                      "Parts by name that add up to the reciprocating mass, for example piston, "
+                      "pin, rings, rod_small_end.")};
 /// The sum, where the parts are not given one by one.
-inline constexpr Field reciprocating_mass{.key = "reciprocating_mass_kg",
-                                          .unit = units::kg,
-                                          .range = Range::greater_than(0),
-                                          .symbol = "mⱼ"};
+inline constexpr Field reciprocating_mass{
+    .key = "reciprocating_mass_kg",
+    .unit = units::kg,
+    .range = Range::greater_than(0),
+    .symbol = "mⱼ",
+    .hint = CORE_TEXT("balance-shaft", "Reciprocating mass of the cylinder as one number.")};
 /// The parts that the form lists, in the paper's order; others have the same range.
 inline constexpr std::array mass_parts{
     Field{.key = "piston",
@@ -105,7 +113,11 @@ inline constexpr Field centre_distance{
 inline constexpr Field shaft_angle{.key = "shaft_angle_deg",
                                    .unit = units::degree,
                                    .range = Range::between(-3600, 3600),
-                                   .symbol = "α"};
+                                   .symbol = "α",
+                                   .hint = CORE_TEXT("balance-shaft",
+                                                     "From the crank axis to the shaft, measured "
+                                                     "from the cylinder axis in the direction of "
+                                                     "rotation.")};
 inline constexpr Field strokes{
     .key = "strokes",
     .range = Range::between(2, 4),
@@ -126,7 +138,10 @@ inline constexpr Field interpolation{
     .words = interpolation_words};
 /// In the struct in degrees too.
 inline constexpr Field step{
-    .key = "step_deg", .unit = {units::degree.name}, .range = Range::between(0.01, 90)};
+    .key = "step_deg",
+    .unit = {units::degree.name},
+    .range = Range::between(0.01, 90),
+    .hint = CORE_TEXT("balance-shaft", "Step of the curves and of the sweep over α.")};
 inline constexpr Field rod_length{
     .key = "rod_length_mm",
     .unit = units::mm,
@@ -147,7 +162,8 @@ inline constexpr Field crank_share{
                       "Part of mⱼ r balanced on the crank alone, without a shaft. The force then "
                       "runs on an ellipse: a line at 0 and 1, a circle at ½.")};
 
-inline constexpr Field envelope{.key = "envelope"};
+inline constexpr Field envelope{.key = "envelope",
+                                .hint = CORE_TEXT("balance-shaft", "Sizes of the front view.")};
 inline constexpr Field cylinder_bore{.key = "cylinder_bore_mm",
                                      .unit = units::mm,
                                      .range = Range::greater_than(0),
@@ -230,7 +246,8 @@ inline constexpr Field wall{.key = "wall_mm",
                             .label = CORE_TEXT("balance-shaft", "Housing &wall and gap"),
                             .hint = CORE_TEXT("balance-shaft", "Added around every circle.")};
 
-inline constexpr Field gears{.key = "gears"};
+inline constexpr Field gears{
+    .key = "gears", .hint = CORE_TEXT("balance-shaft", "The pair of gears that drives the shaft.")};
 inline constexpr Field teeth{
     .key = "teeth",
     .range = Range::between(6, 1000),
@@ -250,14 +267,31 @@ inline constexpr Field backlash{
     .hint = CORE_TEXT("balance-shaft",
                       "Circumferential play at the pitch circle, whose radius is l/2.")};
 
-inline constexpr Field torque{.key = "torque"};
+inline constexpr Field torque{
+    .key = "torque",
+    .hint = CORE_TEXT("balance-shaft",
+                      "Where the torque of the engine comes from: one of crank_angle_deg with "
+                      "torque_Nm, csv, pressure, cycle.")};
 inline constexpr Field table_angle{
-    .key = "crank_angle_deg", .unit = {units::degree.name}, .range = Range::between(-1e5, 1e5)};
+    .key = "crank_angle_deg",
+    .unit = {units::degree.name},
+    .range = Range::between(-1e5, 1e5),
+    .hint = CORE_TEXT("balance-shaft", "Rows of one cycle: the crank angles, ascending.")};
 inline constexpr Field table_torque{
-    .key = "torque_Nm", .unit = units::N_m, .range = Range::between(-1e12, 1e12)};
-inline constexpr Field csv{.key = "csv"};
-inline constexpr Field pressure{.key = "pressure"};
-inline constexpr Field cycle{.key = "cycle"};
+    .key = "torque_Nm",
+    .unit = units::N_m,
+    .range = Range::between(-1e12, 1e12),
+    .hint = CORE_TEXT("balance-shaft", "The torque at them; the last equals the first.")};
+inline constexpr Field csv{
+    .key = "csv",
+    .hint = CORE_TEXT("balance-shaft",
+                      "A file beside the case with two columns: crank angle, and torque (in "
+                      "pressure: cylinder pressure).")};
+inline constexpr Field pressure{
+    .key = "pressure",
+    .hint = CORE_TEXT("balance-shaft", "Gas torque from a measured cylinder pressure.")};
+inline constexpr Field cycle{.key = "cycle",
+                             .hint = CORE_TEXT("balance-shaft", "Gas torque of a computed cycle.")};
 inline constexpr Field bore{
     .key = "bore_mm",
     .unit = units::mm,
@@ -376,15 +410,28 @@ inline constexpr Field fluctuation{
                       "follows from it."),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 
-inline constexpr Field speed_band{.key = "speed_band"};
-inline constexpr Field band_from{
-    .key = "from_rpm", .unit = units::rpm, .range = Range::greater_than(0)};
-inline constexpr Field band_to{
-    .key = "to_rpm", .unit = units::rpm, .range = Range::greater_than(0)};
-inline constexpr Field band_speeds{.key = "speeds", .range = Range::between(2, 1000)};
-inline constexpr Field band_map{.key = "map"};
+inline constexpr Field speed_band{.key = "speed_band",
+                                  .hint = CORE_TEXT("balance-shaft", "A band of speeds to study.")};
+inline constexpr Field band_from{.key = "from_rpm",
+                                 .unit = units::rpm,
+                                 .range = Range::greater_than(0),
+                                 .hint = CORE_TEXT("balance-shaft", "Lowest speed of the band.")};
+inline constexpr Field band_to{.key = "to_rpm",
+                               .unit = units::rpm,
+                               .range = Range::greater_than(0),
+                               .hint = CORE_TEXT("balance-shaft", "Highest speed of the band.")};
+inline constexpr Field band_speeds{
+    .key = "speeds",
+    .range = Range::between(2, 1000),
+    .hint = CORE_TEXT("balance-shaft", "How many speeds, with both ends.")};
+inline constexpr Field band_map{
+    .key = "map",
+    .hint = CORE_TEXT("balance-shaft", "Prints range and RMS over angle and speed too.")};
 
-inline constexpr Field relieved_shaft{.key = "relieved_shaft"};
+inline constexpr Field relieved_shaft{
+    .key = "relieved_shaft",
+    .hint =
+        CORE_TEXT("balance-shaft", "A bar with a segment milled away in place of counterweights.")};
 inline constexpr Field bar_diameter{
     .key = "diameter_mm",
     .unit = units::mm,

@@ -14,46 +14,64 @@ class Index final : public FieldWalker {
 
     std::vector<FieldEntry> take() { return std::move(entries_); }
 
-    int one_of(std::initializer_list<std::string_view> /*keys*/, int present) override {
+    int one_of(std::initializer_list<std::string_view> keys, int present) override {
+        if (all_) {
+            for (const std::string_view key : keys) {
+                choices_.push_back({pointer_to(key), {keys.begin(), keys.end()}});
+            }
+        }
         return all_ ? -1 : present;
     }
     bool has(std::string_view /*key*/, bool present) override { return all_ || present; }
+    void number_or_word(const Field& field, std::optional<double>& si,
+                        std::string_view word) override {
+        visit_optional(field, si, true);
+        entries_.back().word = word;
+    }
     void numbers(const Field& field, std::vector<double>& /*values*/) override {
         add(field, FieldKind::list, {});
     }
     void integers(const Field& field, std::vector<int>& /*values*/) override {
         add(field, FieldKind::list, {});
     }
-    void custom(const Field& field, bool /*required*/, Custom& /*value*/) override {
-        add(field, FieldKind::custom, {});
+    void custom(const Field& field, bool required, Custom& /*value*/) override {
+        add(field, FieldKind::custom, {}).required = required;
     }
 
   protected:
     void visit_number(const Field& field, double& si, const double* fallback,
                       bool /*always*/) override {
-        add(field, FieldKind::number, from_si(field, si), fallback != nullptr);
+        FieldEntry& entry = add(field, FieldKind::number, from_si(field, si));
+        entry.may_be_empty = fallback != nullptr;
+        entry.required = fallback == nullptr;
+        if (fallback != nullptr) {
+            entry.usual = from_si(field, *fallback);
+        }
     }
-    void visit_optional(const Field& field, std::optional<double>& si, bool /*required*/) override {
-        add(field, FieldKind::number, si ? FieldValue(from_si(field, *si)) : FieldValue(), true);
+    void visit_optional(const Field& field, std::optional<double>& si, bool required) override {
+        FieldEntry& entry =
+            add(field, FieldKind::number, si ? FieldValue(from_si(field, *si)) : FieldValue());
+        entry.may_be_empty = true;
+        entry.required = required;
     }
-    void visit_integer(const Field& field, int& value, const int* /*fallback*/,
+    void visit_integer(const Field& field, int& value, const int* fallback,
                        bool /*always*/) override {
-        add(field, FieldKind::integer, value);
+        set_usual(add(field, FieldKind::integer, value), fallback);
     }
-    void visit_flag(const Field& field, bool& value, const bool* /*fallback*/,
+    void visit_flag(const Field& field, bool& value, const bool* fallback,
                     bool /*always*/) override {
-        add(field, FieldKind::flag, value);
+        set_usual(add(field, FieldKind::flag, value), fallback);
     }
-    void visit_text(const Field& field, std::string& value, bool /*required*/) override {
-        add(field, FieldKind::text, value);
+    void visit_text(const Field& field, std::string& value, bool required) override {
+        add(field, FieldKind::text, value).required = required;
     }
-    void visit_choice(const Field& field, int& index, const int* /*fallback*/,
+    void visit_choice(const Field& field, int& index, const int* fallback,
                       bool /*always*/) override {
-        add(field, FieldKind::choice, index);
+        set_usual(add(field, FieldKind::choice, index), fallback);
     }
     bool begin_object(const Field& field, bool required, bool /*is_there*/) override {
-        if (!field.label.empty() || !field.hint.empty()) {
-            add(field, FieldKind::object, {});
+        if (all_ || !field.label.empty() || !field.hint.empty()) {
+            add(field, FieldKind::object, {}).required = required;
         }
         return FieldWalker::begin_object(field, required, true);
     }
@@ -66,11 +84,29 @@ class Index final : public FieldWalker {
     }
 
   private:
-    void add(const Field& field, FieldKind kind, FieldValue value, bool may_be_empty = false) {
-        entries_.push_back({pointer_to(field.key), field, kind, may_be_empty, std::move(value)});
+    FieldEntry& add(const Field& field, FieldKind kind, FieldValue value) {
+        FieldEntry entry{pointer_to(field.key), field, kind, false, std::move(value)};
+        for (const Choice& choice : choices_) {
+            if (choice.pointer == entry.pointer) {
+                entry.alternatives = choice.keys;
+            }
+        }
+        return entries_.emplace_back(std::move(entry));
+    }
+    template <typename Value>
+    static void set_usual(FieldEntry& entry, const Value* fallback) {
+        entry.required = fallback == nullptr;
+        if (fallback != nullptr) {
+            entry.usual = *fallback;
+        }
     }
 
+    struct Choice {
+        std::string pointer;
+        std::vector<std::string> keys;
+    };
     bool all_;
+    std::vector<Choice> choices_;
     std::vector<FieldEntry> entries_;
 };
 

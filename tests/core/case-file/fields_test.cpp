@@ -200,8 +200,27 @@ TEST(Fields, TheTableOfTheHelpListsEveryKey) {
         keys += entry.pointer + " ";
     }
     EXPECT_EQ(keys,
-              "/length_mm /depth_mm /share /teeth /closed /name /colour /part/mass_g /parts "
+              "/length_mm /depth_mm /share /teeth /closed /name /colour /part /part/mass_g /parts "
               "/parts/0/mass_g /speed_rpm /speed_rad_s ");
+}
+
+TEST(Fields, TheTableOfTheHelpSaysWhatIsNeededAndWhatStandsIn) {
+    for (const FieldEntry& entry : describe_fields<Sample>()) {
+        const bool speed = entry.pointer.starts_with("/speed");
+        EXPECT_EQ(entry.alternatives, speed ? std::vector<std::string>({"speed_rpm", "speed_rad_s"})
+                                            : std::vector<std::string>())
+            << entry.pointer;
+        EXPECT_FALSE(entry.required && entry.usual != FieldValue()) << entry.pointer;
+        if (entry.pointer == "/length_mm") {
+            EXPECT_TRUE(entry.required);
+        } else if (entry.pointer == "/share") {
+            EXPECT_FALSE(entry.required);
+            EXPECT_TRUE(std::holds_alternative<double>(entry.usual));
+        }
+    }
+    for (const FieldEntry& entry : describe_fields<Weight>()) {
+        EXPECT_EQ(entry.word, "solve");
+    }
 }
 
 TEST(Fields, MessagesKeepTheirPatternAndTheirValues) {
