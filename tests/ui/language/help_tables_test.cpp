@@ -103,8 +103,8 @@ QString usual(const FieldEntry& entry) {
 QString meaning(const FieldEntry& entry) {
     const QString name = fieldName(entry.field);
     const QString hint = shownText(entry.field.hint);
-    return (name.isEmpty() || hint.isEmpty() ? name + hint : name + u". "_s + hint)
-        .replace(u'|', u"\\|"_s);
+    QString text = name.isEmpty() || hint.isEmpty() ? name + hint : name + u". "_s + hint;
+    return text.replace(u'|', u"\\|"_s);
 }
 
 QString keyCell(const FieldEntry& entry, const HelpPage& page) {
