@@ -92,7 +92,7 @@ inline constexpr Word option_words[] = {
     {"steel-machined", CORE_TEXT("V8", "Machine today's steel plugs")},
     {"steel-to-aluminium", CORE_TEXT("V8", "Aluminium plugs")},
     {"new-steel-to-steel", CORE_TEXT("V8", "New crankshaft, today's steel plugs")},
-    {"new-steel-machined", CORE_TEXT("V8", "New crankshaft, its steel plugs machined")},
+    {"new-steel-machined", CORE_TEXT("V8", "New crankshaft, its own plugs")},
     {"new-steel-to-aluminium", CORE_TEXT("V8", "New crankshaft, aluminium plugs")}};
 constexpr const Word& option_word(OptionId option) {
     return option_words[static_cast<std::size_t>(option)];

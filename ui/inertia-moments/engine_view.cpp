@@ -300,7 +300,7 @@ void EngineView::paintSide(QPainter& painter, const QRectF& area) {
             ++label;
         }
         painter.drawText(
-            QRectF(0.5 * (first + last) - 20.0, axisY + 1.12 * radius * scale + 1.0, 40.0, 14.0),
+            QRectF(0.5 * (first + last) - 70.0, axisY + 1.12 * radius * scale + 1.0, 140.0, 14.0),
             Qt::AlignCenter, names.join(QLatin1Char(',')));
     }
     // The point that moments refer to.

@@ -21,8 +21,8 @@ constexpr const char* shortLines[] = {QT_TRANSLATE_NOOP("V8", "reciprocating m_j
                                       QT_TRANSLATE_NOOP("V8", "oil m_m")};
 constexpr const char* shortOptions[] = {
     QT_TRANSLATE_NOOP("V8", "steel"), QT_TRANSLATE_NOOP("V8", "aluminium"),
-    QT_TRANSLATE_NOOP("V8", "new shaft, steel"), QT_TRANSLATE_NOOP("V8", "new shaft, its plugs"),
-    QT_TRANSLATE_NOOP("V8", "new shaft, aluminium")};
+    QT_TRANSLATE_NOOP("V8", "new: steel"), QT_TRANSLATE_NOOP("V8", "new: its own"),
+    QT_TRANSLATE_NOOP("V8", "new: aluminium")};
 
 template <typename Enum, std::size_t N>
 QString named(const Words& words, const char* const (&names)[N], Enum value) {
