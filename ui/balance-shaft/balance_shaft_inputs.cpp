@@ -45,9 +45,10 @@ void BalanceShaftPage::addEngine(Form* form) {
     };
     connect(preset, &QComboBox::activated, this, [this, showPreset](int index) {
         if (index == 1) {
-            model_->edit(tr("Preset TMZ-650D"),
-                         [](Input& input) { input = balance_shaft::preset_tmz_650d(); });
-            model_->setTitle(QStringLiteral("TMZ-650D"));
+            model_->edit(
+                tr("Preset TMZ-650D"),
+                [](Input& input) { input = balance_shaft::preset_tmz_650d(); },
+                QStringLiteral("TMZ-650D"));
         }
         showPreset();
     });

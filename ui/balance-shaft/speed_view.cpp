@@ -76,7 +76,7 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
     load_ = new ValueSlider(tr("&Load, IMEP"), 0.0, 25.0, 0.05, 1.0, 2, tr("bar"), bar);
     load_->setHint(tr("Indicated mean effective pressure of the computed cycle."));
     connect(load_, &ValueSlider::valueEdited, this, [this](double value) {
-        model_->edit(tr("Load"), [&](Input& input) {
+        model_->drag(tr("Load"), [&](Input& input) {
             input.torque.cycle.imep = value * units::bar;
             input.torque.cycle.heat.reset();
         });

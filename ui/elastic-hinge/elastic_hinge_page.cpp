@@ -81,7 +81,7 @@ ValueSlider* ElasticHingePage::addSlider(QWidget* parent, const char* name, cons
     slider->box()->setObjectName(QLatin1String(name));
     slider->setHint(shownText(field.hint));
     const auto write = [this, value, unit, step = fieldName(field)](double shown) {
-        const QString trouble = model_->edit(step, [&](Input& input) {
+        const QString trouble = model_->drag(step, [&](Input& input) {
             if (double* si = value(input)) {
                 *si = shown * unit;
             }

@@ -125,7 +125,7 @@ void EngineForm::addFiringOrder() {
     order->setObjectName(QStringLiteral("firing_order"));
     order->setHint(shownText(field::firing_order.hint));
     current()->addWidget(shownText(field::firing_order.label), order);
-    groupSteps(order);
+    order->setModel(model_);
     follow([this, order] { order->setValue(model_->firingOrder()); });
 }
 

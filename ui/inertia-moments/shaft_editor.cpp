@@ -147,8 +147,7 @@ class ShaftRow : public QWidget {
                 [this, &field](std::optional<double> value) {
                     edit(field, value ? FieldValue(*value) : FieldValue());
                 });
-        connect(target, &EntryField::editingBegun, model_, &SceneModel::finishDrag);
-        connect(target, &EntryField::editingEnded, model_, &SceneModel::finishDrag);
+        target->setModel(model_);
         return target;
     }
 

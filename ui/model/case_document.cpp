@@ -32,7 +32,11 @@ void remember(const QString& path) {
 
 CaseDocument::CaseDocument(SceneModel* model, DocumentDialogs dialogs, QObject* parent)
     : QObject(parent), model_(model), dialogs_(std::move(dialogs)) {
-    connect(model->history(), &QUndoStack::cleanChanged, this, &CaseDocument::nameChanged);
+    connect(model, &SceneModel::historyChanged, this, [this] {
+        if (std::exchange(neededSaving_, needsSaving()) != neededSaving_) {
+            Q_EMIT nameChanged();
+        }
+    });
     connect(model, &SceneModel::titleChanged, this, &CaseDocument::nameChanged);
 }
 
@@ -63,13 +67,12 @@ CaseFile CaseDocument::read(const QString& path) {
 
 void CaseDocument::open(const CaseFile& file, const QString& path) {
     const CaseContext context{fsPath(QFileInfo(path).absolutePath())};
-    model_->loadInput(file.input, context);
-    model_->setContext(context);
-    model_->setTitle(QString::fromStdString(file.title));
+    model_->loadCase(file.input, context, QString::fromStdString(file.title));
     setPath(path);
 }
 
 QString CaseDocument::saveTo(const QString& path) {
+    model_->keepTyped();
     try {
         const CaseFile file{model_->sceneName().toStdString(), model_->title().toStdString(),
                             model_->inputJson()};
@@ -113,13 +116,7 @@ bool CaseDocument::mayGo() {
     if (!needsSaving()) {
         return true;
     }
-    // A case that came from a file goes back to it.
-    if (path_.isEmpty() && dialogs_.saveElsewhere) {
-        if (const auto goOn = dialogs_.saveElsewhere()) {
-            return *goOn;
-        }
-    }
-    const DocumentDialogs::Answer answer = dialogs_.saveChanges();
+    const DocumentDialogs::Answer answer = dialogs_.saveChanges(!path_.isEmpty());
     return answer == DocumentDialogs::Answer::Save ? save()
                                                    : answer == DocumentDialogs::Answer::Discard;
 }

@@ -16,11 +16,9 @@ struct CaseFile;
 struct DocumentDialogs {
     enum class Answer { Save, Discard, Stay };
 
-    /// What to do with changes that are not saved.
-    std::function<Answer()> saveChanges;
-    /// The same of a document without a file whose page keeps it in a place of its own, asks and
-    /// saves: false where the user wants to stay. Nothing, or no function: saveChanges() asks.
-    std::function<std::optional<bool>()> saveElsewhere;
+    /// What to do with changes that are not saved. A case without a file may be saved in a place of
+    /// the page's own; nothing is left to be saved then, hence Discard.
+    std::function<Answer(bool hasFile)> saveChanges;
     /// Where to save; empty where the user wants to stay.
     std::function<QString(const QString& suggestion)> choosePath;
     /// The case could not be saved.
@@ -41,7 +39,7 @@ class CaseDocument : public QObject {
     QString path() const { return path_; }
     /// The file's name, else the case's title, which may be empty.
     QString name() const;
-    bool needsSaving() const { return !model_->history()->isClean(); }
+    bool needsSaving() const { return model_->hasChanges(); }
     /// For other pages to refer to.
     OpenCase asOpenCase() const;
 
@@ -76,6 +74,7 @@ class CaseDocument : public QObject {
     SceneModel* model_;
     DocumentDialogs dialogs_;
     QString path_;
+    bool neededSaving_ = false;
 };
 
 }  // namespace ravnoves

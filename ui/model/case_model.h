@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "numerics/demand.h"
 #include "numerics/vector_state.h"
 #include "text/error_text.h"
+#include "text/message_text.h"
 
 namespace ravnoves {
 
@@ -34,24 +36,36 @@ class CaseModel : public SceneModel {
 
     const Input& input() const { return input_; }
 
-    /// Changes the input by `mutate` as one step of the history; changes with the same name that
-    /// follow each other become one step, until finishDrag().
+    /// Changes the input by `mutate` as one step of the history, in an editing as part of its step.
+    /// @param title  the case's from now on; none: it stays
     /// @return an empty string, or what is wrong with it; the old input holds then
-    QString edit(const QString& name, const std::function<void(Input&)>& mutate) {
-        Input next = input_;
-        mutate(next);
-        if (next == input_) {
-            return {};
+    QString edit(const QString& name, const std::function<void(Input&)>& mutate,
+                 const QString& title = {}) {
+        return change(name, mutate, title, false);
+    }
+    /// The same for what changes at every move of a hand: drags of one name that follow each other
+    /// are one step, until finishDrag().
+    QString drag(const QString& name, const std::function<void(Input&)>& mutate) {
+        return change(name, mutate, {}, true);
+    }
+
+    bool isTyped() const override { return typed_.has_value(); }
+    bool takeBack() override {
+        if (!typed_) {
+            return false;
         }
-        try {
-            prepared_ = solve(next);
-        } catch (const InputError& error) {
-            QString why = explain(next, error);
-            Q_EMIT refused(why);
-            return why;
+        restore(State(typed_->before));
+        sayRefused({});
+        Q_EMIT historyChanged();
+        return true;
+    }
+    void keepTyped() override {
+        if (typed_) {
+            const Typed typed = std::move(*typed_);
+            typed_.reset();
+            isApplied_ = true;
+            push(typed.name, typed.before, state(), -1);
         }
-        push(name, std::move(next), stepOf(name));
-        return {};
     }
 
     std::vector<FieldEntry> describedFields() const override { return describe_fields<Input>(); }
@@ -65,10 +79,9 @@ class CaseModel : public SceneModel {
 
     // In case_model_json.h.
     Json inputJson() const override;
-    void loadInput(const Json& json, const CaseContext& context) override;
+    void loadCase(const Json& json, const CaseContext& context, const QString& title) override;
     void loadDefault() override {
-        load(newName(), scene_.defaultInput());
-        setTitle(scene_.defaultTitle());
+        load(newName(), {scene_.defaultInput(), scene_.defaultTitle(), context().directory});
     }
 
   protected:
@@ -80,10 +93,6 @@ class CaseModel : public SceneModel {
         setTitle(scene_.defaultTitle());
     }
 
-    /// Why an input is refused, in the user's words.
-    virtual QString explain(const Input& /*refused*/, const InputError& error) const {
-        return errorText(error);
-    }
     /// Another case comes in; it is known to be good, but not yet here.
     virtual void aboutToLoad() {}
     /// Input and result are new, and all have heard of it.
@@ -102,34 +111,123 @@ class CaseModel : public SceneModel {
     }
     /// Begins a history of its own with an input.
     void restart(const Input& input) {
+        typed_.reset();
         history()->clear();
         finishDrag();
         apply(input);
     }
+    /// True in an editing: the change of this name that follows is part of it, and settle() comes
+    /// after it. Anything else that changes meanwhile is a step of its own.
+    bool joinEditing(const QString& name) {
+        if (!isEditing()) {
+            return false;
+        }
+        if (typed_ && typed_->name != name) {
+            keepTyped();
+            leaveEditing();
+            return false;
+        }
+        if (!typed_) {
+            typed_ = Typed{name, state()};
+        }
+        return true;
+    }
+    void settle() {
+        if (typed_->before == state()) {
+            typed_.reset();
+        }
+        Q_EMIT historyChanged();
+    }
 
   private:
+    /// What a step of the history brings back.
+    struct State {
+        Input input;
+        QString title;
+        std::filesystem::path directory;  ///< of the files that the case names
+        friend bool operator==(const State&, const State&) = default;
+    };
+    /// What an editing that goes on has changed.
+    struct Typed {
+        QString name;
+        State before;
+    };
+
     Solved solve(const Input& input) const {
         clear_vector_state();  // painting may have left it in use
         return scene_.solve(input);
     }
-    void load(const QString& name, Input next) {
-        prepared_ = solve(next);  // throws before anything changes
-        aboutToLoad();
-        finishDrag();
-        if (next == input_) {
-            apply(next);  // no step, but what a field shows of a refused text goes
+    State state() const { return {input_, title(), context().directory}; }
+    QString change(const QString& name, const std::function<void(Input&)>& mutate,
+                   const QString& title, bool merges) {
+        State next = state();
+        mutate(next.input);
+        if (!title.isEmpty()) {
+            next.title = title;
+        }
+        if (next == state()) {
+            return {};
+        }
+        try {
+            prepared_ = solve(next.input);
+        } catch (const InputError& error) {
+            QString why = explain(error);
+            sayRefused(why);
+            return why;
+        }
+        if (joinEditing(name)) {
+            apply(next.input);
+            settle();
         } else {
-            push(name, std::move(next), -1);
+            push(name, state(), std::move(next), merges ? stepOf(name) : -1);
+        }
+        return {};
+    }
+    /// Why an input is refused: the field by its label, where it has one.
+    QString explain(const InputError& error) const {
+        for (const auto& entries : {fields(), describedFields()}) {
+            for (const FieldEntry& entry : entries) {
+                if ("/input" + entry.pointer == error.where() && !entry.field.label.empty()) {
+                    return errorText(InputError(fieldName(entry.field).toStdString(),
+                                                error.allowed_message(), error.found_message()));
+                }
+            }
+        }
+        return errorText(error);
+    }
+    void load(const QString& name, State next) {
+        auto solved = solve(next.input);  // throws before anything changes
+        keepTyped();
+        prepared_ = std::move(solved);
+        aboutToLoad();
+        if (next.input == input_) {
+            restore(next);  // no step, but what a field shows of a refused text goes
+        } else {
+            push(name, state(), std::move(next), -1);
         }
     }
-    void push(const QString& name, Input next, int step) {
-        history()->push(new InputCommand<Input>(name, input_, std::move(next), step,
-                                                [this](const Input& input) { apply(input); }));
+    /// @param step  changes with the same number are one; −1: a step of its own
+    void push(const QString& name, State before, State after, int step) {
+        if (step < 0) {
+            finishDrag();
+        }
+        history()->push(new InputCommand<State>(name, std::move(before), std::move(after), step,
+                                                [this](const State& state) { restore(state); }));
+    }
+    void restore(const State& state) {
+        if (std::exchange(isApplied_, false)) {
+            return;
+        }
+        typed_.reset();
+        setContext({state.directory});
+        setTitle(state.title);
+        apply(state.input);
     }
     void apply(const Input& input) {
         solved_ = prepared_ ? std::move(*prepared_) : solve(input);
         prepared_.reset();
         input_ = input;
+        sayRefused({});
         Q_EMIT changed();
         taken();
     }
@@ -138,6 +236,8 @@ class CaseModel : public SceneModel {
     Input input_;
     Solved solved_;
     std::optional<Solved> prepared_;  ///< of the change that is being made
+    std::optional<Typed> typed_;
+    bool isApplied_ = false;  ///< what the step that is pushed changes holds already
 };
 
 }  // namespace ravnoves

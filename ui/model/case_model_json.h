@@ -13,8 +13,9 @@ Json CaseModel<Scene>::inputJson() const {
 }
 
 template <typename Scene>
-void CaseModel<Scene>::loadInput(const Json& json, const CaseContext& context) {
-    load(openName(), scene_.read(json, context));
+void CaseModel<Scene>::loadCase(const Json& json, const CaseContext& context,
+                                const QString& title) {
+    load(openName(), {scene_.read(json, context), title, context.directory});
 }
 
 }  // namespace ravnoves

@@ -7,6 +7,41 @@
 
 namespace ravnoves {
 
+SceneModel::SceneModel(QObject* parent) : QObject(parent) {
+    connect(&history_, &QUndoStack::indexChanged, this, &SceneModel::historyChanged);
+    connect(&history_, &QUndoStack::cleanChanged, this, &SceneModel::historyChanged);
+}
+
+void SceneModel::beginEditing() {
+    endEditing();
+    editing_ = true;
+}
+
+void SceneModel::endEditing() {
+    keepTyped();
+    editing_ = false;
+    sayRefused({});
+}
+
+void SceneModel::undo() {
+    keepTyped();
+    history_.undo();
+    finishDrag();
+}
+
+void SceneModel::redo() {
+    keepTyped();
+    history_.redo();
+    finishDrag();
+}
+
+void SceneModel::sayRefused(const QString& why) {
+    if (saidRefused_ || !why.isEmpty()) {
+        saidRefused_ = !why.isEmpty();
+        Q_EMIT refused(why);
+    }
+}
+
 bool SceneModel::setViewOption(const QString& /*key*/, const QString& /*value*/) {
     return false;
 }

@@ -29,7 +29,7 @@ class SceneModel : public QObject {
     Q_OBJECT
 
   public:
-    explicit SceneModel(QObject* parent = nullptr) : QObject(parent) {}
+    explicit SceneModel(QObject* parent = nullptr);
     /// A history that is destroyed says that it is clean. Nobody may hear that: what listens, the
     /// model of the scene first of all, is gone or half gone by then.
     ~SceneModel() override { history_.blockSignals(true); }
@@ -40,9 +40,13 @@ class SceneModel : public QObject {
     virtual bool hasCaseFile() const { return true; }
     /// The case's "input" object as it stands now.
     virtual Json inputJson() const = 0;
-    /// Takes over the input of a case as one step of the history. A fault leaves all as it was.
+    /// Takes over a case as one step of the history. A fault leaves all as it was.
     /// @throws InputError
-    virtual void loadInput(const Json& input, const CaseContext& context) = 0;
+    virtual void loadCase(const Json& input, const CaseContext& context, const QString& title) = 0;
+    /// The same under the present title.
+    void loadInput(const Json& input, const CaseContext& context) {
+        loadCase(input, context, title_);
+    }
     /// The "result" object, the same that the command line prints.
     virtual Json resultJson() const = 0;
     /// The input that a new document starts with.
@@ -68,7 +72,6 @@ class SceneModel : public QObject {
     QString title() const { return title_; }
     void setTitle(const QString& title);
     const CaseContext& context() const { return context_; }
-    void setContext(const CaseContext& context) { context_ = context; }
     QUndoStack* history() { return &history_; }
     const QUndoStack* history() const { return &history_; }
     /// The next change is a step of its own in the history, whatever its name.
@@ -77,14 +80,34 @@ class SceneModel : public QObject {
         lastName_.clear();
     }
 
+    // An editing of a field, from its first key to Enter, Escape or the loss of the focus. What is
+    // typed shows its effect at once, but is in no history: that, and what could be redone, change
+    // when the editing ends, by one step.
+    void beginEditing();
+    void endEditing();
+    bool isEditing() const { return editing_; }
+    /// True where the editing has changed the input.
+    virtual bool isTyped() const { return false; }
+    /// Makes hold again what stood before the editing. @return false where it has changed nothing
+    virtual bool takeBack() { return false; }
+    /// Puts into the history what was typed so far: it is to be saved, or something else changes.
+    virtual void keepTyped() {}
+    /// True for changes since the last saving, also of an editing that has not ended.
+    bool hasChanges() const { return isTyped() || !history_.isClean(); }
+    void undo();
+    void redo();
+
   Q_SIGNALS:
     /// Input and result are new.
     void changed();
     void titleChanged(const QString& title);
-    /// A change was refused.
+    /// What there is to undo, to redo or to save.
+    void historyChanged();
+    /// A change was refused; empty when that is over.
     void refused(const QString& why);
 
   protected:
+    void setContext(const CaseContext& context) { context_ = context; }
     /// Number of the step that a change of this name belongs to, for InputCommand.
     int stepOf(const QString& name) {
         if (name != lastName_) {
@@ -93,6 +116,10 @@ class SceneModel : public QObject {
         }
         return step_;
     }
+    /// Something else than the editing changes the input: what is typed after it are steps as any.
+    void leaveEditing() { editing_ = false; }
+    /// Says why a change is refused; with nothing, that it no longer matters.
+    void sayRefused(const QString& why);
     // For setViewOption().
     /// @throws InputError for what is no number
     static double readNumber(const QString& key, const QString& value);
@@ -107,6 +134,8 @@ class SceneModel : public QObject {
     QString title_;
     int step_ = 0;
     QString lastName_;
+    bool editing_ = false;
+    bool saidRefused_ = false;
     CaseContext context_;
     QUndoStack history_;
 };

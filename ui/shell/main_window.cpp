@@ -17,7 +17,6 @@
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
-#include <QUndoGroup>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -56,7 +55,6 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     setMinimumSize(960, 620);
     resize(1280, 800);
     setAcceptDrops(true);
-    histories_ = new QUndoGroup(this);
     for (SceneInfo& info : sceneList()) {
         Entry entry;
         entry.info = std::move(info);
@@ -158,8 +156,9 @@ void MainWindow::buildMenus() {
     connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentFiles);
     QAction* saveAction = add(file, QStringLiteral("save"), tr("&Save case"), QKeySequence::Save,
                               [this] { current().document->save(); });
-    QAction* saveAsAction = add(file, {}, tr("Save case &as…"), QKeySequence::SaveAs,
-                                [this] { current().document->saveAs(); });
+    QAction* saveAsAction =
+        add(file, {}, tr("Save case &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
+            [this] { current().document->saveAs(); });
     file->addSeparator();
     QAction* picture = add(file, QStringLiteral("picture"), tr("Save page as &picture…"),
                            QKeySequence(Qt::CTRL | Qt::Key_E), [this] { exportPicture(); });
@@ -167,15 +166,12 @@ void MainWindow::buildMenus() {
     add(file, {}, tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); });
 
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-    QAction* undo = histories_->createUndoAction(this, tr("&Undo"));
-    undo->setIcon(themedIcon(QStringLiteral("undo")));
-    undo->setShortcut(QKeySequence::Undo);
-    QAction* redo = histories_->createRedoAction(this, tr("&Redo"));
-    redo->setIcon(themedIcon(QStringLiteral("redo")));
-    redo->setShortcuts(
+    undo_ = add(edit, QStringLiteral("undo"), tr("&Undo"), QKeySequence::Undo,
+                [this] { currentPage()->model()->undo(); });
+    redo_ = add(edit, QStringLiteral("redo"), tr("&Redo"), {},
+                [this] { currentPage()->model()->redo(); });
+    redo_->setShortcuts(
         {QKeySequence(Qt::CTRL | Qt::Key_Y), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z)});
-    edit->addAction(undo);
-    edit->addAction(redo);
     edit->addSeparator();
     QAction* copyText = add(edit, QStringLiteral("copy"), tr("Copy results as &text"),
                             QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C), [this] {
@@ -243,7 +239,7 @@ void MainWindow::buildMenus() {
     toolBar_->setIconSize(QSize(20, 20));
     toolBar_->addActions({fresh, open, saveAction});
     toolBar_->addSeparator();
-    toolBar_->addActions({undo, redo});
+    toolBar_->addActions({undo_, redo_});
     toolBar_->addSeparator();
     toolBar_->addActions({copyText, picture, reset});
     toolBar_->addSeparator();
@@ -295,29 +291,32 @@ void MainWindow::makePage(Entry& entry) {
                    ? std::optional(other->document->asOpenCase())
                    : std::nullopt;
     });
-    histories_->addStack(entry.document->model()->history());
+    connect(entry.document->model(), &SceneModel::historyChanged, this,
+            &MainWindow::updateHistoryActions);
     connect(entry.document, &CaseDocument::nameChanged, this, &MainWindow::updateTitle);
     connect(entry.document, &CaseDocument::saved, this, [this](const QString& path) {
         statusBar()->showMessage(tr("Saved %1").arg(path), 3000);
     });
-    connect(entry.page, &ScenePage::status, hint_, &QLabel::setText);
+    connect(entry.page, &ScenePage::status, this, [this, &entry](const QString& text) {
+        hint_->setText(text.isEmpty() ? entry.info.summary : text);
+    });
     entry.holder->layout()->addWidget(entry.page);
 }
 
 DocumentDialogs MainWindow::dialogsOf(Entry& entry) {
     DocumentDialogs dialogs;
-    dialogs.saveChanges = [this, &entry] {
+    dialogs.saveChanges = [this, &entry](bool hasFile) {
         showScene(entry.info.name);
+        // A case that came from a file goes back to it.
+        if (const auto goOn = hasFile ? std::nullopt : entry.page->askToSave()) {
+            return *goOn ? DocumentDialogs::Answer::Discard : DocumentDialogs::Answer::Stay;
+        }
         const auto answer = QMessageBox::question(
             this, tr("Unsaved changes"), tr("Save the changes of “%1”?").arg(entry.info.title),
             QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
         return answer == QMessageBox::Save      ? DocumentDialogs::Answer::Save
                : answer == QMessageBox::Discard ? DocumentDialogs::Answer::Discard
                                                 : DocumentDialogs::Answer::Stay;
-    };
-    dialogs.saveElsewhere = [this, &entry] {
-        showScene(entry.info.name);
-        return entry.page->askToSave();
     };
     dialogs.choosePath = [this](const QString& suggestion) {
         return QFileDialog::getSaveFileName(this, tr("Save case"), suggestion,
@@ -339,7 +338,7 @@ void MainWindow::showEntry(std::size_t index) {
     entry.action->setChecked(true);
     stack_->setCurrentWidget(entry.holder);
     updateCaseActions();
-    histories_->setActiveStack(entry.document->model()->history());
+    updateHistoryActions();
     shown->setActive(true);
     if (hint_ != nullptr) {
         hint_->setText(entry.info.summary);
@@ -357,6 +356,18 @@ void MainWindow::updateCaseActions() {
                                : tr("This page has no case file: its numbers are measured anew. "
                                     "Copy or export them."));
     }
+}
+
+void MainWindow::updateHistoryActions() {
+    const SceneModel& model = *currentPage()->model();
+    const QUndoStack& history = *model.history();
+    const auto show = [](QAction* action, bool enabled, const QString& name, const QString& step) {
+        action->setEnabled(enabled);
+        action->setText(step.isEmpty() ? name : name + QLatin1Char(' ') + step);
+    };
+    show(undo_, model.isTyped() || history.canUndo(), tr("&Undo"),
+         model.isTyped() ? QString() : history.undoText());
+    show(redo_, !model.isTyped() && history.canRedo(), tr("&Redo"), history.redoText());
 }
 
 void MainWindow::updateSceneActions() {

@@ -10,7 +10,6 @@ class QActionGroup;
 class QLabel;
 class QStackedWidget;
 class QToolButton;
-class QUndoGroup;
 
 namespace ravnoves {
 
@@ -67,13 +66,15 @@ class MainWindow : public QMainWindow {
     void updateTitle();
     void updateSceneActions();
     void updateCaseActions();
+    void updateHistoryActions();
     void showHelp(const QString& topic);
     void showAbout();
 
     std::vector<Entry> entries_;
     std::size_t current_ = 0;
     QStackedWidget* stack_ = nullptr;
-    QUndoGroup* histories_ = nullptr;
+    QAction* undo_ = nullptr;
+    QAction* redo_ = nullptr;
     QActionGroup* sceneGroup_ = nullptr;
     QMenu* recentMenu_ = nullptr;
     QMenu* sceneMenu_ = nullptr;

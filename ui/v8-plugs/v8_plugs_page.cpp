@@ -289,7 +289,7 @@ std::optional<bool> V8PlugsPage::askToSave() {
 }
 
 bool V8PlugsPage::leaveJob() {
-    if (model_->history()->isClean()) {
+    if (!model_->hasChanges()) {
         return true;
     }
     const auto answer = QMessageBox::question(

@@ -1,5 +1,7 @@
 #include "widgets/decimal_spin_box.h"
 
+#include <QKeyEvent>
+
 #include "text/number_text.h"
 
 namespace ravnoves {
@@ -10,6 +12,18 @@ QString DecimalSpinBox::bare(const QString& text) const {
         number.chop(suffix().size());
     }
     return number.trimmed();
+}
+
+bool DecimalSpinBox::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if ((key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) &&
+            cleanText() == textFromValue(value())) {
+            event->ignore();
+            return true;
+        }
+    }
+    return QDoubleSpinBox::event(event);
 }
 
 QValidator::State DecimalSpinBox::validate(QString& text, int& /*position*/) const {

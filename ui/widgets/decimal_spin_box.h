@@ -5,7 +5,8 @@
 namespace ravnoves {
 
 /// A QDoubleSpinBox that takes decimal comma and point in every locale, and passes a typed value on
-/// when it is finished (not at each key, which would jump while "120" is typed).
+/// when it is finished (not at each key, which would jump while "120" is typed). Undo and redo are
+/// the text's while it is not the value, else the document's.
 class DecimalSpinBox : public QDoubleSpinBox {
     Q_OBJECT
 
@@ -15,6 +16,7 @@ class DecimalSpinBox : public QDoubleSpinBox {
         setAlignment(Qt::AlignRight);
     }
 
+    bool event(QEvent* event) override;
     QValidator::State validate(QString& text, int& position) const override;
     double valueFromText(const QString& text) const override;
 

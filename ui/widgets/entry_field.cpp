@@ -13,6 +13,9 @@ EntryField::EntryField(QWidget* parent) : QLineEdit(parent) {
         if (!editing_) {
             editing_ = true;
             keepValue();
+            if (model_ != nullptr) {
+                model_->beginEditing();
+            }
             Q_EMIT editingBegun();
         }
         readText();
@@ -22,6 +25,15 @@ EntryField::EntryField(QWidget* parent) : QLineEdit(parent) {
             showValue();
         }
         endEditing();
+    });
+}
+
+void EntryField::setModel(SceneModel* model) {
+    model_ = model;
+    connect(model, &SceneModel::refused, this, [this](const QString& why) {
+        if (isPassing_) {
+            refusal_ = why;
+        }
     });
 }
 
@@ -37,6 +49,9 @@ void EntryField::showValue() {
 
 void EntryField::endEditing() {
     if (std::exchange(editing_, false)) {
+        if (model_ != nullptr) {
+            model_->endEditing();
+        }
         Q_EMIT editingEnded();
     }
 }
@@ -58,6 +73,21 @@ void EntryField::describe() {
         setToolTip(tip.join(QLatin1Char('\n')));
     }
     setAccessibleDescription(trouble_.isEmpty() ? hint_ : trouble_);
+}
+
+bool EntryField::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const bool undoes = key->matches(QKeySequence::Undo);
+        const bool redoes =
+            key->matches(QKeySequence::Redo) || key->keyCombination() == (Qt::CTRL | Qt::Key_Y);
+        if ((undoes && !(isUndoAvailable() && text() != written())) ||
+            (redoes && !isRedoAvailable())) {
+            event->ignore();
+            return true;  // the document's
+        }
+    }
+    return QLineEdit::event(event);
 }
 
 void EntryField::keyPressEvent(QKeyEvent* event) {

@@ -1,6 +1,10 @@
 #pragma once
 
 #include <QLineEdit>
+#include <QPointer>
+#include <utility>
+
+#include "model/scene_model.h"
 
 namespace ravnoves {
 
@@ -11,6 +15,8 @@ namespace ravnoves {
 /// never becomes another value by itself: it stays, with a red frame and with trouble() in words,
 /// until it is mended, Escape brings the old value back, or another value is set. Escape undoes
 /// the whole editing, valid values on the way as well.
+///
+/// Undo and redo are the text's while it is not the value, else the document's.
 class EntryField : public QLineEdit {
     Q_OBJECT
 
@@ -23,6 +29,9 @@ class EntryField : public QLineEdit {
     bool isEditing() const { return editing_; }
     /// The text that explains the field; the rule for its values is added.
     void setHint(const QString& hint);
+    /// What is passed on in an editing is one step of this model's history, and what the model
+    /// refuses is a refused text.
+    void setModel(SceneModel* model);
 
   Q_SIGNALS:
     void troubleChanged(const QString& trouble);
@@ -31,6 +40,7 @@ class EntryField : public QLineEdit {
     void editingEnded();
 
   protected:
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
@@ -48,13 +58,27 @@ class EntryField : public QLineEdit {
     void setTrouble(const QString& trouble);
     void showValue();
     void endEditing();
+    /// Makes the model hold again what it held before the editing.
+    /// @return false where there is none, or the editing has changed nothing there
+    bool takeModelBack() { return model_ != nullptr && model_->takeBack(); }
+    /// Runs what passes a value on. @return why the model refused it; else empty
+    template <typename Passing>
+    QString passedOn(Passing passing) {
+        isPassing_ = true;
+        passing();
+        isPassing_ = false;
+        return std::exchange(refusal_, {});
+    }
     /// Makes tooltip and description anew.
     void describe();
 
   private:
+    QPointer<SceneModel> model_;
     QString hint_;
     QString trouble_;
+    QString refusal_;
     bool editing_ = false;
+    bool isPassing_ = false;
 };
 
 /// An EntryField for values of one type.
@@ -97,25 +121,37 @@ class ValueEntry : public EntryField {
     virtual bool same(const Value& a, const Value& b) const { return a == b; }
 
     void keepValue() override { kept_ = value_; }
-    void bringBack() override { take(kept_); }
+    void bringBack() override {
+        if (!same(kept_, value_)) {
+            value_ = kept_;
+            if (!takeModelBack()) {
+                passedOn([this] { passOn(); });
+            }
+        }
+    }
     void readText() override {
         const Reading reading = read(text().trimmed());
-        if (reading.trouble.isEmpty()) {
-            setTrouble({});
-            take(reading.value);
+        if (!reading.trouble.isEmpty()) {
+            refuse(reading.trouble);
             return;
         }
-        bringBack();
-        if (isEditing()) {
-            setTrouble(reading.trouble);
+        setTrouble({});
+        if (same(reading.value, kept_)) {
+            bringBack();
+        } else if (!same(reading.value, value_)) {
+            value_ = reading.value;
+            const QString refusal = passedOn([this] { passOn(); });
+            if (!refusal.isEmpty()) {
+                refuse(refusal);
+            }
         }
     }
 
   private:
-    void take(const Value& value) {
-        if (!same(value, value_)) {
-            value_ = value;
-            passOn();
+    void refuse(const QString& why) {
+        bringBack();
+        if (isEditing()) {
+            setTrouble(why);
         }
     }
 

@@ -70,11 +70,6 @@ const FieldEntry& Form::described(const char* pointer) const {
     return *found;
 }
 
-void Form::groupSteps(EntryField* field) {
-    connect(field, &EntryField::editingBegun, model_, &SceneModel::finishDrag);
-    connect(field, &EntryField::editingEnded, model_, &SceneModel::finishDrag);
-}
-
 void Form::add(const char* pointer, QWidget* field, std::function<void(const FieldValue&)> show) {
     const auto entries = model_->fields();
     const auto present = std::find_if(entries.begin(), entries.end(),
@@ -94,7 +89,7 @@ NumberField* Form::number(const char* pointer) {
              name = fieldName(entry.field)](std::optional<double> value) {
                 model_->editField(place, numberValue(kind, value), name);
             });
-    groupSteps(field);
+    field->setModel(model_);
     add(pointer, field, [field](const FieldValue& value) { field->setValue(numberOf(value)); });
     return field;
 }
@@ -103,7 +98,7 @@ NumberField* Form::number(const Field& description, std::function<std::optional<
                           std::function<void(std::optional<double>)> write) {
     NumberField* field = current_->addNumber(description);
     connect(field, &NumberField::valueEdited, this, std::move(write));
-    groupSteps(field);
+    field->setModel(model_);
     follow([field, read = std::move(read)] { field->setValue(read()); });
     return field;
 }
@@ -118,7 +113,6 @@ QComboBox* Form::choice(const char* pointer) {
     current_->addWidget(shownText(entry.field.label), box, {}, shownText(entry.field.hint));
     connect(box, &QComboBox::activated, this,
             [this, place = entry.pointer, name = fieldName(entry.field)](int index) {
-                model_->finishDrag();
                 if (!model_->editField(place, index, name).isEmpty()) {
                     showAll();  // refused: the choice goes back
                 }
@@ -139,8 +133,9 @@ QWidget* Form::flag(const char* pointer) {
     current_->addWide(box);
     connect(box, &QCheckBox::clicked, this,
             [this, place = entry.pointer, name = fieldName(entry.field)](bool on) {
-                model_->finishDrag();
-                model_->editField(place, on, name);
+                if (!model_->editField(place, on, name).isEmpty()) {
+                    showAll();
+                }
             });
     add(pointer, box, [box](const FieldValue& value) {
         const bool* on = std::get_if<bool>(&value);
@@ -158,7 +153,7 @@ QLineEdit* Form::text(const char* pointer) {
         current_);
     field->setObjectName(QString::fromStdString(std::string(entry.field.key)));
     current_->addWidget(shownText(entry.field.label), field, {}, shownText(entry.field.hint));
-    groupSteps(field);
+    field->setModel(model_);
     add(pointer, field, [field](const FieldValue& value) {
         const std::string* words = std::get_if<std::string>(&value);
         field->setValue(words != nullptr ? QString::fromStdString(*words) : QString());

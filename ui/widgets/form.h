@@ -51,10 +51,6 @@ class Form : public QWidget {
     /// Entries that are refused now: "Crank radius r, mm: The value must be greater than 0 mm."
     QStringList refused() const;
 
-  protected:
-    /// One editing is one step of the history.
-    void groupSteps(EntryField* field);
-
   private:
     struct Row {
         std::string pointer;

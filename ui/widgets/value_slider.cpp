@@ -44,6 +44,7 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
     connect(slider_, &QSlider::sliderPressed, this, &ValueSlider::pressed);
     connect(slider_, &QSlider::sliderReleased, this, &ValueSlider::released);
     connect(box_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ValueSlider::edit);
+    connect(box_, &QDoubleSpinBox::editingFinished, this, &ValueSlider::released);
 }
 
 void ValueSlider::setRange(double min, double max) {

@@ -51,7 +51,7 @@ TEST(ElasticHingeModel, ADragIsOneStepOfTheHistory) {
     ElasticHingeModel model;
     const double relief = model.result().crank_guide.relief;
     for (int i = 1; i <= 50; ++i) {
-        model.edit(QStringLiteral("speed"), [i](auto& input) { input.angular_speed = 100.0 + i; });
+        model.drag(QStringLiteral("speed"), [i](auto& input) { input.angular_speed = 100.0 + i; });
     }
     model.finishDrag();
     model.edit(QStringLiteral("speed"), [](auto& input) { input.angular_speed = 300.0; });

@@ -35,22 +35,18 @@ class CaseDocumentTest : public ::testing::Test {
     test::RootModel model;
     QStringList asked;  ///< what was asked, in order
     Answer answer = Answer::Stay;
-    std::optional<bool> elsewhere;
     QString chosen;
-    CaseDocument document{&model,
-                          {[this] {
-                               asked << QStringLiteral("save?");
-                               return answer;
-                           },
-                           [this] {
-                               asked << QStringLiteral("elsewhere?");
-                               return elsewhere;
-                           },
-                           [this](const QString& suggestion) {
-                               asked << suggestion;
-                               return chosen;
-                           },
-                           [this](const QString& trouble) { asked << trouble; }}};
+    CaseDocument document{
+        &model,
+        {[this](bool hasFile) {
+             asked << (hasFile ? QStringLiteral("save?") : QStringLiteral("save, without a file?"));
+             return answer;
+         },
+         [this](const QString& suggestion) {
+             asked << suggestion;
+             return chosen;
+         },
+         [this](const QString& trouble) { asked << trouble; }}};
 };
 
 TEST_F(CaseDocumentTest, IsNamedByItsFileElseByItsTitle) {
@@ -163,23 +159,28 @@ TEST_F(CaseDocumentTest, SavesWhereThatIsTheAnswer) {
     EXPECT_EQ(model.root(), 4.0);
 }
 
-TEST_F(CaseDocumentTest, AScenesOwnPlaceIsAskedForFirstUnlessTheCaseHasAFile) {
+TEST_F(CaseDocumentTest, TellsWhetherTheCaseHasAFile) {
     model.set("square", 9.0);
-    elsewhere = true;
-    EXPECT_TRUE(document.mayGo());
-    elsewhere = false;
     EXPECT_FALSE(document.mayGo());
-    EXPECT_EQ(asked, (QStringList{QStringLiteral("elsewhere?"), QStringLiteral("elsewhere?")}));
-    asked.clear();
-    elsewhere.reset();
-    EXPECT_FALSE(document.mayGo());
-    EXPECT_EQ(asked, (QStringList{QStringLiteral("elsewhere?"), QStringLiteral("save?")}));
-    asked.clear();
-    elsewhere = true;
     open(written("nine.case.json", 9.0));
     model.set("square", 16.0);
     EXPECT_FALSE(document.mayGo());
-    EXPECT_EQ(asked, QStringList{QStringLiteral("save?")});
+    EXPECT_EQ(asked,
+              (QStringList{QStringLiteral("save, without a file?"), QStringLiteral("save?")}));
+}
+
+TEST_F(CaseDocumentTest, WhatIsBeingTypedIsSaved) {
+    open(written("nine.case.json", 9.0));
+    QSignalSpy named(&document, &CaseDocument::nameChanged);
+    model.beginEditing();
+    model.step("square", 16.0);
+    EXPECT_TRUE(document.needsSaving());
+    EXPECT_EQ(named.size(), 1);
+    EXPECT_TRUE(document.save());
+    EXPECT_FALSE(document.needsSaving());
+    model.endEditing();
+    EXPECT_FALSE(document.needsSaving());
+    EXPECT_EQ(document.asOpenCase().input.at("crank_radius_mm"), 16.0);
 }
 
 TEST_F(CaseDocumentTest, RemembersTheLastFiles) {

@@ -72,6 +72,129 @@ TEST_F(CaseModelTest, ChangesOfOneNameAreOneStepUntilTheDragEnds) {
     EXPECT_EQ(model.history()->count(), 4);
 }
 
+TEST_F(CaseModelTest, WhatIsNoDragIsAStepOfItsOwn) {
+    model.set("square", 9.0);
+    model.step("square", 16.0);
+    model.step("square", 25.0);
+    model.set("square", 36.0);
+    EXPECT_EQ(model.history()->count(), 4);
+    model.undo();
+    model.set("square", 49.0);  // goes on with no step that was undone to
+    EXPECT_EQ(model.history()->count(), 4);
+}
+
+TEST_F(CaseModelTest, AnEditingIsOneStepAtItsEnd) {
+    model.set("square", 9.0);
+    model.history()->setClean();
+    model.beginEditing();
+    EXPECT_FALSE(model.isTyped());
+    for (const double typed : {1.0, 16.0, 1.0, 16.0}) {
+        model.step("square", typed);
+    }
+    EXPECT_EQ(model.root(), 4.0);
+    EXPECT_EQ(model.history()->count(), 1);
+    EXPECT_TRUE(model.hasChanges());
+    model.endEditing();
+    EXPECT_EQ(model.history()->count(), 2);
+    EXPECT_EQ(model.history()->undoText(), QStringLiteral("square"));
+    EXPECT_EQ(solves(), 6);  // once for each value
+    model.undo();
+    EXPECT_EQ(model.root(), 3.0);
+    model.redo();
+    EXPECT_EQ(model.root(), 4.0);
+}
+
+TEST_F(CaseModelTest, AnEditingTakenBackLeavesTheHistoryAsItWas) {
+    model.step("square", 9.0);
+    model.step("square", 16.0);
+    model.undo();
+    QSignalSpy history(&model, &SceneModel::historyChanged);
+    model.beginEditing();
+    model.step("square", 25.0);
+    EXPECT_EQ(model.root(), 5.0);
+    EXPECT_GT(history.size(), 0);
+    EXPECT_TRUE(model.takeBack());
+    EXPECT_EQ(model.root(), 3.0);
+    EXPECT_FALSE(model.takeBack());
+    model.endEditing();
+    EXPECT_EQ(model.history()->count(), 2);
+    ASSERT_TRUE(model.history()->canRedo());
+    model.redo();
+    EXPECT_EQ(model.root(), 4.0);
+}
+
+TEST_F(CaseModelTest, AnEditingThatComesBackByItselfIsNoStep) {
+    model.beginEditing();
+    model.step("square", 25.0);
+    model.step("square", 4.0);
+    EXPECT_FALSE(model.hasChanges());
+    model.endEditing();
+    EXPECT_EQ(model.history()->count(), 0);
+}
+
+TEST_F(CaseModelTest, WhatElseChangesInAnEditingIsAnotherStep) {
+    model.beginEditing();
+    model.step("square", 9.0);
+    model.step("another name", 16.0);
+    EXPECT_EQ(model.history()->count(), 2);
+    EXPECT_FALSE(model.takeBack());
+    model.step("square", 25.0);
+    model.endEditing();
+    EXPECT_EQ(model.history()->count(), 3);
+    model.undo();
+    model.undo();
+    EXPECT_EQ(model.root(), 3.0);
+}
+
+TEST_F(CaseModelTest, UndoInAnEditingUndoesWhatWasTyped) {
+    model.step("square", 9.0);
+    model.beginEditing();
+    model.step("square", 16.0);
+    model.undo();
+    EXPECT_EQ(model.root(), 3.0);
+    model.endEditing();
+    EXPECT_EQ(model.history()->index(), 1);
+    EXPECT_EQ(model.history()->count(), 2);
+}
+
+TEST_F(CaseModelTest, WhatIsLoadedInAnEditingComesAfterIt) {
+    model.beginEditing();
+    model.step("square", 9.0);
+    model.loadInput({{"crank_radius_mm", 16.0}}, {});
+    EXPECT_EQ(model.history()->count(), 2);
+    model.undo();
+    EXPECT_EQ(model.root(), 3.0);
+    model.endEditing();
+    EXPECT_EQ(model.history()->count(), 2);
+}
+
+TEST_F(CaseModelTest, TheTitleGoesBackWithItsStep) {
+    model.step("preset", 9.0, QStringLiteral("Nine"));
+    EXPECT_EQ(model.title(), QStringLiteral("Nine"));
+    model.loadCase({{"crank_radius_mm", 16.0}}, {"folder"}, QStringLiteral("Sixteen"));
+    EXPECT_EQ(model.title(), QStringLiteral("Sixteen"));
+    EXPECT_EQ(model.context().directory, "folder");
+    model.undo();
+    EXPECT_EQ(model.title(), QStringLiteral("Nine"));
+    EXPECT_EQ(model.context().directory, ".");
+    model.undo();
+    EXPECT_EQ(model.title(), QStringLiteral("Root of four"));
+    model.redo();
+    model.redo();
+    EXPECT_EQ(model.title(), QStringLiteral("Sixteen"));
+}
+
+TEST_F(CaseModelTest, ARefusalIsOverWithTheNextChange) {
+    QSignalSpy refused(&model, &SceneModel::refused);
+    const QString why = model.step("square", -1.0);
+    EXPECT_FALSE(why.contains(QLatin1Char('/'))) << why.toStdString();  // no JSON pointer
+    model.step("square", 9.0);
+    model.step("square", 16.0);
+    ASSERT_EQ(refused.size(), 2);
+    EXPECT_EQ(refused[0][0].toString(), why);
+    EXPECT_EQ(refused[1][0].toString(), QString());
+}
+
 TEST_F(CaseModelTest, UndoAndRedoSolveAnew) {
     model.set("square", 9.0);
     model.set("square", 16.0);

@@ -45,7 +45,8 @@ struct RootScene {
 };
 
 inline void visit_fields(FieldVisitor& visitor, RootScene::Input& input) {
-    visitor.number(Field{.key = "crank_radius_mm", .unit = units::mm}, input.square);
+    visitor.number(Field{.key = "crank_radius_mm", .label = CORE_TEXT("test", "Square")},
+                   input.square);
 }
 
 class RootModel : public CaseModel<RootScene> {
@@ -57,7 +58,11 @@ class RootModel : public CaseModel<RootScene> {
     Json resultJson() const override { return {{"root", root()}}; }
     double root() const { return solved(); }
     QString set(const char* name, double square) {
-        return edit(QString::fromLatin1(name), [=](Input& input) { input.square = square; });
+        return drag(QString::fromLatin1(name), [=](Input& input) { input.square = square; });
+    }
+    QString step(const char* name, double square, const QString& title = {}) {
+        return edit(
+            QString::fromLatin1(name), [=](Input& input) { input.square = square; }, title);
     }
     using CaseModel::restart;
     using CaseModel::solveAgain;

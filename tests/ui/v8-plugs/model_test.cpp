@@ -94,7 +94,7 @@ TEST_F(V8ModelTest, EditsMergeAndUndo) {
     V8PlugsModel model({});
     QSignalSpy changed(&model, &SceneModel::changed);
     for (const double grams : {1.0, 1.2, 1.25}) {
-        model.edit(u"Rod big end"_s,
+        model.drag(u"Rod big end"_s,
                    [&](Input& input) { input.typed_changes.rod_big_end = grams * gram; });
     }
     EXPECT_EQ(changed.count(), 3);

@@ -176,8 +176,13 @@ void BalanceShaftModel::setShaftAngleDeg(double angle) {
     if (radians == input().shaft_angle) {
         return;
     }
-    // Only the number goes into the history, so that a drag copies no torque table.
     const QString name = tr("Move shaft");
+    if (joinEditing(name)) {
+        applyShaftAngle(radians);
+        settle();
+        return;
+    }
+    // Only the number goes into the history, so that a drag copies no torque table.
     history()->push(new InputCommand<double>(name, input().shaft_angle, radians, stepOf(name),
                                              [this](double a) { applyShaftAngle(a); }));
 }
@@ -236,7 +241,7 @@ void BalanceShaftModel::goToBestRms() {
 }
 
 void BalanceShaftModel::setSpeed(double angularSpeed) {
-    edit(tr("Speed"), [&](Input& input) {
+    drag(tr("Speed"), [&](Input& input) {
         input.angular_speed = angularSpeed;
         input.speed_in_rpm = true;
     });

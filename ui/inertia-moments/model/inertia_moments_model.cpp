@@ -164,9 +164,9 @@ QString InertiaMomentsModel::layoutName() const {
 
 void InertiaMomentsModel::chooseLayout(const QString& name) {
     if (name == paperEngine) {
-        edit(tr("Layout"), [](Input& input) { input = inertia_moments::preset_vw_vr5(); });
-        setTitle(QStringLiteral("Volkswagen VR5"));
-        finishDrag();
+        edit(
+            tr("Layout"), [](Input& input) { input = inertia_moments::preset_vw_vr5(); },
+            QStringLiteral("Volkswagen VR5"));
         return;
     }
     if (name == ownTable) {
@@ -177,7 +177,7 @@ void InertiaMomentsModel::chooseLayout(const QString& name) {
     if (spec == nullptr || name == layoutName()) {
         return;
     }
-    edit(tr("Layout"), [&](Input& input) {
+    const auto choose = [&](Input& input) {
         input.layout = inertia_moments::usual_layout(*spec, input.crank_radius);
         input.cylinders.clear();
         input.firing_order.clear();
@@ -188,14 +188,12 @@ void InertiaMomentsModel::chooseLayout(const QString& name) {
         input.end_webs = inertia_moments::usual_end_webs(cylinders, input.crank_radius);
         input.end_webs->enabled = counted;
         input.shafts = inertia_moments::usual_shafts(cylinders, input.crank_radius);
-    });
-    setTitle(layoutTitle(layoutName()));
-    finishDrag();
+    };
+    edit(tr("Layout"), choose, layoutTitle(name));
 }
 
 void InertiaMomentsModel::makeTable() {
     edit(tr("Own table"), [this](Input& input) { tableOf(input); });
-    finishDrag();
 }
 
 std::vector<Cylinder>& InertiaMomentsModel::tableOf(Input& input) const {
@@ -328,7 +326,7 @@ void InertiaMomentsModel::setBankAngleDeg(double angle) {
     if (!std::isfinite(angle) || !canChangeBankAngle()) {
         return;
     }
-    edit(tr("Bank angle"), [&](Input& input) {
+    drag(tr("Bank angle"), [&](Input& input) {
         if (input.layout) {
             input.layout->bank_angle = std::clamp(angle, 0.0, 180.0) * degree;
             return;
@@ -372,7 +370,7 @@ void InertiaMomentsModel::setOffsetMm(double offset) {
     if (!std::isfinite(offset) || !canChangeOffset()) {
         return;
     }
-    edit(tr("Offset"), [&](Input& input) {
+    drag(tr("Offset"), [&](Input& input) {
         if (input.layout) {
             input.layout->offset = offset * units::mm;
             return;
@@ -390,7 +388,7 @@ double InertiaMomentsModel::speedRpm() const {
 }
 
 void InertiaMomentsModel::setSpeedRpm(double speed) {
-    edit(tr("Speed"), [&](Input& input) { input.angular_speed = speed * rpm; });
+    drag(tr("Speed"), [&](Input& input) { input.angular_speed = speed * rpm; });
 }
 
 double InertiaMomentsModel::referenceMm() const {
@@ -398,7 +396,7 @@ double InertiaMomentsModel::referenceMm() const {
 }
 
 void InertiaMomentsModel::setReferenceMm(double position) {
-    edit(tr("Centre of mass"),
+    drag(tr("Centre of mass"),
          [&](Input& input) { input.reference_position = position * units::mm; });
 }
 

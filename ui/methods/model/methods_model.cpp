@@ -59,7 +59,8 @@ Json MethodsModel::inputJson() const {
     return Json::object();
 }
 
-void MethodsModel::loadInput(const Json& input, const CaseContext& /*context*/) {
+void MethodsModel::loadCase(const Json& input, const CaseContext& /*context*/,
+                            const QString& /*title*/) {
     const std::string place = input.empty() ? "/input" : "/input/" + input.begin().key();
     throw InputError(place, CORE_TEXT("core",
                                       "is nothing that this page can be told; it knows kernel, "

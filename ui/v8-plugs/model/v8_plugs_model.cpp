@@ -84,8 +84,8 @@ V8PlugsModel::V8PlugsModel(const QString& journalPath, QObject* parent)
     draftTimer_.setInterval(draftDelay);
     connect(&draftTimer_, &QTimer::timeout, this, &V8PlugsModel::flushDraft);
     // A job that was saved as a case file, or undone to where it was, needs no draft.
-    connect(history(), &QUndoStack::cleanChanged, this, [this](bool clean) {
-        if (clean && draftKept_ && journal_ && journal_->isOpen()) {
+    connect(this, &SceneModel::historyChanged, this, [this] {
+        if (!hasChanges() && draftKept_ && journal_ && journal_->isOpen()) {
             draftStale_ = false;
             draftTimer_.stop();
             draftKept_ = !journal_->discardDraft(journal_->session());

@@ -93,6 +93,7 @@ QString V8PlugsModel::saveJob(bool* ok) {
     if (!openJournal()) {
         return journalTrouble_.isEmpty() ? tr("There is no journal.") : journalTrouble_;
     }
+    keepTyped();
     JournalJob job = journalJob();
     const Journal::Saved saved = journal_->save(job);
     if (saved == Journal::Saved::No) {
@@ -165,7 +166,7 @@ QString V8PlugsModel::copyJob(qint64 id) {
 
 void V8PlugsModel::flushDraft() {
     draftTimer_.stop();
-    if (!draftStale_ || !journal_ || !journal_->isOpen() || history()->isClean()) {
+    if (!draftStale_ || !journal_ || !journal_->isOpen() || !hasChanges()) {
         return;
     }
     JournalDraft draft;
