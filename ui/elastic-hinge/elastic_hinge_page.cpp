@@ -178,6 +178,9 @@ QWidget* ElasticHingePage::buildAnswer() {
     connect(animated_, &QComboBox::activated, this, [this](int index) {
         model_->setAnimated(static_cast<ElasticHingeModel::Animated>(index));
     });
+    auto* label = new QLabel(tr("&Motion"), picturePanel);
+    label->setBuddy(animated_);
+    picturePanel->addControl(label);
     picturePanel->addControl(animated_);
     crank_ = picturePanel->slider();
     connect(crank_, &ValueSlider::valueEdited, picture_, &HingeMechanismView::turnTo);

@@ -94,6 +94,9 @@ void GuideTab::buildBar() {
         "the hinge between crank and rod, whose guide goes by θ = φ + ψ"));
     connect(hingeChoice_, &QComboBox::activated, this,
             [this](int index) { model_->setShownHinge(static_cast<Hinge>(index)); });
+    auto* label = new QLabel(HingePlots::tr("&Guide"), this);
+    label->setBuddy(hingeChoice_);
+    row->addWidget(label);
     row->addWidget(hingeChoice_);
     exaggeration_ = new ValueSlider(HingePlots::tr("&Relief ×"), 1.0, 1e5, 1.0, 10.0, 0, {}, this);
     exaggeration_->setLogarithmic(12, 2);

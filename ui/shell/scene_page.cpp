@@ -5,12 +5,14 @@
 #include "model/background_job.h"
 #include "plot/plot_view.h"
 #include "widgets/mechanism_picture.h"
+#include "widgets/mnemonics.h"
 #include "widgets/wheel_guard.h"
 
 namespace ravnoves {
 
 ScenePage::ScenePage(QWidget* parent) : QWidget(parent) {
     guardWheel();
+    keepMnemonicsApart(this);
 }
 
 ScenePage::~ScenePage() {

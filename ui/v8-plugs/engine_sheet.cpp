@@ -26,9 +26,11 @@ EngineSheet::EngineSheet(V8PlugsModel* model, QWidget* parent) : SheetForm(model
     addValues(EngineGroup::basic);
     section({});
     addPlugs(tr("There are &aluminium plugs"), QStringLiteral("has_aluminium_plug"),
+             tr("Aluminium plugs in place of the steel ones count among the options."),
              EngineGroup::aluminium_plug, &Engine::has_aluminium_plug);
     section({});
     addPlugs(tr("There are plugs of the new &design"), QStringLiteral("has_new_plug"),
+             tr("Their options count where a crankshaft made for them is fitted."),
              EngineGroup::new_plug, &Engine::has_new_plug);
     section(tr("Nominal masses, for the bob weight"));
     addValues(EngineGroup::bob_weight);
@@ -36,10 +38,11 @@ EngineSheet::EngineSheet(V8PlugsModel* model, QWidget* parent) : SheetForm(model
     finish();
 }
 
-void EngineSheet::addPlugs(const QString& label, const QString& name, EngineGroup group,
-                           bool Engine::*member) {
+void EngineSheet::addPlugs(const QString& label, const QString& name, const QString& hint,
+                           EngineGroup group, bool Engine::*member) {
     auto* box = ordered(new QCheckBox(label, this));
     box->setObjectName(name);
+    box->setToolTip(hint);
     box->setFont(Theme::font(Theme::baseSize, true));
     box->setMinimumHeight(fieldHeight - 6);
     current()->addWide(box);

@@ -18,8 +18,8 @@ class EngineSheet : public SheetForm {
     void status(const QString& text);
 
   private:
-    void addPlugs(const QString& label, const QString& name, v8_plugs::EngineGroup group,
-                  bool v8_plugs::Engine::*member);
+    void addPlugs(const QString& label, const QString& name, const QString& hint,
+                  v8_plugs::EngineGroup group, bool v8_plugs::Engine::*member);
     void addValues(v8_plugs::EngineGroup group);
     void addOwnEngineButtons();
     QString presentName() const;

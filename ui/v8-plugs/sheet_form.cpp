@@ -8,6 +8,7 @@
 #include "text/message_text.h"
 #include "theme/theme.h"
 #include "v8-plugs/checked_field.h"
+#include "widgets/mnemonics.h"
 
 namespace ravnoves {
 
@@ -17,24 +18,6 @@ namespace {
 
 constexpr int numberWidth = 140;
 constexpr int textWidth = 290;
-
-/// The label with a mnemonic that is not used yet: the first letter of a word where one is free,
-/// else any letter.
-QString withMnemonic(QString label, QString& used) {
-    for (const bool wordStart : {true, false}) {
-        for (qsizetype i = 0; i < label.size(); ++i) {
-            const QChar c = label.at(i).toLower();
-            const bool onKeyboard = c.isLetter() && c.script() != QChar::Script_Greek;
-            if (!onKeyboard || used.contains(c) ||
-                (wordStart && i > 0 && !label.at(i - 1).isSpace())) {
-                continue;
-            }
-            used += c;
-            return label.insert(i, QLatin1Char('&'));
-        }
-    }
-    return label;
-}
 
 }  // namespace
 
@@ -82,7 +65,9 @@ void SheetForm::checked(const Field& description, CheckedText text) {
     field->setObjectName(QString::fromStdString(std::string(description.key)));
     field->setPlaceholderText(shownText(description.placeholder));
     enlarge(field);
-    current()->addWidget(shownText(description.label), field, {}, shownText(description.hint));
+    field->setHint(shownText(description.hint));
+    field->setModel(model_);
+    current()->addWidget(shownText(description.label), field);
     connect(field, &CheckedField::valueEdited, this,
             [this, name = fieldName(description), text](const QString& typed) {
                 model_->edit(name, [&](Input& input) { text.write(input, text.normal(typed)); });

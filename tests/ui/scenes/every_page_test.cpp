@@ -9,11 +9,14 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDir>
+#include <QKeySequence>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMap>
+#include <QPlainTextEdit>
 #include <QSet>
 #include <QSlider>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -87,10 +90,34 @@ class EveryPage : public ::testing::TestWithParam<std::string> {
             }
         });
     }
-    static void type(NumberField& field, const QString& text) {
+    static void type(QWidget& field, const QString& text) {
         field.setFocus();
-        field.selectAll();
+        QTest::keyClick(&field, Qt::Key_A, Qt::ControlModifier);
         QTest::keyClicks(&field, text);
+    }
+    /// Leaves a step that can be redone.
+    void leaveSomethingToRedo() {
+        bool left = false;
+        forEachField([&](NumberField& field) {
+            if (!left) {
+                type(field, near(field));
+                QTest::keyClick(&field, Qt::Key_Return);
+                left = model().history()->canUndo();
+                model().undo();
+            }
+        });
+        ASSERT_TRUE(model().history()->canRedo());
+    }
+    /// True where a label that can be seen says this.
+    bool says(const QString& text) const {
+        const auto labels = reachable<QLabel>();
+        return std::any_of(labels.begin(), labels.end(),
+                           [&](const QLabel* label) { return label->text().contains(text); });
+    }
+    /// The letter after a text's &; null where there is none.
+    static QChar mnemonicOf(const QString& text) {
+        const QKeySequence keys = QKeySequence::mnemonic(text);
+        return keys.isEmpty() ? QChar() : QChar(static_cast<char16_t>(keys[0].key()));
     }
     /// Another number than the field's that may do as well.
     static QString near(const NumberField& field) {
@@ -104,32 +131,85 @@ class EveryPage : public ::testing::TestWithParam<std::string> {
 };
 
 TEST_P(EveryPage, NamesAndExplainsEveryInput) {
-    const auto check = [](const QWidget& input) {
-        EXPECT_FALSE(input.accessibleName().isEmpty()) << qPrintable(input.objectName());
-    };
-    for (const EntryField* input : page->findChildren<EntryField*>()) {
-        check(*input);
+    QSet<const QWidget*> labelled;
+    for (const QLabel* label : page->findChildren<QLabel*>()) {
+        labelled << label->buddy();
     }
+    QSet<const QWidget*> checked;
+    const auto check = [&](const QWidget& input, const QString& text = {}) {
+        if (checked.contains(&input)) {
+            return;
+        }
+        checked << &input;
+        const auto what = (input.objectName() + u" "_s + text + input.accessibleName() + u" in "_s +
+                           input.parentWidget()->metaObject()->className())
+                              .toStdString();
+        EXPECT_FALSE(input.accessibleName().isEmpty() && text.isEmpty()) << what;
+        EXPECT_FALSE(input.toolTip().isEmpty()) << what;
+        // The cells of a grid are named by its lines and columns.
+        EXPECT_TRUE(labelled.contains(&input) || !mnemonicOf(text).isNull() ||
+                    input.property("isCell").toBool())
+            << what;
+    };
     for (const NumberField* input : page->findChildren<NumberField*>()) {
         EXPECT_TRUE(input->toolTip().contains(u"must be")) << qPrintable(input->objectName());
     }
-    for (const QAbstractSpinBox* input : page->findChildren<QAbstractSpinBox*>()) {
-        check(*input);
-    }
-    for (const QComboBox* input : page->findChildren<QComboBox*>()) {
-        check(*input);
-    }
-    for (const QSlider* input : page->findChildren<QSlider*>()) {
-        check(*input);
-    }
+    onEveryTab([&] {
+        for (const EntryField* input : reachable<EntryField>()) {
+            check(*input);
+        }
+        for (const QAbstractSpinBox* input : reachable<QAbstractSpinBox>()) {
+            check(*input);
+        }
+        for (const QComboBox* input : reachable<QComboBox>()) {
+            check(*input);
+        }
+        for (const QCheckBox* input : reachable<QCheckBox>()) {
+            check(*input, input->text());
+        }
+        for (const QPlainTextEdit* input : reachable<QPlainTextEdit>()) {
+            check(*input);
+        }
+        for (const QSlider* input : reachable<QSlider>()) {
+            EXPECT_FALSE(input->accessibleName().isEmpty()) << qPrintable(input->objectName());
+            EXPECT_FALSE(input->toolTip().isEmpty()) << qPrintable(input->accessibleName());
+        }
+        for (const QAbstractButton* input : reachable<QAbstractButton>()) {
+            EXPECT_FALSE(input->text().isEmpty() && input->accessibleName().isEmpty() &&
+                         input->toolTip().isEmpty())
+                << qPrintable(input->objectName());
+        }
+    });
     for (const QTableView* input : page->findChildren<QTableView*>()) {
         EXPECT_FALSE(input->accessibleName().isEmpty()) << qPrintable(input->objectName());
     }
-    for (const QAbstractButton* input : reachable<QAbstractButton>()) {
-        EXPECT_FALSE(input->text().isEmpty() && input->accessibleName().isEmpty() &&
-                     input->toolTip().isEmpty())
-            << qPrintable(input->objectName());
-    }
+}
+
+TEST_P(EveryPage, HasNoMnemonicTwice) {
+    onEveryTab([&] {
+        QMap<QChar, QStringList> uses;
+        const auto take = [&](const QString& text) {
+            if (const QChar letter = mnemonicOf(text); !letter.isNull()) {
+                uses[letter] << text;
+            }
+        };
+        for (const QLabel* label : reachable<QLabel>()) {
+            if (label->buddy() != nullptr) {
+                take(label->text());
+            }
+        }
+        for (const QAbstractButton* button : reachable<QAbstractButton>()) {
+            take(button->text());
+        }
+        for (const QTabBar* bar : reachable<QTabBar>()) {
+            for (int i = 0; i < bar->count(); ++i) {
+                take(bar->tabText(i));
+            }
+        }
+        for (const QStringList& texts : uses) {
+            EXPECT_EQ(texts.size(), 1) << qPrintable(texts.join(u" | "_s));
+        }
+    });
 }
 
 TEST_P(EveryPage, MakesOneStepOfAnEditing) {
@@ -160,6 +240,108 @@ TEST_P(EveryPage, MakesOneStepOfAnEditing) {
     if (model().hasCaseFile()) {
         EXPECT_GT(changed, 5);
     }
+}
+
+TEST_P(EveryPage, AnEscapeLeavesNoStepBehind) {
+    if (!model().hasCaseFile()) {
+        GTEST_SKIP() << "has no history";
+    }
+    leaveSomethingToRedo();
+    const Json before = model().inputJson();
+    const int index = model().history()->index();
+    const int count = model().history()->count();
+    const auto escape = [&](EntryField& field, const QString& typed) {
+        const QString text = field.text();
+        type(field, typed);
+        QTest::keyClick(&field, Qt::Key_Escape);
+        EXPECT_EQ(field.text(), text);
+        EXPECT_EQ(field.trouble(), QString());
+        // Nothing is left to the loss of the focus either.
+        page->setFocus();
+        EXPECT_EQ(model().inputJson(), before);
+        EXPECT_EQ(model().history()->index(), index);
+        EXPECT_EQ(model().history()->count(), count);
+    };
+    QSet<EntryField*> seen;
+    onEveryTab([&] {
+        for (EntryField* field : reachable<EntryField>()) {
+            if (!seen.contains(field) && !field->isReadOnly() && field->isVisible()) {
+                seen << field;
+                SCOPED_TRACE(field->objectName().toStdString());
+                const auto* number = qobject_cast<NumberField*>(field);
+                escape(*field, number != nullptr ? near(*number) : u"1"_s);
+                escape(*field, number != nullptr ? near(*number) + u'x' : u"1x"_s);
+            }
+        }
+    });
+    EXPECT_GT(seen.size(), 5);
+    EXPECT_TRUE(model().history()->canRedo());
+}
+
+TEST_P(EveryPage, WhatWasTypedIsUndoneByKeys) {
+    if (!model().hasCaseFile()) {
+        GTEST_SKIP() << "has no history";
+    }
+    forEachField([&](NumberField& field) {
+        SCOPED_TRACE(field.objectName().toStdString());
+        const Json before = model().inputJson();
+        const QString text = field.text();
+        type(field, near(field));
+        // The text's own: nothing has been made of it.
+        for (int i = 0; i < 30 && field.text() != text; ++i) {
+            QTest::keyClick(&field, Qt::Key_Z, Qt::ControlModifier);
+        }
+        EXPECT_EQ(field.text(), text);
+        EXPECT_EQ(model().inputJson(), before);
+        QTest::keyClick(&field, Qt::Key_Escape);
+        EXPECT_EQ(model().inputJson(), before);
+    });
+    EXPECT_EQ(model().history()->count(), 0);
+}
+
+TEST_P(EveryPage, ARefusedTextIsKeptAndSaidWhyAndIsNoNumber) {
+    int refused = 0;
+    forEachField([&](NumberField& field) {
+        const Json before = model().inputJson();
+        const int steps = model().history()->index();
+        const double value = field.value().value_or(1.0);
+        const QString times10 = QString::number(value * 10.0, 'g', 10);
+        for (const QString& text :
+             {near(field) + u"x"_s, u"1e999"_s, u"-1e30"_s, u"0"_s, times10}) {
+            SCOPED_TRACE((field.objectName() + u": "_s + text).toStdString());
+            const QString shown = field.text();
+            type(field, text);
+            QTest::keyClick(&field, Qt::Key_Return);
+            if (field.trouble().isEmpty()) {
+                // Taken: then it is this number and no other.
+                ASSERT_TRUE(field.value().has_value());
+                const double typed = text.toDouble();
+                EXPECT_NEAR(*field.value(), typed, 1e-9 * std::abs(typed));
+                while (model().history()->index() > steps) {
+                    model().undo();
+                }
+                EXPECT_EQ(model().inputJson(), before);
+                continue;
+            }
+            ++refused;
+            const QString why = field.trouble();
+            const auto keeps = [&] {
+                EXPECT_EQ(field.text(), text);
+                EXPECT_TRUE(says(field.trouble())) << qPrintable(field.trouble());
+                EXPECT_FALSE(field.trouble().contains(u"/input"_s)) << qPrintable(field.trouble());
+                EXPECT_EQ(model().inputJson(), before);
+                EXPECT_EQ(model().history()->index(), steps);
+            };
+            keeps();
+            page->setFocus();
+            keeps();
+            field.setFocus();
+            QTest::keyClick(&field, Qt::Key_Escape);
+            EXPECT_EQ(field.text(), shown);
+            EXPECT_FALSE(says(why)) << qPrintable(why);
+        }
+    });
+    EXPECT_GT(refused, 0);
 }
 
 TEST_P(EveryPage, WheelChangesNothingWithoutTheFocus) {
