@@ -57,7 +57,6 @@ void BalanceShaftPage::addEngine(Form* form) {
         field::speed, [this] { return model_->input().angular_speed / units::rpm; },
         [this](std::optional<double> value) { model_->setSpeed(*value * units::rpm); });
     speed->setDigits(8);
-    speed->setValue(speed->value());
     QLabel* angularSpeed = engine->addResult(tr("ω"), tr("Angular speed, n π / 30"));
     form->follow([this, angularSpeed] {
         angularSpeed->setText(fixedNumber(model_->input().angular_speed, 2, QLocale()) +

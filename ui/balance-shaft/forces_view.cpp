@@ -117,6 +117,10 @@ ForcesView::ForcesView(BalanceShaftModel* model, QWidget* parent) : QWidget(pare
     connect(shifted_, &QSpinBox::valueChanged, this, [this](int value) {
         model_->editField("/gears/shifted_teeth", value, tr("Shifted teeth"));
     });
+    backlash_->setModel(model_);
+    auto* trouble = new TroubleLine(gearBar);
+    trouble->watch(backlash_);
+    gearRow->addWidget(trouble, 1);
     connect(backlash_, &NumberField::valueEdited, this, [this](std::optional<double> value) {
         model_->editField("/gears/backlash_mm", *value, tr("Backlash"));
     });

@@ -208,6 +208,7 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
 NumberField* RelievedShaftView::addSize(FormSection* form, const Field& field) {
     NumberField* size = form->addNumber(field);
     size->setDigits(6);  // a size that was found has more than fit
+    size->setModel(model_);
     connect(size, &NumberField::valueEdited, this, [this, &field](std::optional<double> value) {
         model_->editField("/relieved_shaft/" + std::string(field.key), *value, fieldName(field));
     });

@@ -91,19 +91,22 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
     to_->setObjectName(QStringLiteral("band_to_rpm"));
     from_->setAccessibleName(tr("Band from, min⁻¹"));
     to_->setAccessibleName(tr("Band to, min⁻¹"));
+    from_->setHint(tr("The lowest speed of the study"));
+    to_->setHint(tr("The highest speed of the study"));
+    auto* trouble = new TroubleLine(bar);
     for (NumberField* numberField : {from_, to_}) {
         numberField->setMaximumWidth(64);
         numberField->setDigits(6);
-        connect(numberField, &NumberField::valueEdited, this, [this] {
-            if (from_->value() && to_->value() && *from_->value() < *to_->value()) {
-                model_->edit(tr("Speed band"), [this](Input& input) {
-                    SpeedBand band = this->band();
-                    band.from = *from_->value() * rpm;
-                    band.to = *to_->value() * rpm;
-                    input.speed_band = band;
+        numberField->setModel(model_);
+        trouble->watch(numberField);
+        connect(numberField, &NumberField::valueEdited, this,
+                [this, numberField](std::optional<double> value) {
+                    model_->edit(tr("Speed band"), [&](Input& input) {
+                        SpeedBand band = this->band();
+                        (numberField == from_ ? band.from : band.to) = *value * rpm;
+                        input.speed_band = band;
+                    });
                 });
-            }
-        });
     }
     const auto addLabelled = [&](const QString& text, QWidget* widget) {
         auto* label = new QLabel(text, bar);
@@ -117,6 +120,7 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
     criterion_ = new QComboBox(bar);
     criterion_->addItems({tr("range"), tr("RMS")});
     criterion_->setAccessibleName(tr("Criterion of the map"));
+    criterion_->setToolTip(tr("What the map shows and the least bad α makes least"));
     addLabelled(tr("&Map of"), criterion_);
     connect(criterion_, &QComboBox::activated, this, &SpeedView::showStudy);
     progress_ = new QProgressBar(bar);
@@ -128,6 +132,7 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
     study->addWidget(progress_);
     study->addWidget(cancel_);
     barColumn->addLayout(study);
+    barColumn->addWidget(trouble);
     grid->addWidget(bar, 0, 0, 1, 2);
 
     angles_ = new PlotView(tr("Best α over speed"), this);

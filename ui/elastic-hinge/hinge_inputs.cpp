@@ -14,6 +14,12 @@ using elastic_hinge::RodCounterweight;
 using elastic_hinge::Spring;
 namespace field = elastic_hinge::field;
 
+namespace {
+
+constexpr int massDigits = 6;  // of a mass that was a weight, or the other way round
+
+}  // namespace
+
 HingeInputs::HingeInputs(ElasticHingeModel* model, QWidget* parent)
     : Form(model, parent), model_(model) {
     addMechanism();
@@ -93,8 +99,9 @@ void HingeInputs::addMasses(bool weights) {
     showSectionWhile([weights](const Input& input) { return input.masses_as_weights == weights; });
     for (const char* part : {"crank", "rod", "slider"}) {
         const std::string pointer = (weights ? "/weights_N/" : "/masses_kg/") + std::string(part);
-        number(pointer.c_str())
-            ->setObjectName(QString::fromLatin1(part) +
+        NumberField* mass = number(pointer.c_str());
+        mass->setDigits(massDigits);
+        mass->setObjectName(QString::fromLatin1(part) +
                             (weights ? QLatin1String("_weight") : QLatin1String("_mass")));
     }
     auto* gravity = number(
@@ -140,8 +147,10 @@ void HingeInputs::addCounterweight() {
         showSectionWhile([weights](const Input& input) {
             return input.rod_counterweight && input.masses_as_weights == weights;
         });
-        number(weights ? "/rod_counterweight/weight_N" : "/rod_counterweight/mass_kg")
-            ->setObjectName(weights ? QStringLiteral("counterweight_weight")
+        NumberField* mass =
+            number(weights ? "/rod_counterweight/weight_N" : "/rod_counterweight/mass_kg");
+        mass->setDigits(massDigits);
+        mass->setObjectName(weights ? QStringLiteral("counterweight_weight")
                                     : QStringLiteral("counterweight_mass"));
     }
     section({});

@@ -15,6 +15,7 @@
 #include "text/number_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/form_section.h"
 #include "widgets/number_field.h"
 
 namespace ravnoves {
@@ -61,6 +62,8 @@ class ShaftRow : public QWidget {
         first->addWidget(remove);
 
         auto* second = addLine(column);
+        trouble_ = new TroubleLine(this);
+        column->addWidget(trouble_);
         length_ = addNumber(second, field::weight_distance, "shaft_length_%1");
         position_ = addNumber(second, field::shaft_position, "shaft_position_%1");
         radius_ = addNumber(second, field::weight_radius, "shaft_radius_%1");
@@ -100,6 +103,7 @@ class ShaftRow : public QWidget {
 
     /// "Shaft 2: Order of the shaft", with the field's explanation.
     void name(QWidget* widget, const Field& field, const char* objectName) const {
+        makeCell(widget);
         widget->setObjectName(QString::fromLatin1(objectName).arg(index_));
         widget->setAccessibleName(
             tr("Shaft %1: %2").arg(QString::number(index_ + 1), fieldName(field)));
@@ -148,6 +152,7 @@ class ShaftRow : public QWidget {
                     edit(field, value ? FieldValue(*value) : FieldValue());
                 });
         target->setModel(model_);
+        trouble_->watch(target);
         return target;
     }
 
@@ -161,6 +166,7 @@ class ShaftRow : public QWidget {
     NumberField* position_;  ///< of one against a force
     NumberField* radius_;
     NumberField* error_;
+    TroubleLine* trouble_;
 };
 
 ShaftEditor::ShaftEditor(InertiaMomentsModel* model, QWidget* parent)

@@ -174,6 +174,9 @@ QWidget* MethodsPage::buildChoice() {
     column->addWidget(sweeps_);
     column->addWidget(labelFor(tr("&Value measured at"), value_->field(), panel));
     column->addWidget(value_);
+    auto* trouble = new TroubleLine(panel);
+    trouble->watch(value_->field(), false);
+    column->addWidget(trouble);
     column->addWidget(case_);
     column->addWidget(takeCase_);
     column->addSpacing(Theme::gap);

@@ -112,9 +112,7 @@ void WeighInSheet::buildGrid() {
     put(meanRow, 0, tr("mean, g"), Theme::smallSize);
     put(meanRow + 1, 0, tr("to nominal, g"), Theme::smallSize);
     put(meanRow + 2, 0, tr("spread, g"), Theme::smallSize);
-    trouble_ = new QLabel(this);
-    trouble_->setWordWrap(true);
-    trouble_->hide();
+    trouble_ = new TroubleLine(this);
     int place = 1;
     for (const Part part : all_parts) {
         put(0, place, v8_text::partName(Words(), part), Theme::smallSize, true);
@@ -171,10 +169,9 @@ NumberField* WeighInSheet::addCell(Part part, int row) {
                         value ? std::optional(*value * units::gram) : std::nullopt;
                 });
             });
-    connect(field, &NumberField::troubleChanged, this, [this, field](const QString& trouble) {
-        say(trouble.isEmpty() ? QString()
-                              : field->accessibleName() + QStringLiteral(": ") + trouble);
-    });
+    field->setModel(model_);
+    makeCell(field);
+    trouble_->watch(field);
     return field;
 }
 
@@ -211,27 +208,44 @@ void WeighInSheet::buildFindings() {
 }
 
 bool WeighInSheet::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::KeyPress &&
-        static_cast<QKeyEvent*>(event)->matches(QKeySequence::Paste)) {
-        const QString text = QGuiApplication::clipboard()->text();
+    if (event->type() == QEvent::KeyPress) {
         for (std::size_t column = 0; column < columns_.size(); ++column) {
             const auto& cells = columns_[column].cells;
             const auto cell = std::find(cells.begin(), cells.end(), watched);
-            if (cell != cells.end() &&
-                (text.contains(QLatin1Char('\n')) || text.contains(QLatin1Char('\t')))) {
-                pasteBlock(text, static_cast<int>(column), static_cast<int>(cell - cells.begin()));
-                return true;
+            if (cell != cells.end()) {
+                return useKey(*static_cast<QKeyEvent*>(event), column,
+                              static_cast<std::size_t>(cell - cells.begin()));
             }
         }
     }
     return SheetForm::eventFilter(watched, event);
 }
 
+bool WeighInSheet::useKey(const QKeyEvent& key, std::size_t column, std::size_t row) {
+    const auto& cells = columns_[column].cells;
+    if (key.matches(QKeySequence::Paste)) {
+        const QString text = QGuiApplication::clipboard()->text();
+        const bool isBlock = text.contains(QLatin1Char('\n')) || text.contains(QLatin1Char('\t'));
+        if (isBlock) {
+            pasteBlock(text, static_cast<int>(column), static_cast<int>(row));
+        }
+        return isBlock;
+    }
+    const bool down = key.key() == Qt::Key_Down;
+    if (!down && key.key() != Qt::Key_Up) {
+        return false;
+    }
+    if (down ? row + 1 < cells.size() : row > 0) {
+        cells[down ? row + 1 : row - 1]->setFocus(Qt::TabFocusReason);
+    }
+    return true;
+}
+
 void WeighInSheet::pasteBlock(const QString& text, int column, int row) {
     WeighIn sheet = model_->input().weigh_in.value_or(WeighIn{});
     const QList<QStringList> rows = cellsOf(text);
     if (rows.isEmpty()) {
-        say(tr("Nothing is pasted: “%1” is no mass in grams.").arg(text.simplified()));
+        trouble_->say(tr("Nothing is pasted: “%1” is no mass in grams.").arg(text.simplified()));
         return;
     }
     for (qsizetype i = 0; i < rows.size(); ++i) {
@@ -244,26 +258,19 @@ void WeighInSheet::pasteBlock(const QString& text, int column, int row) {
                 continue;  // a gap leaves what is there
             }
             if (to >= all_parts.size() || at >= rowCount) {
-                say(tr("Nothing is pasted: the block does not fit on the sheet from here."));
+                trouble_->say(
+                    tr("Nothing is pasted: the block does not fit on the sheet from here."));
                 return;
             }
             if (!value || !fieldOf(at).range.contains(*value)) {
-                say(tr("Nothing is pasted: “%1” is no mass in grams.").arg(typed));
+                trouble_->say(tr("Nothing is pasted: “%1” is no mass in grams.").arg(typed));
                 return;
             }
             valueOf(sheet[all_parts[to]], at) = *value * units::gram;
         }
     }
-    say({});
-    model_->finishDrag();
+    trouble_->say({});
     model_->edit(tr("Paste weights"), [&](Input& input) { input.weigh_in = sheet; });
-    model_->finishDrag();
-}
-
-void WeighInSheet::say(const QString& trouble) {
-    trouble_->setText(trouble);
-    trouble_->setVisible(!trouble.isEmpty());
-    colourText(trouble_, Theme::instance().error());
 }
 
 void WeighInSheet::showInput() {

@@ -43,12 +43,14 @@ class WeighInSheet : public SheetForm {
     /// Writes a block of text into the cells from one on; a row of headings above it is passed
     /// over. All of it is one step, and nothing is written where part of it is refused.
     void pasteBlock(const QString& text, int column, int row);
-    void say(const QString& trouble);
+    /// The keys of a cell: a block is pasted, the arrows go up and down. @return true for such a
+    /// key
+    bool useKey(const QKeyEvent& key, std::size_t column, std::size_t row);
     void showInput();
 
     std::vector<Column> columns_;
     QCheckBox* use_;
-    QLabel* trouble_;
+    TroubleLine* trouble_;
     QLabel* summary_;
     QPushButton* move_;
     ResultTable* assignment_;

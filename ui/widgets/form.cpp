@@ -90,7 +90,11 @@ NumberField* Form::number(const char* pointer) {
                 model_->editField(place, numberValue(kind, value), name);
             });
     field->setModel(model_);
-    add(pointer, field, [field](const FieldValue& value) { field->setValue(numberOf(value)); });
+    add(pointer, field, [field, hint = field->placeholderText()](const FieldValue& value) {
+        // What a case of this kind has no place for is not empty.
+        field->setPlaceholderText(field->isEnabled() ? hint : QStringLiteral("–"));
+        field->setValue(numberOf(value));
+    });
     return field;
 }
 

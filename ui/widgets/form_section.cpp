@@ -49,6 +49,36 @@ QLabel* headingLabel(const QString& text, QWidget* parent) {
     return label;
 }
 
+TroubleLine::TroubleLine(QWidget* parent) : QLabel(parent) {
+    setWordWrap(true);
+    setFont(Theme::font(Theme::smallSize));
+    hide();
+}
+
+void TroubleLine::watch(EntryField* field, bool named) {
+    fields_ << field;
+    connect(field, &EntryField::troubleChanged, this, [this, named] {
+        QStringList lines;
+        for (const EntryField* each : std::as_const(fields_)) {
+            if (!each->trouble().isEmpty()) {
+                lines << (named ? each->accessibleName() + QStringLiteral(": ") + each->trouble()
+                                : each->trouble());
+            }
+        }
+        say(lines.join(QLatin1Char('\n')));
+    });
+}
+
+void TroubleLine::say(const QString& trouble) {
+    colourText(this, Theme::instance().error());
+    setText(trouble);
+    setVisible(!trouble.isEmpty());
+}
+
+void makeCell(QWidget* field) {
+    field->setProperty("isCell", true);
+}
+
 FormSection::FormSection(const QString& title, QWidget* parent) : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, Theme::space);
@@ -99,16 +129,9 @@ void FormSection::addWidget(const QString& label, QWidget* field, const QString&
     }
     ++row_;
     if (auto* entry = qobject_cast<EntryField*>(field)) {
-        auto* trouble = new QLabel(this);
-        trouble->setWordWrap(true);
-        trouble->setFont(Theme::font(Theme::smallSize));
-        trouble->hide();
+        auto* trouble = new TroubleLine(this);
+        trouble->watch(entry, false);
         grid_->addWidget(trouble, row_++, 0, 1, 3);
-        connect(entry, &EntryField::troubleChanged, trouble, [trouble](const QString& text) {
-            colourText(trouble, Theme::instance().error());
-            trouble->setText(text);
-            trouble->setVisible(!text.isEmpty());
-        });
     }
 }
 

@@ -10,6 +10,24 @@
 
 namespace ravnoves {
 
+/// A line in which fields say why their text is refused; hidden while there is nothing to say.
+class TroubleLine : public QLabel {
+    Q_OBJECT
+
+  public:
+    explicit TroubleLine(QWidget* parent = nullptr);
+
+    /// @param named  several fields share the line: it says which one is meant
+    void watch(EntryField* field, bool named = true);
+    void say(const QString& trouble);
+
+  private:
+    QList<EntryField*> fields_;
+};
+
+/// A cell of a grid or of a list: lines and columns name it, not a label of its own.
+void makeCell(QWidget* field);
+
 /// A titled group of inputs: label, field, unit, one row each, aligned over the whole form; what is
 /// wrong with a field stands under it in words.
 class FormSection : public QWidget {

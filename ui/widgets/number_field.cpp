@@ -27,6 +27,11 @@ void NumberField::setRange(const Range& range, const QString& unit) {
     describe();
 }
 
+void NumberField::setDigits(int digits) {
+    digits_ = digits;
+    setValue(value());
+}
+
 NumberField::Reading NumberField::read(const QString& typed) const {
     if (typed.isEmpty()) {
         return {{},

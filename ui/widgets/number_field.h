@@ -22,7 +22,7 @@ class NumberField : public ValueEntry<std::optional<double>> {
     /// Only whole numbers are allowed.
     void setWhole(bool whole) { whole_ = whole; }
     /// Significant digits shown; all that is typed is kept.
-    void setDigits(int digits) { digits_ = digits; }
+    void setDigits(int digits);
 
   Q_SIGNALS:
     /// The user gave a valid value; empty only where the field is optional.
