@@ -415,6 +415,7 @@ inline constexpr Field speed_band{.key = "speed_band",
 inline constexpr Field band_from{.key = "from_rpm",
                                  .unit = units::rpm,
                                  .range = Range::greater_than(0),
+                                 .label = CORE_TEXT("balance-shaft", "Band from"),
                                  .hint = CORE_TEXT("balance-shaft", "Lowest speed of the band.")};
 inline constexpr Field band_to{.key = "to_rpm",
                                .unit = units::rpm,

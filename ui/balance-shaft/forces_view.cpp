@@ -47,8 +47,10 @@ ForcesView::ForcesView(BalanceShaftModel* model, QWidget* parent) : QWidget(pare
         new ValueSlider(shownText(field::crank_share.label), 0.0, 1.0, 0.01, 0.1, 2, {}, shareBar);
     share_->setHint(shownText(field::crank_share.hint));
     connect(share_, &ValueSlider::valueEdited, this, [this](double value) {
-        model_->editField("/crank_share", value, fieldName(field::crank_share));
+        model_->drag(fieldName(field::crank_share),
+                     [value](Input& input) { input.crank_share = value; });
     });
+    connect(share_, &ValueSlider::released, model_, &SceneModel::finishDrag);
     shareRow->addWidget(share_);
     grid->addWidget(shareBar, 0, 0);
     locus_ = new PlotView(tr("Force on the engine"), this);

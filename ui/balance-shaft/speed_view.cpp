@@ -82,6 +82,9 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
         });
     });
     sliders->addWidget(load_, 1);
+    for (ValueSlider* slider : {speed_, load_}) {
+        connect(slider, &ValueSlider::released, model_, &SceneModel::finishDrag);
+    }
     barColumn->addLayout(sliders);
     auto* study = new QHBoxLayout;
     study->setSpacing(Theme::space);
@@ -235,8 +238,8 @@ SpeedBand SpeedView::band() const {
 void SpeedView::showInput() {
     const Input& input = model_->input();
     const SpeedBand shown = band();
-    from_->setValue(std::round(shown.from / rpm * 10.0) / 10.0);
-    to_->setValue(std::round(shown.to / rpm * 10.0) / 10.0);
+    from_->setValue(from_si(field::band_from, shown.from));
+    to_->setValue(from_si(field::band_to, shown.to));
     const double speed = input.angular_speed / rpm;
     speed_->setRange(std::min(300.0, std::floor(speed)), std::max(9000.0, std::ceil(speed)));
     speed_->setValue(speed);

@@ -18,7 +18,12 @@ EntryField::EntryField(QWidget* parent) : QLineEdit(parent) {
             }
             Q_EMIT editingBegun();
         }
-        readText();
+        if (text() == shown_) {
+            bringBack();  // the value may have more digits than are shown
+            setTrouble({});
+        } else {
+            readText();
+        }
     });
     connect(this, &QLineEdit::editingFinished, this, [this] {
         if (trouble_.isEmpty()) {
@@ -43,7 +48,8 @@ void EntryField::setHint(const QString& hint) {
 }
 
 void EntryField::showValue() {
-    setText(written());
+    shown_ = written();
+    setText(shown_);
     setCursorPosition(0);
 }
 

@@ -77,6 +77,7 @@ class EntryField : public QLineEdit {
     QString hint_;
     QString trouble_;
     QString refusal_;
+    QString shown_;  ///< text of the value that was shown last
     bool editing_ = false;
     bool isPassing_ = false;
 };
@@ -120,13 +121,17 @@ class ValueEntry : public EntryField {
     virtual void passOn() = 0;
     virtual bool same(const Value& a, const Value& b) const { return a == b; }
 
-    void keepValue() override { kept_ = value_; }
+    void keepValue() override {
+        kept_ = value_;
+        isTaken_ = false;
+    }
     void bringBack() override {
         if (!same(kept_, value_)) {
             value_ = kept_;
-            if (!takeModelBack()) {
+            if (!takeModelBack() && isTaken_) {
                 passedOn([this] { passOn(); });
             }
+            isTaken_ = false;
         }
     }
     void readText() override {
@@ -141,7 +146,9 @@ class ValueEntry : public EntryField {
         } else if (!same(reading.value, value_)) {
             value_ = reading.value;
             const QString refusal = passedOn([this] { passOn(); });
-            if (!refusal.isEmpty()) {
+            if (refusal.isEmpty()) {
+                isTaken_ = true;
+            } else {
                 refuse(refusal);
             }
         }
@@ -156,7 +163,8 @@ class ValueEntry : public EntryField {
     }
 
     Value value_{};
-    Value kept_{};  ///< from before the editing
+    Value kept_{};          ///< from before the editing
+    bool isTaken_ = false;  ///< another value than that has been passed on, and was not refused
 };
 
 }  // namespace ravnoves

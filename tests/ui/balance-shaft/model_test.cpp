@@ -70,7 +70,7 @@ TEST(BalanceShaftModel, RefusesInWordsAndKeepsTheOldInput) {
     QSignalSpy refused(&model, &BalanceShaftModel::refused);
     const QString why =
         model.edit(QStringLiteral("radius"), [](auto& input) { input.crank_radius = -1.0; });
-    EXPECT_TRUE(why.contains(QStringLiteral("crank_radius_mm"))) << why.toStdString();
+    EXPECT_TRUE(why.contains(QStringLiteral("Crank radius"))) << why.toStdString();
     EXPECT_EQ(refused.size(), 1);
     EXPECT_EQ(model.inputJson(), before);
     EXPECT_EQ(model.history()->count(), 0);
