@@ -11,40 +11,19 @@
 #include <cmath>
 
 #include "balance-shaft/fields.h"
-#include "balance-shaft/model/balance_shaft_model.h"
-#include "balance-shaft/scene.h"
-#include "case-file/input_error.h"
-#include "case-file/text_file.h"
-#include "text/error_text.h"
+#include "balance-shaft/model/relieved_shaft_model.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/form_section.h"
+#include "widgets/form.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {
 
-using balance_shaft::Input;
 using balance_shaft::RelievedShaft;
 using balance_shaft::RelievedShaftSizes;
 namespace field = balance_shaft::field;
-
-namespace {
-
-RelievedShaftView::Sized sizedOf(const RelievedShaftSizes& sizes) {
-    using Sized = RelievedShaftView::Sized;
-    return !sizes.depth      ? Sized::Depth
-           : !sizes.length   ? Sized::Length
-           : !sizes.diameter ? Sized::Diameter
-                             : Sized::None;
-}
-
-RelievedShaftSizes sizesOf(const Input& input) {
-    return input.relieved_shaft.value_or(RelievedShaftSizes{});
-}
-
-}  // namespace
 
 RelievedShaftDrawing::RelievedShaftDrawing(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -148,40 +127,14 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
 }
 
 RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
-    : QWidget(parent), model_(model) {
+    : QWidget(parent), model_(new RelievedShaftModel(model, this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, Theme::space, 0, 0);
     column->setSpacing(Theme::space);
     auto* upper = new QHBoxLayout;
     upper->setSpacing(Theme::space);
     column->addLayout(upper, 2);
-
-    auto* formPanel = new Panel(this);
-    auto* formColumn = new QVBoxLayout(formPanel);
-    formColumn->setContentsMargins(Theme::margin, Theme::space, Theme::margin, Theme::space);
-    auto* form = new FormSection(tr("Shaft with a relieved middle"), formPanel);
-    sized_ = new QComboBox(form);
-    sized_->setAccessibleName(tr("Size that follows from the others"));
-    sized_->addItem(tr("depth h"), QVariant::fromValue(Sized::Depth));
-    sized_->addItem(tr("length b"), QVariant::fromValue(Sized::Length));
-    sized_->addItem(tr("diameter D"), QVariant::fromValue(Sized::Diameter));
-    sized_->addItem(tr("nothing, only check"), QVariant::fromValue(Sized::None));
-    form->addWidget(tr("&Find"), sized_, {},
-                    tr("Two sizes are given, the third follows from the unbalance m₁ ρ₁."));
-    connect(sized_, &QComboBox::activated, this,
-            [this](int index) { chooseSized(sized_->itemData(index).value<Sized>()); });
-    diameter_ = addSize(form, field::bar_diameter);
-    depth_ = addSize(form, field::relief_depth);
-    length_ = addSize(form, field::relief_length);
-    density_ = addSize(form, field::density);
-    modulus_ = addSize(form, field::elastic_modulus);
-    formColumn->addWidget(form);
-    formColumn->addStretch();
-    export_ = new QPushButton(tr("E&xport drawing (DXF)…"), formPanel);
-    export_->setToolTip(tr("Section and side view, real size, for the machine shop"));
-    connect(export_, &QPushButton::clicked, this, &RelievedShaftView::chooseFile);
-    formColumn->addWidget(export_);
-    upper->addWidget(formPanel, 2);
+    upper->addWidget(buildForm(model), 2);
 
     auto* answerPanel = new Panel(this);
     auto* answerColumn = new QVBoxLayout(answerPanel);
@@ -198,104 +151,86 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     drawing_ = new RelievedShaftDrawing(this);
     column->addWidget(drawing_, 1);
 
-    connect(model_, &SceneModel::changed, this, [this] {
+    connect(model, &SceneModel::changed, this, [this] {
         if (isVisible()) {
-            showAll();
+            showShaft();
         }
     });
 }
 
-NumberField* RelievedShaftView::addSize(FormSection* form, const Field& field) {
-    NumberField* size = form->addNumber(field);
-    size->setDigits(6);  // a size that was found has more than fit
-    size->setModel(model_);
-    connect(size, &NumberField::valueEdited, this, [this, &field](std::optional<double> value) {
-        model_->editField("/relieved_shaft/" + std::string(field.key), *value, fieldName(field));
+QWidget* RelievedShaftView::buildForm(BalanceShaftModel* model) {
+    using Sized = RelievedShaftModel::Sized;
+    auto* panel = new Panel(this);
+    auto* column = new QVBoxLayout(panel);
+    column->setContentsMargins(0, 0, 0, Theme::space);
+    auto* form = new Form(model, panel);
+    form->section(tr("Shaft with a relieved middle"));
+    sized_ = new QComboBox(form);
+    sized_->addItem(tr("depth h"), QVariant::fromValue(Sized::Depth));
+    sized_->addItem(tr("length b"), QVariant::fromValue(Sized::Length));
+    sized_->addItem(tr("diameter D"), QVariant::fromValue(Sized::Diameter));
+    sized_->addItem(tr("nothing, only check"), QVariant::fromValue(Sized::None));
+    form->current()->addWidget(
+        tr("&Find"), sized_, {},
+        tr("Two sizes are given, the third follows from the unbalance m₁ ρ₁."));
+    sized_->setAccessibleName(tr("Size that follows from the others"));
+    const auto showSized = [this] {
+        sized_->setCurrentIndex(sized_->findData(QVariant::fromValue(model_->sized())));
+    };
+    connect(sized_, &QComboBox::activated, this, [this, showSized](int index) {
+        model_->choose(sized_->itemData(index).value<Sized>());
+        showSized();
     });
-    return size;
-}
-
-void RelievedShaftView::chooseSized(Sized sized) {
-    model_->edit(tr("Size to find"), [&](Input& input) {
-        RelievedShaftSizes sizes = sizesOf(input);
-        // What was found becomes what is given.
-        const auto keep = [](std::optional<double>& size, double found) {
-            if (!size && found > 0.0) {
-                size = found;
-            }
-        };
-        keep(sizes.diameter, shaft_.diameter);
-        keep(sizes.depth, shaft_.depth > 0.0 ? shaft_.depth : shaft_.diameter / 4.0);
-        keep(sizes.length, shaft_.length);
-        if (sized == Sized::Depth) {
-            sizes.depth.reset();
-        } else if (sized == Sized::Length) {
-            sizes.length.reset();
-        } else if (sized == Sized::Diameter) {
-            sizes.diameter.reset();
-        }
-        input.relieved_shaft = sizes;
-    });
-    showAll();
+    form->follow(showSized);
+    const auto addSize = [&](const Field& field, RelievedShaftModel::Size size) {
+        NumberField* number = form->number(
+            field, [this, size] { return model_->sizeMm(size); },
+            [model, &field](std::optional<double> value) {
+                model->editField("/relieved_shaft/" + std::string(field.key), *value,
+                                 fieldName(field));
+            });
+        form->follow([this, number, size] { number->setEnabled(model_->isGiven(size)); });
+        number->setDigits(6);  // a size that was found has more than fit
+    };
+    addSize(field::bar_diameter, &RelievedShaftSizes::diameter);
+    addSize(field::relief_depth, &RelievedShaftSizes::depth);
+    addSize(field::relief_length, &RelievedShaftSizes::length);
+    const auto addSteel = [&](const Field& field, double RelievedShaftSizes::*value) {
+        form->number(
+            field, [this, &field, value] { return from_si(field, model_->sizes().*value); },
+            [model, &field](std::optional<double> typed) {
+                model->editField("/relieved_shaft/" + std::string(field.key), *typed,
+                                 fieldName(field));
+            });
+    };
+    addSteel(field::density, &RelievedShaftSizes::density);
+    addSteel(field::elastic_modulus, &RelievedShaftSizes::elastic_modulus);
+    column->addWidget(form);
+    column->addStretch();
+    export_ = new QPushButton(tr("E&xport drawing (DXF)…"), panel);
+    export_->setToolTip(tr("Section and side view, real size, for the machine shop"));
+    connect(export_, &QPushButton::clicked, this, &RelievedShaftView::chooseFile);
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(Theme::margin, 0, Theme::margin, 0);
+    row->addWidget(export_);
+    column->addLayout(row);
+    return panel;
 }
 
 void RelievedShaftView::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
-    showAll();
+    showShaft();
 }
 
-void RelievedShaftView::showAll() {
-    const RelievedShaftSizes sizes = sizesOf(model_->input());
-    shaft_ = model_->relievedShaft();
-    const Sized sized = sizedOf(sizes);
-    sized_->setCurrentIndex(sized_->findData(QVariant::fromValue(sized)));
-    const auto showSize = [&](NumberField* size, double metres, bool given) {
-        size->setEnabled(given);
-        size->setValue(metres > 0.0 ? std::optional(metres / units::mm) : std::nullopt);
-    };
-    showSize(diameter_, sizes.diameter.value_or(shaft_.diameter), sized != Sized::Diameter);
-    showSize(depth_, sizes.depth.value_or(shaft_.depth), sized != Sized::Depth);
-    showSize(length_, sizes.length.value_or(shaft_.length), sized != Sized::Length);
-    density_->setValue(sizes.density);
-    modulus_->setValue(sizes.elastic_modulus / field::elastic_modulus.unit);
-
-    const QLocale locale;
-    const auto row = [&](const QString& name, double value, int digits, const QString& unit) {
-        return QStringList{
-            name, value > 0.0 ? fixedNumber(value, digits, locale) : QStringLiteral("–"), unit};
-    };
-    const QString mm = tr("mm");
-    table_->setRows({
-        row(tr("unbalance needed, m₁ ρ₁"), shaft_.required / units::gram_mm, 0, tr("g·mm")),
-        row(tr("unbalance of the shaft"), shaft_.unbalance / units::gram_mm, 0, tr("g·mm")),
-        row(tr("width of the flat"), 2.0 * shaft_.half_width / units::mm, 2, mm),
-        row(tr("mass of the relieved part"), shaft_.mass, 3, tr("kg")),
-        row(tr("mass milled away"), shaft_.removed_mass, 3, tr("kg")),
-        row(tr("radius of its centre of mass"), shaft_.centre_of_mass_radius / units::mm, 2, mm),
-        row(tr("critical bar radius"), shaft_.critical_radius / units::mm, 2, mm),
-        row(tr("critical length"), shaft_.critical_length / units::mm, 1, mm),
-        row(tr("sag at speed"), shaft_.sag / units::mm, 3, mm),
-        row(tr("bending stress"), shaft_.bending_stress / units::MPa, 1, tr("MPa")),
-    });
-    table_->setCellToolTip(6, 0, tr("The smallest bar that can have the unbalance at this length"));
-    table_->setCellToolTip(7, 0, tr("The shortest relief that can have it with this bar"));
-    table_->setCellToolTip(8, 0,
-                           tr("Of the relieved part on two supports under its own centrifugal "
-                              "load"));
-    verdict_->setText(
-        shaft_.feasible ? (tr("Feasible.") + QLatin1Char(' ') + messageText(shaft_.note)).trimmed()
-                        : messageText(shaft_.reason));
-    export_->setEnabled(shaft_.feasible);
-    drawing_->setShaft(shaft_);
-}
-
-QString RelievedShaftView::exportDxf(const QString& path) const {
-    try {
-        write_text_file(path.toStdString(), balance_shaft::relieved_shaft_dxf(shaft_, {}));
-    } catch (const std::exception& error) {
-        return path + QStringLiteral(": ") + errorText(error);
+void RelievedShaftView::showShaft() {
+    table_->setRows(model_->rows());
+    const QStringList hints = RelievedShaftModel::hints();
+    for (int i = 0; i < hints.size(); ++i) {
+        table_->setCellToolTip(i, 0, hints[i]);
     }
-    return {};
+    verdict_->setText(model_->verdict());
+    export_->setEnabled(model_->shaft().feasible);
+    drawing_->setShaft(model_->shaft());
 }
 
 void RelievedShaftView::chooseFile() {
@@ -305,7 +240,7 @@ void RelievedShaftView::chooseFile() {
     if (path.isEmpty()) {
         return;
     }
-    const QString trouble = exportDxf(path);
+    const QString trouble = model_->exportDxf(path);
     if (!trouble.isEmpty()) {
         QMessageBox::warning(this, tr("Export drawing"), trouble);
     }

@@ -3,7 +3,6 @@
 #include <QWidget>
 
 #include "balance-shaft/relieved_shaft.h"
-#include "case-file/field.h"
 
 class QComboBox;
 class QLabel;
@@ -12,7 +11,7 @@ class QPushButton;
 namespace ravnoves {
 
 class BalanceShaftModel;
-class NumberField;
+class RelievedShaftModel;
 class ResultTable;
 
 /// Section and side view of a shaft with a relieved middle, to scale, with its main sizes.
@@ -32,47 +31,23 @@ class RelievedShaftDrawing : public QWidget {
     balance_shaft::RelievedShaft shaft_;
 };
 
-/// Sizes a balance shaft made of a round bar with a segment milled away (the paper's Fig. 5) for
-/// the unbalance m₁ ρ₁ of the page, draws it and exports the drawing.
+/// The form, the answer and the drawing of RelievedShaftModel.
 class RelievedShaftView : public QWidget {
     Q_OBJECT
 
   public:
-    /// Which size follows from the other two.
-    enum class Sized { Depth, Length, Diameter, None };
-    Q_ENUM(Sized)
-
     explicit RelievedShaftView(BalanceShaftModel* model, QWidget* parent = nullptr);
-
-    QComboBox* sizedBox() const { return sized_; }
-    NumberField* diameterField() const { return diameter_; }
-    NumberField* depthField() const { return depth_; }
-    NumberField* lengthField() const { return length_; }
-    ResultTable* resultTable() const { return table_; }
-    QLabel* verdict() const { return verdict_; }
-    QPushButton* exportButton() const { return export_; }
-    const balance_shaft::RelievedShaft& shaft() const { return shaft_; }
-
-    /// Writes the drawing; returns what went wrong, empty where nothing did.
-    QString exportDxf(const QString& path) const;
 
   protected:
     void showEvent(QShowEvent* event) override;
 
   private:
-    void showAll();
-    void chooseSized(Sized sized);
+    QWidget* buildForm(BalanceShaftModel* model);
+    void showShaft();
     void chooseFile();
-    NumberField* addSize(class FormSection* form, const Field& field);
 
-    BalanceShaftModel* model_;
-    balance_shaft::RelievedShaft shaft_;
+    RelievedShaftModel* model_;
     QComboBox* sized_;
-    NumberField* diameter_;
-    NumberField* depth_;
-    NumberField* length_;
-    NumberField* density_;
-    NumberField* modulus_;
     ResultTable* table_;
     QLabel* verdict_;
     QPushButton* export_;

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "inertia-moments/crank_views.h"
+#include "inertia-moments/model/engine_curves.h"
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "inertia-moments/order_bars.h"
 #include "inertia-moments/shaft_view.h"
@@ -19,13 +20,9 @@ namespace ravnoves {
 
 using inertia_moments::EngineOrder;
 using inertia_moments::Result;
-using inertia_moments::RotatingPair;
-using inertia_moments::WrenchCurves;
-using inertia_moments::zero_share;
 
 namespace {
 
-constexpr int plotStep = 3;        // degrees between the points of one order
 constexpr int cycleDegrees = 720;  // the paper's Fig. 6 shows two turns
 
 // Curves of the moment plots, in the order in which they are added.
@@ -40,45 +37,8 @@ enum MomentCurve {
 // Curves of a hodograph, likewise.
 enum HodographCurve { firstOrder, secondOrder, allOrders, leftOver };
 
-/// The ellipse that a rotating pair runs round.
-void traceOrder(const RotatingPair& pair, std::vector<double>& x, std::vector<double>& y) {
-    constexpr int points = 96;
-    x.resize(points + 1);
-    y.resize(points + 1);
-    for (int i = 0; i <= points; ++i) {
-        const auto p = pair.at(two_pi * (i % points) / points);
-        x[static_cast<std::size_t>(i)] = p.real();
-        y[static_cast<std::size_t>(i)] = p.imag();
-    }
-}
-
-/// Curves of one turn, shown over two.
-std::vector<double> twice(const std::vector<double>& turn) {
-    std::vector<double> both(turn);
-    both.insert(both.end(), turn.begin() + 1, turn.end());
-    return both;
-}
-
-double reachOf(const std::vector<double>& x, const std::vector<double>& y) {
-    double reach = 0.0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        reach = std::max({reach, std::abs(x[i]), std::abs(y[i])});
-    }
-    return reach;
-}
-
-/// The next 1, 2, 3, 5 or 6 times a power of ten: reaches that small plots have round ticks for.
-double niceReach(double value) {
-    if (!(value > 0.0) || !std::isfinite(value)) {
-        return 1.0;
-    }
-    const double power = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double step : {1.0, 2.0, 3.0, 5.0, 6.0}) {
-        if (value <= step * power) {
-            return step * power;
-        }
-    }
-    return 10.0 * power;
+void showTrace(PlotView* plot, int curve, const engine_curves::Trace& trace) {
+    plot->setCurve(curve, trace.x, trace.y);
 }
 
 }  // namespace
@@ -214,41 +174,19 @@ void InertiaMomentsCharts::addRoll() {
 }
 
 void InertiaMomentsCharts::showMoments() {
-    const Result& result = model_->result();
-    constexpr auto points = static_cast<std::size_t>(cycleDegrees / plotStep) + 1;
-    std::vector<double> angle(points);
-    for (std::size_t i = 0; i < points; ++i) {
-        angle[i] = static_cast<double>(i) * plotStep;
-    }
-    // What is nothing but rounding is drawn as nothing.
-    const auto set = [&](PlotView* plot, int curveY, int curveX, const RotatingPair& pair,
-                         const EngineOrder& order) {
-        std::vector<double> x(points, 0.0);
-        std::vector<double> y(points, 0.0);
-        const bool something = pair.max() > zero_share * order.moment_scale;
-        for (std::size_t i = 0; i < points && something; ++i) {
-            const auto vector = pair.at(angle[i] * degree * order.order);
-            x[i] = vector.real();
-            y[i] = vector.imag();
-        }
-        plot->setCurve(curveY, angle, std::move(y));
-        plot->setCurve(curveX, angle, std::move(x));
-        return something;
-    };
     for (int k = 1; k <= 2; ++k) {
+        const engine_curves::OrderMoments moments =
+            engine_curves::orderMoments(model_->result(), k);
         PlotView* plot = moment(k);
-        const EngineOrder& exact = result.exact.order(k);
-        bool something = set(plot, vertical, horizontal, exact.moment, exact);
-        set(plot, verticalTwoTerm, horizontalTwoTerm, result.two_term.order(k).moment, exact);
-        // Only where something acts on this order.
-        const RotatingPair& left = result.remaining.order(k).moment;
-        if ((left - exact.moment).max() > zero_share * exact.moment_scale) {
-            something = set(plot, verticalLeft, horizontalLeft, left, exact) || something;
-        } else {
-            plot->setCurve(verticalLeft, {}, {});
-            plot->setCurve(horizontalLeft, {}, {});
-        }
-        if (something) {
+        const auto set = [&](int curveY, int curveX, const engine_curves::Trace& trace) {
+            const auto& angle = trace.x.empty() ? trace.x : moments.crankAngleDeg;
+            plot->setCurve(curveY, angle, trace.y);
+            plot->setCurve(curveX, angle, trace.x);
+        };
+        set(vertical, horizontal, moments.exact);
+        set(verticalTwoTerm, horizontalTwoTerm, moments.twoTerm);
+        set(verticalLeft, horizontalLeft, moments.left);
+        if (moments.isSomething) {
             plot->followData(PlotView::Side::Left);
         } else {
             plot->setYRange(PlotView::Side::Left, -1.0, 1.0);
@@ -261,15 +199,10 @@ void InertiaMomentsCharts::showFront() {
     // Only the tab in front; the others follow when they come to the front.
     QWidget* front = tabs_->currentWidget();
     if (front == roll_) {
-        const WrenchCurves& curves = model_->result().curves;
-        std::vector<double> angle(2 * curves.crank_angle.size() - 1);
-        for (std::size_t i = 0; i < angle.size(); ++i) {
-            angle[i] =
-                static_cast<double>(i) * cycleDegrees / static_cast<double>(angle.size() - 1);
-        }
-        roll_->setCurve(0, angle, twice(curves.roll));
-        roll_->setCurve(1, angle, twice(curves.inertia_roll));
-        roll_->setCurve(2, angle, twice(curves.reaction_torque));
+        const engine_curves::Roll roll = engine_curves::roll(model_->result());
+        roll_->setCurve(0, roll.crankAngleDeg, roll.sum);
+        roll_->setCurve(1, roll.crankAngleDeg, roll.inertia);
+        roll_->setCurve(2, roll.crankAngleDeg, roll.reactionTorque);
     } else if (tabs_->currentIndex() == 0) {
         showHodograph(hodographs_[0], true);
         showHodograph(hodographs_[1], false);
@@ -277,46 +210,14 @@ void InertiaMomentsCharts::showFront() {
 }
 
 void InertiaMomentsCharts::showHodograph(Hodograph& hodograph, bool force) {
-    const Result& result = model_->result();
-    const auto member = [&](const EngineOrder& order) -> const RotatingPair& {
-        return force ? order.force : order.moment;
-    };
-    std::vector<double> x;
-    std::vector<double> y;
-    double reach = 0.0;
-    const auto trace = [&](int curve, int k) {
-        traceOrder(member(result.exact.order(k)), x, y);
-        reach = std::max(reach, reachOf(x, y));
-        hodograph.plot->setCurve(curve, x, y);
-    };
-    trace(firstOrder, 1);
-    trace(secondOrder, 2);
-    const auto curve = [&](int number, const WrenchCurves& curves) {
-        const auto& cx = force ? curves.force_x : curves.moment_x;
-        const auto& cy = force ? curves.force_y : curves.moment_y;
-        reach = std::max(reach, reachOf(cx, cy));
-        hodograph.plot->setCurve(number, cx, cy);
-    };
-    curve(allOrders, result.curves);
-    bool acts = false;
-    for (std::size_t i = 0; i < result.exact.orders.size(); ++i) {
-        const EngineOrder& before = result.exact.orders[i];
-        const double scale = force ? before.force_scale : before.moment_scale;
-        acts = acts ||
-               (member(result.remaining.orders[i]) - member(before)).max() > zero_share * scale;
-    }
-    if (acts) {
-        curve(leftOver, result.remaining_curves);
-    } else {
-        hodograph.plot->setCurve(leftOver, {}, {});
-    }
-    // Rounding of a balanced engine is not a picture.
-    const EngineOrder& first = result.exact.order(1);
-    const double floor = zero_share * (force ? first.force_scale : first.moment_scale);
-    reach = std::max(reach, std::max(floor * 1e3, 1e-12));
+    const engine_curves::Hodograph picture = engine_curves::hodograph(model_->result(), force);
+    showTrace(hodograph.plot, firstOrder, picture.first);
+    showTrace(hodograph.plot, secondOrder, picture.second);
+    showTrace(hodograph.plot, allOrders, picture.all);
+    showTrace(hodograph.plot, leftOver, picture.left);
     // With hysteresis, so that the axes rest while a slider moves.
-    if (reach > hodograph.reach || reach < 0.45 * hodograph.reach) {
-        hodograph.reach = niceReach(1.08 * reach);
+    if (picture.reach > hodograph.reach || picture.reach < 0.45 * hodograph.reach) {
+        hodograph.reach = engine_curves::niceReach(1.08 * picture.reach);
         hodograph.plot->setXAxis(
             {force ? tr("Fx, N") : tr("Mx, N·m"), -hodograph.reach, hodograph.reach});
         hodograph.plot->setYRange(PlotView::Side::Left, -hodograph.reach, hodograph.reach);

@@ -4,6 +4,7 @@
 
 #include <QSignalSpy>
 
+#include "balance-shaft/model/relieved_shaft_model.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "example_check.h"
@@ -100,6 +101,42 @@ TEST(BalanceShaftModel, TablesHoldNoEmptyCells) {
             }
         }
     }
+}
+
+TEST(RelievedShaftModel, FindsOneSizeOfThree) {
+    using Sized = RelievedShaftModel::Sized;
+    using Sizes = balance_shaft::RelievedShaftSizes;
+    BalanceShaftModel model;
+    const RelievedShaftModel relief(&model);
+    EXPECT_EQ(relief.sized(), Sized::Depth);
+    EXPECT_FALSE(relief.isGiven(&Sizes::depth));
+    EXPECT_TRUE(relief.isGiven(&Sizes::length));
+    EXPECT_EQ(relief.rows().size(), 10);
+    EXPECT_LE(RelievedShaftModel::hints().size(), relief.rows().size());
+    // A bar that is surely thick enough.
+    model.editField("/relieved_shaft/diameter_mm", 80.0, QStringLiteral("D"));
+    ASSERT_TRUE(relief.shaft().feasible) << relief.verdict().toStdString();
+    EXPECT_NEAR(relief.shaft().unbalance, relief.shaft().required, 1e-9 * relief.shaft().required);
+    EXPECT_EQ(relief.sizeMm(&Sizes::diameter), 80.0);
+    EXPECT_NE(relief.exportDxf(QStringLiteral("/dev/null/shaft.dxf")), QString());
+}
+
+TEST(RelievedShaftModel, WhatWasFoundBecomesWhatIsGiven) {
+    using Sized = RelievedShaftModel::Sized;
+    using Sizes = balance_shaft::RelievedShaftSizes;
+    BalanceShaftModel model;
+    RelievedShaftModel relief(&model);
+    model.editField("/relieved_shaft/diameter_mm", 80.0, QStringLiteral("D"));
+    const double depth = *relief.sizeMm(&Sizes::depth);
+    const int steps = model.history()->count();
+    relief.choose(Sized::Length);
+    EXPECT_EQ(relief.sized(), Sized::Length);
+    EXPECT_NEAR(*relief.sizeMm(&Sizes::depth), depth, 1e-9);
+    EXPECT_NEAR(*relief.sizeMm(&Sizes::length), 400.0, 1e-3);
+    relief.choose(Sized::None);
+    EXPECT_EQ(relief.sized(), Sized::None);
+    EXPECT_TRUE(relief.isGiven(&Sizes::length));
+    EXPECT_EQ(model.history()->count(), steps + 2);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ TEST(ElasticHingeModel, RefusesInWordsAndKeepsTheOldInput) {
     QSignalSpy changed(&model, &SceneModel::changed);
     const QString why =
         model.edit(QStringLiteral("lambda"), [](auto& input) { input.lambda = 1.0; });
-    EXPECT_TRUE(why.contains(QStringLiteral("/input/lambda"))) << why.toStdString();
+    EXPECT_TRUE(why.contains(QStringLiteral("Ratio λ"))) << why.toStdString();
     EXPECT_EQ(refused.size(), 1);
     EXPECT_EQ(changed.size(), 0);
     EXPECT_EQ(model.inputJson(), before);

@@ -10,6 +10,7 @@
 #include "case-file/text_file.h"
 #include "example_check.h"
 #include "inertia-moments/layouts.h"
+#include "inertia-moments/model/engine_curves.h"
 #include "scenes/scenes.h"
 
 namespace ravnoves {
@@ -256,6 +257,52 @@ TEST(InertiaMomentsModel, ABadCaseLeavesAllAsItWas) {
     EXPECT_NEAR(model.result().engine.angular_speed, 1000.0 * rpm, 1e-9);
     model.history()->undo();
     EXPECT_NEAR(model.result().engine.angular_speed, 6200.0 * rpm, 1e-9);
+}
+
+TEST(EngineCurves, AreTheVectorsOfTheResult) {
+    const InertiaMomentsModel model;
+    const inertia_moments::Result& result = model.result();
+    for (const int order : {1, 2}) {
+        const auto moments = engine_curves::orderMoments(result, order);
+        EXPECT_TRUE(moments.isSomething);
+        ASSERT_EQ(moments.exact.x.size(), moments.crankAngleDeg.size());
+        for (std::size_t i = 0; i < moments.crankAngleDeg.size(); ++i) {
+            const double angle = order * moments.crankAngleDeg[i] * degree;
+            const auto exact = result.exact.order(order).moment.at(angle);
+            EXPECT_EQ(moments.exact.x[i], exact.real());
+            EXPECT_EQ(moments.exact.y[i], exact.imag());
+            EXPECT_EQ(moments.twoTerm.y[i], result.two_term.order(order).moment.at(angle).imag());
+        }
+    }
+    const auto roll = engine_curves::roll(result);
+    EXPECT_EQ(roll.crankAngleDeg.back(), 720.0);
+    for (std::size_t i = 0; i < roll.sum.size(); ++i) {
+        EXPECT_NEAR(roll.sum[i], roll.inertia[i] + roll.reactionTorque[i], 1e-9);
+    }
+}
+
+TEST(EngineCurves, RoundingIsNoPicture) {
+    InertiaMomentsModel model;
+    model.chooseLayout(QStringLiteral("i6"));
+    ASSERT_EQ(model.layoutName(), QStringLiteral("i6"));
+    model.edit(QStringLiteral("bare"), [](Input& input) {
+        input.shafts.clear();
+        input.end_webs.reset();
+    });
+    const auto moments = engine_curves::orderMoments(model.result(), 1);
+    EXPECT_FALSE(moments.isSomething);
+    EXPECT_EQ(moments.exact.reach(), 0.0);
+    const auto forces = engine_curves::hodograph(model.result(), true);
+    EXPECT_TRUE(forces.left.x.empty() || forces.left.reach() < forces.reach);
+    EXPECT_GT(forces.reach, 100.0 * forces.first.reach());
+}
+
+TEST(EngineCurves, ReachesHaveRoundTicks) {
+    EXPECT_EQ(engine_curves::niceReach(0.0), 1.0);
+    EXPECT_EQ(engine_curves::niceReach(4.0), 5.0);
+    EXPECT_EQ(engine_curves::niceReach(7.0), 10.0);
+    EXPECT_EQ(engine_curves::niceReach(600.0), 600.0);
+    EXPECT_NEAR(engine_curves::niceReach(0.021), 0.03, 1e-15);
 }
 
 }  // namespace

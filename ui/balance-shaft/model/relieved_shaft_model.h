@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+#include <QVector>
+#include <optional>
+
+#include "balance-shaft/model/balance_shaft_model.h"
+#include "balance-shaft/relieved_shaft.h"
+
+namespace ravnoves {
+
+/// A balance shaft made of a round bar with a segment milled away (the paper's Fig. 5) for the
+/// unbalance m₁ ρ₁ of the page: which of its sizes are given, which one is found, and its drawing.
+class RelievedShaftModel : public QObject {
+    Q_OBJECT
+
+  public:
+    /// Which size follows from the other two.
+    enum class Sized { Depth, Length, Diameter, None };
+    Q_ENUM(Sized)
+    using Size = std::optional<double> balance_shaft::RelievedShaftSizes::*;
+
+    explicit RelievedShaftModel(BalanceShaftModel* model, QObject* parent = nullptr);
+
+    const balance_shaft::RelievedShaft& shaft() const { return model_->relievedShaft(); }
+    balance_shaft::RelievedShaftSizes sizes() const;
+    Sized sized() const;
+    /// What was found becomes what is given.
+    void choose(Sized sized);
+    /// A size in mm, given or found; empty where there is none.
+    std::optional<double> sizeMm(Size size) const;
+    bool isGiven(Size size) const { return (sizes().*size).has_value(); }
+
+    /// The page's table, and what the names of its rows mean.
+    QVector<QStringList> rows() const;
+    static QStringList hints();
+    QString verdict() const;
+    /// Section and side view, real size.
+    /// @return an empty string, or what went wrong
+    QString exportDxf(const QString& path) const;
+
+  private:
+    BalanceShaftModel* model_;
+};
+
+}  // namespace ravnoves

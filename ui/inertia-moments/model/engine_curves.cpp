@@ -1,0 +1,131 @@
+#include "inertia-moments/model/engine_curves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numerics/constants.h"
+
+namespace ravnoves::engine_curves {
+
+using inertia_moments::EngineOrder;
+using inertia_moments::Result;
+using inertia_moments::RotatingPair;
+using inertia_moments::WrenchCurves;
+using inertia_moments::zero_share;
+
+namespace {
+
+constexpr int plotStep = 3;        // degrees between the points of one order
+constexpr int cycleDegrees = 720;  // the paper's Fig. 6 shows two turns
+
+/// Curves of one turn, shown over two.
+std::vector<double> twice(const std::vector<double>& turn) {
+    std::vector<double> both(turn);
+    both.insert(both.end(), turn.begin() + 1, turn.end());
+    return both;
+}
+
+/// The ellipse that a rotating pair runs round.
+Trace ellipse(const RotatingPair& pair) {
+    constexpr int points = 96;
+    Trace trace;
+    for (int i = 0; i <= points; ++i) {
+        const auto p = pair.at(two_pi * (i % points) / points);
+        trace.x.push_back(p.real());
+        trace.y.push_back(p.imag());
+    }
+    return trace;
+}
+
+}  // namespace
+
+double Trace::reach() const {
+    double reach = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        reach = std::max({reach, std::abs(x[i]), std::abs(y[i])});
+    }
+    return reach;
+}
+
+OrderMoments orderMoments(const Result& result, int order) {
+    OrderMoments moments;
+    constexpr auto points = static_cast<std::size_t>(cycleDegrees / plotStep) + 1;
+    for (std::size_t i = 0; i < points; ++i) {
+        moments.crankAngleDeg.push_back(static_cast<double>(i) * plotStep);
+    }
+    const EngineOrder& exact = result.exact.order(order);
+    const double rounding = zero_share * exact.moment_scale;
+    // What is nothing but rounding is drawn as nothing.
+    const auto trace = [&](const RotatingPair& pair) {
+        Trace curve{std::vector<double>(points, 0.0), std::vector<double>(points, 0.0)};
+        const bool something = pair.max() > rounding;
+        for (std::size_t i = 0; i < points && something; ++i) {
+            const auto vector = pair.at(moments.crankAngleDeg[i] * degree * order);
+            curve.x[i] = vector.real();
+            curve.y[i] = vector.imag();
+        }
+        return curve;
+    };
+    moments.exact = trace(exact.moment);
+    moments.twoTerm = trace(result.two_term.order(order).moment);
+    moments.isSomething = exact.moment.max() > rounding;
+    const RotatingPair& left = result.remaining.order(order).moment;
+    if ((left - exact.moment).max() > rounding) {
+        moments.left = trace(left);
+        moments.isSomething = moments.isSomething || left.max() > rounding;
+    }
+    return moments;
+}
+
+Hodograph hodograph(const Result& result, bool force) {
+    const auto vector = [&](const EngineOrder& order) -> const RotatingPair& {
+        return force ? order.force : order.moment;
+    };
+    const auto scale = [&](const EngineOrder& order) {
+        return zero_share * (force ? order.force_scale : order.moment_scale);
+    };
+    const auto curve = [&](const WrenchCurves& curves) {
+        return force ? Trace{curves.force_x, curves.force_y}
+                     : Trace{curves.moment_x, curves.moment_y};
+    };
+    Hodograph picture;
+    picture.first = ellipse(vector(result.exact.order(1)));
+    picture.second = ellipse(vector(result.exact.order(2)));
+    picture.all = curve(result.curves);
+    for (std::size_t i = 0; i < result.exact.orders.size() && picture.left.x.empty(); ++i) {
+        const EngineOrder& before = result.exact.orders[i];
+        if ((vector(result.remaining.orders[i]) - vector(before)).max() > scale(before)) {
+            picture.left = curve(result.remaining_curves);
+        }
+    }
+    // Rounding of a balanced engine is not a picture.
+    picture.reach = std::max({picture.first.reach(), picture.second.reach(), picture.all.reach(),
+                              picture.left.reach(), scale(result.exact.order(1)) * 1e3, 1e-12});
+    return picture;
+}
+
+Roll roll(const Result& result) {
+    const WrenchCurves& curves = result.curves;
+    Roll roll{std::vector<double>(2 * curves.crank_angle.size() - 1), twice(curves.roll),
+              twice(curves.inertia_roll), twice(curves.reaction_torque)};
+    for (std::size_t i = 0; i < roll.crankAngleDeg.size(); ++i) {
+        roll.crankAngleDeg[i] = static_cast<double>(i) * cycleDegrees /
+                                static_cast<double>(roll.crankAngleDeg.size() - 1);
+    }
+    return roll;
+}
+
+double niceReach(double value) {
+    if (!(value > 0.0) || !std::isfinite(value)) {
+        return 1.0;
+    }
+    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double step : {1.0, 2.0, 3.0, 5.0, 6.0}) {
+        if (value <= step * power) {
+            return step * power;
+        }
+    }
+    return 10.0 * power;
+}
+
+}  // namespace ravnoves::engine_curves

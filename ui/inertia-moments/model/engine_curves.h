@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vector>
+
+#include "inertia-moments/result.h"
+
+namespace ravnoves::engine_curves {
+
+/// A vector in the plane across the crank, point by point.
+struct Trace {
+    std::vector<double> x;
+    std::vector<double> y;
+
+    double reach() const;  ///< the largest |x| or |y|
+};
+
+/// The moments of one order over two turns, as the paper's Fig. 6 shows them, N·m.
+struct OrderMoments {
+    std::vector<double> crankAngleDeg;
+    Trace exact;
+    Trace twoTerm;
+    Trace left;                ///< with all that acts on this order; empty where nothing does
+    bool isSomething = false;  ///< one of exact and left is more than rounding
+};
+OrderMoments orderMoments(const inertia_moments::Result& result, int order);
+
+/// The ends of the vectors of force (N) or moment (N·m) over a cycle.
+struct Hodograph {
+    Trace first;
+    Trace second;
+    Trace all;
+    Trace left;          ///< with rotating masses, counterweights and shafts; empty without them
+    double reach = 0.0;  ///< of all of them; above 0, and above what is only rounding
+};
+Hodograph hodograph(const inertia_moments::Result& result, bool force);
+
+/// The roll moment over two turns and its two parts, N·m.
+struct Roll {
+    std::vector<double> crankAngleDeg;
+    std::vector<double> sum;
+    std::vector<double> inertia;
+    std::vector<double> reactionTorque;
+};
+Roll roll(const inertia_moments::Result& result);
+
+/// The next 1, 2, 3, 5 or 6 times a power of ten: reaches that small plots have round ticks for.
+double niceReach(double value);
+
+}  // namespace ravnoves::engine_curves
