@@ -420,6 +420,7 @@ inline constexpr Field band_from{.key = "from_rpm",
 inline constexpr Field band_to{.key = "to_rpm",
                                .unit = units::rpm,
                                .range = Range::greater_than(0),
+                               .label = CORE_TEXT("balance-shaft", "Band to"),
                                .hint = CORE_TEXT("balance-shaft", "Highest speed of the band.")};
 inline constexpr Field band_speeds{
     .key = "speeds",
