@@ -1,3 +1,5 @@
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -21,16 +23,24 @@ using elastic_hinge::Motion;
 using elastic_hinge::MotionSetup;
 
 /// A motion of the crank with its hinge from a speed that is not the design speed, through a whole
-/// number of turns. Outputs: crank angle (rad), speed (rad/s) at the exact time of those turns.
+/// number of turns. Outputs: crank angle (rad) and speed (rad/s) at `parts` equally spaced times of
+/// the last turn; the last of them is its end. Errors that are undone by the end of a turn are seen
+/// so as well.
 struct MotionCase {
+    static constexpr int parts = 9;  ///< divides the steps of the methods with fixed steps
+
     elastic_hinge::Input input;
     double start_speed = 0.0;  ///< rad/s
     double turns = 5.0;
     double seconds = 0.0;  ///< of the turns
     std::shared_ptr<const elastic_hinge::Result> solved;
 
-    std::size_t outputs() const { return 2; }
+    std::size_t outputs() const { return 2 * static_cast<std::size_t>(parts); }
     double evaluations() const { return turns; }
+    /// Of the outputs 2 (part − 1) and 2 (part − 1) + 1; part = 1…parts.
+    double time(int part) const {
+        return seconds * ((turns - 1.0 + static_cast<double>(part) / parts) / turns);
+    }
 };
 
 /// φ̇ at a crank angle, by energy: with the hinge, I φ̇² − ω² I is constant.
@@ -149,11 +159,18 @@ Method<MotionCase> fixed_step(MethodInfo info, double slopes_per_step,
         return [&motion, integrate, per_turn = setting.value](std::span<double> out) {
             Message refusal = why_not(motion);
             if (refusal.empty()) {
-                const auto steps = std::lround(per_turn * motion.turns);
-                out[0] = 0.0;
-                out[1] = motion.start_speed;
-                integrate(Acceleration(motion), motion.seconds / static_cast<double>(steps), steps,
-                          out[0], out[1]);
+                const Acceleration acceleration(motion);
+                const double h = motion.seconds / (per_turn * motion.turns);
+                double phi = 0.0;
+                double speed = motion.start_speed;
+                integrate(acceleration, h, std::lround(per_turn * (motion.turns - 1.0)), phi,
+                          speed);
+                for (std::size_t i = 0; i < out.size(); i += 2) {
+                    integrate(acceleration, h, std::lround(per_turn / MotionCase::parts), phi,
+                              speed);
+                    out[i] = phi;
+                    out[i + 1] = speed;
+                }
             }
             return refusal;
         };
@@ -224,7 +241,6 @@ Motion simulate(const MotionCase& motion, double tolerance) {
     setup.start_speed = motion.start_speed;
     setup.turns = motion.turns + 1.0;
     setup.longest_time = motion.seconds;
-    setup.samples_per_turn = 4;
     setup.tolerance = tolerance;
     return elastic_hinge::simulate(motion.solved->design, motion.solved->crank_guide, setup,
                                    [](double) {
@@ -249,8 +265,12 @@ Method<MotionCase> dormand_prince() {
                 try {
                     const Motion result = simulate(motion, tolerance);
                     refusal = result.reason.english();
-                    out[0] = result.crank_angle.back();
-                    out[1] = result.speed.back();
+                    // As the scene reads it between its samples.
+                    for (int part = 1; part <= MotionCase::parts; ++part) {
+                        const auto i = 2 * static_cast<std::size_t>(part - 1);
+                        out[i] = result.angle_at(motion.time(part));
+                        out[i + 1] = result.speed_at(motion.time(part));
+                    }
                 } catch (const std::runtime_error& error) {
                     refusal = error.what();
                 }
@@ -264,52 +284,118 @@ Method<MotionCase> dormand_prince() {
         }
         constexpr double slopes_per_step = 6.0;
         constexpr double own_operations = 150.0;  // error estimate, dense output, energy
-        return static_cast<double>(simulate(motion, setting.value).steps) *
-               (slopes_per_step * slope_operations + own_operations + slope_operations) /
+        constexpr double sample_operations = slope_operations + 40.0;
+        const Motion result = simulate(motion, setting.value);
+        return (static_cast<double>(result.steps) *
+                    (slopes_per_step * slope_operations + own_operations) +
+                static_cast<double>(result.time.size()) * sample_operations) /
                motion.turns;
     };
     return method;
+}
+
+/// Time from one crank angle to another, s: Gauss-Legendre in parts that are halved until two rules
+/// agree.
+Real50 time_between(const MotionCase& motion, const elastic_hinge::Mechanism<Real50>& mechanism,
+                    const Real50& from, const Real50& to) {
+    const Real50 omega(motion.input.angular_speed);
+    const Real50 start(motion.start_speed);
+    const auto slowness = [&](const Real50& phi) {
+        return Real50(1 / speed_at(mechanism, omega, start, Real50(sin(phi)), Real50(cos(phi))));
+    };
+    namespace quadrature = boost::math::quadrature;
+    const Real50 fine = quadrature::gauss<Real50, 30>::integrate(slowness, from, to);
+    const Real50 coarse = quadrature::gauss<Real50, 20>::integrate(slowness, from, to);
+    const Real50 enough = Real50("1e-32") / abs(start);
+    if (!(abs(Real50(fine - coarse)) > enough) || abs(Real50(to - from)) < Real50("1e-4")) {
+        return fine;
+    }
+    const Real50 middle = (from + to) / 2;
+    return time_between(motion, mechanism, from, middle) +
+           time_between(motion, mechanism, middle, to);
 }
 
 std::vector<Expected> reference(const MotionCase& motion) {
     if (!why_not(motion).empty()) {
         return {};
     }
-    // After whole turns the speed is the start's; the doubles' time is off the exact one by its
-    // rounding.
-    const Real50 late =
-        Real50(motion.seconds) - Real50(motion.turns) * time_of_turn<Real50>(motion, 1e-24);
-    const Real50 angle = Real50(motion.turns) * boost::math::constants::two_pi<Real50>() +
-                         late * Real50(motion.start_speed);
-    // Per turn, as the error adds up.
-    return {{0, angle, motion.turns},
-            {1, Real50(motion.start_speed), motion.turns * motion.start_speed}};
-}
-
-/// The speed that the energy of the bars and of the spring allows at a dozen angles, and the time
-/// of a turn by Simpson's rule over it.
-std::optional<double> check(const MotionCase& motion, const std::vector<Expected>&) {
-    if (!why_not(motion).empty()) {
-        return std::nullopt;
-    }
     const auto mechanism = mechanism_in<Real50>(motion.input);
     const Real50 omega(motion.input.angular_speed);
     const Real50 start(motion.start_speed);
-    const Real50 one(1);
-    Real50 worst(0);
-    for (int i = 0; i < 12; ++i) {
-        const Real50 phi = boost::math::constants::two_pi<Real50>() * i / 12;
-        // T is quadratic in the speed: at speed 1 it is what remains when V is taken off.
-        const auto kinetic = [&](const Real50& angle) {
-            return Real50(energy_of_bars(motion.input, angle, one) -
-                          energy_of_bars(motion.input, angle, Real50(0)));
-        };
-        // The guide keeps T + V + Π at ω, so at another speed (φ̇² − ω²) T(1) is constant.
-        const Real50 constant = (start * start - omega * omega) * kinetic(Real50(0));
-        const Real50 speed = sqrt(Real50(omega * omega + constant / kinetic(phi)));
-        const Real50 formula =
-            speed_at(mechanism, omega, start, Real50(sin(phi)), Real50(cos(phi)));
-        worst = std::max(worst, Real50(abs(Real50(speed - formula)) / start));
+    const Real50& turn = boost::math::constants::two_pi<Real50>();
+    const Real50 turn_time = time_of_turn<Real50>(motion, 1e-32);
+    std::vector<Expected> list;
+    Real50 angle(0);  // within the last turn
+    Real50 time(0);   // there
+    for (int part = 1; part <= MotionCase::parts; ++part) {
+        const Real50 wanted = Real50(motion.time(part)) - Real50(motion.turns - 1.0) * turn_time;
+        Real50 speed = start;
+        // Newton's method between bounds; the first step is a guess.
+        Real50 early = angle;
+        Real50 late = turn * Real50("1.001");
+        Real50 step = turn * part / MotionCase::parts - angle;
+        constexpr int most = 100;
+        for (int i = 0; i < most; ++i) {
+            time += time_between(motion, mechanism, angle, angle + step);
+            angle += step;
+            (time < wanted ? early : late) = angle;
+            speed = speed_at(mechanism, omega, start, Real50(sin(angle)), Real50(cos(angle)));
+            step = (wanted - time) * speed;
+            if (abs(step) < Real50("1e-30")) {
+                break;
+            }
+            if (!(angle + step > early && angle + step < late)) {
+                step = (early + late) / 2 - angle;
+            }
+        }
+        // Per turn, as the error adds up.
+        const auto at = 2 * static_cast<std::size_t>(part - 1);
+        list.push_back({at, Real50(motion.turns - 1.0) * turn + angle, motion.turns});
+        list.push_back({at + 1, speed, motion.turns * static_cast<double>(speed)});
+    }
+    return list;
+}
+
+/// The speeds that the energy of the bars and of the spring allows, and by them the time that the
+/// crank takes to the angles of the reference and for a whole turn.
+std::optional<double> check(const MotionCase& motion, const std::vector<Expected>& reference) {
+    if (!why_not(motion).empty()) {
+        return std::nullopt;
+    }
+    const Real50 omega(motion.input.angular_speed);
+    const Real50 start(motion.start_speed);
+    // T is quadratic in the speed: at speed 1 it is what remains when V is taken off.
+    const auto kinetic = [&](const Real50& angle) {
+        return Real50(energy_of_bars(motion.input, angle, Real50(1)) -
+                      energy_of_bars(motion.input, angle, Real50(0)));
+    };
+    // The guide keeps T + V + Π at ω, so at another speed (φ̇² − ω²) T(1) is constant.
+    const Real50 constant = (start * start - omega * omega) * kinetic(Real50(0));
+    const auto speed = [&](const Real50& phi) {
+        return Real50(sqrt(Real50(omega * omega + constant / kinetic(phi))));
+    };
+    boost::math::quadrature::tanh_sinh<Real50> quadrature;
+    const auto time_to = [&](const Real50& from, const Real50& to) {
+        return quadrature.integrate([&](const Real50& phi) { return Real50(1 / speed(phi)); }, from,
+                                    to, Real50("1e-24"));
+    };
+    const Real50& turn = boost::math::constants::two_pi<Real50>();
+    const Real50 whole = time_to(Real50(0), turn / 2) + time_to(turn / 2, turn);
+    const Real50 promised = time_of_turn<Real50>(motion, 1e-32);
+    Real50 worst = abs(Real50(whole / promised - 1));
+    Real50 angle(0);
+    Real50 time(0);
+    for (const Expected& expected : reference) {
+        const int part = static_cast<int>(expected.index / 2) + 1;
+        if (expected.index % 2 == 0) {
+            const Real50 next = expected.value - Real50(motion.turns - 1.0) * turn;
+            time += time_to(angle, next);
+            angle = next;
+            const Real50 wanted = Real50(motion.time(part)) - Real50(motion.turns - 1.0) * promised;
+            worst = std::max(worst, Real50(abs(Real50(time - wanted)) / promised));
+        } else {
+            worst = std::max(worst, Real50(abs(Real50(speed(angle) / expected.value - 1))));
+        }
     }
     return static_cast<double>(worst);
 }
@@ -345,13 +431,14 @@ Kernel hinge_motion_kernel() {
     Kernel& kernel = definition.kernel;
     kernel.id = "hinge-motion";
     kernel.title = CORE_TEXT("methods", "Motion with a hinge");
-    kernel.quantity =
-        CORE_TEXT("methods", "crank angle and speed after whole turns off the design speed");
+    kernel.quantity = CORE_TEXT(
+        "methods", "crank angle and speed at nine times of the last turn, off the design speed");
     kernel.error_measure = CORE_TEXT("methods", "rad, or part of the speed, for each turn made");
     kernel.evaluation = CORE_TEXT("methods", "one turn of motion");
-    kernel.check_text = CORE_TEXT(
-        "methods", "speeds by the energy of bars and spring, from differences of positions");
-    kernel.check_tolerance = 1e-15;
+    kernel.check_text = CORE_TEXT("methods",
+                                  "speeds by the energy of bars and spring, from differences of "
+                                  "positions, and the times that follow from them");
+    kernel.check_tolerance = 1e-20;
     kernel.choice = elastic_hinge::motion_choice;
     definition.methods = {
         fixed_step({"rk4",

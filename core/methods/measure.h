@@ -86,6 +86,10 @@ struct StabilityMap {
 StabilityMap map_stability(const Kernel& kernel, std::size_t sweep,
                            const MeasureOptions& options = {}, const Progress& progress = {});
 
+/// What failing_text() says of a method that fails at no value, and at every value.
+Text failing_nowhere();
+Text failing_everywhere();
+
 /// Where a method stops being trustworthy along a sweep, as a clause: "everywhere", "from λ = 0.2",
 /// "λ = 0.2 to 0.3" or "nowhere".
 Message failing_text(const StabilityMap& map, const StabilityCurve& curve, double tolerance);
