@@ -23,7 +23,8 @@ const StabilityCurve* curve_of(const StabilityMap& map, std::size_t method, std:
     return found == map.curves.end() ? nullptr : &*found;
 }
 
-MethodRow make_row(const WorkPrecision& work, const StabilityMap& map, const WorkPoint& point) {
+MethodRow make_row(const WorkPrecision& work, std::span<const StabilityMap* const> maps,
+                   const WorkPoint& point) {
     const Kernel& kernel = *work.kernel;
     const MethodInfo& method = kernel.methods[point.method];
     MethodRow row;
@@ -37,8 +38,10 @@ MethodRow make_row(const WorkPrecision& work, const StabilityMap& map, const Wor
     row.order = work.order(point.method);
     row.in_use = point.method == kernel.chosen_method() && point.setting == kernel.chosen_setting();
     row.holds = !point.result.refused() && point.result.error <= kernel.choice.tolerance;
-    if (const StabilityCurve* const curve = curve_of(map, point.method, point.setting)) {
-        row.fails = failing_text(map, *curve, kernel.choice.tolerance);
+    for (const StabilityMap* const map : maps) {
+        if (const StabilityCurve* const curve = curve_of(*map, point.method, point.setting)) {
+            row.fails.push_back({map->sweep, failing_text(*map, *curve, kernel.choice.tolerance)});
+        }
     }
     row.limits = method.limits;
     return row;
@@ -63,28 +66,66 @@ std::string value_with_unit(const SweepInfo& sweep, double value) {
 
 }  // namespace
 
-KernelReport make_report(const WorkPrecision& work, const StabilityMap& map) {
+KernelReport make_report(const WorkPrecision& work, std::span<const StabilityMap* const> maps) {
     KernelReport report{work.kernel, work.sweep, work.value, {}};
     for (const WorkPoint& point : work.points) {
-        report.rows.push_back(make_row(work, map, point));
+        report.rows.push_back(make_row(work, maps, point));
     }
     return report;
 }
 
 KernelReport measure_kernel(const Kernel& kernel, const MeasureOptions& options,
                             const Progress& progress) {
-    constexpr std::size_t sweep = 0;
-    // Both parts take about as long.
-    const auto half = [&](double begin) -> Progress {
+    // The times and each of the maps take about as long.
+    const double share = 1.0 / static_cast<double>(kernel.sweeps.size() + 1);
+    const auto part_from = [&](std::size_t done) -> Progress {
         if (!progress) {
             return {};
         }
-        return [&progress, begin](double part) { return progress(begin + 0.5 * part); };
+        return [&progress, share, done](double part) {
+            return progress(std::min(share * (static_cast<double>(done) + part), 1.0));
+        };
     };
-    const StabilityMap map = map_stability(kernel, sweep, options, half(0.0));
-    const WorkPrecision work =
-        measure_work(kernel, sweep, kernel.sweeps[sweep].present, options, half(0.5));
-    return make_report(work, map);
+    std::vector<StabilityMap> maps;
+    std::vector<const StabilityMap*> listed;
+    maps.reserve(kernel.sweeps.size());
+    for (std::size_t sweep = 0; sweep < kernel.sweeps.size(); ++sweep) {
+        maps.push_back(map_stability(kernel, sweep, options, part_from(sweep)));
+        listed.push_back(&maps.back());
+    }
+    const WorkPrecision work = measure_work(kernel, 0, kernel.sweeps.front().present, options,
+                                            part_from(kernel.sweeps.size()));
+    if (progress) {
+        progress(1.0);
+    }
+    return make_report(work, listed);
+}
+
+Message failing_summary(const Kernel& kernel, const MethodRow& row, SweepName name) {
+    if (row.fails.empty()) {
+        return {};
+    }
+    const Message& first = row.fails.front().where;
+    const bool alike = std::all_of(row.fails.begin(), row.fails.end(),
+                                   [&](const Failing& failing) { return failing.where == first; });
+    const Message nowhere(failing_nowhere());
+    const Message everywhere(failing_everywhere());
+    if (alike && (first == nowhere || first == everywhere)) {
+        return first;
+    }
+    Message text;
+    for (const Failing& failing : row.fails) {
+        if (failing.where == nowhere) {
+            continue;
+        }
+        const SweepInfo& sweep = kernel.sweeps[failing.sweep];
+        Message part{Text{"", "%1: %2"},
+                     name == SweepName::id ? Message(sweep.id) : Message(sweep.title),
+                     failing.where};
+        text = text.empty() ? std::move(part)
+                            : Message(Text{"", "%1; %2"}, std::move(text), std::move(part));
+    }
+    return text;
 }
 
 std::string choice_paragraph(const Kernel& kernel) {
@@ -115,15 +156,19 @@ std::string write_text(const KernelReport& report) {
                    plain_digits(row.timing.low) + "…" + plain_digits(row.timing.high),
                    row.result.refused() ? "refused" : digits(row.result.error),
                    row.order ? format_number(*row.order, 2) : "", plain_digits(row.operations),
-                   row.fails.value_or(Message()).english()});
+                   failing_summary(kernel, row, SweepName::id).english()});
     }
     const std::string tolerance = digits(kernel.choice.tolerance);
     std::string text = std::string(kernel.title.english) + ": " + kernel.quantity.english + "\n\n";
     text +=
         hanging("",
                 "Measured at " + value_with_unit(sweep, report.value) + " (" + sweep.title.english +
-                    "); not trustworthy: where along it the tolerance is exceeded.",
+                    "); not trustworthy: where along each hard parameter the tolerance is "
+                    "exceeded.",
                 text_width);
+    for (const SweepInfo& hard : kernel.sweeps) {
+        text += hanging("  ", hard.id + ": " + hard.title.english + ".", text_width);
+    }
     text += hanging("Time: ", std::string(kernel.evaluation.english) + ".", text_width);
     text += hanging("Error: ", std::string(kernel.error_measure.english) + ".", text_width);
     text += "● in use, + within the scene's tolerance of " + tolerance + "\n\n";
@@ -151,8 +196,8 @@ std::string write_csv(std::span<const KernelReport> reports) {
                           format_number(row.timing.high), format_number(row.operations),
                           row.result.refused() ? "" : format_number(row.result.error),
                           optional_number(row.order), row.holds ? "yes" : "no",
-                          row.fails.value_or(Message()).english(), row.result.refusal.english(),
-                          row.limits.english});
+                          failing_summary(kernel, row, SweepName::id).english(),
+                          row.result.refusal.english(), row.limits.english});
         }
     }
     return text;

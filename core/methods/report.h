@@ -10,6 +10,12 @@
 
 namespace ravnoves::methods {
 
+/// Where a method exceeds the scene's tolerance along one hard parameter.
+struct Failing {
+    std::size_t sweep = 0;  ///< in Kernel::sweeps
+    Message where;          ///< as failing_text()
+};
+
 /// One line of a kernel's table: a method with one setting, as measured.
 struct MethodRow {
     std::size_t method = 0;   ///< in Kernel::methods
@@ -23,27 +29,40 @@ struct MethodRow {
     std::optional<double> order;
     bool in_use = false;  ///< the scene's method and setting
     bool holds = false;   ///< its error at the measured value is within the scene's tolerance
-    /// Where it exceeds the scene's tolerance along the sweep, as failing_text(); the stability
-    /// curve is that of the method's finest setting (or the one in use), so only that row has it.
-    std::optional<Message> fails;
+    /// Along every hard parameter that was mapped, in the kernel's order. The stability curves are
+    /// those of the method's finest setting (or the one in use), so only that row has them.
+    std::vector<Failing> fails;
     Text limits;  ///< MethodInfo::limits: why, as a sentence
 };
 
 /// A kernel as measured on this machine.
 struct KernelReport {
     const Kernel* kernel = nullptr;
-    std::size_t sweep = 0;  ///< along which `fails` was found
-    double value = 0.0;     ///< of the sweep, where times and errors were taken
+    std::size_t sweep = 0;  ///< at whose value times and errors were taken
+    double value = 0.0;
     std::vector<MethodRow> rows;
 };
 
-/// The table of what has been measured. Both must be of the same kernel and sweep.
-KernelReport make_report(const WorkPrecision& work, const StabilityMap& map);
+/// The table of what has been measured.
+/// @param maps  of the same kernel, each of another sweep
+KernelReport make_report(const WorkPrecision& work, std::span<const StabilityMap* const> maps);
 
-/// Measures a kernel at the present value of its first sweep.
+/// Measures a kernel at the present value of its first sweep, and its errors along every sweep.
 /// @throws Cancelled
 KernelReport measure_kernel(const Kernel& kernel, const MeasureOptions& options = {},
                             const Progress& progress = {});
+
+/// How a hard parameter is called.
+enum class SweepName {
+    title,  ///< "crank ratio λ, K = 0"
+    id,     ///< "lambda"
+};
+
+/// A row's stretches in one: "nowhere", "everywhere", or by hard parameter where they differ, those
+/// along which it holds everywhere left out: "lambda: from 0.4; points: from 7200". Empty for a row
+/// without a stability curve.
+Message failing_summary(const Kernel& kernel, const MethodRow& row,
+                        SweepName name = SweepName::title);
 
 /// Which method the scene uses and why: "The scene balance-shaft uses: … (…), to 1e-09 (part of
 /// …)." and MethodChoice::reason.

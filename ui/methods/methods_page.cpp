@@ -74,7 +74,17 @@ QStringList cells(const Kernel& kernel, const MethodRow& row) {
             resultText(row.result),
             QLocale().toString(std::round(row.operations), 'f', 0),
             first && row.order ? QLocale().toString(*row.order, 'f', 1) : QString(),
-            row.fails ? methodText(*row.fails) : QString()};
+            methodText(methods::failing_summary(kernel, row))};
+}
+
+/// Where a method fails, a line for each hard parameter.
+QString stretches(const Kernel& kernel, const MethodRow& row) {
+    QString lines;
+    for (const methods::Failing& failing : row.fails) {
+        lines += QStringLiteral("%1: %2\n")
+                     .arg(shownText(kernel.sweeps[failing.sweep].title), methodText(failing.where));
+    }
+    return lines;
 }
 
 /// As a sentence begins; a symbol (s′, ρ) stays as it is.
@@ -119,6 +129,7 @@ MethodsPage::MethodsPage(QWidget* parent) : ScenePage(parent), model_(new Method
     connect(model_, &MethodsModel::caseChanged, this, &MethodsPage::showCase);
     connect(model_, &SceneModel::changed, this, &MethodsPage::showTable);
     connect(model_, &MethodsModel::measurementChanged, this, &MethodsPage::showRunning);
+    connect(model_->measurements(), &MethodMeasurements::mapped, this, &MethodsPage::showTable);
     connect(model_->measurements(), &MethodMeasurements::progressed, this, [this](double part) {
         progress_->setValue(static_cast<int>(std::lround(100 * part)));
     });
@@ -262,7 +273,7 @@ QWidget* MethodsPage::buildResults() {
     table_->horizontalHeaderItem(Order)->setToolTip(
         tr("Order of convergence found: the error falls as this power of the number of steps"));
     table_->horizontalHeaderItem(Fails)->setToolTip(
-        tr("Where along the hard parameter the error exceeds the scene's tolerance or the method "
+        tr("Where along each hard parameter the error exceeds the scene's tolerance or the method "
            "refuses; of the finest setting or the one in use"));
     connect(table_, &QTableWidget::currentCellChanged, this, &MethodsPage::chooseRow);
     inside->addWidget(table_, 1);
@@ -354,15 +365,16 @@ void MethodsPage::showTable() {
         return;
     }
     const Kernel& kernel = shown->kernel();
+    const methods::KernelReport report = model_->measurements()->report(*shown);
     QVector<QStringList> rows;
-    for (const MethodRow& row : shown->report.rows) {
+    for (const MethodRow& row : report.rows) {
         rows << cells(kernel, row);
     }
     const QSignalBlocker quiet(table_);
     table_->setRows(rows);
     const Theme& theme = Theme::instance();
     for (int i = 0; i < rows.size(); ++i) {
-        const MethodRow& row = shown->report.rows[static_cast<std::size_t>(i)];
+        const MethodRow& row = report.rows[static_cast<std::size_t>(i)];
         for (int column = 0; column < table_->columnCount(); ++column) {
             QTableWidgetItem* cell = table_->item(i, column);
             QFont font = table_->font();
@@ -374,8 +386,7 @@ void MethodsPage::showTable() {
         table_->item(i, Time)->setToolTip(
             tr("Half of the runs from %1 to %2")
                 .arg(timeText(row.timing.low), timeText(row.timing.high)));
-        table_->item(i, Fails)->setToolTip(table_->item(i, Fails)->text() + QLatin1Char('\n') +
-                                           shownText(row.limits));
+        table_->item(i, Fails)->setToolTip(stretches(kernel, row) + shownText(row.limits));
         table_->item(i, Error)->setForeground(row.holds ? theme.good() : theme.error());
         table_->item(i, Error)->setToolTip(
             row.result.refused() ? tr("refused: %1").arg(methodText(row.result.refusal))
@@ -384,7 +395,7 @@ void MethodsPage::showTable() {
     }
     if (tableOf_ != &kernel) {
         tableOf_ = &kernel;
-        const auto& all = shown->report.rows;
+        const auto& all = report.rows;
         const auto used =
             std::find_if(all.begin(), all.end(), [](const MethodRow& row) { return row.in_use; });
         table_->setCurrentCell(static_cast<int>(used - all.begin()), Method);
@@ -427,9 +438,9 @@ QString MethodsPage::resultsAsCsv() const {
         return validation_->asCsv();
     }
     const MethodMeasurement* shown = model_->shown();
-    return shown == nullptr
-               ? QString()
-               : QString::fromStdString(methods::write_csv(std::span(&shown->report, 1)));
+    return shown == nullptr ? QString()
+                            : QString::fromStdString(methods::write_csv(
+                                  std::vector{model_->measurements()->report(*shown)}));
 }
 
 void MethodsPage::setActive(bool active) {

@@ -35,10 +35,11 @@ TEST(MethodsReport, HasARowForEveryMethodAndSetting) {
         EXPECT_EQ(row.holds, !row.result.refused() && row.result.error <= kernel.choice.tolerance);
         EXPECT_GT(row.timing.median, 0.0);
         EXPECT_GT(row.operations, 0.0);
-        with_limit += row.fails ? 1 : 0;
+        with_limit += row.fails.empty() ? 0 : 1;
         if (row.in_use) {
             EXPECT_TRUE(row.holds);
-            EXPECT_EQ(row.fails->english(), "nowhere");
+            ASSERT_EQ(row.fails.size(), kernel.sweeps.size());
+            EXPECT_EQ(failing_summary(kernel, row).english(), "nowhere");
         }
     }
     EXPECT_EQ(with_limit, kernel.methods.size());
@@ -49,14 +50,42 @@ TEST(MethodsReport, ShowsThePapersMeanForWhatItIs) {
     const KernelReport report = measure_kernel(*find_kernel("cycle-mean"), quick);
     const auto row =
         std::find_if(report.rows.begin(), report.rows.end(), [&](const MethodRow& candidate) {
-            return candidate.fails &&
+            return !candidate.fails.empty() &&
                    report.kernel->methods[candidate.method].id == "nodes-end-twice";
         });
     ASSERT_NE(row, report.rows.end());
-    EXPECT_EQ(row->fails->english(), "everywhere");
+    EXPECT_EQ(row->fails.front().where.english(), "everywhere");
     EXPECT_FALSE(row->holds);
     ASSERT_TRUE(row->order);
     EXPECT_NEAR(*row->order, 1.0, 0.3);
+}
+
+/// A method that the first hard parameter does not trouble may fail along another: every one is
+/// looked along, and the row names it.
+TEST(MethodsReport, TellsWhereMethodsFailAlongEveryHardParameter) {
+    const Kernel& kernel = *find_kernel("cycle-mean");
+    const KernelReport report = measure_kernel(kernel, quick);
+    const std::string text = write_text(report);
+    bool only_along_another = false;
+    for (const MethodRow& row : report.rows) {
+        if (row.fails.empty()) {
+            continue;
+        }
+        ASSERT_EQ(row.fails.size(), kernel.sweeps.size());
+        const std::string summary = failing_summary(kernel, row).english();
+        for (std::size_t sweep = 0; sweep < kernel.sweeps.size(); ++sweep) {
+            const Failing& failing = row.fails[sweep];
+            EXPECT_EQ(failing.sweep, sweep);
+            const bool fails = failing.where.english() != "nowhere";
+            EXPECT_EQ(fails && summary != "everywhere",
+                      says(summary, std::string(kernel.sweeps[sweep].title.english) + ": "))
+                << summary;
+            only_along_another |= fails && row.fails.front().where.english() == "nowhere";
+        }
+        const std::string by_id = failing_summary(kernel, row, SweepName::id).english();
+        EXPECT_TRUE(says(text, by_id.substr(0, by_id.find(' ')))) << by_id;
+    }
+    EXPECT_TRUE(only_along_another);  // Simpson's rule, on a narrow peak
 }
 
 TEST(MethodsReport, TheParagraphNamesSceneMethodAndWhy) {

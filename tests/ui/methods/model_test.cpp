@@ -170,6 +170,23 @@ TEST(MethodsModel, KeepsWhatWasMeasured) {
     EXPECT_EQ(running.count(), 0);
 }
 
+/// The chosen parameter comes first; then the others are looked along, one by one, and the table
+/// tells of all.
+TEST(MethodsModel, LooksAlongEveryHardParameter) {
+    MethodsModel model;
+    model.setActive(true);
+    waitUntilMeasured(model);
+    const auto mapped = [&] {
+        const auto report = model.measurements()->report(*model.shown());
+        const auto used = std::find_if(report.rows.begin(), report.rows.end(),
+                                       [](const auto& row) { return row.in_use; });
+        return used->fails.size();
+    };
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return mapped() == model.kernel().sweeps.size(); }, test::patience));
+    EXPECT_FALSE(model.isStale());
+}
+
 TEST(MethodsModel, ADragIsMeasuredWhereItEnds) {
     MethodsModel model;
     model.setKernel(kernelIndex(model, "moment-range"));

@@ -1,6 +1,7 @@
 #include "methods/model/method_measurements.h"
 
 #include <exception>
+#include <span>
 #include <utility>
 
 #include "case-file/input_error.h"
@@ -39,7 +40,8 @@ std::shared_ptr<const MethodMeasurement> measure(const Kernel& kernel, std::size
             kernel, sweep, options,
             [&](double part) { return progress(workShare + (1.0 - workShare) * part); }));
     }
-    auto report = methods::make_report(work, *known);
+    const StabilityMap* const map = known.get();
+    auto report = methods::make_report(work, std::span(&map, 1));
     return std::make_shared<const MethodMeasurement>(
         MethodMeasurement{std::move(work), std::move(known), std::move(report)});
 }
@@ -47,7 +49,7 @@ std::shared_ptr<const MethodMeasurement> measure(const Kernel& kernel, std::size
 }  // namespace
 
 MethodMeasurements::MethodMeasurements(QObject* parent)
-    : QObject(parent), job_(new BackgroundJob(this)) {
+    : QObject(parent), job_(new BackgroundJob(this)), mapJob_(new BackgroundJob(this)) {
     connect(job_, &BackgroundJob::runningChanged, this, &MethodMeasurements::runningChanged);
     connect(job_, &BackgroundJob::failed, this, &MethodMeasurements::failed);
     connect(job_, &BackgroundJob::progress, this, [this](double part) {
@@ -59,6 +61,7 @@ MethodMeasurements::MethodMeasurements(QObject* parent)
 void MethodMeasurements::start(const Kernel& kernel, std::size_t sweep, double value,
                                MeasurementEffort effort) {
     part_ = 0.0;
+    mapJob_->cancel();  // it would disturb the times
     const auto known = maps_.find({&kernel, sweep});
     job_->start([this, &kernel, sweep, value, options = optionsOf(effort),
                  map = known == maps_.end() ? nullptr : known->second](
@@ -69,12 +72,42 @@ void MethodMeasurements::start(const Kernel& kernel, std::size_t sweep, double v
 }
 
 void MethodMeasurements::cancel() {
+    mapJob_->cancel();
     job_->cancel();
+}
+
+void MethodMeasurements::mapOthers(const Kernel& kernel) {
+    std::size_t sweep = 0;
+    while (sweep < kernel.sweeps.size() && maps_.contains({&kernel, sweep})) {
+        ++sweep;
+    }
+    if (sweep == kernel.sweeps.size() || job_->isRunning()) {
+        return;
+    }
+    mapJob_->start([this, &kernel, sweep](const BackgroundJob::Progress& progress) {
+        auto map = std::make_shared<const StabilityMap>(
+            methods::map_stability(kernel, sweep, {}, progress));
+        return [this, &kernel, sweep, map] {
+            maps_[{&kernel, sweep}] = map;
+            Q_EMIT mapped();
+            mapOthers(kernel);
+        };
+    });
 }
 
 std::shared_ptr<const MethodMeasurement> MethodMeasurements::newest(const Kernel& kernel) const {
     const auto found = newest_.find(&kernel);
     return found == newest_.end() ? nullptr : found->second;
+}
+
+methods::KernelReport MethodMeasurements::report(const MethodMeasurement& measurement) const {
+    std::vector<const StabilityMap*> maps;
+    for (std::size_t sweep = 0; sweep < measurement.kernel().sweeps.size(); ++sweep) {
+        if (const auto known = maps_.find({&measurement.kernel(), sweep}); known != maps_.end()) {
+            maps.push_back(known->second.get());
+        }
+    }
+    return methods::make_report(measurement.work, maps);
 }
 
 void MethodMeasurements::keep(std::shared_ptr<const MethodMeasurement> measurement) {

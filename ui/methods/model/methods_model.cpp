@@ -49,6 +49,9 @@ MethodsModel::MethodsModel(QObject* parent)
             [this](std::shared_ptr<const MethodMeasurement> measurement) {
                 shown_ = std::move(measurement);
                 Q_EMIT changed();
+                if (!settle_.isActive()) {
+                    settle_.start(0);  // the other hard parameters
+                }
             });
     connect(measurements_, &MethodMeasurements::runningChanged, this,
             &MethodsModel::measurementChanged);
@@ -228,6 +231,8 @@ void MethodsModel::measureIfNeeded() {
     }
     if (!shown_ || !shown_->isOf(kernel(), sweepIndex(), value())) {
         measurements_->start(kernel(), sweepIndex(), value(), MeasurementEffort::quick);
+    } else {
+        measurements_->mapOthers(kernel());
     }
 }
 
