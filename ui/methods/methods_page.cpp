@@ -411,11 +411,21 @@ void MethodsPage::chooseRow() {
         static_cast<std::size_t>(row) >= shown->report.rows.size()) {
         return;
     }
-    const MethodRow& chosen = shown->report.rows[static_cast<std::size_t>(row)];
-    model_->setShownMethod(chosen.method);
-    const methods::MethodInfo& method = shown->kernel().methods[chosen.method];
-    limits_->setText(
-        tr("%1: %2.").arg(capitalised(shownText(method.title)), shownText(method.limits)));
+    const methods::KernelReport report = model_->measurements()->report(*shown);
+    const std::size_t chosen = report.rows[static_cast<std::size_t>(row)].method;
+    model_->setShownMethod(chosen);
+    const methods::MethodInfo& method = shown->kernel().methods[chosen];
+    QString text =
+        tr("%1: %2.").arg(capitalised(shownText(method.title)), shownText(method.limits));
+    // The column is narrow for a kernel of many parameters.
+    for (const MethodRow& other : report.rows) {
+        if (other.method == chosen && !other.fails.empty()) {
+            text += QLatin1Char(' ') +
+                    tr("Beyond the tolerance: %1.")
+                        .arg(methodText(methods::failing_summary(shown->kernel(), other)));
+        }
+    }
+    limits_->setText(text);
 }
 
 void MethodsPage::showRunning() {
