@@ -104,8 +104,18 @@ Real50 TorqueReference::rms() const {
                                   31 * p.bend0 * p.bend1 / 210));
     }
     square /= Real50(cycle_deg);
-    // ∮ M sin(φ + α) dφ = −∮ M″ sin = ∮ M⁗ sin, and the last one that is not 0 is jumps alone.
-    Real50 with_sine(0);
+    const Real50 amplitude(amplitude_);
+    const Real50 average = mean();
+    const auto order = first_order();
+    const Real50 variance =
+        square - average * average +
+        amplitude * (amplitude / 2 + order.a * sin(alpha_) + order.b * cos(alpha_));
+    return variance > 0 ? Real50(sqrt(variance)) : Real50(0);
+}
+
+BasicFourierPair<Real50> TorqueReference::first_order() const {
+    // ∮ M sin φ dφ = −∮ M″ sin = ∮ M⁗ sin, and the last one that is not 0 is jumps alone.
+    BasicFourierPair<Real50> order;
     for (std::size_t i = 0; i < exact_.size(); ++i) {
         const Piece<Real50>& after = exact_[i];
         const Piece<Real50>& before = exact_[i == 0 ? exact_.size() - 1 : i - 1];
@@ -119,14 +129,12 @@ Real50 TorqueReference::rms() const {
             strength = -jump([](const auto& p) { return Real50((p.y1 - p.y0) / p.width); }) /
                        exact_degree();
         }
-        with_sine += strength * sin(Real50(after.start * exact_degree() + alpha_));
+        const Real50 angle = after.start * exact_degree();
+        order.a += strength * cos(angle);
+        order.b += strength * sin(angle);
     }
-    const Real50 amplitude(amplitude_);
-    const Real50 turns = 2 * boost::math::constants::two_pi<Real50>();
-    const Real50 average = mean();
-    const Real50 variance =
-        square - average * average + amplitude * (amplitude / 2 + 2 * with_sine / turns);
-    return variance > 0 ? Real50(sqrt(variance)) : Real50(0);
+    const Real50& turn = boost::math::constants::two_pi<Real50>();
+    return {order.a / turn, order.b / turn};
 }
 
 // ----------------------------------------------------------------------------------- extrema

@@ -19,10 +19,11 @@ class TorqueReference {
   public:
     explicit TorqueReference(const TorqueCycle& cycle);
 
-    Real50 mean() const;                      ///< of M_ups
-    Real50 rms() const;                       ///< of M_ups about its mean, at the cycle's α
-    Real50 range(const Real50& alpha) const;  ///< of M_ups
-    Real50 least_range() const;               ///< over all α
+    Real50 mean() const;                           ///< of M_ups
+    Real50 rms() const;                            ///< of M_ups about its mean, at the cycle's α
+    BasicFourierPair<Real50> first_order() const;  ///< of M_up, by cos φ and sin φ
+    Real50 range(const Real50& alpha) const;       ///< of M_ups
+    Real50 least_range() const;                    ///< over all α
 
   private:
     /// The curve between two rows, by the distance t from the left one in degrees.
