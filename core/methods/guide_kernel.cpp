@@ -1,6 +1,8 @@
 #include <array>
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "case-file/input_error.h"
 #include "elastic-hinge/energy.h"
@@ -9,8 +11,10 @@
 #include "elastic-hinge/presets.h"
 #include "elastic-hinge/solver.h"
 #include "methods/definition.h"
+#include "methods/enclosure.h"
 #include "methods/hinge_mechanism.h"
 #include "methods/rosenbrock.h"
+#include "numerics/chebyshev.h"
 #include "numerics/constants.h"
 
 namespace ravnoves::methods {
@@ -84,13 +88,38 @@ Method<GuideCase> closed_form(MethodInfo info, const Radius& radius, double oper
     return method;
 }
 
-/// Right-hand side of (2), dρ/dφ; not finite where the spring is unloaded.
+/// (2) as an equation for ρ: dρ/dφ, not finite where the spring is unloaded.
 struct Slope {
+    explicit Slope(const GuideCase& of) : guide(of), spring(of.spring<double>()) {}
     const GuideCase& guide;
     GuideSpring<double> spring;
 
+    double start() const { return spring.start_radius(Branch::compressed); }
+    double scale() const { return spring.preload(); }
     double operator()(double rho, double phi) const {
         return elastic_hinge::guide_slope_ode(spring, rho, guide.rise(phi).slope);
+    }
+    /// Not a number where the spring is unloaded.
+    double radius(double rho) const {
+        return rho < spring.free_length / 2.0 ? rho : std::numeric_limits<double>::quiet_NaN();
+    }
+};
+
+/// (2) as an equation for u = (ℓ₀/2 − ρ)², u′ = −M/2c: nothing in it is singular, and its
+/// right-hand side does not even know u. What it starts from is taken off, so that small reliefs
+/// keep digits.
+struct SquareSlope {
+    explicit SquareSlope(const GuideCase& of) : guide(of), spring(of.spring<double>()) {}
+    const GuideCase& guide;
+    GuideSpring<double> spring;
+
+    double start() const { return 0.0; }
+    double scale() const { return spring.preload() * spring.preload(); }
+    double operator()(double /*given_out*/, double phi) const {
+        return guide.rise(phi).slope / (2.0 * spring.stiffness);
+    }
+    double radius(double given_out) const {
+        return guide_radius(spring, Branch::compressed, given_out);
     }
 };
 
@@ -99,27 +128,26 @@ Message singular() {
                      "runs into the spring's free length, where the equation is singular");
 }
 
-/// Steps of a fixed size through the whole turn; `step(rho, phi, h)` returns the next radius.
-template <typename Step>
+/// Steps of a fixed size through the whole turn; `step(slope, y, phi, h)` returns the next y.
+template <typename Equation, typename Step>
 Method<GuideCase> fixed_step(MethodInfo info, double slopes_per_step, const Step& step) {
     Method<GuideCase> method;
     method.info = std::move(info);
     method.prepare = [step](const GuideCase& guide, const Setting& setting) -> Run {
         return [&guide, step, steps = static_cast<int>(setting.value)](std::span<double> out) {
-            const Slope slope{guide, guide.spring<double>()};
-            const double half_length = slope.spring.free_length / 2.0;
+            const Equation slope(guide);
             const int parts = steps / static_cast<int>(intervals);
-            double rho = slope.spring.start_radius(Branch::compressed);
-            out[0] = rho;
+            double y = slope.start();
+            out[0] = slope.radius(y);
             for (std::size_t i = 0; i < intervals; ++i) {
                 const double h = (guide.angle(i + 1) - guide.angle(i)) / parts;
                 for (int part = 0; part < parts; ++part) {
-                    rho = step(slope, rho, guide.angle(i) + h * part, h);
+                    y = step(slope, y, guide.angle(i) + h * part, h);
                 }
-                if (!(rho < half_length)) {
+                out[i + 1] = slope.radius(y);
+                if (std::isnan(out[i + 1])) {
                     return singular();
                 }
-                out[i + 1] = rho;
             }
             return Message();
         };
@@ -133,18 +161,28 @@ Method<GuideCase> fixed_step(MethodInfo info, double slopes_per_step, const Step
 
 namespace odeint = boost::numeric::odeint;
 
+template <typename Equation>
+double runge_kutta_step(const Equation& slope, double y, double phi, double h) {
+    const double a = slope(y, phi);
+    const double b = slope(y + h / 2.0 * a, phi + h / 2.0);
+    const double c = slope(y + h / 2.0 * b, phi + h / 2.0);
+    const double d = slope(y + h * c, phi + h);
+    return y + h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
+}
+
 /// With step control by Odeint, read off every degree; counts the slopes asked for.
+template <typename Equation>
 Message run_adaptive(const GuideCase& guide, double tolerance, std::span<double> out, int& asked) {
     using State = std::array<double, 1>;
-    const Slope slope{guide, guide.spring<double>()};
+    const Equation slope(guide);
     const auto system = [&](const State& x, State& dx, double phi) {
         ++asked;
         dx[0] = slope(x[0], phi);
     };
-    auto stepper = odeint::make_dense_output(tolerance * slope.spring.preload(), tolerance,
+    auto stepper = odeint::make_dense_output(tolerance * slope.scale(), tolerance,
                                              odeint::runge_kutta_dopri5<State>());
-    State x{slope.spring.start_radius(Branch::compressed)};
-    out[0] = x[0];
+    State x{slope.start()};
+    out[0] = slope.radius(x[0]);
     stepper.initialize(x, 0.0, two_pi / intervals);
     constexpr int most_steps = 100'000;
     constexpr double no_step = 1e-15;
@@ -162,14 +200,17 @@ Message run_adaptive(const GuideCase& guide, double tolerance, std::span<double>
             }
         }
         stepper.calc_state(guide.angle(i), x);
-        out[i] = x[0];
+        out[i] = slope.radius(x[0]);
+        if (std::isnan(out[i])) {
+            return singular();
+        }
     }
     return {};
 }
 
 /// The same by an implicit method: Rosenbrock's of order 4 with its exact Jacobian.
 Message run_implicit(const GuideCase& guide, double tolerance, std::span<double> out, int& asked) {
-    const Slope slope{guide, guide.spring<double>()};
+    const Slope slope(guide);
     ScalarEquation equation;
     equation.slope = [&](double phi, double rho) {
         ++asked;
@@ -209,6 +250,134 @@ Method<GuideCase> adaptive(MethodInfo info, Adaptive integrate) {
         int asked = 0;
         integrate(guide, setting.value, out, asked);
         return asked * (rise_operations + 25.0) / guide.evaluations();
+    };
+    return method;
+}
+
+/// ρ through Chebyshev points of equal pieces of the turn, in the place of a table.
+Method<GuideCase> chebyshev() {
+    constexpr std::size_t pieces = 8;
+    Method<GuideCase> method;
+    method.info = {"chebyshev",
+                   CORE_TEXT("methods", "Chebyshev interpolant on eighths of the turn"),
+                   CORE_TEXT("methods",
+                             "half the price of the closed form for a smooth guide; but a corner, "
+                             "which the guide gets as the spring comes to give out all that it "
+                             "stores, and λ near 1 leave it two or three digits"),
+                   counted(CORE_TEXT("methods", "%1 points"), {6, 8, 12, 16}), false};
+    method.prepare = [](const GuideCase& guide, const Setting& setting) -> Run {
+        return [&guide, points = ChebyshevPoints(static_cast<std::size_t>(setting.value))](
+                   std::span<double> out) {
+            const auto spring = guide.spring<double>();
+            const double square = spring.preload() * spring.preload();
+            std::vector<double> values(points.size());
+            std::vector<double> series(points.size());
+            constexpr double width = two_pi / pieces;
+            std::size_t i = 0;
+            for (std::size_t piece = 0; piece < pieces; ++piece) {
+                const double middle = width * (static_cast<double>(piece) + 0.5);
+                for (std::size_t j = 0; j < points.size(); ++j) {
+                    const double q = guide.given_out(middle + width / 2.0 * points[j]);
+                    if (!(q <= square)) {
+                        return no_guide();
+                    }
+                    values[j] = guide_radius(spring, Branch::compressed, q);
+                }
+                points.transform(values, series);
+                const double end = middle + width / 2.0;
+                while (i < out.size() && (guide.angle(i) <= end || piece + 1 == pieces)) {
+                    out[i] = chebyshev_value(series, (guide.angle(i) - middle) / (width / 2.0));
+                    ++i;
+                }
+            }
+            return Message();
+        };
+    };
+    method.operations = [](const GuideCase& guide, const Setting& setting) {
+        const double n = setting.value;
+        return pieces * n * (rise_operations + 20.0 + 2.0 * n) / guide.evaluations() + 3.0 * n +
+               4.0;
+    };
+    return method;
+}
+
+/// Whether the guide exists, by enclosures of what the spring has given out: true or false where
+/// that is proved for every angle and not just for those looked at.
+/// @param smallest  box that is still parted, rad
+/// @param boxes     counts the enclosures made
+std::optional<bool> proved_to_exist(const GuideCase& guide, double smallest, int& boxes) {
+    const auto spring = guide.spring<Enclosure>();
+    const Enclosure preload = spring.free_length / 2 - spring.radius_at_zero;
+    const Enclosure square = preload * preload;
+    const auto mechanism = mechanism_in<Enclosure>(guide.input);
+    const Enclosure omega(guide.input.angular_speed);
+    std::vector<std::pair<double, double>> open;
+    constexpr int first = 32;
+    for (int i = 0; i < first; ++i) {
+        open.emplace_back(two_pi * i / first, two_pi * (i + 1) / first);
+    }
+    constexpr int most = 20'000;
+    while (!open.empty()) {
+        const auto [from, to] = open.back();
+        open.pop_back();
+        const double middle = 0.5 * (from + to);
+        const auto rise = energy_rise_at(mechanism, omega, Enclosure(middle));
+        const Enclosure here = rise.rise / (2 * spring.stiffness);
+        if (here.lower() > square.upper()) {
+            return false;
+        }
+        // The value at the middle and the slope over the box: of second order in its width.
+        const Enclosure slope = energy_rise_at(mechanism, omega, Enclosure(from, to)).slope;
+        const Enclosure over_box =
+            here + slope / (2 * spring.stiffness) * (Enclosure(from, to) - Enclosure(middle));
+        boxes += 2;
+        if (over_box.upper() <= square.lower()) {
+            continue;
+        }
+        if (to - from < smallest || boxes > most) {
+            return std::nullopt;
+        }
+        open.emplace_back(from, middle);
+        open.emplace_back(middle, to);
+    }
+    return true;
+}
+
+Method<GuideCase> enclosed() {
+    Method<GuideCase> method;
+    method.info = {
+        "intervals",
+        CORE_TEXT("methods", "closed form, existence proved by intervals"),
+        CORE_TEXT(
+            "methods",
+            "the only one that proves the guide for the angles between those looked at; where "
+            "little preload is to spare, boxes that are too large cannot decide, and it says so"),
+        {{{CORE_TEXT("methods", "boxes to %1 rad"), "1e-3"}, 1e-3},
+         {{CORE_TEXT("methods", "boxes to %1 rad"), "1e-6"}, 1e-6},
+         {{CORE_TEXT("methods", "boxes to %1 rad"), "1e-9"}, 1e-9}},
+        false};
+    method.prepare = [](const GuideCase& guide, const Setting& setting) -> Run {
+        return [&guide, smallest = setting.value](std::span<double> out) -> Message {
+            int boxes = 0;
+            const auto exists = proved_to_exist(guide, smallest, boxes);
+            if (!exists) {
+                return CORE_TEXT("methods", "cannot prove that the guide exists");
+            }
+            if (!*exists) {
+                return no_guide();
+            }
+            const auto spring = guide.spring<double>();
+            for (std::size_t i = 0; i < out.size(); ++i) {
+                out[i] = guide_radius(spring, Branch::compressed, guide.given_out(guide.angle(i)));
+            }
+            return {};
+        };
+    };
+    method.operations = [](const GuideCase& guide, const Setting& setting) {
+        int boxes = 0;
+        proved_to_exist(guide, setting.value, boxes);
+        constexpr double wider = 4.0;  // an operation on intervals, in those on numbers
+        return rise_operations + 20.0 + boxes * wider * rise_operations / guide.evaluations();
     };
     return method;
 }
@@ -330,38 +499,48 @@ Kernel guide_kernel() {
                 return guide_radius(spring, Branch::compressed, q);
             },
             20.0),
-        fixed_step({"euler", CORE_TEXT("methods", "Euler's method"),
-                    CORE_TEXT("methods", "order 1: the guide does not close after a turn"),
-                    counted(CORE_TEXT("methods", "%1 steps"), {360, 3600, 36000}), true},
-                   1.0,
-                   [](const Slope& slope, double rho, double phi, double h) {
-                       return rho + h * slope(rho, phi);
-                   }),
-        fixed_step(
+        fixed_step<Slope>({"euler", CORE_TEXT("methods", "Euler's method"),
+                           CORE_TEXT("methods", "order 1: the guide does not close after a turn"),
+                           counted(CORE_TEXT("methods", "%1 steps"), {360, 3600, 36000}), true},
+                          1.0,
+                          [](const Slope& slope, double rho, double phi, double h) {
+                              return rho + h * slope(rho, phi);
+                          }),
+        fixed_step<Slope>(
             {"rk4", CORE_TEXT("methods", "Runge-Kutta of order 4"),
              CORE_TEXT("methods",
                        "loses its order where ρ comes near ℓ₀/2: the slope is infinite there"),
              counted(CORE_TEXT("methods", "%1 steps"), {360, 720, 3600}), true},
-            4.0,
-            [](const Slope& slope, double rho, double phi, double h) {
-                const double a = slope(rho, phi);
-                const double b = slope(rho + h / 2.0 * a, phi + h / 2.0);
-                const double c = slope(rho + h / 2.0 * b, phi + h / 2.0);
-                const double d = slope(rho + h * c, phi + h);
-                return rho + h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
-            }),
+            4.0, runge_kutta_step<Slope>),
         adaptive({"dormand-prince",
                   CORE_TEXT("methods", "Dormand-Prince with step control"),
                   CORE_TEXT("methods", "its steps shrink to nothing where ρ comes near ℓ₀/2"),
                   {{"1e-6", 1e-6}, {"1e-8", 1e-8}, {"1e-10", 1e-10}, {"1e-12", 1e-12}},
                   false},
-                 run_adaptive),
+                 run_adaptive<Slope>),
         adaptive({"rosenbrock",
                   CORE_TEXT("methods", "Rosenbrock 4, implicit, with step control"),
                   CORE_TEXT("methods", "the same place stops it: what is singular is not stiff"),
                   {{"1e-6", 1e-6}, {"1e-9", 1e-9}, {"1e-12", 1e-12}},
                   false},
                  run_implicit),
+        fixed_step<SquareSlope>(
+            {"square-rk4", CORE_TEXT("methods", "Runge-Kutta of order 4 for (ℓ₀/2 − ρ)²"),
+             CORE_TEXT("methods",
+                       "nothing is singular in the square: it is an integral, and the order holds "
+                       "everywhere; but its root halves the digits where ρ comes to ℓ₀/2"),
+             counted(CORE_TEXT("methods", "%1 steps"), {360, 720, 3600}), true},
+            4.0, runge_kutta_step<SquareSlope>),
+        adaptive({"square-dormand-prince",
+                  CORE_TEXT("methods", "Dormand-Prince for (ℓ₀/2 − ρ)²"),
+                  CORE_TEXT("methods",
+                            "long steps everywhere, but the same root; and the energy whose slope "
+                            "it integrates is known in closed form"),
+                  {{"1e-6", 1e-6}, {"1e-8", 1e-8}, {"1e-10", 1e-10}, {"1e-12", 1e-12}},
+                  false},
+                 run_adaptive<SquareSlope>),
+        chebyshev(),
+        enclosed(),
     };
     const GuideCase paper{preset_zotov()};
     const double least_preload = scene_guide(paper.input).minimum_preload;

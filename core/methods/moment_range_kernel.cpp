@@ -1,9 +1,11 @@
 #include <cmath>
 #include <limits>
+#include <queue>
 
 #include "balance-shaft/cycle_extrema.h"
 #include "balance-shaft/method_choices.h"
 #include "methods/definition.h"
+#include "methods/enclosure.h"
 #include "methods/torque_cycle.h"
 #include "methods/torque_reference.h"
 #include "numerics/constants.h"
@@ -165,6 +167,100 @@ Method<RangeCase> exact() {
     return method;
 }
 
+/// A stretch of a piece with bounds of a moment on it, N·m.
+struct Box {
+    std::size_t piece;
+    double from, to;  ///< from the piece's knot, degrees
+    double highest;   ///< no value is above it
+
+    bool operator<(const Box& other) const { return highest < other.highest; }
+};
+
+/// A bound above the largest of sign × M_ups that is no further above it than the tolerance: the
+/// box with the highest bound is halved until its bound is that near to a value.
+/// @param boxes  counts the enclosures made
+double enclosed_maximum(const PeriodicPiecewise& moment, double amplitude, double alpha,
+                        double sign, double tolerance, int& boxes) {
+    const Enclosure unit = Enclosure(degree * (1.0 - 1e-16), degree * (1.0 + 1e-16));
+    std::priority_queue<Box> open;
+    double reached = -std::numeric_limits<double>::infinity();
+    const auto open_box = [&](std::size_t i, double from, double to) {
+        const auto& p = moment.pieces()[i];
+        const Enclosure knot(moment.knots()[i]);
+        const auto phase = [&](const Enclosure& t) { return (knot + t) * unit + Enclosure(alpha); };
+        const auto value = [&](const Enclosure& t) {
+            return sign * (p.y + t * (p.c1 + t * (p.c2 + t * p.c3)) + amplitude * sin(phase(t)));
+        };
+        const Enclosure box(from, to);
+        const Enclosure slope = sign * (p.c1 + box * (2.0 * p.c2 + box * (3.0 * p.c3)) +
+                                        amplitude * unit * cos(phase(box)));
+        const Enclosure start = value(from);
+        const Enclosure end = value(to);
+        boxes += 3;
+        reached = std::max({reached, start.lower(), end.lower()});
+        double highest = std::max(start.upper(), end.upper());
+        if (slope.lower() < 0.0 && slope.upper() > 0.0) {
+            const double middle = 0.5 * (from + to);
+            const Enclosure inside = value(middle) + slope * (box - Enclosure(middle));
+            highest = std::max(highest, inside.upper());
+            ++boxes;
+        }
+        if (highest > reached) {
+            open.push({i, from, to, highest});
+        }
+    };
+    for (std::size_t i = 0; i < moment.size(); ++i) {
+        open_box(i, 0.0, moment.knots()[i + 1] - moment.knots()[i]);
+    }
+    constexpr int most = 20'000;
+    while (!open.empty() && open.top().highest > reached + tolerance && boxes < most) {
+        const Box box = open.top();
+        open.pop();
+        const double middle = 0.5 * (box.from + box.to);
+        open_box(box.piece, box.from, middle);
+        open_box(box.piece, middle, box.to);
+    }
+    return open.empty() ? reached : std::max(reached, open.top().highest);
+}
+
+double enclosed_range(const RangeCase& cycle, const PeriodicPiecewise& moment, double tolerance,
+                      int& boxes) {
+    double sum = 0.0;
+    for (const double sign : {1.0, -1.0}) {
+        sum += enclosed_maximum(moment, cycle.amplitude, cycle.alpha, sign,
+                                tolerance * cycle.size() / 2.0, boxes);
+    }
+    return sum;
+}
+
+Method<RangeCase> intervals() {
+    Method<RangeCase> method;
+    method.info = {"intervals",
+                   CORE_TEXT("methods", "interval bounds, halved"),
+                   CORE_TEXT("methods",
+                             "cannot miss a peak however narrow, and says how far off it is at "
+                             "most; the price is thousands of times that of the closed form"),
+                   {{{CORE_TEXT("methods", "to %1"), "1e-3"}, 1e-3},
+                    {{CORE_TEXT("methods", "to %1"), "1e-6"}, 1e-6},
+                    {{CORE_TEXT("methods", "to %1"), "1e-9"}, 1e-9}},
+                   false};
+    method.prepare = [](const RangeCase& cycle, const Setting& setting) -> Run {
+        return [&cycle, moment = cycle.interpolant<double>(),
+                tolerance = setting.value](std::span<double> out) {
+            int boxes = 0;
+            out[0] = enclosed_range(cycle, moment, tolerance, boxes);
+            return Message();
+        };
+    };
+    method.operations = [](const RangeCase& cycle, const Setting& setting) {
+        int boxes = 0;
+        enclosed_range(cycle, cycle.interpolant<double>(), setting.value, boxes);
+        constexpr double of_a_box = 4.0 * 28.0;  // both ends of every operation, rounded apart
+        return boxes * of_a_box;
+    };
+    return method;
+}
+
 std::vector<Expected> reference(const RangeCase& cycle) {
     return {{0, TorqueReference(cycle).range(Real50(cycle.alpha)), cycle.size()}};
 }
@@ -192,7 +288,7 @@ Kernel moment_range_kernel() {
         "methods", "extrema of every degree by Newton's method, against the method in use");
     kernel.check_tolerance = 1e-40;
     kernel.choice = balance_shaft::moment_range_choice;
-    definition.methods = {nodes(), golden_section(), exact()};
+    definition.methods = {nodes(), golden_section(), intervals(), exact()};
     const TorqueCycle paper = paper_cycle();
     definition.sweeps = {
         {{"shaft-angle", CORE_TEXT("methods", "shaft angle α, the paper's engine"), units::degree,
