@@ -3,20 +3,32 @@
 #include <algorithm>
 #include <array>
 #include <boost/math/tools/toms748_solve.hpp>
-#include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "case-file/input_error.h"
+#include "numerics/chebyshev.h"
 
 namespace ravnoves::elastic_hinge {
 
 namespace {
 
-using State = std::array<double, 2>;  // φ, φ̇
+/// The mechanism at one crank angle, whatever its speed.
+struct Place {
+    double inertia;    ///< I, kg·m²
+    double slope;      ///< I′, kg·m²
+    double potential;  ///< V + Π − work of the crank's moment, J, up to a constant
+    double moment;     ///< −d potential / dφ by weights, spring and the guide's slope, N·m
 
-/// The one equation of motion.
+    double acceleration(double speed) const {
+        return (moment - 0.5 * slope * speed * speed) / inertia;
+    }
+};
+
+/// The one equation of motion, I φ̈ + ½ I′ φ̇² = moment, and its integral, ½ I φ̇² + potential.
 class System {
   public:
     System(const Design& design, const Guide& guide, const MotionSetup& setup)
@@ -25,70 +37,53 @@ class System {
           setup_(setup),
           shape_(setup.hinges == HingeSet::none ? nullptr : guide.shape.get()),
           branch_(guide.branch),
-          potential_(potential_amplitude(mechanism_)),
+          weight_(potential_amplitude(mechanism_)),
           mean_(design.rod_hinge_mean()) {}
 
-    void operator()(const State& x, State& dx, double /*time*/) const {
-        const double s = std::sin(x[0]);
-        const double c = std::cos(x[0]);
+    Place at(double phi) const {
+        ++asked_;
+        const double s = std::sin(phi);
+        const double c = std::cos(phi);
         const auto rod = rod_angle_exact(mechanism_.lambda, s, c);
         const auto inertia = reduced_inertia(mechanism_, s, c, rod);
-        double moment = setup_.crank_torque - 0.5 * inertia.slope * x[1] * x[1] - potential_ * c;
+        Place place{inertia.value, inertia.slope,
+                    weight_ * s - setup_.crank_torque * (phi - setup_.start_angle),
+                    setup_.crank_torque - weight_ * c};
         if (shape_ != nullptr) {
-            moment += hinge_moment(x[0], s, c, rod, inertia);
+            add_hinges(phi, s, c, rod, inertia, place);
         }
-        dx[0] = x[1];
-        dx[1] = moment / inertia.value;
+        return place;
     }
 
-    /// T, J.
-    double kinetic(const State& x) const {
-        const double s = std::sin(x[0]);
-        const double c = std::cos(x[0]);
-        const auto rod = rod_angle_exact(mechanism_.lambda, s, c);
-        return 0.5 * reduced_inertia(mechanism_, s, c, rod).value * x[1] * x[1];
-    }
-
-    /// V + Π − work of the crank's moment, J.
-    double potential(const State& x) const {
-        double energy =
-            potential_ * std::sin(x[0]) - setup_.crank_torque * (x[0] - setup_.start_angle);
-        if (shape_ != nullptr) {
-            const GuidePoint point = shape_->at(branch_, x[0]);
-            energy += shape_->energy(point.radius + error(x[0]));
-            if (setup_.hinges == HingeSet::crank_and_rod) {
-                energy += design_.rod_work(x[0]);
-            }
-        }
-        return energy;
-    }
+    std::size_t asked() const { return asked_; }
 
   private:
-    double error(double phi) const {
-        return setup_.profile_error * std::sin(setup_.profile_error_waves * phi);
-    }
-
-    /// −dΠ/dφ of all hinges, N·m.
-    double hinge_moment(double phi, double s, double c, const RodAngle<double>& rod,
-                        const ReducedInertia<double>& inertia) const {
+    void add_hinges(double phi, double s, double c, const RodAngle<double>& rod,
+                    const ReducedInertia<double>& inertia, Place& place) const {
         const auto rise = energy_rise(mechanism_, design_.angular_speed(), s, c, inertia);
-        double rod_moment = 0.0;
-        AngleState state{};
         Demand demand{};
         if (setup_.hinges == HingeSet::crank) {
-            demand = design_.demand(Hinge::crank, phi, state, rise, 0.0);
+            demand = design_.demand(Hinge::crank, phi, {}, rise, 0.0);
         } else {
+            AngleState state{};
             state.exact = rod;
             state.moment = design_.rod_moment(s, c);
-            demand = design_.demand(Hinge::crank_with_rod, phi, state, rise, design_.rod_work(phi));
-            rod_moment = (state.moment.value(design_.angular_speed()) - mean_) * (1.0 + rod.dpsi);
+            const double work = design_.rod_work(phi);
+            demand = design_.demand(Hinge::crank_with_rod, phi, state, rise, work);
+            place.potential += work;
+            place.moment -=
+                (state.moment.value(design_.angular_speed()) - mean_) * (1.0 + rod.dpsi);
         }
         const GuidePoint point = shape_->at(branch_, demand);
         const auto& spring = shape_->spring();
         const double waves = setup_.profile_error_waves;
+        const double error = setup_.profile_error * std::sin(waves * phi);
         const double slope = point.slope + setup_.profile_error * waves * std::cos(waves * phi);
-        const double change = spring.free_length - 2.0 * (point.radius + error(phi));
-        return 2.0 * spring.stiffness * change * slope - rod_moment;
+        const double change = spring.free_length - 2.0 * point.radius;
+        // ½ c (change − 2 error)² less what is constant: no difference of large energies.
+        place.potential +=
+            2.0 * spring.stiffness * (error * (error - change) - shape_->given_out(demand));
+        place.moment += 2.0 * spring.stiffness * (change - 2.0 * error) * slope;
     }
 
     const Design& design_;
@@ -96,9 +91,108 @@ class System {
     const MotionSetup& setup_;
     const GuideShape* shape_;
     Branch branch_;
-    double potential_;
+    double weight_;
     double mean_;
+    mutable std::size_t asked_ = 0;
 };
+
+constexpr std::size_t cell_points = 16;
+
+const ChebyshevPoints& points() {
+    static const ChebyshevPoints list(cell_points);
+    return list;
+}
+
+/// A stretch of the motion in one direction, x = −1…1 from its first angle to its last. Where the
+/// crank stands still at an end, the angle is quadratic in x there, so that the time is smooth.
+struct Cell {
+    double begin = 0.0;  ///< rad
+    double span = 0.0;   ///< rad, negative backwards
+    bool from_rest = false;
+    bool to_rest = false;
+    std::array<double, cell_points> rate{};      ///< series of dt/dx, s
+    std::array<double, cell_points + 1> time{};  ///< and of the time since the first angle
+    struct Node {
+        double angle, speed, acceleration;
+    };
+    struct Sample : Node {
+        double seconds;  ///< since the first angle
+    };
+    std::array<Node, cell_points> nodes{};
+    std::vector<Sample> samples;  ///< as they were recorded, the last at the last angle
+    double work = 0.0;            ///< of all moments, J
+    double potential = 0.0;       ///< at the last angle, J
+    double energy = 0.0;          ///< largest kinetic or potential energy, J
+    double last_terms = 0.0;      ///< of the rate's series, against the first: what is left out
+    double noise = 0.0;           ///< what rounding leaves in the rate, against the same
+
+    double angle(double x) const { return begin + span * part(0.5 * (1.0 + x)); }
+    double seconds(double x) const { return chebyshev_value(time, x); }
+    double slope(double x) const {  ///< d part / dx
+        return from_rest ? 0.5 * (1.0 + x) : to_rest ? 0.5 * (1.0 - x) : 0.5;
+    }
+    /// x of a part 0…1 of the span.
+    double place(double part_of_span) const {
+        const double y = from_rest ? std::sqrt(part_of_span)
+                         : to_rest ? 1.0 - std::sqrt(1.0 - part_of_span)
+                                   : part_of_span;
+        return 2.0 * y - 1.0;
+    }
+
+  private:
+    double part(double y) const { return from_rest ? y * y : to_rest ? y * (2.0 - y) : y; }
+};
+
+/// The energy from which speeds follow: kinetic at one angle, and the potential there.
+struct Level {
+    double kinetic;    ///< J
+    double potential;  ///< J
+    double at(const Place& place) const { return kinetic - (place.potential - potential); }
+    double speed(const Place& place) const {
+        return std::sqrt(2.0 * std::max(at(place), 0.0) / place.inertia);
+    }
+};
+
+/// Fills a cell whose begin, span and ends are set.
+/// @return false where the kinetic energy is not positive at some point, the first being `reached`
+bool fill(const System& system, const Level& level, Cell& cell, double& reached) {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    std::array<double, cell_points> rate{};
+    std::array<double, cell_points> power{};
+    const double side = cell.span < 0.0 ? -1.0 : 1.0;
+    double noise = 0.0;
+    for (std::size_t j = 0; j < cell_points; ++j) {
+        const double x = points()[j];
+        const double phi = cell.angle(x);
+        const Place place = system.at(phi);
+        const double kinetic = level.at(place);
+        if (!(kinetic > 0.0)) {
+            reached = phi;
+            return false;
+        }
+        const double speed = side * level.speed(place);
+        const double slope = cell.span * cell.slope(x);
+        rate[j] = slope / speed;
+        power[j] = place.moment * slope;
+        cell.nodes[j] = {phi, speed, place.acceleration(speed)};
+        const double energy =
+            std::abs(level.kinetic) + std::abs(level.potential) + std::abs(place.potential);
+        noise = std::max(noise, 4.0 * epsilon * rate[j] * energy / kinetic);
+        cell.energy = std::max({cell.energy, kinetic, std::abs(kinetic - level.kinetic)});
+    }
+    points().transform(power, cell.rate);
+    chebyshev_integral(cell.rate, cell.time);
+    cell.work = chebyshev_value(cell.time, 1.0);
+    points().transform(rate, cell.rate);
+    chebyshev_integral(cell.rate, cell.time);
+    const double whole = 0.5 * cell.rate[0];
+    cell.last_terms =
+        std::max(std::abs(cell.rate[cell_points - 1]), std::abs(cell.rate[cell_points - 2])) /
+        whole;
+    cell.noise = noise / whole;
+    cell.potential = system.at(cell.angle(1.0)).potential;
+    return true;
+}
 
 Number turns_of(double angle) {
     return {std::round(std::abs(angle) / two_pi * 1e4) / 1e4};
@@ -129,6 +223,8 @@ void check_setup(const Design& design, const Guide& guide, const MotionSetup& se
 }  // namespace
 
 namespace {
+
+using State = std::array<double, 2>;  // φ, φ̇
 
 /// Angle and speed within the interval that ends with sample `next`.
 State between(const Motion& motion, std::size_t next, double seconds) {
@@ -178,11 +274,9 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
     const System system(*design, crank_guide, setup);
     Motion motion;
 
-    const State start{setup.start_angle, setup.start_speed};
-    State slope{};
-    system(start, slope, 0.0);
-    const double inertia = reduced_inertia_at_zero(design->mechanism());
-    if (!std::isfinite(slope[1]) || !(inertia > 0.0)) {
+    const Place first = system.at(setup.start_angle);
+    const double acceleration = first.acceleration(setup.start_speed);
+    if (!std::isfinite(acceleration) || !(reduced_inertia_at_zero(design->mechanism()) > 0.0)) {
         throw InputError(
             "/input", CORE_TEXT("elastic-hinge",
                                 "must give the crank and the rod together some mass for a motion"));
@@ -190,7 +284,7 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
     const double wanted = setup.turns * two_pi;
 
     // A time in which something happens: of one radian at the start's speed or acceleration.
-    const double rate = std::max({std::abs(setup.start_speed), std::sqrt(std::abs(slope[1])),
+    const double rate = std::max({std::abs(setup.start_speed), std::sqrt(std::abs(acceleration)),
                                   1e-6 * design->angular_speed(), 1e-9});
     double longest = setup.longest_time;
     if (!(longest > 0.0)) {
@@ -203,131 +297,219 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
         motion.min_speed = std::min(motion.min_speed, speed);
         motion.max_speed = std::max(motion.max_speed, speed);
     };
-    const auto record = [&](double time, const State& x, double acceleration) {
+    const auto record = [&](double time, double angle, double speed, double acceleration) {
         motion.time.push_back(time);
-        motion.crank_angle.push_back(x[0]);
-        motion.speed.push_back(x[1]);
+        motion.crank_angle.push_back(angle);
+        motion.speed.push_back(speed);
         motion.acceleration.push_back(acceleration);
-        take_speed(x[1]);
+        take_speed(speed);
     };
-    const double potential_0 = system.potential(start);
-    const double kinetic_0 = system.kinetic(start);
-    double drift = 0.0;
-    double scale = kinetic_0;
-    const auto watch = [&](const State& x) {
-        const double kinetic = system.kinetic(x);
-        const double potential = system.potential(x) - potential_0;
-        drift = std::max(drift, std::abs((kinetic - kinetic_0) + potential));
-        scale = std::max({scale, kinetic, std::abs(potential)});
-    };
+    record(0.0, setup.start_angle, setup.start_speed, acceleration);
 
-    namespace odeint = boost::numeric::odeint;
-    // The absolute tolerance is that of an angle and of a speed at once: relative to the speed.
-    auto stepper = odeint::make_dense_output(setup.tolerance * std::max(1.0, rate) * 1e-2,
-                                             setup.tolerance, odeint::runge_kutta_dopri5<State>());
-    stepper.initialize(start, 0.0, 1e-3 / rate);
-    record(0.0, start, slope[1]);
+    Level level{0.5 * first.inertia * setup.start_speed * setup.start_speed, first.potential};
+    // From rest the crank goes where it is accelerated to.
+    double side = (setup.start_speed != 0.0 ? setup.start_speed : acceleration) < 0.0 ? -1.0 : 1.0;
+    bool at_rest = setup.start_speed == 0.0;
+    double phi = setup.start_angle;
+    double time = 0.0;
+    double work = 0.0;
+    double drift = 0.0;
+    double scale = level.kinetic;
+    bool done = false;
+
+    // Takes the speed where it is greatest or least between two nodes.
+    std::optional<Cell::Node> last_node;
+    const auto take_node = [&](const Cell::Node& node) {
+        const auto last = std::exchange(last_node, node);
+        if (!last || (last->acceleration < 0.0) == (node.acceleration < 0.0)) {
+            take_speed(node.speed);
+            return;
+        }
+        const double reach = std::max(std::abs(last->acceleration), std::abs(node.acceleration)) *
+                             std::abs((node.angle - last->angle) / node.speed);
+        const bool counts =
+            node.speed + reach > motion.max_speed || node.speed - reach < motion.min_speed;
+        if (counts && reach > 1e-13 * std::abs(node.speed)) {
+            std::uintmax_t tries = 60;
+            const auto bracket = boost::math::tools::toms748_solve(
+                [&](double angle) {
+                    const Place place = system.at(angle);
+                    return place.acceleration(level.speed(place));
+                },
+                std::min(last->angle, node.angle), std::max(last->angle, node.angle),
+                last->angle < node.angle ? last->acceleration : node.acceleration,
+                last->angle < node.angle ? node.acceleration : last->acceleration,
+                boost::math::tools::eps_tolerance<double>(40), tries);
+            take_speed(side * level.speed(system.at(bracket.second)));
+        }
+        take_speed(node.speed);
+    };
 
     const double sample_angle = two_pi / std::max(setup.samples_per_turn, 4);
+    const auto sample = [&](Cell& cell, double end) {
+        // Cells are short where much happens: what is read between samples is as good there.
+        constexpr double fewest = 8.0;
+        const auto parts = static_cast<int>(std::clamp(
+            std::ceil(std::abs(cell.angle(end) - cell.begin) / sample_angle), fewest, 1000.0));
+        cell.samples.clear();
+        for (int part = 1; part <= parts; ++part) {
+            const double x = part == parts ? end : -1.0 + (end + 1.0) * part / parts;
+            const double angle = cell.angle(x);
+            const Place place = system.at(angle);
+            const double speed = cell.slope(x) > 0.0 ? side * level.speed(place) : 0.0;
+            cell.samples.push_back({{angle, speed, place.acceleration(speed)}, cell.seconds(x)});
+        }
+    };
     constexpr std::size_t most_steps = 20'000'000;
-    bool done = false;
-    // The time at which f of the state changes its sign within the last step.
-    const auto locate = [&](const auto& f, double from, double to) {
-        State x{};
-        const auto at = [&](double time) {
-            stepper.calc_state(time, x);
-            return f(x);
-        };
-        const double a = at(from);
-        const double b = at(to);
-        if (a == 0.0) {
-            return from;
-        }
-        if (b == 0.0 || (a < 0.0) == (b < 0.0)) {
-            return to;
-        }
-        std::uintmax_t tries = 60;
-        const auto bracket = boost::math::tools::toms748_solve(
-            at, from, to, a, b, boost::math::tools::eps_tolerance<double>(48), tries);
-        return bracket.second;
-    };
-
-    const auto acceleration = [&](const State& x) {
-        State rate_of_x{};
-        system(x, rate_of_x, 0.0);
-        return rate_of_x[1];
-    };
-    // Takes the speed where it is greatest or least between the last two samples.
-    double last_acceleration = slope[1];
-    const auto take_extremum = [&](double begin, double end, const State& x) {
-        const double present = motion.acceleration.back();
-        const double last = std::exchange(last_acceleration, present);
-        const double reach = std::max(std::abs(last), std::abs(present)) * (end - begin);
-        const bool turns = (last < 0.0) != (present < 0.0);
-        const bool counts = x[1] + reach > motion.max_speed || x[1] - reach < motion.min_speed;
-        if (turns && counts && reach > 1e-13 * std::abs(x[1])) {
-            State extreme{};
-            stepper.calc_state(locate(acceleration, begin, end), extreme);
-            take_speed(extreme[1]);
-        }
-    };
-
-    while (!done) {
-        const auto [from, step_end] = stepper.do_step(std::cref(system));
-        ++motion.steps;
-        double to = step_end;
-        const State& ahead = stepper.current_state();
-        if (!std::isfinite(ahead[0]) || !std::isfinite(ahead[1])) {
-            throw std::runtime_error("the motion left the range of numbers");
-        }
-        State before{};
-        stepper.calc_state(from, before);
-
-        if (std::abs(ahead[0] - setup.start_angle) >= wanted) {
-            const double side = ahead[0] > setup.start_angle ? 1.0 : -1.0;
-            to = locate([&](const State& x) { return side * (x[0] - setup.start_angle) - wanted; },
-                        from, to);
+    // Goes through a cell, new or used again some turns further, as far as angle and time allow.
+    const auto pass = [&](Cell& cell, double turns_before) {
+        double end = 1.0;
+        const double left = wanted - side * (phi - setup.start_angle);
+        if (left <= std::abs(cell.span) + 1e-15 * wanted) {
+            end = std::min(cell.place(std::min(left / std::abs(cell.span), 1.0)), 1.0);
             motion.end = MotionEnd::completed;
             done = true;
         }
-        if (to >= longest) {
-            to = longest;
-            done = true;
+        const bool at_limit = time + cell.seconds(end) >= longest;
+        if (at_limit) {
+            std::uintmax_t tries = 60;
+            end = boost::math::tools::toms748_solve(
+                      [&](double x) { return time + cell.seconds(x) - longest; }, -1.0, end,
+                      time - longest, time + cell.seconds(end) - longest,
+                      boost::math::tools::eps_tolerance<double>(50), tries)
+                      .second;
             motion.end = setup.longest_time > 0.0 ? MotionEnd::completed : MotionEnd::too_slow;
+            done = true;
         }
-        // From rest the first sign is that of the acceleration.
-        if (setup.stop_at_reversal && before[1] != 0.0 && (before[1] < 0.0) != (ahead[1] < 0.0)) {
-            const double stop = locate([](const State& x) { return x[1]; }, from, step_end);
-            if (stop <= to) {
-                to = stop;
-                done = true;
-                motion.end = MotionEnd::reversed;
+        if (turns_before == 0.0) {
+            for (std::size_t j = 0; j < cell_points && points()[j] <= end; ++j) {
+                take_node(cell.nodes[j]);
             }
+            work += cell.work;
+            scale = std::max(scale, cell.energy);
+            drift = std::max(drift, std::abs(work + (cell.potential - first.potential)));
         }
-
-        State x{};
-        stepper.calc_state(to, x);
-        const auto parts = static_cast<int>(
-            std::clamp(std::ceil(std::abs(x[0] - before[0]) / sample_angle), 1.0, 1000.0));
-        double last_time = from;
-        for (int part = 1; part <= parts; ++part) {
-            const double time = from + (to - from) * part / parts;
-            stepper.calc_state(time, x);
-            record(time, x, acceleration(x));
-            take_extremum(last_time, time, x);
-            last_time = time;
+        if (turns_before == 0.0 || end < 1.0) {
+            sample(cell, end);
         }
-        watch(x);
-        if (motion.steps >= most_steps) {
+        for (const Cell::Sample& point : cell.samples) {
+            record(time + point.seconds, side * two_pi * turns_before + point.angle, point.speed,
+                   point.acceleration);
+        }
+        if (at_limit) {
+            motion.time.back() = longest;
+        }
+        time = motion.time.back();
+        phi = motion.crank_angle.back();
+        ++motion.steps;
+        if (motion.steps >= most_steps && !done) {
             motion.end = MotionEnd::too_slow;
             done = true;
         }
         if (progress && (done || motion.steps % 256 == 0)) {
             const double part =
-                done ? 1.0 : std::max(std::abs(x[0] - setup.start_angle) / wanted, to / longest);
+                done ? 1.0 : std::max(std::abs(phi - setup.start_angle) / wanted, time / longest);
             if (!progress(std::min(part, 1.0)) && !done) {
                 motion.end = MotionEnd::cancelled;
                 done = true;
+            }
+        }
+    };
+
+    // Without a moment on the crank every turn is like the first.
+    const bool repeats = setup.crank_torque == 0.0;
+    std::vector<Cell> turn;
+    constexpr double longest_cell = two_pi / 4.0;
+    constexpr double shortest_cell = 1e-11;
+    constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+    double span = two_pi / 8.0;
+    double stop = nowhere;  // the angle at which the crank will stop, where that is known
+    while (!done) {
+        Cell cell;
+        cell.begin = phi;
+        cell.from_rest = at_rest;
+        // Cells end at whole turns.
+        const double gone = std::abs(phi - setup.start_angle) / two_pi;
+        const double to_turn = (std::floor(gone + 1e-12) + 1.0 - gone) * two_pi;
+        const double to_stop = std::isnan(stop) ? 2.0 * to_turn : side * (stop - phi);
+        if (!(to_stop > 0.0)) {
+            motion.end = MotionEnd::reversed;
+            break;
+        }
+        cell.to_rest = std::min(span, to_turn) > 0.999 * to_stop;
+        if (cell.to_rest && at_rest) {  // not at both ends
+            cell.to_rest = false;
+            span = 0.5 * to_stop;
+        }
+        cell.span = side * (cell.to_rest ? to_stop : std::min(span, to_turn));
+        double reached = 1.0;
+        const bool filled = fill(system, level, cell, reached);
+        if (!filled && std::isnan(stop)) {
+            // The crank stops on the way: after the last point that moves.
+            const auto kinetic = [&](double angle) { return level.at(system.at(angle)); };
+            double from = phi;
+            for (std::size_t j = 0; j < cell_points; ++j) {
+                const double angle = cell.angle(points()[j]);
+                from = side * (reached - angle) > 0.0 ? angle : from;
+            }
+            const double a = kinetic(from);
+            const double b = kinetic(reached);
+            if (a > 0.0 && b < 0.0) {
+                std::uintmax_t tries = 80;
+                const auto bracket = boost::math::tools::toms748_solve(
+                    kinetic, std::min(from, reached), std::max(from, reached), side > 0.0 ? a : b,
+                    side > 0.0 ? b : a, boost::math::tools::eps_tolerance<double>(52), tries);
+                stop = side > 0.0 ? bracket.first : bracket.second;
+                continue;
+            }
+        }
+        if (filled && !std::isfinite(cell.last_terms)) {
+            throw std::runtime_error("the motion left the range of numbers");
+        }
+        if (!filled || cell.last_terms > setup.tolerance + cell.noise) {
+            if (std::abs(cell.span) > shortest_cell) {
+                span = 0.5 * std::abs(cell.span);
+                continue;
+            }
+            if (!filled) {
+                if (at_rest) {  // nothing drives it
+                    record(longest, phi, 0.0, 0.0);
+                }
+                motion.end = !at_rest                   ? MotionEnd::reversed
+                             : setup.longest_time > 0.0 ? MotionEnd::completed
+                                                        : MotionEnd::too_slow;
+                break;
+            }
+        }
+        // A cell that a turn's end cut short says nothing of how long the next one may be.
+        const bool has_room = cell.last_terms < 1e-3 * setup.tolerance + cell.noise;
+        span = std::min(std::max(span, (has_room ? 2.0 : 1.0) * std::abs(cell.span)), longest_cell);
+        pass(cell, 0.0);
+        at_rest = false;
+        if (done) {
+            break;
+        }
+        if (cell.to_rest) {
+            if (setup.stop_at_reversal) {
+                motion.end = MotionEnd::reversed;
+                break;
+            }
+            side = -side;
+            at_rest = true;
+            level = {0.0, cell.potential};
+            turn.clear();
+            last_node.reset();
+            stop = nowhere;
+            continue;
+        }
+        if (!repeats) {
+            continue;
+        }
+        turn.push_back(cell);
+        const double turned = std::abs(phi - turn.front().begin);
+        for (double turns = 1.0; !done && turned > two_pi * (1.0 - 1e-12); ++turns) {
+            for (std::size_t i = 0; i < turn.size() && !done; ++i) {
+                pass(turn[i], turns);
             }
         }
     }
@@ -338,6 +520,7 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
                         ? (motion.max_speed - motion.min_speed) / std::abs(motion.mean_speed)
                         : 0.0;
     motion.energy_drift = scale > 0.0 ? drift / scale : 0.0;
+    motion.evaluations = system.asked();
     switch (motion.end) {
         case MotionEnd::completed:
             break;

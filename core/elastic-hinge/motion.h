@@ -31,8 +31,9 @@ struct MotionSetup {
     double profile_error = 0.0;  ///< ε of waves ε sin(n φ) on the crank's guide, m
     int profile_error_waves = 1;
     int samples_per_turn = 180;  ///< at least
-    /// Relative, of one integration step: the one that motion_choice declares.
-    double tolerance = 1e-11;
+    /// What the series of a stretch's time may leave out, as a part of that time: the one that
+    /// motion_choice declares.
+    double tolerance = 1e-8;
 };
 
 /// The motion at growing times.
@@ -48,10 +49,11 @@ struct Motion {
     double mean_speed = 0.0;  ///< angle turned / time, rad/s
     /// (max − min) / mean, the coefficient of speed fluctuation; 0 where the mean is 0.
     double ripple = 0.0;
-    /// Largest change of T + V + Π − work of the crank's moment, against the largest change of T or
-    /// the work done, whichever is larger.
+    /// Largest difference between the work of all moments, the spring's by the slope of its guide,
+    /// and what the energies gave for it, against the largest T or change of T.
     double energy_drift = 0.0;
-    std::size_t steps = 0;  ///< of the integrator
+    std::size_t steps = 0;        ///< stretches that the motion was made of
+    std::size_t evaluations = 0;  ///< crank angles at which the mechanism was computed
 
     /// Crank angle (rad) and speed (rad/s) at a time between the samples, by the polynomial of
     /// order 5 through angle, speed and acceleration of both neighbours.
@@ -62,7 +64,12 @@ struct Motion {
 /// Called with the part done, 0…1; false cancels.
 using MotionProgress = std::function<bool(double)>;
 
-/// Integrates the motion with Boost.Odeint (Dormand–Prince 5 with dense output).
+/// The motion by its energy: T + V + Π − work of the crank's moment is constant and a function of φ
+/// and φ̇² alone, so the speed at every angle is known without integration, and the time is the
+/// integral of dφ/φ̇. That is done stretch by stretch by a Chebyshev series, of which a stretch is
+/// halved until the last terms are below the tolerance; where the crank stands still the root of
+/// the energy is taken out. Nothing drifts, and without a moment on the crank the first turn serves
+/// for all.
 ///
 /// The crank's hinge acts through its guide: the moment is that of the spring on a roller at ρ(φ)
 /// with slope ρ′(φ), whatever the crank's speed.

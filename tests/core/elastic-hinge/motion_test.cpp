@@ -1,6 +1,8 @@
 #include "elastic-hinge/motion.h"
 
 #include "elastic-hinge/presets.h"
+#include "methods/runge_kutta.h"
+#include "numerics/constants.h"
 #include "support.h"
 
 namespace ravnoves::elastic_hinge {
@@ -206,17 +208,107 @@ TEST(ElasticHingeMotion, ProfileErrorShowsAsRipple) {
     EXPECT_LT(made.energy_drift, 1e-9);
 }
 
-TEST(ElasticHingeMotion, DriftFallsWithTheTolerance) {
+/// Nothing drifts; what the tolerance bounds is the time, here of turns without hinge against the
+/// trapezoid rule for dφ/φ̇, which converges geometrically.
+TEST(ElasticHingeMotion, TimeIsAsGoodAsTheTolerance) {
+    for (const double lambda : {0.1, 0.3, 0.9, 0.999}) {
+        Input input = preset_zotov();
+        input.lambda = lambda;
+        const Result result = solve(input);
+        const auto& m = result.design->mechanism();
+        constexpr int nodes = 4096;
+        double turn = 0.0;
+        for (int i = 0; i < nodes; ++i) {
+            const double s = std::sin(two_pi * i / nodes);
+            const double c = std::cos(two_pi * i / nodes);
+            const double I = reduced_inertia(m, s, c, rod_angle_exact(m.lambda, s, c)).value;
+            turn += two_pi / nodes *
+                    std::sqrt(
+                        I / (reduced_inertia_at_zero(m) * 1e4 - 2.0 * potential_amplitude(m) * s));
+        }
+        for (const double tolerance : {1e-4, 1e-8, 1e-12}) {
+            MotionSetup setup;
+            setup.start_speed = 100.0;
+            setup.tolerance = tolerance;
+            setup.turns = 3.0;
+            const Motion motion = simulate(result.design, result.crank_guide, setup);
+            EXPECT_NEAR(motion.time.back() / (3.0 * turn), 1.0, tolerance + 1e-14)
+                << lambda << " " << tolerance;
+            EXPECT_LT(motion.energy_drift, 1e-11);
+        }
+    }
+}
+
+/// A crank alone is a physical pendulum: 80° from its lowest place it swings with the period
+/// 4 K(sin 40°) / ω₀, there and back.
+TEST(ElasticHingeMotion, SwingsThereAndBackAsAPendulumDoes) {
+    Input input = preset_zotov();
+    input.rod_mass = 0.0;
+    input.slider_mass = 0.0;
+    input.spring.reset();
+    const Result result = solve(input);
+    const auto& m = result.design->mechanism();
+    const double amplitude = 80.0 * degree;
+    const double I = reduced_inertia_at_zero(m);
+    const double G = potential_amplitude(m);
+    const double period = 4.0 * std::comp_ellint_1(std::sin(amplitude / 2.0)) * std::sqrt(I / G);
+    MotionSetup setup;
+    setup.start_angle = -90.0 * degree + amplitude;
+    setup.stop_at_reversal = false;
+    setup.turns = 1000.0;
+    for (const double periods : {0.25, 1.0, 2.25, 7.5}) {
+        setup.longest_time = periods * period;
+        const Motion motion = simulate(result.design, result.crank_guide, setup);
+        const double x = std::remainder(periods, 1.0);
+        const double angle = x == 0.25 ? 0.0 : x == 0.0 ? amplitude : -amplitude;
+        const double speed = x == 0.25 ? -std::sqrt(2.0 * G * (1.0 - std::cos(amplitude)) / I) : 0;
+        EXPECT_NEAR(motion.crank_angle.back() + 90.0 * degree, angle, 1e-7) << periods;
+        EXPECT_NEAR(motion.speed.back(), speed, 1e-5) << periods;
+    }
+}
+
+/// The equation of motion, integrated in time, says the same: with a moment on the crank, waves on
+/// the guide, and off the design speed.
+TEST(ElasticHingeMotion, TheEquationOfMotionSaysTheSame) {
     const Input input = preset_zotov();
     const Result result = solve(input);
-    double before = 1.0;
-    for (const double tolerance : {1e-6, 1e-8, 1e-10}) {
-        MotionSetup setup;
-        setup.start_speed = 100.0;
-        setup.tolerance = tolerance;
-        const Motion motion = simulate(result.design, result.crank_guide, setup);
-        EXPECT_LT(motion.energy_drift, 0.3 * before);
-        before = motion.energy_drift;
+    const auto& m = result.design->mechanism();
+    const Guide& guide = result.crank_guide;
+    const auto& spring = guide.shape->spring();
+    MotionSetup setup;
+    setup.hinges = HingeSet::crank;
+    setup.start_angle = 0.3;
+    setup.start_speed = 90.0;
+    setup.turns = 100.0;
+    setup.tolerance = 1e-12;
+    for (const double torque : {0.0, 0.4, -0.4}) {
+        for (const double waves : {0.0, 12.0}) {
+            setup.crank_torque = torque;
+            setup.profile_error = waves > 0.0 ? 2e-6 : 0.0;
+            setup.profile_error_waves = static_cast<int>(waves);
+            const auto acceleration = [&](double phi, double speed) {
+                const double s = std::sin(phi);
+                const double c = std::cos(phi);
+                const auto I = reduced_inertia(m, s, c, rod_angle_exact(m.lambda, s, c));
+                const GuidePoint point = guide.shape->at(guide.branch, phi);
+                const double radius = point.radius + setup.profile_error * std::sin(waves * phi);
+                const double slope =
+                    point.slope + setup.profile_error * waves * std::cos(waves * phi);
+                const double moment =
+                    torque - potential_amplitude(m) * c +
+                    2.0 * spring.stiffness * (spring.free_length - 2.0 * radius) * slope;
+                return (moment - 0.5 * I.slope * speed * speed) / I.value;
+            };
+            methods::Dop853 method(1e-13, 90.0, 1e-4);
+            methods::TurnState state{setup.start_angle, setup.start_speed};
+            for (int k = 1; k <= 3; ++k) {
+                EXPECT_TRUE(method.advance(acceleration, 0.1, state));
+                setup.longest_time = 0.1 * k;
+                const Motion motion = simulate(result.design, guide, setup);
+                EXPECT_NEAR(motion.crank_angle.back(), state.angle, 1e-9) << torque << " " << waves;
+                EXPECT_NEAR(motion.speed.back(), state.speed, 1e-7) << torque << " " << waves;
+            }
+        }
     }
 }
 

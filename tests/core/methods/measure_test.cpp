@@ -65,7 +65,8 @@ TEST(Measure, CancelsAndTellsHowFarItIs) {
     EXPECT_LT(parts.back(), 0.7);
 }
 
-/// A run of minutes ends within a moment, whichever method it is in.
+/// A run of minutes ends within a moment, whichever method it is in; those whose turns repeat make
+/// so many in a moment anyway.
 TEST(Measure, CancelsInTheMidstOfALongRun) {
     const Kernel& kernel = *find_kernel("hinge-motion");
     const std::size_t turns = kernel.find_sweep("turns");
@@ -77,10 +78,17 @@ TEST(Measure, CancelsInTheMidstOfALongRun) {
             problem->prepare(method, kernel.methods[method].settings.size() - 1);
         std::vector<double> out(problem->outputs());
         const auto start = std::chrono::steady_clock::now();
-        EXPECT_THROW(static_cast<void>(run(out)), Cancelled);
+        bool cancelled = false;
+        try {
+            static_cast<void>(run(out));
+        } catch (const Cancelled&) {
+            cancelled = true;
+        }
         const std::chrono::duration<double> lasted = std::chrono::steady_clock::now() - start;
-        EXPECT_LT(lasted.count(), 5.0) << kernel.methods[method].id;
-        EXPECT_EQ(asked, 3);
+        EXPECT_LT(lasted.count(), cancelled ? 5.0 : 0.5) << kernel.methods[method].id;
+        EXPECT_TRUE(cancelled || kernel.methods[method].id.starts_with("energy-"))
+            << kernel.methods[method].id;
+        EXPECT_EQ(asked == 3, cancelled);
     }
     check_cancelled();  // without a scope it does nothing
 }
