@@ -61,6 +61,13 @@ QString nanoseconds(double value) {
     return QLocale().toString(rounded, 'f', decimals);
 }
 
+/// Where a method fails, along all the hard parameters that have been looked along so far.
+QString failingText(const Kernel& kernel, const MethodRow& row) {
+    const bool more = !row.fails.empty() && row.fails.size() < kernel.sweeps.size();
+    return methodText(methods::failing_summary(kernel, row)) +
+           (more ? QStringLiteral(" …") : QString());
+}
+
 QStringList cells(const Kernel& kernel, const MethodRow& row) {
     const methods::MethodInfo& method = kernel.methods[row.method];
     QString title = shownText(method.title);
@@ -74,7 +81,7 @@ QStringList cells(const Kernel& kernel, const MethodRow& row) {
             resultText(row.result),
             QLocale().toString(std::round(row.operations), 'f', 0),
             first && row.order ? QLocale().toString(*row.order, 'f', 1) : QString(),
-            methodText(methods::failing_summary(kernel, row))};
+            failingText(kernel, row)};
 }
 
 /// Where a method fails, a line for each hard parameter.
@@ -261,6 +268,7 @@ QWidget* MethodsPage::buildResults() {
     table_->setObjectName(QStringLiteral("methods_table"));
     table_->setAccessibleName(tr("Methods as measured"));
     table_->setMinimumHeight(150);
+    table_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // rows never cost a chart
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setColumns({tr("Method"), tr("Setting"), tr("Time, ns"), tr("Error"), tr("Operations"),
                         tr("Order"), tr("Beyond the tolerance")});
@@ -421,8 +429,7 @@ void MethodsPage::chooseRow() {
     for (const MethodRow& other : report.rows) {
         if (other.method == chosen && !other.fails.empty()) {
             text += QLatin1Char(' ') +
-                    tr("Beyond the tolerance: %1.")
-                        .arg(methodText(methods::failing_summary(shown->kernel(), other)));
+                    tr("Beyond the tolerance: %1.").arg(failingText(shown->kernel(), other));
         }
     }
     limits_->setText(text);

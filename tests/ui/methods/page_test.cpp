@@ -105,6 +105,19 @@ TEST_F(MethodsPageTest, EveryPointIsDrawn) {
     EXPECT_EQ(drawn, shown.work.points.size());
 }
 
+/// However many rows a kernel's table has, they scroll, and the charts keep their room.
+TEST_F(MethodsPageTest, ALongTableLeavesTheChartsTheirRoom) {
+    for (int kernel = 0; kernel < static_cast<int>(model->kernels().size()); ++kernel) {
+        model->setKernel(static_cast<std::size_t>(kernel));
+        if (model->kernel().id == "hinge-motion") {
+            continue;  // as long as the others, and slow
+        }
+        measure();
+        EXPECT_GT(page.plots()->workPlot()->plotArea().height(), 100.0) << kernel;
+        EXPECT_GE(page.table()->height(), 150) << kernel;
+    }
+}
+
 TEST_F(MethodsPageTest, ZeroAndRefusalHaveRowsOfTheirOwn) {
     // At λ = 1 the exact methods refuse; on the paper's engine the exact mean may be off by
     // nothing.

@@ -81,7 +81,7 @@ void MethodMeasurements::mapOthers(const Kernel& kernel) {
     while (sweep < kernel.sweeps.size() && maps_.contains({&kernel, sweep})) {
         ++sweep;
     }
-    if (sweep == kernel.sweeps.size() || job_->isRunning()) {
+    if (sweep == kernel.sweeps.size()) {
         return;
     }
     mapJob_->start([this, &kernel, sweep](const BackgroundJob::Progress& progress) {

@@ -50,7 +50,7 @@ class MethodMeasurements : public QObject {
     bool isRunning() const { return job_->isRunning(); }
     double part() const { return part_; }  ///< done of the one that runs, 0…1
     /// Begins to map a kernel's errors along the hard parameters that were not looked at, one after
-    /// the other, unless a measurement runs; the next one stops it.
+    /// the other; the next measurement stops it.
     void mapOthers(const methods::Kernel& kernel);
 
     /// The newest measurement of a kernel; null before the first.

@@ -49,8 +49,8 @@ MethodsModel::MethodsModel(QObject* parent)
             [this](std::shared_ptr<const MethodMeasurement> measurement) {
                 shown_ = std::move(measurement);
                 Q_EMIT changed();
-                if (!settle_.isActive()) {
-                    settle_.start(0);  // the other hard parameters
+                if (active_ && !settle_.isActive()) {
+                    measurements_->mapOthers(kernel());
                 }
             });
     connect(measurements_, &MethodMeasurements::runningChanged, this,
@@ -231,7 +231,7 @@ void MethodsModel::measureIfNeeded() {
     }
     if (!shown_ || !shown_->isOf(kernel(), sweepIndex(), value())) {
         measurements_->start(kernel(), sweepIndex(), value(), MeasurementEffort::quick);
-    } else {
+    } else if (!measurements_->isRunning()) {
         measurements_->mapOthers(kernel());
     }
 }
