@@ -562,27 +562,6 @@ Method<MotionCase> energy_series() {
     return method;
 }
 
-/// Time from one crank angle to another, s: Gauss-Legendre in parts that are halved until two rules
-/// agree.
-Real50 time_between(const MotionCase& motion, const elastic_hinge::Mechanism<Real50>& mechanism,
-                    const Real50& from, const Real50& to) {
-    const Real50 omega(motion.input.angular_speed);
-    const Real50 start(motion.start_speed);
-    const auto slowness = [&](const Real50& phi) {
-        return Real50(1 / speed_at(mechanism, omega, start, Real50(sin(phi)), Real50(cos(phi))));
-    };
-    namespace quadrature = boost::math::quadrature;
-    const Real50 fine = quadrature::gauss<Real50, 30>::integrate(slowness, from, to);
-    const Real50 coarse = quadrature::gauss<Real50, 20>::integrate(slowness, from, to);
-    const Real50 enough = Real50("1e-32") / abs(start);
-    if (!(abs(Real50(fine - coarse)) > enough) || abs(Real50(to - from)) < Real50("1e-4")) {
-        return fine;
-    }
-    const Real50 middle = (from + to) / 2;
-    return time_between(motion, mechanism, from, middle) +
-           time_between(motion, mechanism, middle, to);
-}
-
 std::vector<Expected> reference(const MotionCase& motion) {
     if (!why_not(motion).empty()) {
         return {};
