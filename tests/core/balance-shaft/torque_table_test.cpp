@@ -11,7 +11,7 @@ using test::error_of;
 
 const TorqueTable small{{0, 180, 360, 540, 720}, {0, -90.5, 893, 30, 0}};
 
-std::string refusal(const std::string& text) {
+std::string refusal_of_text(const std::string& text) {
     return error_of([&] { parse_torque_table(text); });
 }
 
@@ -65,10 +65,10 @@ TEST(ParsedTorqueTable, KnowsRadians) {
     EXPECT_EQ(one_turn.table.crank_angle_deg.back(), 360.0);
     EXPECT_TRUE(parse_torque_table("угол, рад;M\n0;1\n3.14159;2\n6.28319;1\n").in_radians);
     // The header and the span must agree.
-    EXPECT_EQ(refusal("phi [rad];M\n0;1\n180;2\n720;1\n"),
+    EXPECT_EQ(refusal_of_text("phi [rad];M\n0;1\n180;2\n720;1\n"),
               "line 4, column 1: the angles must span 720° (or 360°, or 4π or 2π in radians), the "
               "last row repeating the first, got 720 rad");
-    EXPECT_NE(refusal("phi [deg];M\n0;1\n3.14159;2\n6.28319;1\n"), "no error");
+    EXPECT_NE(refusal_of_text("phi [deg];M\n0;1\n3.14159;2\n6.28319;1\n"), "no error");
     // Not a unit: "radius", "grad".
     EXPECT_FALSE(parse_torque_table("crank radius 46;M\n0;1\n180;2\n720;1\n").in_radians);
 }
@@ -79,63 +79,64 @@ TEST(ParsedTorqueTable, KeepsAnyStartOfTheCycle) {
 }
 
 TEST(ParsedTorqueTable, ErrorsNameLineAndColumn) {
-    EXPECT_EQ(refusal("0;0\n180;x\n720;0\n"),
+    EXPECT_EQ(refusal_of_text("0;0\n180;x\n720;0\n"),
               "line 2, column 2: must be a finite number, got \"x\"");
-    EXPECT_EQ(refusal("a;b\n0;0\n\n1O;5\n720;0\n"),
+    EXPECT_EQ(refusal_of_text("a;b\n0;0\n\n1O;5\n720;0\n"),
               "line 4, column 1: must be a finite number, got \"1O\"");
-    EXPECT_EQ(refusal("0;0\n180;nan\n720;0\n"),
+    EXPECT_EQ(refusal_of_text("0;0\n180;nan\n720;0\n"),
               "line 2, column 2: must be a finite number, got \"nan\"");
-    EXPECT_EQ(refusal("0;inf\n180;1\n720;0\n"),
+    EXPECT_EQ(refusal_of_text("0;inf\n180;1\n720;0\n"),
               "line 1, column 2: must be a finite number, got \"inf\"");
-    EXPECT_EQ(refusal("nan;0\n180;1\n720;0\n"),
+    EXPECT_EQ(refusal_of_text("nan;0\n180;1\n720;0\n"),
               "line 1, column 1: must be a finite number, got \"nan\"");
-    EXPECT_EQ(refusal("0;0\n180;1e999\n720;0\n"),
+    EXPECT_EQ(refusal_of_text("0;0\n180;1e999\n720;0\n"),
               "line 2, column 2: must be a finite number, got \"1e999\"");
-    EXPECT_EQ(refusal("0;0\n180;\n720;0\n"), "line 2, column 2: must be a finite number, got \"\"");
-    EXPECT_EQ(refusal("0;0\n180\n720;0\n"),
+    EXPECT_EQ(refusal_of_text("0;0\n180;\n720;0\n"),
+              "line 2, column 2: must be a finite number, got \"\"");
+    EXPECT_EQ(refusal_of_text("0;0\n180\n720;0\n"),
               "line 2: must hold two columns, crank angle and torque, got \"180\"");
-    EXPECT_EQ(refusal("0;0;1\n180;0;2\n720;0;1\n"),
+    EXPECT_EQ(refusal_of_text("0;0;1\n180;0;2\n720;0;1\n"),
               "line 1: must hold two columns, crank angle and torque, got 3 columns");
-    EXPECT_EQ(refusal("0;0\n200;5\n180;1\n720;0\n"),
+    EXPECT_EQ(refusal_of_text("0;0\n200;5\n180;1\n720;0\n"),
               "line 3, column 1: must be greater than the angle of the row before, 200, got 180");
-    EXPECT_EQ(refusal("0;0\n180;5\n180;1\n720;0\n"),
+    EXPECT_EQ(refusal_of_text("0;0\n180;5\n180;1\n720;0\n"),
               "line 3, column 1: must not repeat the angle of the row before, 180, got 180");
-    EXPECT_EQ(refusal("0;0\n180;5\n720;12\n"),
+    EXPECT_EQ(refusal_of_text("0;0\n180;5\n720;12\n"),
               "line 3, column 2: must equal the first torque, 0 N·m, since the cycle repeats, got "
               "12 N·m");
-    EXPECT_EQ(refusal("0;0\n180;5\n700;0\n"),
+    EXPECT_EQ(refusal_of_text("0;0\n180;5\n700;0\n"),
               "line 3, column 1: the angles must span 720° (or 360°, or 4π or 2π in radians), the "
               "last row repeating the first, got 700°");
-    EXPECT_EQ(refusal("0;0\n180;2e12\n720;0\n"),
+    EXPECT_EQ(refusal_of_text("0;0\n180;2e12\n720;0\n"),
               "line 2, column 2: must be from -1000000000000 to 1000000000000, got 2000000000000");
-    EXPECT_EQ(refusal("0;0\n1e6;2\n720;0\n"),
+    EXPECT_EQ(refusal_of_text("0;0\n1e6;2\n720;0\n"),
               "line 2, column 1: must be from -100000 to 100000, got 1000000");
-    EXPECT_EQ(refusal("0,5,1,5\n180,5,2,5\n"),
+    EXPECT_EQ(refusal_of_text("0,5,1,5\n180,5,2,5\n"),
               "line 1, column 1: must not separate columns by commas and use decimal commas at "
               "once; separate the columns by semicolons, got \"0,5,1,5\"");
 }
 
 TEST(ParsedTorqueTable, RefusesWhatIsNoTable) {
-    EXPECT_EQ(refusal(""), "the torque table must have at least 3 rows, got 0");
-    EXPECT_EQ(refusal("\n\n  \n"), "the torque table must have at least 3 rows, got 0");
-    EXPECT_EQ(refusal("phi;M\n"), "the torque table must have at least 3 rows, got 0");
-    EXPECT_EQ(refusal("0;0\n"), "the torque table must have at least 3 rows, got 1");
-    EXPECT_EQ(refusal("0;0\n720;0\n"), "the torque table must have at least 3 rows, got 2");
-    EXPECT_EQ(refusal(std::string("\x7F"
-                                  "ELF\2\1\1\0\0\0",
-                                  10)),
+    EXPECT_EQ(refusal_of_text(""), "the torque table must have at least 3 rows, got 0");
+    EXPECT_EQ(refusal_of_text("\n\n  \n"), "the torque table must have at least 3 rows, got 0");
+    EXPECT_EQ(refusal_of_text("phi;M\n"), "the torque table must have at least 3 rows, got 0");
+    EXPECT_EQ(refusal_of_text("0;0\n"), "the torque table must have at least 3 rows, got 1");
+    EXPECT_EQ(refusal_of_text("0;0\n720;0\n"), "the torque table must have at least 3 rows, got 2");
+    EXPECT_EQ(refusal_of_text(std::string("\x7F"
+                                          "ELF\2\1\1\0\0\0",
+                                          10)),
               "line 1: must be text; this looks like a binary file");
-    EXPECT_EQ(refusal(std::string("0;0\n\0\1\2", 7)),
+    EXPECT_EQ(refusal_of_text(std::string("0;0\n\0\1\2", 7)),
               "line 2: must be text; this looks like a binary file");
-    EXPECT_NE(refusal("just\nsome\nprose\n"), "no error");
+    EXPECT_NE(refusal_of_text("just\nsome\nprose\n"), "no error");
     std::string noise;
     std::mt19937 generator(1);
     for (int i = 0; i < 20'000; ++i) {
         noise += static_cast<char>(generator() & 0xFFU);
     }
-    EXPECT_NE(refusal(noise), "no error");
+    EXPECT_NE(refusal_of_text(noise), "no error");
     noise.insert(0, "\xFF\xFE");  // high bytes first: not taken for a header without end
-    EXPECT_NE(refusal(noise), "no error");
+    EXPECT_NE(refusal_of_text(noise), "no error");
 }
 
 TEST(ParsedTorqueTable, AMillionRowsAreReadAndMoreAreRefused) {
@@ -143,7 +144,7 @@ TEST(ParsedTorqueTable, AMillionRowsAreReadAndMoreAreRefused) {
     std::string text = write_torque_table(table);
     EXPECT_EQ(parse_torque_table(text).table, table);
     text += "721,0\n";
-    EXPECT_EQ(refusal(text), "line 1000002: the table must have at most 1000000 rows");
+    EXPECT_EQ(refusal_of_text(text), "line 1000002: the table must have at most 1000000 rows");
 }
 
 TEST(ParsedTorqueTable, NeverCrashesOnDamagedText) {
