@@ -2,6 +2,575 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ru_RU">
 <context>
+    <name>BalanceShaftModel</name>
+    <message>
+        <source>Torque source</source>
+        <translation>Источник момента</translation>
+    </message>
+    <message>
+        <source>Pressure trace</source>
+        <translation>Индикаторная диаграмма</translation>
+    </message>
+    <message>
+        <source>Move shaft</source>
+        <translation>Поворот вала</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Частота вращения</translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation>Н·м</translation>
+    </message>
+    <message>
+        <source>Mᵤₚ</source>
+        <translation>Mᵤₚ</translation>
+    </message>
+    <message>
+        <source>Mₛ</source>
+        <translation>Mₛ</translation>
+    </message>
+    <message>
+        <source>Mᵤₚₛ</source>
+        <translation>Mᵤₚₛ</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>измен.</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>размах</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>СКЗ</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>среднее</translation>
+    </message>
+    <message>
+        <source>nodes</source>
+        <translation>по узлам</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>макс.</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>мин.</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Величина</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Значение</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Единица</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>Н</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>мм</translation>
+    </message>
+    <message>
+        <source>Inertia force Pⱼ₁, max</source>
+        <translation>Сила инерции Pⱼ₁, макс.</translation>
+    </message>
+    <message>
+        <source>Counterweight m₁</source>
+        <translation>Противовес m₁</translation>
+    </message>
+    <message>
+        <source>kg</source>
+        <translation>кг</translation>
+    </message>
+    <message>
+        <source>Counterweight force P₁</source>
+        <translation>Сила противовеса P₁</translation>
+    </message>
+    <message>
+        <source>Amplitude of Mₛ, P₁ l</source>
+        <translation>Амплитуда Mₛ, P₁ l</translation>
+    </message>
+    <message>
+        <source>First order&apos;s share of Mᵤₚ</source>
+        <translation>Доля 1-го порядка в Mᵤₚ</translation>
+    </message>
+    <message>
+        <source>Envelope, width × height</source>
+        <translation>Габарит, ширина × высота</translation>
+    </message>
+    <message>
+        <source>Indicated mean effective pressure</source>
+        <translation>Среднее индикаторное давление</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>бар</translation>
+    </message>
+    <message>
+        <source>Indicated work per cycle</source>
+        <translation>Индикаторная работа за цикл</translation>
+    </message>
+    <message>
+        <source>J</source>
+        <translation>Дж</translation>
+    </message>
+    <message>
+        <source>Indicated power</source>
+        <translation>Индикаторная мощность</translation>
+    </message>
+    <message>
+        <source>kW</source>
+        <translation>кВт</translation>
+    </message>
+    <message>
+        <source>Mean torque</source>
+        <translation>Средний крутящий момент</translation>
+    </message>
+    <message>
+        <source>Peak pressure</source>
+        <translation>Наибольшее давление</translation>
+    </message>
+    <message>
+        <source>at crank angle</source>
+        <translation>при угле поворота</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Рабочий объём</translation>
+    </message>
+    <message>
+        <source>cm³</source>
+        <translation>см³</translation>
+    </message>
+    <message>
+        <source>Clearance volume</source>
+        <translation>Объём камеры сгорания</translation>
+    </message>
+    <message>
+        <source>Heat per cycle</source>
+        <translation>Теплота за цикл</translation>
+    </message>
+    <message>
+        <source>Excess work ΔE</source>
+        <translation>Избыточная работа ΔE</translation>
+    </message>
+    <message>
+        <source>Fluctuation δ</source>
+        <translation>Неравномерность δ</translation>
+    </message>
+    <message>
+        <source>Moment of inertia J</source>
+        <translation>Момент инерции J</translation>
+    </message>
+    <message>
+        <source>kg·m²</source>
+        <translation>кг·м²</translation>
+    </message>
+    <message>
+        <source>Speed swings by ±</source>
+        <translation>Частота колеблется на ±</translation>
+    </message>
+    <message>
+        <source>min⁻¹</source>
+        <translation>мин⁻¹</translation>
+    </message>
+    <message>
+        <source>Fastest at crank angle</source>
+        <translation>Быстрее всего при угле</translation>
+    </message>
+    <message>
+        <source>Slowest at crank angle</source>
+        <translation>Медленнее всего при угле</translation>
+    </message>
+    <message>
+        <source>Least range %2 N·m at %1°</source>
+        <translation>Наименьший размах %2 Н·м при %1°</translation>
+    </message>
+    <message>
+        <source>Least RMS %2 N·m at %1°</source>
+        <translation>Наименьшее СКЗ %2 Н·м при %1°</translation>
+    </message>
+</context>
+<context>
+    <name>ElasticHingeModel</name>
+    <message>
+        <source>Zotov and Sviridov 2021</source>
+        <translation>Зотов и Свиридов 2021</translation>
+    </message>
+    <message>
+        <source>None: %1.</source>
+        <translation>Нет: %1.</translation>
+    </message>
+    <message>
+        <source>c = %1 kN/m, ρ₀ = %2 mm: relief %3 mm within %4 mm; the spring is at least %5 mm long, bears up to %6 kN and stores up to %7 J.</source>
+        <translation>c = %1 кН/м, ρ₀ = %2 мм: перепад %3 мм в пределах %4 мм; пружина не короче %5 мм, несёт до %6 кН и запасает до %7 Дж.</translation>
+    </message>
+    <message>
+        <source>Take over the guide found</source>
+        <translation>Взята найденная направляющая</translation>
+    </message>
+    <message>
+        <source>Preload that the guide needs</source>
+        <translation>Нужный преднатяг</translation>
+    </message>
+    <message>
+        <source>Stiffness that the guide needs</source>
+        <translation>Нужная жёсткость</translation>
+    </message>
+    <message>
+        <source>No guide: %1.</source>
+        <translation>Направляющей нет: %1.</translation>
+    </message>
+    <message>
+        <source>The roller of radius %1 mm undercuts the guide: at most %2 mm follow it.</source>
+        <translation>Ролик радиусом %1 мм подрезает направляющую: годится не больше %2 мм.</translation>
+    </message>
+    <message>
+        <source>The guide exists, but with the printed sign it stores what the mechanism takes up: the crank does not keep its speed.</source>
+        <translation>Направляющая существует, но с напечатанным знаком она запасает то, что поглощает механизм: кривошип не сохраняет скорость.</translation>
+    </message>
+    <message>
+        <source>The guide exists, but cannot be made: with a relief of %1 mm a profile error of %2 µm changes its moment by up to %3.</source>
+        <translation>Направляющая существует, но её нельзя изготовить: при перепаде %1 мм погрешность профиля %2 мкм меняет её момент до %3.</translation>
+    </message>
+    <message>
+        <source>The guide exists: relief %1 mm; a profile error of %2 µm changes its moment by up to %3.</source>
+        <translation>Направляющая существует: перепад %1 мм; погрешность профиля %2 мкм меняет её момент до %3.</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Величина</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Значение</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Единица</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>Н</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>мм</translation>
+    </message>
+    <message>
+        <source>Relief of the guide</source>
+        <translation>Перепад направляющей</translation>
+    </message>
+    <message>
+        <source>Preload needed / given</source>
+        <translation>Преднатяг нужен / есть</translation>
+    </message>
+    <message>
+        <source>Spring travel</source>
+        <translation>Ход пружины</translation>
+    </message>
+    <message>
+        <source>Largest spring force</source>
+        <translation>Сила пружины, макс.</translation>
+    </message>
+    <message>
+        <source>kN</source>
+        <translation>кН</translation>
+    </message>
+    <message>
+        <source>Moment error from %1 µm</source>
+        <translation>Погр. момента, %1 мкм</translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation>Н·м</translation>
+    </message>
+    <message>
+        <source>Least curvature radius</source>
+        <translation>Радиус кривизны, мин.</translation>
+    </message>
+    <message>
+        <source>Largest roller radius</source>
+        <translation>Радиус ролика, макс.</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>любая</translation>
+    </message>
+    <message>
+        <source>∮ M₁₂ dφ</source>
+        <translation>∮ M₁₂ dφ</translation>
+    </message>
+    <message>
+        <source>J</source>
+        <translation>Дж</translation>
+    </message>
+    <message>
+        <source>Side force without hinge</source>
+        <translation>Бок. сила без шарнира</translation>
+    </message>
+    <message>
+        <source>Side force with rod hinge</source>
+        <translation>Бок. сила с шарниром</translation>
+    </message>
+    <message>
+        <source>Counterweight P₄</source>
+        <translation>Противовес P₄</translation>
+    </message>
+    <message>
+        <source>kg</source>
+        <translation>кг</translation>
+    </message>
+    <message>
+        <source>reverses</source>
+        <translation>реверс</translation>
+    </message>
+    <message>
+        <source>Ripple without hinge</source>
+        <translation>Неравном. без шарнира</translation>
+    </message>
+    <message>
+        <source>Ripple with hinge</source>
+        <translation>Неравном. с шарниром</translation>
+    </message>
+    <message>
+        <source>Ripple from %1 rad/s</source>
+        <translation>Неравном. от %1 рад/с</translation>
+    </message>
+    <message>
+        <source>%1: %2…%3 rad/s, drift %4</source>
+        <translation>%1: %2…%3 рад/с, уход %4</translation>
+    </message>
+    <message>
+        <source>without hinge</source>
+        <translation>без шарнира</translation>
+    </message>
+    <message>
+        <source>crank hinge</source>
+        <translation>шарнир кривошипа</translation>
+    </message>
+    <message>
+        <source>both hinges</source>
+        <translation>оба шарнира</translation>
+    </message>
+    <message>
+        <source>from %1 rad/s</source>
+        <translation>от %1 рад/с</translation>
+    </message>
+</context>
+<context>
+    <name>InertiaMomentsModel</name>
+    <message>
+        <source>VW VR5 (paper)</source>
+        <translation>VW VR5 (статья)</translation>
+    </message>
+    <message>
+        <source>Own table</source>
+        <translation>Своя таблица</translation>
+    </message>
+    <message>
+        <source>VR%1</source>
+        <translation>VR%1</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Компоновка</translation>
+    </message>
+    <message>
+        <source>Even firing needs a firing order.</source>
+        <translation>Для равномерного чередования нужен порядок работы.</translation>
+    </message>
+    <message>
+        <source>Even firing</source>
+        <translation>Равномерное чередование</translation>
+    </message>
+    <message>
+        <source>%1 kg, rods: %2</source>
+        <translation>%1 кг, шатунов: %2</translation>
+    </message>
+    <message>
+        <source>Bank angle</source>
+        <translation>Угол развала</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Дезаксаж</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Частота вращения</translation>
+    </message>
+    <message>
+        <source>Centre of mass</source>
+        <translation>Центр масс</translation>
+    </message>
+    <message>
+        <source>Add shaft</source>
+        <translation>Добавление вала</translation>
+    </message>
+    <message>
+        <source>Remove shaft</source>
+        <translation>Удаление вала</translation>
+    </message>
+    <message>
+        <source>Shaft on</source>
+        <translation>Вал включён</translation>
+    </message>
+    <message>
+        <source>Shaft off</source>
+        <translation>Вал выключен</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>N; N·m</source>
+        <translation>Н; Н·м</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>точно</translation>
+    </message>
+    <message>
+        <source>phase, °</source>
+        <translation>фаза, °</translation>
+    </message>
+    <message>
+        <source>two-term</source>
+        <translation>2 члена</translation>
+    </message>
+    <message>
+        <source>diff., %</source>
+        <translation>откл., %</translation>
+    </message>
+    <message>
+        <source>+kω</source>
+        <translation>+kω</translation>
+    </message>
+    <message>
+        <source>at, °</source>
+        <translation>угол, °</translation>
+    </message>
+    <message>
+        <source>−kω</source>
+        <translation>−kω</translation>
+    </message>
+    <message>
+        <source>Shaft</source>
+        <translation>Вал</translation>
+    </message>
+    <message>
+        <source>cancels</source>
+        <translation>гасит</translation>
+    </message>
+    <message>
+        <source>mρ, g·mm</source>
+        <translation>mρ, г·мм</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>остаток</translation>
+    </message>
+    <message>
+        <source>Rotating masses</source>
+        <translation>Вращающиеся массы</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>значение</translation>
+    </message>
+    <message>
+        <source>angle, °</source>
+        <translation>угол, °</translation>
+    </message>
+    <message>
+        <source>lag, °</source>
+        <translation>отст., °</translation>
+    </message>
+    <message>
+        <source>Force, N</source>
+        <translation>Сила, Н</translation>
+    </message>
+    <message>
+        <source>Moment, N·m</source>
+        <translation>Момент, Н·м</translation>
+    </message>
+    <message>
+        <source>against the force</source>
+        <translation>против силы</translation>
+    </message>
+    <message>
+        <source>against the moment</source>
+        <translation>против момента</translation>
+    </message>
+    <message>
+        <source>On a throw, rods: %1, g</source>
+        <translation>Колено, ×%1, г</translation>
+    </message>
+    <message>
+        <source>, g·mm</source>
+        <translation>, г·мм</translation>
+    </message>
+    <message>
+        <source>, g</source>
+        <translation>, г</translation>
+    </message>
+    <message>
+        <source>Front web</source>
+        <translation>Передняя щека</translation>
+    </message>
+    <message>
+        <source>Rear web</source>
+        <translation>Задняя щека</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>до</translation>
+    </message>
+    <message>
+        <source>left, %</source>
+        <translation>ост., %</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>и ещё %n</numerusform>
+            <numerusform>и ещё %n</numerusform>
+            <numerusform>и ещё %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 left out (%2 % of the largest)</source>
+        <translation>%1 отброшен (%2 % наибольшего)</translation>
+    </message>
+    <message>
+        <source>%1 %2 % off</source>
+        <translation>%1: ошибка %2 %</translation>
+    </message>
+    <message>
+        <source>Two-term is not enough: order %1.</source>
+        <translation>Двух членов мало: порядок %1.</translation>
+    </message>
+</context>
+<context>
     <name>JobCard</name>
     <message>
         <source>custom</source>
@@ -541,14 +1110,6 @@
         <translation>алюминий</translation>
     </message>
     <message>
-        <source>new shaft, steel</source>
-        <translation>новый вал, сталь</translation>
-    </message>
-    <message>
-        <source>new shaft, aluminium</source>
-        <translation>новый вал, алюм.</translation>
-    </message>
-    <message>
         <source>Hang %1 on each crankpin.</source>
         <translation>Груз на каждую шейку: %1.</translation>
     </message>
@@ -940,6 +1501,305 @@
         <source>the pitch %1 mm and a third of the diameter</source>
         <translation>шаг %1 мм и трети диаметра</translation>
     </message>
+    <message>
+        <source>Machine all 8 new steel plugs by %1 each.</source>
+        <translation>Снять с каждой из 8 новых стальных пробок %1.</translation>
+    </message>
+    <message>
+        <source>Leave the 8 new steel plugs as they are.</source>
+        <translation>Оставить 8 новых стальных пробок как есть.</translation>
+    </message>
+    <message>
+        <source>New crankshaft, its own plugs</source>
+        <translation>Новый вал, его пробки</translation>
+    </message>
+    <message>
+        <source>Values that replace those of the preset, or that it does not give.</source>
+        <translation>Значения вместо данных образца или те, которых в нём нет.</translation>
+    </message>
+    <message>
+        <source>How much heavier the parts are than nominal; negative where lighter.</source>
+        <translation>Насколько детали тяжелее номинала; отрицательно, если легче.</translation>
+    </message>
+    <message>
+        <source>Weights of the parts as the scale says.</source>
+        <translation>Массы деталей по весам.</translation>
+    </message>
+    <message>
+        <source>Nominal mass of the part.</source>
+        <translation>Номинальная масса детали.</translation>
+    </message>
+    <message>
+        <source>By how much the parts may differ from one another.</source>
+        <translation>Насколько детали могут отличаться друг от друга.</translation>
+    </message>
+    <message>
+        <source>Eight masses, by cylinder.</source>
+        <translation>Восемь масс, по цилиндрам.</translation>
+    </message>
+    <message>
+        <source>Sizes of the plug.</source>
+        <translation>Размеры пробки.</translation>
+    </message>
+    <message>
+        <source>Limits and readings of the balancing machine.</source>
+        <translation>Нормы и показания балансировочного станка.</translation>
+    </message>
+    <message>
+        <source>Head of the job card.</source>
+        <translation>Заголовок карты.</translation>
+    </message>
+    <message>
+        <source>The method neglects that the centre of mass of a machined plug moves, by 0.8 to 1.2 mm in the paper: with it up to %1 would be left, beyond the %2 allowed. Give the plug&apos;s sizes and the cutter, or take off %3 to %4 each instead.</source>
+        <translation>Метод пренебрегает смещением центра масс обработанной пробки, в статье 0,8–1,2 мм: с ним осталось бы до %1 при допустимых %2. Задайте размеры пробки и фрезу или снимите с каждой от %3 до %4.</translation>
+    </message>
+    <message>
+        <source>The method neglects that the plug&apos;s centre of mass moves: bored like this %1 would be left, beyond the %2 allowed. Take off %3 each instead.</source>
+        <translation>Метод пренебрегает смещением центра масс пробки: при такой расточке осталось бы %1 при допустимых %2. Снимите вместо этого с каждой %3.</translation>
+    </message>
+    <message>
+        <source>The method neglects that the plug&apos;s centre of mass moves: bored like this %1 would be left, beyond the %2 allowed. Bore to %3 from the face instead, %4 off each plug.</source>
+        <translation>Метод пренебрегает смещением центра масс пробки: при такой расточке осталось бы %1 при допустимых %2. Расточите вместо этого на %3 от торца, по %4 с каждой пробки.</translation>
+    </message>
+    <message>
+        <source>new: steel</source>
+        <translation>новый: сталь</translation>
+    </message>
+    <message>
+        <source>new: its own</source>
+        <translation>новый: свои</translation>
+    </message>
+    <message>
+        <source>new: aluminium</source>
+        <translation>новый: алюм.</translation>
+    </message>
+</context>
+<context>
+    <name>V8PlugsModel</name>
+    <message>
+        <source>Engine</source>
+        <translation>Двигатель</translation>
+    </message>
+    <message>
+        <source>The values kept for the engine “%1” cannot be read: %2</source>
+        <translation>Сохранённые данные двигателя «%1» не читаются: %2</translation>
+    </message>
+    <message>
+        <source>The engine needs a name.</source>
+        <translation>Двигателю нужно название.</translation>
+    </message>
+    <message>
+        <source>“%1” is the name of a preset; choose another.</source>
+        <translation>«%1» — название встроенного двигателя; выберите другое.</translation>
+    </message>
+    <message>
+        <source>Save engine</source>
+        <translation>Запомнить двигатель</translation>
+    </message>
+    <message>
+        <source>“%1” is the name of another engine of your own; choose another.</source>
+        <translation>Имя «%1» уже носит другой ваш двигатель; выберите иное.</translation>
+    </message>
+    <message>
+        <source>Rename engine</source>
+        <translation>Переименование двигателя</translation>
+    </message>
+    <message>
+        <source>The values differ from those kept under this name; “Keep as own engine” keeps these.</source>
+        <translation>Данные отличаются от сохранённых под этим именем; «Запомнить двигатель» сохранит эти.</translation>
+    </message>
+    <message>
+        <source>The paper gives only the crank radius of this engine; the rest has to be measured.</source>
+        <translation>Для этого двигателя статья даёт только радиус кривошипа; остальное нужно измерить.</translation>
+    </message>
+    <message>
+        <source>Plug masses as the paper prints them. They look too small for the threads it prints: weigh the plugs and type what the scale says.</source>
+        <translation>Массы пробок — как напечатано в статье. Для напечатанных резьб они слишком малы: взвесьте пробки и введите показания весов.</translation>
+    </message>
+    <message>
+        <source>The values do not go together.</source>
+        <translation>Значения не согласуются.</translation>
+    </message>
+    <message>
+        <source>Still needed: %1.</source>
+        <translation>Ещё нужны: %1.</translation>
+    </message>
+    <message>
+        <source>Excess Δm_y: not known yet</source>
+        <translation>Δm_у: пока неизвестна</translation>
+    </message>
+    <message>
+        <source>Excess Δm_y: %1, %2</source>
+        <translation>Δm_у: %1, %2</translation>
+    </message>
+    <message>
+        <source>The bob weight still needs: %1.</source>
+        <translation>Для груза ещё нужны: %1.</translation>
+    </message>
+    <message>
+        <source>ISO 21940-11 needs grade, mass and speed.</source>
+        <translation>Для ИСО 21940-11 нужны класс, масса и частота вращения.</translation>
+    </message>
+    <message>
+        <source>ISO 21940-11: U_per = 1000 m G / ω = %1 for the whole crankshaft; the method&apos;s own limit is %2 in each plane.</source>
+        <translation>ИСО 21940-11: U_доп = 1000 m G / ω = %1 на весь вал; предел самого метода — %2 в каждой плоскости.</translation>
+    </message>
+    <message>
+        <source>With thread and height the sheet says what the plug would weigh.</source>
+        <translation>По резьбе и высоте лист скажет, сколько весила бы пробка.</translation>
+    </message>
+    <message>
+        <source>A plug of these dimensions weighs %1 in steel, %2 in aluminium.</source>
+        <translation>Пробка таких размеров весит %1 из стали, %2 из алюминия.</translation>
+    </message>
+    <message>
+        <source>Option</source>
+        <translation>Вариант</translation>
+    </message>
+    <message>
+        <source>const., g</source>
+        <translation>пост., г</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>наклон</translation>
+    </message>
+    <message>
+        <source>reach, g</source>
+        <translation>предел, г</translation>
+    </message>
+    <message>
+        <source>needed, g</source>
+        <translation>снять, г</translation>
+    </message>
+    <message>
+        <source>left, g</source>
+        <translation>ост., г</translation>
+    </message>
+    <message>
+        <source>left, g·mm</source>
+        <translation>ост., г·мм</translation>
+    </message>
+    <message>
+        <source>The engine has no such plug, or its data are missing.</source>
+        <translation>Такой пробки у двигателя нет или нет её данных.</translation>
+    </message>
+    <message>
+        <source>For the other crankshaft.</source>
+        <translation>Для другого вала.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>At most %1 may come off a plug; slope k_y = %2, %3°.</source>
+        <translation>С пробки можно снять не больше %1; наклон k_у = %2, %3°.</translation>
+    </message>
+    <message>
+        <source>factor × mass, g</source>
+        <translation>коэфф. × масса, г</translation>
+    </message>
+    <message>
+        <source>nominal</source>
+        <translation>номинал</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>до</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>после</translation>
+    </message>
+    <message>
+        <source>Bob weight</source>
+        <translation>Груз</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Плоскость</translation>
+    </message>
+    <message>
+        <source>allowed, g·mm</source>
+        <translation>допустимо, г·мм</translation>
+    </message>
+    <message>
+        <source>reading, g·mm</source>
+        <translation>показание, г·мм</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>вывод</translation>
+    </message>
+    <message>
+        <source>✓ passes</source>
+        <translation>✓ годен</translation>
+    </message>
+    <message>
+        <source>✗ fails</source>
+        <translation>✗ не годен</translation>
+    </message>
+    <message>
+        <source>Front (pulley)</source>
+        <translation>Передняя (шкив)</translation>
+    </message>
+    <message>
+        <source>Rear (flywheel)</source>
+        <translation>Задняя (маховик)</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Цилиндр</translation>
+    </message>
+    <message>
+        <source>Piston from</source>
+        <translation>Поршень из</translation>
+    </message>
+    <message>
+        <source>Rod from</source>
+        <translation>Шатун из</translation>
+    </message>
+    <message>
+        <source>Crankpin</source>
+        <translation>Шейка</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>разброс</translation>
+    </message>
+    <message>
+        <source>as weighed, g</source>
+        <translation>как есть, г</translation>
+    </message>
+    <message>
+        <source>after moving, g</source>
+        <translation>после, г</translation>
+    </message>
+    <message>
+        <source>%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.</source>
+        <translation>%1: взвешено %2; тяжелее всех в цилиндре %3, легче всех в цилиндре %4.</translation>
+    </message>
+    <message>
+        <source>There is no journal.</source>
+        <translation>Журнала нет.</translation>
+    </message>
+    <message>
+        <source>without an engine number</source>
+        <translation>без номера двигателя</translation>
+    </message>
+    <message>
+        <source>Job %1 had been changed elsewhere meanwhile: saved as a new job.</source>
+        <translation>Работу %1 тем временем изменили в другом месте: сохранено как новая работа.</translation>
+    </message>
+    <message>
+        <source>Job %1 saved in the journal.</source>
+        <translation>Работа %1 сохранена в журнале.</translation>
+    </message>
+    <message>
+        <source>The job&apos;s sheet cannot be read: %1</source>
+        <translation>Лист работы не читается: %1</translation>
+    </message>
 </context>
 <context>
     <name>balance-shaft</name>
@@ -1100,16 +1960,8 @@
         <translation>Радиус оборота криво&amp;шипа</translation>
     </message>
     <message>
-        <source>Circle swept by crank and counterweight. Empty: 1.3 times the larger of r and ρ₁.</source>
-        <translation>Окружность, описываемая кривошипом с противовесом. Пусто: 1,3 большего из r и ρ₁.</translation>
-    </message>
-    <message>
         <source>Shaft swin&amp;g radius</source>
         <translation>Радиус &amp;оборота вала</translation>
-    </message>
-    <message>
-        <source>Circle swept by the balance shaft. Empty: 1.3 ρ₁.</source>
-        <translation>Окружность, описываемая балансирным валом. Пусто: 1,3 ρ₁.</translation>
     </message>
     <message>
         <source>Gear tip r&amp;adius</source>
@@ -1150,10 +2002,6 @@
     <message>
         <source>O&amp;ffset e</source>
         <translation>Дезакса&amp;ж e</translation>
-    </message>
-    <message>
-        <source>Distance of the cylinder axis from the crank axis, positive on the side to which the crankpin moves first.</source>
-        <translation>Расстояние оси цилиндра от оси вала, положительное в ту сторону, куда шатунная шейка движется сначала.</translation>
     </message>
     <message>
         <source>Crankcase &amp;pressure</source>
@@ -1218,10 +2066,6 @@
     <message>
         <source>I&amp;MEP</source>
         <translation>Давл&amp;ение p_i</translation>
-    </message>
-    <message>
-        <source>Indicated mean effective pressure over 720°; the heat that gives it is found.</source>
-        <translation>Среднее индикаторное давление за 720°; теплота, которая его даёт, находится.</translation>
     </message>
     <message>
         <source>&amp;Start of combustion</source>
@@ -1508,10 +2352,6 @@
         <translation>давление: %1</translation>
     </message>
     <message>
-        <source>360° repeated to 720°</source>
-        <translation>360° повторены до 720°</translation>
-    </message>
-    <message>
         <source>end joined to the start</source>
         <translation>конец сведён с началом</translation>
     </message>
@@ -1522,10 +2362,6 @@
     <message>
         <source>the angles must span 720° (or 360°, or 4π or 2π in radians), the last row repeating the first</source>
         <translation>углы должны охватывать 720° (или 360°, в радианах 4π или 2π), последняя строка повторяет первую</translation>
-    </message>
-    <message>
-        <source>the table of 720° must have at most %1 rows</source>
-        <translation>в таблице на 720° должно быть не больше %1 строк</translation>
     </message>
     <message>
         <source>the angles of neighbouring rows are too close together</source>
@@ -1548,8 +2384,308 @@
         <translation>должно быть больше угла предыдущей строки, %2, не меньше чем на %1</translation>
     </message>
     <message>
-        <source>must span 720°, the last row repeating the first</source>
-        <translation>углы должны охватывать 720°, последняя строка повторяет первую</translation>
+        <source>The gears do not mesh: at the centre distance %1 their tip radius must be from %2 to %3, and it is %4.</source>
+        <translation>Шестерни не в зацеплении: при межосевом расстоянии %1 радиус вершин должен быть от %2 до %3, а он равен %4.</translation>
+    </message>
+    <message>
+        <source>The swing circles of crank (radius %1) and shaft (%2) with a gap of %3 need a centre distance of %4, and it is %5.</source>
+        <translation>Окружностям кривошипа (радиус %1) и вала (%2) с зазором %3 нужно межосевое расстояние %4, а оно равно %5.</translation>
+    </message>
+    <message>
+        <source>At every angle the shaft&apos;s swing circle (radius %1, gap %2) meets the cylinder or what the rod sweeps.</source>
+        <translation>При любом угле окружность вала (радиус %1, зазор %2) задевает цилиндр или то, что описывает шатун.</translation>
+    </message>
+    <message>
+        <source>swing radius of the shaft</source>
+        <translation>радиус окружности вала</translation>
+    </message>
+    <message>
+        <source>of the crank</source>
+        <translation>кривошипа</translation>
+    </message>
+    <message>
+        <source>width of the rod</source>
+        <translation>ширина шатуна</translation>
+    </message>
+    <message>
+        <source>bore</source>
+        <translation>диаметр цилиндра</translation>
+    </message>
+    <message>
+        <source>wall of the cylinder</source>
+        <translation>стенка цилиндра</translation>
+    </message>
+    <message>
+        <source>its lower end at</source>
+        <translation>её нижний конец на</translation>
+    </message>
+    <message>
+        <source>Sizes not given are assumed: %1.</source>
+        <translation>Незаданные размеры приняты: %1.</translation>
+    </message>
+    <message>
+        <source>Instead of the speed.</source>
+        <translation>Вместо частоты вращения.</translation>
+    </message>
+    <message>
+        <source>Parts by name that add up to the reciprocating mass, for example piston, pin, rings, rod_small_end.</source>
+        <translation>Части по именам, дающие в сумме поступательно движущуюся массу, например piston, pin, rings, rod_small_end.</translation>
+    </message>
+    <message>
+        <source>Reciprocating mass of the cylinder as one number.</source>
+        <translation>Поступательно движущаяся масса цилиндра одним числом.</translation>
+    </message>
+    <message>
+        <source>From the crank axis to the shaft, measured from the cylinder axis in the direction of rotation.</source>
+        <translation>От оси коленчатого вала к балансирному, от оси цилиндра по направлению вращения.</translation>
+    </message>
+    <message>
+        <source>Stro&amp;kes</source>
+        <translation>Так&amp;тность</translation>
+    </message>
+    <message>
+        <source>A four-stroke engine has a cycle of two turns, 720°, a two-stroke engine one of one turn, 360°. Torque table and pressure trace must span it.</source>
+        <translation>Цикл четырёхтактного двигателя — два оборота, 720°, двухтактного — один, 360°. Таблица момента и измеренное давление должны его охватывать.</translation>
+    </message>
+    <message>
+        <source>Step of the curves and of the sweep over α.</source>
+        <translation>Шаг кривых и перебора по α.</translation>
+    </message>
+    <message>
+        <source>Sizes of the front view.</source>
+        <translation>Размеры вида спереди.</translation>
+    </message>
+    <message>
+        <source>Cylinder &amp;top</source>
+        <translation>Верх ц&amp;илиндра</translation>
+    </message>
+    <message>
+        <source>Top of the engine above the crank axis. Empty: the piston pin at top dead centre and half the bore.</source>
+        <translation>Верх двигателя над осью коленчатого вала. Пусто: верхняя мёртвая точка пальца и половина диаметра.</translation>
+    </message>
+    <message>
+        <source>Cylinder bott&amp;om</source>
+        <translation>Низ ци&amp;линдра</translation>
+    </message>
+    <message>
+        <source>Lower end of the cylinder above the crank axis. Empty: the piston pin at bottom dead centre less 0.3 of the bore.</source>
+        <translation>Нижний конец цилиндра над осью коленчатого вала. Пусто: нижняя мёртвая точка пальца минус 0,3 диаметра.</translation>
+    </message>
+    <message>
+        <source>C&amp;ylinder wall</source>
+        <translation>Стенка &amp;цилиндра</translation>
+    </message>
+    <message>
+        <source>Thickness of the cylinder&apos;s wall, which the shaft must not meet. Empty: 0.06 of the bore.</source>
+        <translation>Толщина стенки цилиндра, которой вал не должен касаться. Пусто: 0,06 диаметра.</translation>
+    </message>
+    <message>
+        <source>Rod widt&amp;h</source>
+        <translation>Ширина &amp;шатуна</translation>
+    </message>
+    <message>
+        <source>Across the rod, round ends included, in the front view; the shaft must clear all that the rod sweeps. Empty: r / 2.</source>
+        <translation>Поперёк шатуна на виде спереди, с круглыми концами; вал не должен задевать ничего, что описывает шатун. Пусто: r / 2.</translation>
+    </message>
+    <message>
+        <source>Gap of the sha&amp;ft</source>
+        <translation>&amp;Зазор вала</translation>
+    </message>
+    <message>
+        <source>Least gap between the shaft&apos;s swing circle and crank, rod and cylinder; an angle with less cannot be built.</source>
+        <translation>Наименьший зазор между окружностью вала и кривошипом, шатуном и цилиндром; угол с меньшим зазором построить нельзя.</translation>
+    </message>
+    <message>
+        <source>Circle swept by crank and counterweight. Empty: r and half the rod&apos;s width, or the shaft&apos;s default where that is larger.</source>
+        <translation>Окружность, описываемая кривошипом и противовесом. Пусто: r и половина ширины шатуна или то, что принимается для вала, если это больше.</translation>
+    </message>
+    <message>
+        <source>Circle swept by the balance shaft. Empty: the half disc of steel, as long as the bore, that has the unbalance m₁ ρ₁.</source>
+        <translation>Окружность, описываемая балансирным валом. Пусто: стальной полудиск длиной с диаметр цилиндра с дисбалансом m₁ ρ₁.</translation>
+    </message>
+    <message>
+        <source>The pair of gears that drives the shaft.</source>
+        <translation>Пара шестерён, вращающая вал.</translation>
+    </message>
+    <message>
+        <source>Where the torque of the engine comes from: one of crank_angle_deg with torque_Nm, csv, pressure, cycle.</source>
+        <translation>Откуда берётся крутящий момент: одно из crank_angle_deg с torque_Nm, csv, pressure, cycle.</translation>
+    </message>
+    <message>
+        <source>Rows of one cycle: the crank angles, ascending.</source>
+        <translation>Строки одного цикла: углы поворота по возрастанию.</translation>
+    </message>
+    <message>
+        <source>The torque at them; the last equals the first.</source>
+        <translation>Моменты при них; последний равен первому.</translation>
+    </message>
+    <message>
+        <source>A file beside the case with two columns: crank angle, and torque (in pressure: cylinder pressure).</source>
+        <translation>Файл рядом с задачей из двух столбцов: угол поворота и момент (в pressure — давление в цилиндре).</translation>
+    </message>
+    <message>
+        <source>Gas torque from a measured cylinder pressure.</source>
+        <translation>Момент газовых сил по измеренному давлению в цилиндре.</translation>
+    </message>
+    <message>
+        <source>Gas torque of a computed cycle.</source>
+        <translation>Момент газовых сил рассчитанного цикла.</translation>
+    </message>
+    <message>
+        <source>Distance of the cylinder axis from the crank axis, positive on the side to which the crankpin moves first. Crank angles count from the true top dead centre, α from the direction of the cylinder.</source>
+        <translation>Расстояние оси цилиндра от оси коленчатого вала, положительное — с той стороны, куда сначала идёт шатунная шейка. Углы поворота отсчитываются от истинной верхней мёртвой точки, α — от направления цилиндра.</translation>
+    </message>
+    <message>
+        <source>Indicated mean effective pressure; the heat that gives it is found.</source>
+        <translation>Среднее индикаторное давление; теплота, которая его даёт, находится.</translation>
+    </message>
+    <message>
+        <source>Ports ope&amp;n</source>
+        <translation>Окна открываю&amp;тся</translation>
+    </message>
+    <message>
+        <source>Of a two-stroke engine: crank angle after top dead centre at which the exhaust opens. It closes at the same place of the piston.</source>
+        <translation>Двухтактный двигатель: угол после верхней мёртвой точки, при котором открывается выпуск. Закрывается он при том же положении поршня.</translation>
+    </message>
+    <message>
+        <source>Inertia &amp;J</source>
+        <translation>Инерция &amp;J</translation>
+    </message>
+    <message>
+        <source>Of flywheel, crank and all that turns with them. The coefficient of fluctuation follows from it.</source>
+        <translation>Маховика, коленчатого вала и всего, что вращается с ними. Из него следует коэффициент неравномерности.</translation>
+    </message>
+    <message>
+        <source>Fl&amp;uctuation δ</source>
+        <translation>Нера&amp;вномерность δ</translation>
+    </message>
+    <message>
+        <source>Coefficient of fluctuation wanted: highest less lowest speed over the mean one. About 1/20 for pumps, 1/100 for generators. The moment of inertia follows from it.</source>
+        <translation>Желаемый коэффициент неравномерности: наибольшая скорость минус наименьшая, делённая на среднюю. Около 1/20 для насосов, 1/100 для генераторов. Из него следует момент инерции.</translation>
+    </message>
+    <message>
+        <source>A band of speeds to study.</source>
+        <translation>Диапазон частот вращения для исследования.</translation>
+    </message>
+    <message>
+        <source>Band from</source>
+        <translation>Диапазон от</translation>
+    </message>
+    <message>
+        <source>Lowest speed of the band.</source>
+        <translation>Наименьшая частота диапазона.</translation>
+    </message>
+    <message>
+        <source>Band to</source>
+        <translation>Диапазон до</translation>
+    </message>
+    <message>
+        <source>Highest speed of the band.</source>
+        <translation>Наибольшая частота диапазона.</translation>
+    </message>
+    <message>
+        <source>How many speeds, with both ends.</source>
+        <translation>Сколько частот, считая концы.</translation>
+    </message>
+    <message>
+        <source>Prints range and RMS over angle and speed too.</source>
+        <translation>Печатать также размах и СКО по углу и частоте.</translation>
+    </message>
+    <message>
+        <source>A bar with a segment milled away in place of counterweights.</source>
+        <translation>Вал с выфрезерованным сегментом вместо противовесов.</translation>
+    </message>
+    <message>
+        <source>A two-stroke engine has no stroke on which the gas torque is small, so the torque cannot be compared with the masses and the speed entered.</source>
+        <translation>У двухтактного двигателя нет такта с малым газовым моментом, поэтому момент нельзя сравнить с введёнными массами и частотой вращения.</translation>
+    </message>
+    <message>
+        <source>The torque on the gas-exchange stroke would be the inertia torque of a crank with r/L = %1, as far as the search goes, so it cannot be compared with the masses and the speed entered. Enter the rod length, and that is held instead.</source>
+        <translation>Момент на такте газообмена был бы инерционным моментом кривошипа с r/L = %1, дальше чего поиск не идёт, поэтому его нельзя сравнить с введёнными массами и частотой вращения. Введите длину шатуна — тогда r/L берётся по ней.</translation>
+    </message>
+    <message>
+        <source>The torque is computed from the masses and the speed entered, so there is nothing to compare.</source>
+        <translation>Момент вычислен по введённым массам и частоте вращения, сравнивать нечего.</translation>
+    </message>
+    <message>
+        <source>must be less than the angle of the bottom dead centre, %1</source>
+        <translation>должно быть меньше угла нижней мёртвой точки, %1</translation>
+    </message>
+    <message>
+        <source>must end the combustion before the ports open at %1</source>
+        <translation>должно заканчивать сгорание до открытия окон при %1</translation>
+    </message>
+    <message>
+        <source>must be after the ports have closed, %1</source>
+        <translation>должно быть после закрытия окон, %1</translation>
+    </message>
+    <message>
+        <source>must be %1, since the pressure trace spans %2</source>
+        <translation>должно быть %1: измеренное давление охватывает %2</translation>
+    </message>
+    <message>
+        <source>must be %1, since the torque table spans %2</source>
+        <translation>должно быть %1: таблица момента охватывает %2</translation>
+    </message>
+    <message>
+        <source>must be 2 or 4</source>
+        <translation>должно быть 2 или 4</translation>
+    </message>
+    <message>
+        <source>must hold either inertia_kg_m2 or fluctuation</source>
+        <translation>должно содержать inertia_kg_m2 или fluctuation</translation>
+    </message>
+    <message>
+        <source>The cylinder is offset: crank angles count from the true top dead centre, where the crank stands %1 from the cylinder&apos;s direction, α from that direction; both counterweights lag by %2, so that they meet the first order&apos;s part in quadrature too.</source>
+        <translation>Цилиндр смещён: углы поворота отсчитываются от истинной верхней мёртвой точки, где кривошип стоит под углом %1 к направлению цилиндра, α — от этого направления; оба противовеса отстают на %2 и потому уравновешивают и сдвинутую на 90° часть первого порядка.</translation>
+    </message>
+    <message>
+        <source>Nothing can be built: %1</source>
+        <translation>Построить нельзя ничего: %1</translation>
+    </message>
+    <message>
+        <source>No angle that can be built makes the range smaller than without a shaft.</source>
+        <translation>Ни один угол, который можно построить, не делает размах меньше, чем без вала.</translation>
+    </message>
+    <message>
+        <source>No angle that can be built makes the RMS smaller than without a shaft.</source>
+        <translation>Ни один угол, который можно построить, не делает СКЗ меньше, чем без вала.</translation>
+    </message>
+    <message>
+        <source>pressure taken for %1, as no heading names its unit</source>
+        <translation>давление принято в единицах %1: заголовок единицы не называет</translation>
+    </message>
+    <message>
+        <source>360°, the cycle of a two-stroke engine</source>
+        <translation>360°, цикл двухтактного двигателя</translation>
+    </message>
+    <message>
+        <source>must span 720°, or 360° for a two-stroke engine, the last row repeating the first</source>
+        <translation>должны охватывать 720° или, для двухтактного двигателя, 360°; последняя строка повторяет первую</translation>
+    </message>
+    <message>
+        <source>The peak of the pressure trace lies at %1, beside the top dead centre of the gas exchange. The firing one is at 360°: move the trace by a turn.</source>
+        <translation>Пик измеренного давления лежит при %1, у верхней мёртвой точки газообмена. Точка сгорания — при 360°: сдвиньте диаграмму на оборот.</translation>
+    </message>
+    <message>
+        <source>The peak of the pressure trace lies %1 after the firing top dead centre at %2; from 5° before to 45° after it is usual. The crank angles of the trace look out of phase.</source>
+        <translation>Пик измеренного давления лежит на %1 после верхней мёртвой точки сгорания при %2; обычно — от 5° до неё до 45° после. Похоже, углы диаграммы сдвинуты по фазе.</translation>
+    </message>
+    <message>
+        <source>The pressure trace looks like gauge pressure: at the bottom dead centre before compression it has %1 bar. Absolute pressure is wanted; add that of the atmosphere, about 1 bar.</source>
+        <translation>Измеренное давление похоже на избыточное: в нижней мёртвой точке перед сжатием оно равно %1 бар. Нужно абсолютное; прибавьте атмосферное, около 1 бар.</translation>
+    </message>
+    <message>
+        <source>At the bottom dead centre before compression the pressure trace has %1 bar. Its numbers look like %2, though its heading says %3.</source>
+        <translation>В нижней мёртвой точке перед сжатием измеренное давление равно %1 бар. Числа похожи на %2, хотя в заголовке стоит %3.</translation>
+    </message>
+    <message>
+        <source>At the bottom dead centre before compression the pressure trace has %1 bar. Its numbers look like %2, but its heading names no unit and %3 was taken.</source>
+        <translation>В нижней мёртвой точке перед сжатием измеренное давление равно %1 бар. Числа похожи на %2, но заголовок единицы не называет, и принято %3.</translation>
+    </message>
+    <message>
+        <source>The compression in the pressure trace has the polytropic exponent %1; 1.25 to 1.42 is usual. The crank angles may be out of phase by a few degrees, or the zero of the pressure off.</source>
+        <translation>Показатель политропы сжатия в измеренном давлении равен %1; обычно — от 1,25 до 1,42. Возможно, углы сдвинуты по фазе на несколько градусов или смещён нуль давления.</translation>
     </message>
 </context>
 <context>
@@ -1901,6 +3037,10 @@
     <message>
         <source>is nothing that this page can be told; it knows kernel, sweep, value</source>
         <translation>этой странице сообщить нельзя; она знает kernel, sweep, value</translation>
+    </message>
+    <message>
+        <source>%1, &quot;%2&quot;, not before %3 (the copy at hand shows neither journal nor year)</source>
+        <translation>%1, «%2», не ранее %3 (в имеющейся копии нет ни журнала, ни года)</translation>
     </message>
 </context>
 <context>
@@ -2373,6 +3513,26 @@
         <source>no spring is given: its free length is needed</source>
         <translation>пружина не задана: нужна её свободная длина</translation>
     </message>
+    <message>
+        <source>Weights of crank, rod and slider.</source>
+        <translation>Веса кривошипа, шатуна и ползуна.</translation>
+    </message>
+    <message>
+        <source>Masses of crank, rod and slider, instead of weights.</source>
+        <translation>Массы кривошипа, шатуна и ползуна вместо весов.</translation>
+    </message>
+    <message>
+        <source>The spring of the crank&apos;s hinge.</source>
+        <translation>Пружина шарнира кривошипа.</translation>
+    </message>
+    <message>
+        <source>Asks for a spring whose guide can be made.</source>
+        <translation>Поиск пружины, направляющую которой можно изготовить.</translation>
+    </message>
+    <message>
+        <source>Asks for the motion, by integration.</source>
+        <translation>Запрос движения, интегрированием.</translation>
+    </message>
 </context>
 <context>
     <name>inertia-moments</name>
@@ -2455,10 +3615,6 @@
     <message>
         <source>R&amp;otating mass</source>
         <translation>Вра&amp;щающаяся масса</translation>
-    </message>
-    <message>
-        <source>Of one throw, reduced to the crank radius: unbalanced part of the throw and the rod&apos;s share unless the rod is a rigid body.</source>
-        <translation>Одного колена, приведённая к радиусу кривошипа: неуравновешенная часть колена и доля шатуна, если шатун не задан твёрдым телом.</translation>
     </message>
     <message>
         <source>Centre of mass &amp;z</source>
@@ -2824,6 +3980,90 @@
         <source>sizes, masses and speed together must keep the balancing masses in the range of numbers</source>
         <translation>размеры, массы и частота вращения вместе должны держать уравновешивающие массы в пределах чисел</translation>
     </message>
+    <message>
+        <source>Of one cylinder, reduced to the crank radius: its part of the throw&apos;s unbalance, and the rod&apos;s share unless the rod is a rigid body below. A pin that two rods share carries it twice.</source>
+        <translation>Одного цилиндра, приведённая к радиусу кривошипа: его часть неуравновешенности колена и доля шатуна, если шатун ниже не задан твёрдым телом. Шейка, общая для двух шатунов, несёт её дважды.</translation>
+    </message>
+    <message>
+        <source>R&amp;otating mass of a throw</source>
+        <translation>&amp;Вращающаяся масса колена</translation>
+    </message>
+    <message>
+        <source>Instead of the mass of one cylinder: all that turns on one crankpin, with the shares of its rods unless the rod is a rigid body below. Only where all pins carry the same number of rods.</source>
+        <translation>Вместо массы одного цилиндра: всё, что вращается на одной шатунной шейке, с долями её шатунов, если шатун ниже не задан твёрдым телом. Только если на всех шейках одинаковое число шатунов.</translation>
+    </message>
+    <message>
+        <source>C&amp;ycle</source>
+        <translation>Ц&amp;икл</translation>
+    </message>
+    <message>
+        <source>4 or 2 strokes: the cylinders fire over 720° or over 360° of the crank. Crankpins for even firing follow it.</source>
+        <translation>4 или 2 такта: цилиндры срабатывают за 720° или за 360° поворота вала. Шейки для равномерного чередования следуют за этим.</translation>
+    </message>
+    <message>
+        <source>Step of the curves in the result; without it there are none.</source>
+        <translation>Шаг кривых в результате; без него их нет.</translation>
+    </message>
+    <message>
+        <source>The cylinders one by one, instead of a layout.</source>
+        <translation>Цилиндры по одному, вместо компоновки.</translation>
+    </message>
+    <message>
+        <source>A layout, instead of the cylinders one by one.</source>
+        <translation>Компоновка вместо перечня цилиндров.</translation>
+    </message>
+    <message>
+        <source>A VR engine of any number of cylinders, or a layout of the library.</source>
+        <translation>VR-двигатель с любым числом цилиндров или компоновка из библиотеки.</translation>
+    </message>
+    <message>
+        <source>Name in the library, for example i4, v6-60, v8-cross-plane.</source>
+        <translation>Имя в библиотеке, например i4, v6-60, v8-cross-plane.</translation>
+    </message>
+    <message>
+        <source>Number of cylinders of a VR engine.</source>
+        <translation>Число цилиндров VR-двигателя.</translation>
+    </message>
+    <message>
+        <source>The rod as a rigid body; without it its shares are in the masses.</source>
+        <translation>Шатун как твёрдое тело; без него его доли входят в массы.</translation>
+    </message>
+    <message>
+        <source>The balance shafts, each made for the order that it cancels.</source>
+        <translation>Балансирные валы, каждый для порядка, который он уравновешивает.</translation>
+    </message>
+    <message>
+        <source>The two counterweights on the end webs.</source>
+        <translation>Два противовеса на крайних щеках.</translation>
+    </message>
+    <message>
+        <source>Switched on, they count in what is left over.</source>
+        <translation>Включённые, они входят в остаток.</translation>
+    </message>
+    <message>
+        <source>must be given for one cylinder (rotating_mass_kg) on a crank whose throws carry different numbers of rods</source>
+        <translation>нужно задать для одного цилиндра (rotating_mass_kg): на коленах этого вала разное число шатунов</translation>
+    </message>
+    <message>
+        <source>must be 2 or 4</source>
+        <translation>должно быть 2 или 4</translation>
+    </message>
+    <message>
+        <source>The order %1 cannot be run through in two turns of this crank.</source>
+        <translation>Порядок %1 нельзя пройти за два оборота этого вала.</translation>
+    </message>
+    <message>
+        <source>The order %1 cannot be run through in one turn of this crank, as a two-stroke has to: its cylinders come to the top in the order %2.</source>
+        <translation>Порядок %1 нельзя пройти за один оборот этого вала, как нужно двухтактному двигателю: его цилиндры приходят вверх в порядке %2.</translation>
+    </message>
+    <message>
+        <source>throws with %1 and with %2 rods</source>
+        <translation>колена с числом шатунов %1 и %2</translation>
+    </message>
+    <message>
+        <source>Cylinders %1 share a crankpin in one plane: there one rod is the master and the others hang on it. All are computed as plain rods on the pin; articulated ones add a second order to the force, of some hundredths of the first, and uneven dead centres.</source>
+        <translation>Цилиндры %1 стоят на одной шейке в одной плоскости: там один шатун главный, остальные прицеплены к нему. Все считаются обычными шатунами на шейке; прицепные добавляют к силе второй порядок в несколько сотых первого и неравномерность мёртвых точек.</translation>
+    </message>
 </context>
 <context>
     <name>methods</name>
@@ -2842,10 +4082,6 @@
     <message>
         <source>What a guide does lies in its relief, which may be a few micrometres on a radius of a hundred millimetres: seven digits of the relief. The closed form needs no step and no start; written without a difference of nearly equal squares it keeps its digits down to the point where the spring gives out all that it stores.</source>
         <translation>Действие направляющей заключено в её перепаде, а это могут быть микрометры на радиусе в сто миллиметров: нужны семь знаков перепада. Замкнутой форме не нужны ни шаг, ни начальная точка; записанная без разности почти равных квадратов, она сохраняет знаки вплоть до точки, где пружина отдаёт всё, что накопила.</translation>
-    </message>
-    <message>
-        <source>Ripple and energy drift are read off to parts of a million, after up to a thousand turns: so an error of 1e-7 a turn. Step control finds the few steep places of a turn by itself; a fixed step that held at λ = 0.95 would be wasted everywhere else.</source>
-        <translation>Неравномерность хода и уход энергии отсчитываются до миллионных долей после тысячи оборотов: поэтому погрешность 10⁻⁷ на оборот. Управление шагом само находит немногие крутые места оборота; постоянный шаг, достаточный при λ = 0,95, во всех остальных местах был бы лишним.</translation>
     </message>
     <message>
         <source>Reports print six digits and layouts in balance must come out as zero, which is a difference of large forces: so nine digits. The exact form needs one square root; a series of the same cost has three digits at λ = 0.5 and none near locking. The sines of the nodes are kept, because every cylinder and every turn needs the same ones.</source>
@@ -2870,10 +4106,6 @@
     <message>
         <source>one search over all α, the table being prepared</source>
         <translation>один поиск по всем α, таблица подготовлена</translation>
-    </message>
-    <message>
-        <source>a scan of sampled moments, refined by Brent&apos;s method</source>
-        <translation>перебор по отсчётам момента, уточнённый методом Брента</translation>
     </message>
     <message>
         <source>scan</source>
@@ -2992,20 +4224,8 @@
         <translation>Среднее за цикл и СКЗ</translation>
     </message>
     <message>
-        <source>mean of M_ups and its RMS about the mean</source>
-        <translation>среднее M_ups и его СКЗ относительно среднего</translation>
-    </message>
-    <message>
         <source>part of the largest torque of the table + A</source>
         <translation>доля наибольшего момента таблицы плюс A</translation>
-    </message>
-    <message>
-        <source>both numbers, from the table</source>
-        <translation>оба числа, начиная с таблицы</translation>
-    </message>
-    <message>
-        <source>adaptive Gauss-Kronrod quadrature from row to row</source>
-        <translation>адаптивная квадратура Гаусса–Кронрода от строки к строке</translation>
     </message>
     <message>
         <source>node mean, end counted twice</source>
@@ -3026,10 +4246,6 @@
     <message>
         <source>Simpson&apos;s rule</source>
         <translation>формула Симпсона</translation>
-    </message>
-    <message>
-        <source>on a periodic function its alternate weights make it a trapezoid rule of half the nodes and worse</source>
-        <translation>на периодической функции чередующиеся веса превращают её в формулу трапеций с половиной узлов, и хуже</translation>
     </message>
     <message>
         <source>shaft angle α, the paper&apos;s engine</source>
@@ -3160,20 +4376,12 @@
         <translation>Движение с шарниром</translation>
     </message>
     <message>
-        <source>crank angle and speed after whole turns off the design speed</source>
-        <translation>угол и скорость кривошипа после целого числа оборотов не на расчётной скорости</translation>
-    </message>
-    <message>
         <source>rad, or part of the speed, for each turn made</source>
         <translation>рад или доля скорости на каждый оборот</translation>
     </message>
     <message>
         <source>one turn of motion</source>
         <translation>один оборот движения</translation>
-    </message>
-    <message>
-        <source>speeds by the energy of bars and spring, from differences of positions</source>
-        <translation>скорости по энергии звеньев и пружины, из разностей положений</translation>
     </message>
     <message>
         <source>Runge-Kutta of order 4, fixed step</source>
@@ -3376,10 +4584,6 @@
         <translation>размах при одном α, таблица подготовлена</translation>
     </message>
     <message>
-        <source>Brent&apos;s method in every degree between the rows</source>
-        <translation>метод Брента на каждом градусе между строками</translation>
-    </message>
-    <message>
         <source>series in λ</source>
         <translation>ряд по λ</translation>
     </message>
@@ -3498,10 +4702,6 @@
     <message>
         <source>offset e</source>
         <translation>смещение e</translation>
-    </message>
-    <message>
-        <source>K R.</source>
-        <translation>K R.</translation>
     </message>
     <message>
         <source>relative offset K</source>
@@ -3740,10 +4940,6 @@
         <translation>Программа, давшая табл. 2, не опубликована; наше число — скорость, при которой инерционный момент в ней отвечает массам табл. 1.</translation>
     </message>
     <message>
-        <source>M_up = −M_id.</source>
-        <translation>M_up = −M_id.</translation>
-    </message>
-    <message>
         <source>The mean of the 49 rows counts the end of the cycle, 720° = 0°, twice; ours is the cycle integral.</source>
         <translation>Среднее 49 строк учитывает конец цикла, 720° = 0°, дважды; наше число — интеграл за цикл.</translation>
     </message>
@@ -3840,14 +5036,6 @@
         <translation>аннотация</translation>
     </message>
     <message>
-        <source>The mean of the 49 rows falls by that at α = 30° and at the 45° of Fig. 2, because the end of the cycle is counted twice; no shaft changes the cycle mean.</source>
-        <translation>На столько падает среднее 49 строк при α = 30° и при 45° рис. 2, потому что конец цикла учтён дважды; среднего за цикл никакой вал не меняет.</translation>
-    </message>
-    <message>
-        <source>cut of the mean moment</source>
-        <translation>снижение среднего момента</translation>
-    </message>
-    <message>
         <source>α of the largest ΔM_ups</source>
         <translation>α наибольшего ΔM_ups</translation>
     </message>
@@ -3866,14 +5054,6 @@
     <message>
         <source>rational α</source>
         <translation>рациональный α</translation>
-    </message>
-    <message>
-        <source>No criterion is printed from which it follows; ours is where the range begins to be smaller than without a shaft.</source>
-        <translation>Критерий, из которого это следует, не напечатан; наше число — где размах становится меньше, чем без вала.</translation>
-    </message>
-    <message>
-        <source>Beyond it the range is larger than without a shaft.</source>
-        <translation>За ним размах больше, чем без вала.</translation>
     </message>
     <message>
         <source>α below which the overall size shrinks</source>
@@ -3932,14 +5112,6 @@
         <translation>k_y.</translation>
     </message>
     <message>
-        <source>The lightening of a steel plug that the printed maximum (22) asks for.</source>
-        <translation>Облегчение стальной пробки, которого требует напечатанный максимум (22).</translation>
-    </message>
-    <message>
-        <source>What the printed maximum (19) leaves for the lightening.</source>
-        <translation>То, что напечатанный максимум (19) оставляет на облегчение.</translation>
-    </message>
-    <message>
         <source>Equation (18) solved for Δm.</source>
         <translation>Формула (18), решённая относительно Δm.</translation>
     </message>
@@ -3978,10 +5150,6 @@
     <message>
         <source>largest shift Δr</source>
         <translation>наибольшее смещение Δr</translation>
-    </message>
-    <message>
-        <source>From the printed Δk of the 4.25 l engine.</source>
-        <translation>По напечатанному Δk двигателя 4,25 л.</translation>
     </message>
     <message>
         <source>The machined shapes that it belongs to are not printed.</source>
@@ -4127,13 +5295,333 @@
         <source>Quoted from another paper.</source>
         <translation>Приведено по другой работе.</translation>
     </message>
+    <message>
+        <source>Ripple is read off to parts of a million, after up to a thousand turns: so an error of 1e-7 a turn. The energy gives the speed at every angle, so only the time is integrated, and nothing can drift. Series over stretches that are halved where they must be find the steep places of a turn by themselves, and they hold with a moment on the crank, from rest and up to a reversal, where turns do not repeat.</source>
+        <translation>Неравномерность отсчитывают до миллионных долей, после тысячи оборотов: отсюда погрешность 1e-7 на оборот. Энергия даёт скорость при каждом угле, интегрируется одно время, и уходить нечему. Ряды на отрезках, которые делятся пополам, где нужно, сами находят крутые места оборота и годятся при моменте на кривошипе, из покоя и до обратного хода, где обороты не повторяются.</translation>
+    </message>
+    <message>
+        <source>the crossing of the two branches that rise from it, against the method in use</source>
+        <translation>пересечение двух ветвей, поднимающихся от него, против применяемого метода</translation>
+    </message>
+    <message>
+        <source>Gauss-Legendre on the table&apos;s pieces</source>
+        <translation>Гаусс–Лежандр на участках таблицы</translation>
+    </message>
+    <message>
+        <source>a piece has no kink, so few points are as good as exact where rows are close; pieces of a hundred degrees have to be parted for that</source>
+        <translation>на участке нет изломов, поэтому при частых строках нескольких точек довольно для точного ответа; участки в сотню градусов для этого надо делить</translation>
+    </message>
+    <message>
+        <source>%1 points, at most %2° apart</source>
+        <translation>%1 точек не реже чем на каждые %2°</translation>
+    </message>
+    <message>
+        <source>%1 points a piece</source>
+        <translation>%1 точек на участок</translation>
+    </message>
+    <message>
+        <source>mean of M_ups, its RMS about the mean, and the first order, which gives the RMS at every α</source>
+        <translation>среднее M_ups, СКЗ около среднего и первый порядок, который даёт СКЗ при каждом α</translation>
+    </message>
+    <message>
+        <source>all of these, from the table</source>
+        <translation>все эти величины, из таблицы</translation>
+    </message>
+    <message>
+        <source>jumps at the rows after integrating by parts, against the method in use</source>
+        <translation>скачки в строках после интегрирования по частям, против применяемого метода</translation>
+    </message>
+    <message>
+        <source>its alternate weights make it up to half as far off again as the trapezoid rule of as many steps, as long as kinks lie between its even nodes; only where every row is on one does its order 4 show</source>
+        <translation>из-за чередующихся весов погрешность до полутора раз больше, чем у формулы трапеций с тем же числом шагов, пока изломы лежат между чётными узлами; порядок 4 виден только там, где на них попадает каждая строка</translation>
+    </message>
+    <message>
+        <source>Chebyshev interpolant on eighths of the turn</source>
+        <translation>чебышёвский интерполянт на восьмых оборота</translation>
+    </message>
+    <message>
+        <source>half the price of the closed form for a smooth guide; but a corner, which the guide gets as the spring comes to give out all that it stores, and λ near 1 leave it two or three digits</source>
+        <translation>для плавной направляющей вдвое дешевле замкнутой формы; но излом, который появляется, когда пружина отдаёт почти всё запасённое, и λ вблизи 1 оставляют два-три знака</translation>
+    </message>
+    <message>
+        <source>closed form, existence proved by intervals</source>
+        <translation>замкнутая форма, существование доказано интервалами</translation>
+    </message>
+    <message>
+        <source>the only one that proves the guide for the angles between those looked at; where little preload is to spare, boxes that are too large cannot decide, and it says so</source>
+        <translation>единственный доказывает направляющую и для углов между рассмотренными; при малом запасе преднатяга слишком крупные отрезки решить не могут, и он это говорит</translation>
+    </message>
+    <message>
+        <source>boxes to %1 rad</source>
+        <translation>отрезки до %1 рад</translation>
+    </message>
+    <message>
+        <source>cannot prove that the guide exists</source>
+        <translation>не может доказать, что направляющая существует</translation>
+    </message>
+    <message>
+        <source>Runge-Kutta of order 4 for (ℓ₀/2 − ρ)²</source>
+        <translation>Рунге–Кутта порядка 4 для (ℓ₀/2 − ρ)²</translation>
+    </message>
+    <message>
+        <source>nothing is singular in the square: it is an integral, and the order holds everywhere; but its root halves the digits where ρ comes to ℓ₀/2</source>
+        <translation>в квадрате нет особенности: это интеграл, и порядок всюду сохраняется; но корень вдвое уменьшает число знаков там, где ρ доходит до ℓ₀/2</translation>
+    </message>
+    <message>
+        <source>Dormand-Prince for (ℓ₀/2 − ρ)²</source>
+        <translation>Дорман–Принс для (ℓ₀/2 − ρ)²</translation>
+    </message>
+    <message>
+        <source>long steps everywhere, but the same root; and the energy whose slope it integrates is known in closed form</source>
+        <translation>всюду длинные шаги, но тот же корень; а энергия, чью производную он интегрирует, известна в замкнутой форме</translation>
+    </message>
+    <message>
+        <source>its steps shrink to nothing</source>
+        <translation>его шаги уменьшаются до нуля</translation>
+    </message>
+    <message>
+        <source>energy, time by the trapezoid rule</source>
+        <translation>энергия, время формулой трапеций</translation>
+    </message>
+    <message>
+        <source>converges geometrically and never drifts, but only where every turn is like the last: not with a moment on the crank, not from rest and not to a reversal; a slow start takes thousands of nodes</source>
+        <translation>сходится геометрически и не уходит, но только там, где каждый оборот таков же, как прежний: не при моменте на кривошипе, не из покоя и не до обратного хода; медленный пуск требует тысяч узлов</translation>
+    </message>
+    <message>
+        <source>%1 nodes</source>
+        <translation>%1 узлов</translation>
+    </message>
+    <message>
+        <source>doubled until %1</source>
+        <translation>удвоение до %1</translation>
+    </message>
+    <message>
+        <source>with a moment on the crank no turn is like another</source>
+        <translation>при моменте на кривошипе обороты не похожи один на другой</translation>
+    </message>
+    <message>
+        <source>energy, time by Chebyshev series</source>
+        <translation>энергия, время чебышёвскими рядами</translation>
+    </message>
+    <message>
+        <source>stretches are halved near a standstill, which costs; where the crank can just pass a dead point or just not, rounding decides which</source>
+        <translation>вблизи остановки отрезки делятся, а это стоит времени; где кривошип едва проходит мёртвую точку или едва не проходит, решает округление</translation>
+    </message>
+    <message>
+        <source>crank angle and speed at nine times of the last turn, off the design speed</source>
+        <translation>угол и скорость кривошипа в девять моментов последнего оборота при нерасчётной скорости</translation>
+    </message>
+    <message>
+        <source>speeds by the energy of bars and spring, from differences of positions, and the times that follow from them</source>
+        <translation>скорости по энергии стержней и пружины, из разностей положений, и времена, которые из них следуют</translation>
+    </message>
+    <message>
+        <source>implicit midpoint rule, symplectic</source>
+        <translation>неявное правило средней точки, симплектическое</translation>
+    </message>
+    <message>
+        <source>half the error of Störmer-Verlet for as much work, but order 2 all the same: nothing here is stiff enough to repay an implicit rule</source>
+        <translation>половина погрешности Штёрмера–Верле за тот же труд, но порядок всё равно 2: здесь нет такой жёсткости, чтобы неявное правило окупилось</translation>
+    </message>
+    <message>
+        <source>Gauss of order 6, symplectic</source>
+        <translation>Гаусс порядка 6, симплектический</translation>
+    </message>
+    <message>
+        <source>neither its energy drifts nor does it lag, but each step solves for three accelerations; near λ = 1 a step spans the steep place</source>
+        <translation>энергия не уходит, и он не отстаёт, но каждый шаг решает уравнения для трёх ускорений; вблизи λ = 1 шаг длиннее крутого места</translation>
+    </message>
+    <message>
+        <source>Radau IIA of order 5</source>
+        <translation>Радо IIA порядка 5</translation>
+    </message>
+    <message>
+        <source>as dear as Gauss&apos;s method, and it damps: the energy drifts; made for stiff equations, which this is not</source>
+        <translation>дорог, как метод Гаусса, и гасит: энергия уходит; создан для жёстких уравнений, а это не жёсткое</translation>
+    </message>
+    <message>
+        <source>Dormand-Prince of order 8 with step control</source>
+        <translation>Дорман–Принс порядка 8 с управлением шагом</translation>
+    </message>
+    <message>
+        <source>fewer and longer steps than order 5 for ten digits, and the same drift without end</source>
+        <translation>для десяти знаков шагов меньше и они длиннее, чем при порядке 5, но тот же бесконечный уход</translation>
+    </message>
+    <message>
+        <source>moment on the crank, 5 turns</source>
+        <translation>момент на кривошипе, 5 оборотов</translation>
+    </message>
+    <message>
+        <source>interval bounds, halved</source>
+        <translation>интервальные границы, деление пополам</translation>
+    </message>
+    <message>
+        <source>cannot miss a peak however narrow, and says how far off it is at most; the price is thousands of times that of the closed form</source>
+        <translation>не пропустит самый узкий пик и говорит, насколько ошибается самое большее; цена в тысячи раз выше замкнутой формулы</translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation>до %1</translation>
+    </message>
+    <message>
+        <source>extrema of every degree by Newton&apos;s method, against the method in use</source>
+        <translation>экстремумы каждого градуса методом Ньютона, против применяемого метода</translation>
+    </message>
+    <message>
+        <source>Chebyshev interpolant of the rod&apos;s root</source>
+        <translation>чебышёвский интерполянт корня шатуна</translation>
+    </message>
+    <message>
+        <source>spreads its error over all angles: one digit more than the series with four terms and two with six, but no convergence at locking either, where the root has no slope</source>
+        <translation>распределяет погрешность по всем углам: при четырёх членах на знак больше ряда, при шести на два, но при заклинивании, где у корня нет касательной, тоже не сходится</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>задано</translation>
+    </message>
+    <message>
+        <source>angle between the banks γ</source>
+        <translation>угол развала γ</translation>
+    </message>
+    <message>
+        <source>The paper states it and computes nothing from it; nor does the program.</source>
+        <translation>Задано в статье, но ничего из него не вычислено — ни там, ни в программе.</translation>
+    </message>
+    <message>
+        <source>piston m_p</source>
+        <translation>поршень m_p</translation>
+    </message>
+    <message>
+        <source>piston m_p, in brackets</source>
+        <translation>поршень m_p, в скобках</translation>
+    </message>
+    <message>
+        <source>piston pin m_pp</source>
+        <translation>поршневой палец m_pp</translation>
+    </message>
+    <message>
+        <source>piston rings m_pr</source>
+        <translation>поршневые кольца m_pr</translation>
+    </message>
+    <message>
+        <source>connecting rod m_sh</source>
+        <translation>шатун m_sh</translation>
+    </message>
+    <message>
+        <source>connecting rod m_sh, ±</source>
+        <translation>шатун m_sh, ±</translation>
+    </message>
+    <message>
+        <source>rod&apos;s part at the pin m_1</source>
+        <translation>часть шатуна у пальца m_1</translation>
+    </message>
+    <message>
+        <source>bore in the engine&apos;s type</source>
+        <translation>диаметр цилиндра в марке двигателя</translation>
+    </message>
+    <message>
+        <source>stroke in the engine&apos;s type</source>
+        <translation>ход поршня в марке двигателя</translation>
+    </message>
+    <message>
+        <source>counterweight&apos;s radius ρ₁</source>
+        <translation>радиус противовеса ρ₁</translation>
+    </message>
+    <message>
+        <source>M_up = −M_id, which the program was told.</source>
+        <translation>M_up = −M_id, которое введено в программу.</translation>
+    </message>
+    <message>
+        <source>step of Table 3</source>
+        <translation>шаг табл. 3</translation>
+    </message>
+    <message>
+        <source>α at which M_s is a sine</source>
+        <translation>α, при котором M_s — синусоида</translation>
+    </message>
+    <message>
+        <source>M_s is P₁ l sin φ there.</source>
+        <translation>Там M_s равно P₁ l sin φ.</translation>
+    </message>
+    <message>
+        <source>lower end of the α that lower the mean</source>
+        <translation>нижняя граница α, снижающих среднее</translation>
+    </message>
+    <message>
+        <source>The mean of the nodes is positive from there; the cycle mean of M_s is 0 for every α.</source>
+        <translation>Оттуда среднее по узлам положительно; среднее M_s за цикл равно 0 при любом α.</translation>
+    </message>
+    <message>
+        <source>lower end of the α with M_sm &lt; 0</source>
+        <translation>нижняя граница α с M_sm &lt; 0</translation>
+    </message>
+    <message>
+        <source>α of Fig. %1</source>
+        <translation>α рис. %1</translation>
+    </message>
+    <message>
+        <source>The paper names no α for it. The mean of the 49 rows, with the end of the cycle counted twice, falls by 12 % at α from %1 to %2° and by 16 % at α from %3 to %4°; of these we take 30°, where the paper&apos;s range begins, and 45°, of its Fig. 2. No shaft changes the cycle mean.</source>
+        <translation>Статья не называет α для этого. Среднее 49 строк, где конец цикла сосчитан дважды, падает на 12 % при α от %1 до %2° и на 16 % при α от %3 до %4°; из них взяты 30°, начало диапазона статьи, и 45° её рис. 2. Среднее за цикл не меняет никакой вал.</translation>
+    </message>
+    <message>
+        <source>cut of the mean moment, by our choice at α = %1°</source>
+        <translation>снижение среднего момента, по нашему выбору при α = %1°</translation>
+    </message>
+    <message>
+        <source>No criterion is printed from which the two ends follow; ours are those between which the range is smaller than without a shaft.</source>
+        <translation>Критерий, из которого следовали бы обе границы, не напечатан; наши — те, между которыми размах меньше, чем без вала.</translation>
+    </message>
+    <message>
+        <source>No criterion is printed from which it follows; ours is where the range ceases to be smaller than without a shaft.</source>
+        <translation>Критерий, из которого это следовало бы, не напечатан; наше — где размах перестаёт быть меньше, чем без вала.</translation>
+    </message>
+    <message>
+        <source>The paper states it; none of its equations has it.</source>
+        <translation>Задано в статье; ни в одну её формулу не входит.</translation>
+    </message>
+    <message>
+        <source>The paper states it; its definition stands in another paper. Ours is what the program was told.</source>
+        <translation>Задано в статье; его определение — в другой статье. Наше число — то, что введено в программу.</translation>
+    </message>
+    <message>
+        <source>Equation (22) backwards: it was computed from this.</source>
+        <translation>Формула (22) в обратную сторону: она вычислена из этого.</translation>
+    </message>
+    <message>
+        <source>The largest Δk were computed from this.</source>
+        <translation>Из него вычислены наибольшие Δk.</translation>
+    </message>
+    <message>
+        <source>residual unbalance of the parts</source>
+        <translation>остаточный дисбаланс деталей</translation>
+    </message>
+    <message>
+        <source>The paper states it, beside a drawing that is not dimensioned in full.</source>
+        <translation>Задано в статье, у чертежа, на котором проставлены не все размеры.</translation>
+    </message>
+    <message>
+        <source>The paper chooses it as an example.</source>
+        <translation>Выбрано в статье для примера.</translation>
+    </message>
+    <message>
+        <source>diameter of a larger thread</source>
+        <translation>диаметр большей резьбы</translation>
+    </message>
+    <message>
+        <source>pitch of a larger thread</source>
+        <translation>шаг большей резьбы</translation>
+    </message>
+    <message>
+        <source>The paper states it; ours is what the program was told.</source>
+        <translation>Задано в статье; наше число — то, что введено в программу.</translation>
+    </message>
+    <message>
+        <source>guides 2: ρ₀</source>
+        <translation>направляющие 2: ρ₀</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::AnswerView</name>
-    <message>
-        <source>The four options</source>
-        <translation>Четыре варианта</translation>
-    </message>
     <message>
         <source>Bob weight on each crankpin</source>
         <translation>Балансировочный груз на шейку</translation>
@@ -4141,6 +5629,10 @@
     <message>
         <source>Bob weight on each crankpin, line by line</source>
         <translation>Балансировочный груз на шейку по строкам</translation>
+    </message>
+    <message>
+        <source>The options</source>
+        <translation>Варианты</translation>
     </message>
 </context>
 <context>
@@ -4157,176 +5649,24 @@
 <context>
     <name>ravnoves::BalanceShaftModel</name>
     <message>
-        <source>Torque source</source>
-        <translation>Источник момента</translation>
-    </message>
-    <message>
-        <source>Pressure trace</source>
-        <translation>Индикаторная диаграмма</translation>
-    </message>
-    <message>
-        <source>Move shaft</source>
-        <translation>Поворот вала</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Частота вращения</translation>
-    </message>
-    <message>
-        <source>N·m</source>
-        <translation>Н·м</translation>
-    </message>
-    <message>
-        <source>Mᵤₚ</source>
-        <translation>Mᵤₚ</translation>
-    </message>
-    <message>
-        <source>Mₛ</source>
-        <translation>Mₛ</translation>
-    </message>
-    <message>
-        <source>Mᵤₚₛ</source>
-        <translation>Mᵤₚₛ</translation>
-    </message>
-    <message>
-        <source>change</source>
-        <translation>измен.</translation>
-    </message>
-    <message>
-        <source>range</source>
-        <translation>размах</translation>
-    </message>
-    <message>
-        <source>RMS</source>
-        <translation>СКЗ</translation>
-    </message>
-    <message>
-        <source>mean</source>
-        <translation>среднее</translation>
-    </message>
-    <message>
-        <source>nodes</source>
-        <translation>по узлам</translation>
-    </message>
-    <message>
-        <source>max</source>
-        <translation>макс.</translation>
-    </message>
-    <message>
-        <source>min</source>
-        <translation>мин.</translation>
-    </message>
-    <message>
-        <source>Quantity</source>
-        <translation>Величина</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Значение</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Ед.</translation>
-    </message>
-    <message>
-        <source>N</source>
-        <translation>Н</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>мм</translation>
-    </message>
-    <message>
-        <source>Inertia force Pⱼ₁, max</source>
-        <translation>Сила инерции Pⱼ₁, макс.</translation>
-    </message>
-    <message>
-        <source>Counterweight m₁</source>
-        <translation>Противовес m₁</translation>
-    </message>
-    <message>
-        <source>kg</source>
-        <translation>кг</translation>
-    </message>
-    <message>
-        <source>Counterweight force P₁</source>
-        <translation>Сила противовеса P₁</translation>
-    </message>
-    <message>
-        <source>Amplitude of Mₛ, P₁ l</source>
-        <translation>Амплитуда Mₛ, P₁ l</translation>
-    </message>
-    <message>
-        <source>First order&apos;s share of Mᵤₚ</source>
-        <translation>Доля 1-го порядка в Mᵤₚ</translation>
-    </message>
-    <message>
-        <source>Envelope, width × height</source>
-        <translation>Габарит, ширина × высота</translation>
-    </message>
-    <message>
-        <source>Indicated mean effective pressure</source>
-        <translation>Среднее индикаторное давление</translation>
-    </message>
-    <message>
-        <source>bar</source>
-        <translation>бар</translation>
-    </message>
-    <message>
-        <source>Indicated work per cycle</source>
-        <translation>Индикаторная работа за цикл</translation>
-    </message>
-    <message>
-        <source>J</source>
-        <translation>Дж</translation>
-    </message>
-    <message>
-        <source>Indicated power</source>
-        <translation>Индикаторная мощность</translation>
-    </message>
-    <message>
-        <source>kW</source>
-        <translation>кВт</translation>
-    </message>
-    <message>
-        <source>Mean torque</source>
-        <translation>Средний крутящий момент</translation>
-    </message>
-    <message>
-        <source>Peak pressure</source>
-        <translation>Наибольшее давление</translation>
-    </message>
-    <message>
-        <source>at crank angle</source>
-        <translation>при угле поворота</translation>
-    </message>
-    <message>
-        <source>Displacement</source>
-        <translation>Рабочий объём</translation>
-    </message>
-    <message>
-        <source>cm³</source>
-        <translation>см³</translation>
-    </message>
-    <message>
-        <source>Clearance volume</source>
-        <translation>Объём камеры сгорания</translation>
-    </message>
-    <message>
-        <source>Heat per cycle</source>
-        <translation>Теплота за цикл</translation>
-    </message>
-    <message>
         <source>Every α is as good as any other.</source>
         <translation>Все α одинаково хороши.</translation>
     </message>
     <message>
-        <source>Least range %2 N·m at %1°</source>
-        <translation>Наименьший размах %2 Н·м при %1°</translation>
+        <source>cannot be built</source>
+        <translation>построить нельзя</translation>
     </message>
     <message>
-        <source>Least RMS %2 N·m at %1°</source>
-        <translation>Наименьшее СКЗ %2 Н·м при %1°</translation>
+        <source>
+but nothing can be built</source>
+        <translation>
+но построить нельзя ничего</translation>
+    </message>
+    <message>
+        <source>
+cannot be built: −%2 at %1°</source>
+        <translation>
+нельзя построить: −%2 при %1°</translation>
     </message>
 </context>
 <context>
@@ -4386,10 +5726,6 @@
     <message>
         <source>Counterweights and shaft</source>
         <translation>Противовесы и вал</translation>
-    </message>
-    <message>
-        <source>Sizes for picture and envelope</source>
-        <translation>Размеры для рисунка и габарита</translation>
     </message>
     <message>
         <source>Torque between the rows of its table</source>
@@ -4595,6 +5931,22 @@
         <source>TMZ-650D</source>
         <translation>ТМЗ-650Д</translation>
     </message>
+    <message>
+        <source>Flywheel</source>
+        <translation>Маховик</translation>
+    </message>
+    <message>
+        <source>four-stroke</source>
+        <translation>четырёхтактный</translation>
+    </message>
+    <message>
+        <source>two-stroke</source>
+        <translation>двухтактный</translation>
+    </message>
+    <message>
+        <source>Sizes: what can be built, envelope</source>
+        <translation>Размеры: что можно построить, габарит</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BalancingForm</name>
@@ -4769,6 +6121,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>V without clearance, cm³</source>
         <translation>V без камеры сгорания, см³</translation>
     </message>
+    <message>
+        <source>offset</source>
+        <translation>смещение</translation>
+    </message>
+    <message>
+        <source>e mⱼ ω² s″: what an offset cylinder adds to Mᵤₚ</source>
+        <translation>e mⱼ ω² s″: добавка смещённого цилиндра к Mᵤₚ</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::CylinderEditor</name>
@@ -4834,173 +6194,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Paste cylinders</source>
         <translation>Вставка цилиндров</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::ElasticHingeModel</name>
-    <message>
-        <source>Zotov and Sviridov 2021</source>
-        <translation>Зотов и Свиридов 2021</translation>
-    </message>
-    <message>
-        <source>None: %1.</source>
-        <translation>Нет: %1.</translation>
-    </message>
-    <message>
-        <source>c = %1 kN/m, ρ₀ = %2 mm: relief %3 mm within %4 mm; the spring is at least %5 mm long, bears up to %6 kN and stores up to %7 J.</source>
-        <translation>c = %1 кН/м, ρ₀ = %2 мм: перепад %3 мм в пределах %4 мм; пружина не короче %5 мм, несёт до %6 кН и запасает до %7 Дж.</translation>
-    </message>
-    <message>
-        <source>Take over the guide found</source>
-        <translation>Взята найденная направляющая</translation>
-    </message>
-    <message>
-        <source>Preload that the guide needs</source>
-        <translation>Нужный преднатяг</translation>
-    </message>
-    <message>
-        <source>Stiffness that the guide needs</source>
-        <translation>Нужная жёсткость</translation>
-    </message>
-    <message>
-        <source>No guide: %1.</source>
-        <translation>Направляющей нет: %1.</translation>
-    </message>
-    <message>
-        <source>The roller of radius %1 mm undercuts the guide: at most %2 mm follow it.</source>
-        <translation>Ролик радиусом %1 мм подрезает направляющую: годится не больше %2 мм.</translation>
-    </message>
-    <message>
-        <source>The guide exists, but with the printed sign it stores what the mechanism takes up: the crank does not keep its speed.</source>
-        <translation>Направляющая существует, но с напечатанным знаком она запасает то, что поглощает механизм: кривошип не сохраняет скорость.</translation>
-    </message>
-    <message>
-        <source>The guide exists, but cannot be made: with a relief of %1 mm a profile error of %2 µm changes its moment by up to %3.</source>
-        <translation>Направляющая существует, но её нельзя изготовить: при перепаде %1 мм погрешность профиля %2 мкм меняет её момент до %3.</translation>
-    </message>
-    <message>
-        <source>The guide exists: relief %1 mm; a profile error of %2 µm changes its moment by up to %3.</source>
-        <translation>Направляющая существует: перепад %1 мм; погрешность профиля %2 мкм меняет её момент до %3.</translation>
-    </message>
-    <message>
-        <source>Quantity</source>
-        <translation>Величина</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Значение</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Ед.</translation>
-    </message>
-    <message>
-        <source>N</source>
-        <translation>Н</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>мм</translation>
-    </message>
-    <message>
-        <source>Relief of the guide</source>
-        <translation>Перепад направляющей</translation>
-    </message>
-    <message>
-        <source>Preload needed / given</source>
-        <translation>Преднатяг нужен / есть</translation>
-    </message>
-    <message>
-        <source>Spring travel</source>
-        <translation>Ход пружины</translation>
-    </message>
-    <message>
-        <source>Largest spring force</source>
-        <translation>Сила пружины, макс.</translation>
-    </message>
-    <message>
-        <source>kN</source>
-        <translation>кН</translation>
-    </message>
-    <message>
-        <source>Moment error from %1 µm</source>
-        <translation>Погр. момента, %1 мкм</translation>
-    </message>
-    <message>
-        <source>N·m</source>
-        <translation>Н·м</translation>
-    </message>
-    <message>
-        <source>Least curvature radius</source>
-        <translation>Радиус кривизны, мин.</translation>
-    </message>
-    <message>
-        <source>Largest roller radius</source>
-        <translation>Радиус ролика, макс.</translation>
-    </message>
-    <message>
-        <source>any</source>
-        <translation>любая</translation>
-    </message>
-    <message>
-        <source>∮ M₁₂ dφ</source>
-        <translation>∮ M₁₂ dφ</translation>
-    </message>
-    <message>
-        <source>J</source>
-        <translation>Дж</translation>
-    </message>
-    <message>
-        <source>Side force without hinge</source>
-        <translation>Бок. сила без шарнира</translation>
-    </message>
-    <message>
-        <source>Side force with rod hinge</source>
-        <translation>Бок. сила с шарниром</translation>
-    </message>
-    <message>
-        <source>Counterweight P₄</source>
-        <translation>Противовес P₄</translation>
-    </message>
-    <message>
-        <source>kg</source>
-        <translation>кг</translation>
-    </message>
-    <message>
-        <source>reverses</source>
-        <translation>реверс</translation>
-    </message>
-    <message>
-        <source>Ripple without hinge</source>
-        <translation>Неравном. без шарнира</translation>
-    </message>
-    <message>
-        <source>Ripple with hinge</source>
-        <translation>Неравном. с шарниром</translation>
-    </message>
-    <message>
-        <source>Ripple from %1 rad/s</source>
-        <translation>Неравном. от %1 рад/с</translation>
-    </message>
-    <message>
-        <source>%1: %2…%3 rad/s, drift %4</source>
-        <translation>%1: %2…%3 рад/с, уход %4</translation>
-    </message>
-    <message>
-        <source>without hinge</source>
-        <translation>без шарнира</translation>
-    </message>
-    <message>
-        <source>crank hinge</source>
-        <translation>шарнир кривошипа</translation>
-    </message>
-    <message>
-        <source>both hinges</source>
-        <translation>оба шарнира</translation>
-    </message>
-    <message>
-        <source>from %1 rad/s</source>
-        <translation>от %1 рад/с</translation>
     </message>
 </context>
 <context>
@@ -5085,6 +6278,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>What the design gives</source>
         <translation>Что даёт конструкция</translation>
     </message>
+    <message>
+        <source>&amp;Motion</source>
+        <translation>&amp;Движение</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::EngineForm</name>
@@ -5135,6 +6332,38 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Rigid rod</source>
         <translation>Шатун — твёрдое тело</translation>
+    </message>
+    <message>
+        <source>four strokes, 720°</source>
+        <translation>четыре такта, 720°</translation>
+    </message>
+    <message>
+        <source>two strokes, 360°</source>
+        <translation>два такта, 360°</translation>
+    </message>
+    <message>
+        <source>of one cylinder</source>
+        <translation>одного цилиндра</translation>
+    </message>
+    <message>
+        <source>of one throw</source>
+        <translation>одного колена</translation>
+    </message>
+    <message>
+        <source>It is the mass</source>
+        <translation>Это масса</translation>
+    </message>
+    <message>
+        <source>Where rods share a crankpin, a throw carries the mass of one cylinder once for each of them. Choosing the other way changes the number, not the engine.</source>
+        <translation>Если шатунная шейка общая, колено несёт массу одного цилиндра по разу для каждого шатуна. Другой способ задания меняет число, а не двигатель.</translation>
+    </message>
+    <message>
+        <source>On each throw</source>
+        <translation>На каждом колене</translation>
+    </message>
+    <message>
+        <source>At the crank radius, with the share of rigid rods</source>
+        <translation>На радиусе кривошипа, с долей твёрдых шатунов</translation>
     </message>
 </context>
 <context>
@@ -5207,6 +6436,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Engine %1 removed.</source>
         <translation>Двигатель %1 удалён.</translation>
     </message>
+    <message>
+        <source>Aluminium plugs in place of the steel ones count among the options.</source>
+        <translation>Алюминиевые пробки вместо стальных учитываются среди вариантов.</translation>
+    </message>
+    <message>
+        <source>Their options count where a crankshaft made for them is fitted.</source>
+        <translation>Их варианты учитываются, если установлен изготовленный под них коленчатый вал.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::EngineView</name>
@@ -5262,20 +6499,28 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>лучше нет</translation>
     </message>
     <message>
-        <source>No other α has both a smaller box and a smaller range</source>
-        <translation>Нет другого α, при котором и габарит, и размах меньше</translation>
-    </message>
-    <message>
         <source>present α</source>
         <translation>нынешний α</translation>
     </message>
     <message>
-        <source>The box around cylinder, crank circle, shaft circle and gears, with the wall, in the front view. It is not checked that the shaft clears cylinder and rod. Radii, bore and wall are on the Inputs tab. Click either chart to set α.</source>
-        <translation>Прямоугольник вокруг цилиндра, окружностей кривошипа, вала и шестерён со стенкой, вид спереди. Не проверяется, проходит ли вал мимо цилиндра и шатуна. Радиусы, диаметр и стенка — на вкладке «Данные». Щелчок по любому графику задаёт α.</translation>
-    </message>
-    <message>
         <source>width × height, cm²</source>
         <translation>ширина × высота, см²</translation>
+    </message>
+    <message>
+        <source>can be built</source>
+        <translation>можно построить</translation>
+    </message>
+    <message>
+        <source>The shaft clears cylinder, crank and rod</source>
+        <translation>Вал не задевает цилиндр, кривошип и шатун</translation>
+    </message>
+    <message>
+        <source>Can be built, and no other α that can has both a smaller box and a smaller range</source>
+        <translation>Можно построить, и ни у какого другого α, который можно построить, нет сразу меньшего габарита и меньшего размаха</translation>
+    </message>
+    <message>
+        <source>The box around cylinder, crank circle, shaft circle and gears, with the wall, in the front view. Where the shaft&apos;s circle meets cylinder, crank or rod, α cannot be built. The sizes are on the Inputs tab. Click either chart to set α.</source>
+        <translation>Прямоугольник вокруг цилиндра, окружностей кривошипа и вала и шестерён со стенкой на виде спереди. Где окружность вала задевает цилиндр, кривошип или шатун, α построить нельзя. Размеры — на вкладке «Данные». Щелчок по любому графику задаёт α.</translation>
     </message>
 </context>
 <context>
@@ -5285,16 +6530,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Порядок работы</translation>
     </message>
     <message>
-        <source>One four-stroke cycle of 720°, counter-clockwise from the top: cylinders in the order of firing, the intervals between them, the present crank angle.</source>
-        <translation>Один четырёхтактный цикл, 720°, против часовой стрелки сверху: цилиндры в порядке работы, интервалы между вспышками, нынешний угол кривошипа.</translation>
-    </message>
-    <message>
         <source>No firing order given.</source>
         <translation>Порядок работы не задан.</translation>
-    </message>
-    <message>
-        <source>The order %1 cannot be run through in two turns of this crank.</source>
-        <translation>Порядок %1 нельзя пройти за два оборота этого вала.</translation>
     </message>
     <message>
         <source>even, every %1°</source>
@@ -5303,6 +6540,61 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>uneven, %1° to %2°</source>
         <translation>неравномерно, от %1° до %2°</translation>
+    </message>
+    <message>
+        <source>One cycle of the crank, 720° or 360°, counter-clockwise from the top: cylinders in the order of firing, the intervals between them, the present crank angle.</source>
+        <translation>Один цикл, 720° или 360° поворота вала, против часовой стрелки сверху: цилиндры в порядке работы, интервалы между ними, нынешний угол поворота.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::FlywheelView</name>
+    <message>
+        <source>Excess energy over the cycle</source>
+        <translation>Избыточная энергия за цикл</translation>
+    </message>
+    <message>
+        <source>φ, °</source>
+        <translation>φ, °</translation>
+    </message>
+    <message>
+        <source>J</source>
+        <translation>Дж</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>Work of the engine torque less that of its mean</source>
+        <translation>Работа крутящего момента за вычетом работы его среднего</translation>
+    </message>
+    <message>
+        <source>Excess work, fluctuation and moment of inertia</source>
+        <translation>Избыточная работа, неравномерность и момент инерции</translation>
+    </message>
+    <message>
+        <source>Flywheel</source>
+        <translation>Маховик</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Значение</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Единица</translation>
+    </message>
+    <message>
+        <source>The load takes the mean torque. The inertia of piston and rod is in the torque already and is not a part of J.</source>
+        <translation>Нагрузка забирает средний момент. Инерция поршня и шатуна уже учтена в моменте и в J не входит.</translation>
+    </message>
+    <message>
+        <source>fastest, %1 J</source>
+        <translation>быстрее всего, %1 Дж</translation>
+    </message>
+    <message>
+        <source>slowest, %1 J</source>
+        <translation>медленнее всего, %1 Дж</translation>
     </message>
 </context>
 <context>
@@ -6065,6 +7357,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>M₁* at several ω</source>
         <translation>M₁* при нескольких ω</translation>
     </message>
+    <message>
+        <source>&amp;Guide</source>
+        <translation>&amp;Направляющая</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::InertiaMomentsAnswer</name>
@@ -6298,197 +7594,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Roll</source>
         <translation>Опрокид.</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::InertiaMomentsModel</name>
-    <message>
-        <source>VW VR5 (paper)</source>
-        <translation>VW VR5 (статья)</translation>
-    </message>
-    <message>
-        <source>Own table</source>
-        <translation>Своя таблица</translation>
-    </message>
-    <message>
-        <source>VR%1</source>
-        <translation>VR%1</translation>
-    </message>
-    <message>
-        <source>Layout</source>
-        <translation>Компоновка</translation>
-    </message>
-    <message>
-        <source>Even firing needs a firing order.</source>
-        <translation>Для равномерного чередования нужен порядок работы.</translation>
-    </message>
-    <message>
-        <source>Even firing</source>
-        <translation>Равномерное чередование</translation>
-    </message>
-    <message>
-        <source>Bank angle</source>
-        <translation>Угол развала</translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation>Дезаксаж</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Частота вращения</translation>
-    </message>
-    <message>
-        <source>Centre of mass</source>
-        <translation>Центр масс</translation>
-    </message>
-    <message>
-        <source>Add shaft</source>
-        <translation>Добавление вала</translation>
-    </message>
-    <message>
-        <source>Remove shaft</source>
-        <translation>Удаление вала</translation>
-    </message>
-    <message>
-        <source>Shaft on</source>
-        <translation>Вал включён</translation>
-    </message>
-    <message>
-        <source>Shaft off</source>
-        <translation>Вал выключен</translation>
-    </message>
-    <message>
-        <source>F</source>
-        <translation>F</translation>
-    </message>
-    <message>
-        <source>M</source>
-        <translation>M</translation>
-    </message>
-    <message>
-        <source>N; N·m</source>
-        <translation>Н; Н·м</translation>
-    </message>
-    <message>
-        <source>exact</source>
-        <translation>точно</translation>
-    </message>
-    <message>
-        <source>phase, °</source>
-        <translation>фаза, °</translation>
-    </message>
-    <message>
-        <source>two-term</source>
-        <translation>2 члена</translation>
-    </message>
-    <message>
-        <source>diff., %</source>
-        <translation>откл., %</translation>
-    </message>
-    <message>
-        <source>+kω</source>
-        <translation>+kω</translation>
-    </message>
-    <message>
-        <source>at, °</source>
-        <translation>угол, °</translation>
-    </message>
-    <message>
-        <source>−kω</source>
-        <translation>−kω</translation>
-    </message>
-    <message>
-        <source>Shaft</source>
-        <translation>Вал</translation>
-    </message>
-    <message>
-        <source>cancels</source>
-        <translation>гасит</translation>
-    </message>
-    <message>
-        <source>mρ, g·mm</source>
-        <translation>mρ, г·мм</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>остаток</translation>
-    </message>
-    <message>
-        <source>Rotating masses</source>
-        <translation>Вращающиеся массы</translation>
-    </message>
-    <message>
-        <source>value</source>
-        <translation>значение</translation>
-    </message>
-    <message>
-        <source>angle, °</source>
-        <translation>угол, °</translation>
-    </message>
-    <message>
-        <source>lag, °</source>
-        <translation>отст., °</translation>
-    </message>
-    <message>
-        <source>Force, N</source>
-        <translation>Сила, Н</translation>
-    </message>
-    <message>
-        <source>Moment, N·m</source>
-        <translation>Момент, Н·м</translation>
-    </message>
-    <message>
-        <source>against the force</source>
-        <translation>против силы</translation>
-    </message>
-    <message>
-        <source>against the moment</source>
-        <translation>против момента</translation>
-    </message>
-    <message>
-        <source>, g·mm</source>
-        <translation>, г·мм</translation>
-    </message>
-    <message>
-        <source>, g</source>
-        <translation>, г</translation>
-    </message>
-    <message>
-        <source>Front web</source>
-        <translation>Передняя щека</translation>
-    </message>
-    <message>
-        <source>Rear web</source>
-        <translation>Задняя щека</translation>
-    </message>
-    <message>
-        <source>before</source>
-        <translation>до</translation>
-    </message>
-    <message>
-        <source>left, %</source>
-        <translation>ост., %</translation>
-    </message>
-    <message numerus="yes">
-        <source>and %n more</source>
-        <translation>
-            <numerusform>и ещё %n</numerusform>
-            <numerusform>и ещё %n</numerusform>
-            <numerusform>и ещё %n</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 left out (%2 % of the largest)</source>
-        <translation>%1 отброшен (%2 % наибольшего)</translation>
-    </message>
-    <message>
-        <source>%1 %2 % off</source>
-        <translation>%1: ошибка %2 %</translation>
-    </message>
-    <message>
-        <source>Two-term is not enough: order %1.</source>
-        <translation>Двух членов мало: порядок %1.</translation>
     </message>
 </context>
 <context>
@@ -7006,6 +8111,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>P₁ shaft</source>
         <translation>P₁ вал</translation>
     </message>
+    <message>
+        <source>cannot be built</source>
+        <translation>построить нельзя</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::MethodPlots</name>
@@ -7236,10 +8345,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Найденный порядок сходимости: погрешность падает как эта степень числа шагов</translation>
     </message>
     <message>
-        <source>Where along the hard parameter the error exceeds the scene&apos;s tolerance or the method refuses; of the finest setting or the one in use</source>
-        <translation>Где вдоль трудного параметра погрешность превышает допуск или метод отказывает; для самой тонкой настройки или применяемой</translation>
-    </message>
-    <message>
         <source>Speed and accuracy</source>
         <translation>Скорость и точность</translation>
     </message>
@@ -7322,6 +8427,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Exported %1</source>
         <translation>Записано: %1</translation>
+    </message>
+    <message>
+        <source>Where along each hard parameter the error exceeds the scene&apos;s tolerance or the method refuses; of the finest setting or the one in use</source>
+        <translation>Где вдоль каждого трудного параметра погрешность больше допуска или метод отказывает; для самой тонкой настройки или применяемой</translation>
+    </message>
+    <message>
+        <source>Beyond the tolerance: %1.</source>
+        <translation>Вне допуска: %1.</translation>
     </message>
 </context>
 <context>
@@ -7436,10 +8549,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>С балансирным валом при нынешнем α</translation>
     </message>
     <message>
-        <source>A four-stroke cycle has half orders. A shaft at crank speed changes order 1 alone; the best RMS is where it opposes that order.</source>
-        <translation>У четырёхтактного цикла есть половинные порядки. Вал, вращающийся со скоростью коленчатого, меняет только порядок 1; лучшее СКЗ там, где он ему противоположен.</translation>
-    </message>
-    <message>
         <source>Order spectrum</source>
         <translation>Спектр порядков</translation>
     </message>
@@ -7458,6 +8567,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Mᵤₚₛ, N·m</source>
         <translation>Mᵤₚₛ, Н·м</translation>
+    </message>
+    <message>
+        <source>A four-stroke cycle has half orders, a two-stroke one has whole ones. A shaft at crank speed changes order 1 alone; the best RMS is where it opposes that order.</source>
+        <translation>У четырёхтактного цикла есть половинные порядки, у двухтактного — только целые. Вал, вращающийся со скоростью коленчатого, меняет только порядок 1; лучшее СКЗ — там, где он ему противоположен.</translation>
     </message>
 </context>
 <context>
@@ -7576,63 +8689,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
-    <name>ravnoves::RelievedShaftView</name>
-    <message>
-        <source>Shaft with a relieved middle</source>
-        <translation>Вал с проточкой в средней части</translation>
-    </message>
-    <message>
-        <source>Size that follows from the others</source>
-        <translation>Размер, который следует из остальных</translation>
-    </message>
-    <message>
-        <source>depth h</source>
-        <translation>глубина h</translation>
-    </message>
-    <message>
-        <source>length b</source>
-        <translation>длина b</translation>
-    </message>
-    <message>
-        <source>diameter D</source>
-        <translation>диаметр D</translation>
-    </message>
-    <message>
-        <source>nothing, only check</source>
-        <translation>ничего, проверить</translation>
-    </message>
-    <message>
-        <source>&amp;Find</source>
-        <translation>&amp;Найти</translation>
-    </message>
-    <message>
-        <source>Two sizes are given, the third follows from the unbalance m₁ ρ₁.</source>
-        <translation>Два размера заданы, третий следует из дисбаланса m₁ ρ₁.</translation>
-    </message>
-    <message>
-        <source>E&amp;xport drawing (DXF)…</source>
-        <translation>&amp;Чертёж (DXF)…</translation>
-    </message>
-    <message>
-        <source>Section and side view, real size, for the machine shop</source>
-        <translation>Сечение и вид сбоку в натуральную величину, для цеха</translation>
-    </message>
-    <message>
-        <source>Sizes and masses of the shaft</source>
-        <translation>Размеры и массы вала</translation>
-    </message>
-    <message>
-        <source>Shaft</source>
-        <translation>Вал</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Значение</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Ед.</translation>
-    </message>
+    <name>ravnoves::RelievedShaftModel</name>
     <message>
         <source>Size to find</source>
         <translation>Искомый размер</translation>
@@ -7708,6 +8765,65 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Feasible.</source>
         <translation>Осуществимо.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::RelievedShaftView</name>
+    <message>
+        <source>Shaft with a relieved middle</source>
+        <translation>Вал с проточкой в средней части</translation>
+    </message>
+    <message>
+        <source>Size that follows from the others</source>
+        <translation>Размер, который следует из остальных</translation>
+    </message>
+    <message>
+        <source>depth h</source>
+        <translation>глубина h</translation>
+    </message>
+    <message>
+        <source>length b</source>
+        <translation>длина b</translation>
+    </message>
+    <message>
+        <source>diameter D</source>
+        <translation>диаметр D</translation>
+    </message>
+    <message>
+        <source>nothing, only check</source>
+        <translation>ничего, проверить</translation>
+    </message>
+    <message>
+        <source>&amp;Find</source>
+        <translation>&amp;Найти</translation>
+    </message>
+    <message>
+        <source>Two sizes are given, the third follows from the unbalance m₁ ρ₁.</source>
+        <translation>Два размера заданы, третий следует из дисбаланса m₁ ρ₁.</translation>
+    </message>
+    <message>
+        <source>E&amp;xport drawing (DXF)…</source>
+        <translation>&amp;Чертёж (DXF)…</translation>
+    </message>
+    <message>
+        <source>Section and side view, real size, for the machine shop</source>
+        <translation>Сечение и вид сбоку в натуральную величину, для цеха</translation>
+    </message>
+    <message>
+        <source>Sizes and masses of the shaft</source>
+        <translation>Размеры и массы вала</translation>
+    </message>
+    <message>
+        <source>Shaft</source>
+        <translation>Вал</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Значение</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Ед.</translation>
     </message>
     <message>
         <source>Export drawing</source>
@@ -8034,6 +9150,26 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Rebuild the torque (Torque tab) or choose a pressure trace or a computed cycle.</source>
         <translation>Пересоберите момент (вкладка «Момент») или возьмите давление или расчётный цикл.</translation>
     </message>
+    <message>
+        <source>The lowest speed of the study</source>
+        <translation>Наименьшая частота вращения в расчёте</translation>
+    </message>
+    <message>
+        <source>The highest speed of the study</source>
+        <translation>Наибольшая частота вращения в расчёте</translation>
+    </message>
+    <message>
+        <source>What the map shows and the least bad α makes least</source>
+        <translation>Что показывает карта и что минимизирует наименее плохой α</translation>
+    </message>
+    <message>
+        <source> But nothing can be built.</source>
+        <translation> Но построить нельзя ничего.</translation>
+    </message>
+    <message>
+        <source> %1° would gain %2 % more but cannot be built.</source>
+        <translation> %1° дал бы ещё %2 %, но его построить нельзя.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::TableEditor</name>
@@ -8089,10 +9225,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Взять частоту момента</translation>
     </message>
     <message>
-        <source>Measured cylinder pressure over 720° as a CSV file: crank angle from top dead centre before intake, absolute pressure (bar unless the heading says kPa, MPa, Pa or psi).</source>
-        <translation>Измеренное давление в цилиндре за 720° в файле CSV: угол поворота от верхней мёртвой точки перед впуском, абсолютное давление (в барах, если в заголовке нет kPa, MPa, Pa или psi).</translation>
-    </message>
-    <message>
         <source>&amp;Read CSV file…</source>
         <translation>Про&amp;читать CSV…</translation>
     </message>
@@ -8113,10 +9245,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Таблицы (*.csv *.txt *.tsv);;Все файлы (*)</translation>
     </message>
     <message>
-        <source>A plain four-stroke cycle: constant pressures for gas exchange, polytropic compression, one Wiebe heat release, polytropic expansion.</source>
-        <translation>Простой четырёхтактный цикл: газообмен при постоянных давлениях, политропное сжатие, одно тепловыделение по Вибе, политропное расширение.</translation>
-    </message>
-    <message>
         <source>Gas exchange and compression</source>
         <translation>Газообмен и сжатие</translation>
     </message>
@@ -8128,13 +9256,17 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>%1: %2.</source>
         <translation>%1: %2.</translation>
     </message>
+    <message>
+        <source>Measured cylinder pressure over a cycle as a CSV file: crank angle from top dead centre before intake (two-stroke, 360°: from the firing one), absolute pressure (bar unless the heading says kPa, MPa, Pa or psi).</source>
+        <translation>Измеренное давление в цилиндре за цикл в файле CSV: угол от верхней мёртвой точки перед впуском (двухтактный, 360°: от точки сгорания), абсолютное давление (в барах, если заголовок не называет кПа, МПа, Па или psi).</translation>
+    </message>
+    <message>
+        <source>A plain cycle: constant pressures for gas exchange, polytropic compression, one Wiebe heat release, polytropic expansion. 360° is the firing top dead centre.</source>
+        <translation>Простой цикл: постоянные давления газообмена, политропное сжатие, одно тепловыделение по Вибе, политропное расширение. 360° — верхняя мёртвая точка сгорания.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::TorqueTableEditor</name>
-    <message>
-        <source>Engine torque over one four-stroke cycle, 720°. Paste a whole table from a spreadsheet, or type.</source>
-        <translation>Крутящий момент за один четырёхтактный цикл, 720°. Вставьте таблицу из электронной таблицы или введите.</translation>
-    </message>
     <message>
         <source>Import CSV file…</source>
         <translation>Прочитать CSV…</translation>
@@ -8187,6 +9319,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Not pasted: %1</source>
         <translation>Не вставлено: %1</translation>
     </message>
+    <message>
+        <source>Engine torque over one cycle, 720° (two-stroke 360°). Paste a whole table from a spreadsheet, or type.</source>
+        <translation>Крутящий момент за один цикл, 720° (двухтактный — 360°). Вставьте всю таблицу из электронной таблицы или введите.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::TorqueTableModel</name>
@@ -8205,233 +9341,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>M_id, N·m</source>
         <translation>M_id, Н·м</translation>
-    </message>
-</context>
-<context>
-    <name>ravnoves::V8PlugsModel</name>
-    <message>
-        <source>Engine</source>
-        <translation>Двигатель</translation>
-    </message>
-    <message>
-        <source>The values kept for the engine “%1” cannot be read: %2</source>
-        <translation>Сохранённые данные двигателя «%1» не читаются: %2</translation>
-    </message>
-    <message>
-        <source>The engine needs a name.</source>
-        <translation>Двигателю нужно название.</translation>
-    </message>
-    <message>
-        <source>“%1” is the name of a preset; choose another.</source>
-        <translation>«%1» — название встроенного двигателя; выберите другое.</translation>
-    </message>
-    <message>
-        <source>Save engine</source>
-        <translation>Запомнить двигатель</translation>
-    </message>
-    <message>
-        <source>“%1” is the name of another engine of your own; choose another.</source>
-        <translation>Имя «%1» уже носит другой ваш двигатель; выберите иное.</translation>
-    </message>
-    <message>
-        <source>Rename engine</source>
-        <translation>Переименование двигателя</translation>
-    </message>
-    <message>
-        <source>The values differ from those kept under this name; “Keep as own engine” keeps these.</source>
-        <translation>Данные отличаются от сохранённых под этим именем; «Запомнить двигатель» сохранит эти.</translation>
-    </message>
-    <message>
-        <source>The paper gives only the crank radius of this engine; the rest has to be measured.</source>
-        <translation>Для этого двигателя статья даёт только радиус кривошипа; остальное нужно измерить.</translation>
-    </message>
-    <message>
-        <source>Plug masses as the paper prints them. They look too small for the threads it prints: weigh the plugs and type what the scale says.</source>
-        <translation>Массы пробок — как напечатано в статье. Для напечатанных резьб они слишком малы: взвесьте пробки и введите показания весов.</translation>
-    </message>
-    <message>
-        <source>The values do not go together.</source>
-        <translation>Значения не согласуются.</translation>
-    </message>
-    <message>
-        <source>Still needed: %1.</source>
-        <translation>Ещё нужны: %1.</translation>
-    </message>
-    <message>
-        <source>Excess Δm_y: not known yet</source>
-        <translation>Δm_у: пока неизвестна</translation>
-    </message>
-    <message>
-        <source>Excess Δm_y: %1, %2</source>
-        <translation>Δm_у: %1, %2</translation>
-    </message>
-    <message>
-        <source>The bob weight still needs: %1.</source>
-        <translation>Для груза ещё нужны: %1.</translation>
-    </message>
-    <message>
-        <source>ISO 21940-11 needs grade, mass and speed.</source>
-        <translation>Для ИСО 21940-11 нужны класс, масса и частота вращения.</translation>
-    </message>
-    <message>
-        <source>ISO 21940-11: U_per = 1000 m G / ω = %1 for the whole crankshaft; the method&apos;s own limit is %2 in each plane.</source>
-        <translation>ИСО 21940-11: U_доп = 1000 m G / ω = %1 на весь вал; предел самого метода — %2 в каждой плоскости.</translation>
-    </message>
-    <message>
-        <source>With thread and height the sheet says what the plug would weigh.</source>
-        <translation>По резьбе и высоте лист скажет, сколько весила бы пробка.</translation>
-    </message>
-    <message>
-        <source>A plug of these dimensions weighs %1 in steel, %2 in aluminium.</source>
-        <translation>Пробка таких размеров весит %1 из стали, %2 из алюминия.</translation>
-    </message>
-    <message>
-        <source>Option</source>
-        <translation>Вариант</translation>
-    </message>
-    <message>
-        <source>const., g</source>
-        <translation>пост., г</translation>
-    </message>
-    <message>
-        <source>slope</source>
-        <translation>наклон</translation>
-    </message>
-    <message>
-        <source>reach, g</source>
-        <translation>предел, г</translation>
-    </message>
-    <message>
-        <source>needed, g</source>
-        <translation>снять, г</translation>
-    </message>
-    <message>
-        <source>left, g</source>
-        <translation>ост., г</translation>
-    </message>
-    <message>
-        <source>left, g·mm</source>
-        <translation>ост., г·мм</translation>
-    </message>
-    <message>
-        <source>The engine has no such plug, or its data are missing.</source>
-        <translation>Такой пробки у двигателя нет или нет её данных.</translation>
-    </message>
-    <message>
-        <source>For the other crankshaft.</source>
-        <translation>Для другого вала.</translation>
-    </message>
-    <message>
-        <source>%1: %2.</source>
-        <translation>%1: %2.</translation>
-    </message>
-    <message>
-        <source>At most %1 may come off a plug; slope k_y = %2, %3°.</source>
-        <translation>С пробки можно снять не больше %1; наклон k_у = %2, %3°.</translation>
-    </message>
-    <message>
-        <source>factor × mass, g</source>
-        <translation>коэфф. × масса, г</translation>
-    </message>
-    <message>
-        <source>nominal</source>
-        <translation>номинал</translation>
-    </message>
-    <message>
-        <source>before</source>
-        <translation>до</translation>
-    </message>
-    <message>
-        <source>after</source>
-        <translation>после</translation>
-    </message>
-    <message>
-        <source>Bob weight</source>
-        <translation>Груз</translation>
-    </message>
-    <message>
-        <source>Plane</source>
-        <translation>Плоскость</translation>
-    </message>
-    <message>
-        <source>allowed, g·mm</source>
-        <translation>допустимо, г·мм</translation>
-    </message>
-    <message>
-        <source>reading, g·mm</source>
-        <translation>показание, г·мм</translation>
-    </message>
-    <message>
-        <source>verdict</source>
-        <translation>вывод</translation>
-    </message>
-    <message>
-        <source>✓ passes</source>
-        <translation>✓ годен</translation>
-    </message>
-    <message>
-        <source>✗ fails</source>
-        <translation>✗ не годен</translation>
-    </message>
-    <message>
-        <source>Front (pulley)</source>
-        <translation>Передняя (шкив)</translation>
-    </message>
-    <message>
-        <source>Rear (flywheel)</source>
-        <translation>Задняя (маховик)</translation>
-    </message>
-    <message>
-        <source>Cylinder</source>
-        <translation>Цилиндр</translation>
-    </message>
-    <message>
-        <source>Piston from</source>
-        <translation>Поршень из</translation>
-    </message>
-    <message>
-        <source>Rod from</source>
-        <translation>Шатун из</translation>
-    </message>
-    <message>
-        <source>Crankpin</source>
-        <translation>Шейка</translation>
-    </message>
-    <message>
-        <source>spread</source>
-        <translation>разброс</translation>
-    </message>
-    <message>
-        <source>as weighed, g</source>
-        <translation>как есть, г</translation>
-    </message>
-    <message>
-        <source>after moving, g</source>
-        <translation>после, г</translation>
-    </message>
-    <message>
-        <source>%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.</source>
-        <translation>%1: взвешено %2; тяжелее всех в цилиндре %3, легче всех в цилиндре %4.</translation>
-    </message>
-    <message>
-        <source>There is no journal.</source>
-        <translation>Журнала нет.</translation>
-    </message>
-    <message>
-        <source>without an engine number</source>
-        <translation>без номера двигателя</translation>
-    </message>
-    <message>
-        <source>Job %1 had been changed elsewhere meanwhile: saved as a new job.</source>
-        <translation>Работу %1 тем временем изменили в другом месте: сохранено как новая работа.</translation>
-    </message>
-    <message>
-        <source>Job %1 saved in the journal.</source>
-        <translation>Работа %1 сохранена в журнале.</translation>
-    </message>
-    <message>
-        <source>The job&apos;s sheet cannot be read: %1</source>
-        <translation>Лист работы не читается: %1</translation>
     </message>
 </context>
 <context>
