@@ -388,7 +388,9 @@ inline constexpr Field ports_open{
                       "Of a two-stroke engine: crank angle after top dead centre at which the "
                       "exhaust opens. It closes at the same place of the piston.")};
 
-inline constexpr Field flywheel{.key = "flywheel"};
+inline constexpr Field flywheel{
+    .key = "flywheel",
+    .hint = CORE_TEXT("balance-shaft", "What evens out the speed within a cycle: J or δ.")};
 inline constexpr Field flywheel_inertia{
     .key = "inertia_kg_m2",
     .unit = units::kg_m2,

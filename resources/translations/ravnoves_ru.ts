@@ -2,575 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ru_RU">
 <context>
-    <name>BalanceShaftModel</name>
-    <message>
-        <source>Torque source</source>
-        <translation>Источник момента</translation>
-    </message>
-    <message>
-        <source>Pressure trace</source>
-        <translation>Индикаторная диаграмма</translation>
-    </message>
-    <message>
-        <source>Move shaft</source>
-        <translation>Поворот вала</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Частота вращения</translation>
-    </message>
-    <message>
-        <source>N·m</source>
-        <translation>Н·м</translation>
-    </message>
-    <message>
-        <source>Mᵤₚ</source>
-        <translation>Mᵤₚ</translation>
-    </message>
-    <message>
-        <source>Mₛ</source>
-        <translation>Mₛ</translation>
-    </message>
-    <message>
-        <source>Mᵤₚₛ</source>
-        <translation>Mᵤₚₛ</translation>
-    </message>
-    <message>
-        <source>change</source>
-        <translation>измен.</translation>
-    </message>
-    <message>
-        <source>range</source>
-        <translation>размах</translation>
-    </message>
-    <message>
-        <source>RMS</source>
-        <translation>СКЗ</translation>
-    </message>
-    <message>
-        <source>mean</source>
-        <translation>среднее</translation>
-    </message>
-    <message>
-        <source>nodes</source>
-        <translation>по узлам</translation>
-    </message>
-    <message>
-        <source>max</source>
-        <translation>макс.</translation>
-    </message>
-    <message>
-        <source>min</source>
-        <translation>мин.</translation>
-    </message>
-    <message>
-        <source>Quantity</source>
-        <translation>Величина</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Значение</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Единица</translation>
-    </message>
-    <message>
-        <source>N</source>
-        <translation>Н</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>мм</translation>
-    </message>
-    <message>
-        <source>Inertia force Pⱼ₁, max</source>
-        <translation>Сила инерции Pⱼ₁, макс.</translation>
-    </message>
-    <message>
-        <source>Counterweight m₁</source>
-        <translation>Противовес m₁</translation>
-    </message>
-    <message>
-        <source>kg</source>
-        <translation>кг</translation>
-    </message>
-    <message>
-        <source>Counterweight force P₁</source>
-        <translation>Сила противовеса P₁</translation>
-    </message>
-    <message>
-        <source>Amplitude of Mₛ, P₁ l</source>
-        <translation>Амплитуда Mₛ, P₁ l</translation>
-    </message>
-    <message>
-        <source>First order&apos;s share of Mᵤₚ</source>
-        <translation>Доля 1-го порядка в Mᵤₚ</translation>
-    </message>
-    <message>
-        <source>Envelope, width × height</source>
-        <translation>Габарит, ширина × высота</translation>
-    </message>
-    <message>
-        <source>Indicated mean effective pressure</source>
-        <translation>Среднее индикаторное давление</translation>
-    </message>
-    <message>
-        <source>bar</source>
-        <translation>бар</translation>
-    </message>
-    <message>
-        <source>Indicated work per cycle</source>
-        <translation>Индикаторная работа за цикл</translation>
-    </message>
-    <message>
-        <source>J</source>
-        <translation>Дж</translation>
-    </message>
-    <message>
-        <source>Indicated power</source>
-        <translation>Индикаторная мощность</translation>
-    </message>
-    <message>
-        <source>kW</source>
-        <translation>кВт</translation>
-    </message>
-    <message>
-        <source>Mean torque</source>
-        <translation>Средний крутящий момент</translation>
-    </message>
-    <message>
-        <source>Peak pressure</source>
-        <translation>Наибольшее давление</translation>
-    </message>
-    <message>
-        <source>at crank angle</source>
-        <translation>при угле поворота</translation>
-    </message>
-    <message>
-        <source>Displacement</source>
-        <translation>Рабочий объём</translation>
-    </message>
-    <message>
-        <source>cm³</source>
-        <translation>см³</translation>
-    </message>
-    <message>
-        <source>Clearance volume</source>
-        <translation>Объём камеры сгорания</translation>
-    </message>
-    <message>
-        <source>Heat per cycle</source>
-        <translation>Теплота за цикл</translation>
-    </message>
-    <message>
-        <source>Excess work ΔE</source>
-        <translation>Избыточная работа ΔE</translation>
-    </message>
-    <message>
-        <source>Fluctuation δ</source>
-        <translation>Неравномерность δ</translation>
-    </message>
-    <message>
-        <source>Moment of inertia J</source>
-        <translation>Момент инерции J</translation>
-    </message>
-    <message>
-        <source>kg·m²</source>
-        <translation>кг·м²</translation>
-    </message>
-    <message>
-        <source>Speed swings by ±</source>
-        <translation>Частота колеблется на ±</translation>
-    </message>
-    <message>
-        <source>min⁻¹</source>
-        <translation>мин⁻¹</translation>
-    </message>
-    <message>
-        <source>Fastest at crank angle</source>
-        <translation>Быстрее всего при угле</translation>
-    </message>
-    <message>
-        <source>Slowest at crank angle</source>
-        <translation>Медленнее всего при угле</translation>
-    </message>
-    <message>
-        <source>Least range %2 N·m at %1°</source>
-        <translation>Наименьший размах %2 Н·м при %1°</translation>
-    </message>
-    <message>
-        <source>Least RMS %2 N·m at %1°</source>
-        <translation>Наименьшее СКЗ %2 Н·м при %1°</translation>
-    </message>
-</context>
-<context>
-    <name>ElasticHingeModel</name>
-    <message>
-        <source>Zotov and Sviridov 2021</source>
-        <translation>Зотов и Свиридов 2021</translation>
-    </message>
-    <message>
-        <source>None: %1.</source>
-        <translation>Нет: %1.</translation>
-    </message>
-    <message>
-        <source>c = %1 kN/m, ρ₀ = %2 mm: relief %3 mm within %4 mm; the spring is at least %5 mm long, bears up to %6 kN and stores up to %7 J.</source>
-        <translation>c = %1 кН/м, ρ₀ = %2 мм: перепад %3 мм в пределах %4 мм; пружина не короче %5 мм, несёт до %6 кН и запасает до %7 Дж.</translation>
-    </message>
-    <message>
-        <source>Take over the guide found</source>
-        <translation>Взята найденная направляющая</translation>
-    </message>
-    <message>
-        <source>Preload that the guide needs</source>
-        <translation>Нужный преднатяг</translation>
-    </message>
-    <message>
-        <source>Stiffness that the guide needs</source>
-        <translation>Нужная жёсткость</translation>
-    </message>
-    <message>
-        <source>No guide: %1.</source>
-        <translation>Направляющей нет: %1.</translation>
-    </message>
-    <message>
-        <source>The roller of radius %1 mm undercuts the guide: at most %2 mm follow it.</source>
-        <translation>Ролик радиусом %1 мм подрезает направляющую: годится не больше %2 мм.</translation>
-    </message>
-    <message>
-        <source>The guide exists, but with the printed sign it stores what the mechanism takes up: the crank does not keep its speed.</source>
-        <translation>Направляющая существует, но с напечатанным знаком она запасает то, что поглощает механизм: кривошип не сохраняет скорость.</translation>
-    </message>
-    <message>
-        <source>The guide exists, but cannot be made: with a relief of %1 mm a profile error of %2 µm changes its moment by up to %3.</source>
-        <translation>Направляющая существует, но её нельзя изготовить: при перепаде %1 мм погрешность профиля %2 мкм меняет её момент до %3.</translation>
-    </message>
-    <message>
-        <source>The guide exists: relief %1 mm; a profile error of %2 µm changes its moment by up to %3.</source>
-        <translation>Направляющая существует: перепад %1 мм; погрешность профиля %2 мкм меняет её момент до %3.</translation>
-    </message>
-    <message>
-        <source>Quantity</source>
-        <translation>Величина</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Значение</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Единица</translation>
-    </message>
-    <message>
-        <source>N</source>
-        <translation>Н</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>мм</translation>
-    </message>
-    <message>
-        <source>Relief of the guide</source>
-        <translation>Перепад направляющей</translation>
-    </message>
-    <message>
-        <source>Preload needed / given</source>
-        <translation>Преднатяг нужен / есть</translation>
-    </message>
-    <message>
-        <source>Spring travel</source>
-        <translation>Ход пружины</translation>
-    </message>
-    <message>
-        <source>Largest spring force</source>
-        <translation>Сила пружины, макс.</translation>
-    </message>
-    <message>
-        <source>kN</source>
-        <translation>кН</translation>
-    </message>
-    <message>
-        <source>Moment error from %1 µm</source>
-        <translation>Погр. момента, %1 мкм</translation>
-    </message>
-    <message>
-        <source>N·m</source>
-        <translation>Н·м</translation>
-    </message>
-    <message>
-        <source>Least curvature radius</source>
-        <translation>Радиус кривизны, мин.</translation>
-    </message>
-    <message>
-        <source>Largest roller radius</source>
-        <translation>Радиус ролика, макс.</translation>
-    </message>
-    <message>
-        <source>any</source>
-        <translation>любая</translation>
-    </message>
-    <message>
-        <source>∮ M₁₂ dφ</source>
-        <translation>∮ M₁₂ dφ</translation>
-    </message>
-    <message>
-        <source>J</source>
-        <translation>Дж</translation>
-    </message>
-    <message>
-        <source>Side force without hinge</source>
-        <translation>Бок. сила без шарнира</translation>
-    </message>
-    <message>
-        <source>Side force with rod hinge</source>
-        <translation>Бок. сила с шарниром</translation>
-    </message>
-    <message>
-        <source>Counterweight P₄</source>
-        <translation>Противовес P₄</translation>
-    </message>
-    <message>
-        <source>kg</source>
-        <translation>кг</translation>
-    </message>
-    <message>
-        <source>reverses</source>
-        <translation>реверс</translation>
-    </message>
-    <message>
-        <source>Ripple without hinge</source>
-        <translation>Неравном. без шарнира</translation>
-    </message>
-    <message>
-        <source>Ripple with hinge</source>
-        <translation>Неравном. с шарниром</translation>
-    </message>
-    <message>
-        <source>Ripple from %1 rad/s</source>
-        <translation>Неравном. от %1 рад/с</translation>
-    </message>
-    <message>
-        <source>%1: %2…%3 rad/s, drift %4</source>
-        <translation>%1: %2…%3 рад/с, уход %4</translation>
-    </message>
-    <message>
-        <source>without hinge</source>
-        <translation>без шарнира</translation>
-    </message>
-    <message>
-        <source>crank hinge</source>
-        <translation>шарнир кривошипа</translation>
-    </message>
-    <message>
-        <source>both hinges</source>
-        <translation>оба шарнира</translation>
-    </message>
-    <message>
-        <source>from %1 rad/s</source>
-        <translation>от %1 рад/с</translation>
-    </message>
-</context>
-<context>
-    <name>InertiaMomentsModel</name>
-    <message>
-        <source>VW VR5 (paper)</source>
-        <translation>VW VR5 (статья)</translation>
-    </message>
-    <message>
-        <source>Own table</source>
-        <translation>Своя таблица</translation>
-    </message>
-    <message>
-        <source>VR%1</source>
-        <translation>VR%1</translation>
-    </message>
-    <message>
-        <source>Layout</source>
-        <translation>Компоновка</translation>
-    </message>
-    <message>
-        <source>Even firing needs a firing order.</source>
-        <translation>Для равномерного чередования нужен порядок работы.</translation>
-    </message>
-    <message>
-        <source>Even firing</source>
-        <translation>Равномерное чередование</translation>
-    </message>
-    <message>
-        <source>%1 kg, rods: %2</source>
-        <translation>%1 кг, шатунов: %2</translation>
-    </message>
-    <message>
-        <source>Bank angle</source>
-        <translation>Угол развала</translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation>Дезаксаж</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Частота вращения</translation>
-    </message>
-    <message>
-        <source>Centre of mass</source>
-        <translation>Центр масс</translation>
-    </message>
-    <message>
-        <source>Add shaft</source>
-        <translation>Добавление вала</translation>
-    </message>
-    <message>
-        <source>Remove shaft</source>
-        <translation>Удаление вала</translation>
-    </message>
-    <message>
-        <source>Shaft on</source>
-        <translation>Вал включён</translation>
-    </message>
-    <message>
-        <source>Shaft off</source>
-        <translation>Вал выключен</translation>
-    </message>
-    <message>
-        <source>F</source>
-        <translation>F</translation>
-    </message>
-    <message>
-        <source>M</source>
-        <translation>M</translation>
-    </message>
-    <message>
-        <source>N; N·m</source>
-        <translation>Н; Н·м</translation>
-    </message>
-    <message>
-        <source>exact</source>
-        <translation>точно</translation>
-    </message>
-    <message>
-        <source>phase, °</source>
-        <translation>фаза, °</translation>
-    </message>
-    <message>
-        <source>two-term</source>
-        <translation>2 члена</translation>
-    </message>
-    <message>
-        <source>diff., %</source>
-        <translation>откл., %</translation>
-    </message>
-    <message>
-        <source>+kω</source>
-        <translation>+kω</translation>
-    </message>
-    <message>
-        <source>at, °</source>
-        <translation>угол, °</translation>
-    </message>
-    <message>
-        <source>−kω</source>
-        <translation>−kω</translation>
-    </message>
-    <message>
-        <source>Shaft</source>
-        <translation>Вал</translation>
-    </message>
-    <message>
-        <source>cancels</source>
-        <translation>гасит</translation>
-    </message>
-    <message>
-        <source>mρ, g·mm</source>
-        <translation>mρ, г·мм</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>остаток</translation>
-    </message>
-    <message>
-        <source>Rotating masses</source>
-        <translation>Вращающиеся массы</translation>
-    </message>
-    <message>
-        <source>value</source>
-        <translation>значение</translation>
-    </message>
-    <message>
-        <source>angle, °</source>
-        <translation>угол, °</translation>
-    </message>
-    <message>
-        <source>lag, °</source>
-        <translation>отст., °</translation>
-    </message>
-    <message>
-        <source>Force, N</source>
-        <translation>Сила, Н</translation>
-    </message>
-    <message>
-        <source>Moment, N·m</source>
-        <translation>Момент, Н·м</translation>
-    </message>
-    <message>
-        <source>against the force</source>
-        <translation>против силы</translation>
-    </message>
-    <message>
-        <source>against the moment</source>
-        <translation>против момента</translation>
-    </message>
-    <message>
-        <source>On a throw, rods: %1, g</source>
-        <translation>Колено, ×%1, г</translation>
-    </message>
-    <message>
-        <source>, g·mm</source>
-        <translation>, г·мм</translation>
-    </message>
-    <message>
-        <source>, g</source>
-        <translation>, г</translation>
-    </message>
-    <message>
-        <source>Front web</source>
-        <translation>Передняя щека</translation>
-    </message>
-    <message>
-        <source>Rear web</source>
-        <translation>Задняя щека</translation>
-    </message>
-    <message>
-        <source>before</source>
-        <translation>до</translation>
-    </message>
-    <message>
-        <source>left, %</source>
-        <translation>ост., %</translation>
-    </message>
-    <message numerus="yes">
-        <source>and %n more</source>
-        <translation>
-            <numerusform>и ещё %n</numerusform>
-            <numerusform>и ещё %n</numerusform>
-            <numerusform>и ещё %n</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 left out (%2 % of the largest)</source>
-        <translation>%1 отброшен (%2 % наибольшего)</translation>
-    </message>
-    <message>
-        <source>%1 %2 % off</source>
-        <translation>%1: ошибка %2 %</translation>
-    </message>
-    <message>
-        <source>Two-term is not enough: order %1.</source>
-        <translation>Двух членов мало: порядок %1.</translation>
-    </message>
-</context>
-<context>
     <name>JobCard</name>
     <message>
         <source>custom</source>
@@ -1575,233 +1006,6 @@
     </message>
 </context>
 <context>
-    <name>V8PlugsModel</name>
-    <message>
-        <source>Engine</source>
-        <translation>Двигатель</translation>
-    </message>
-    <message>
-        <source>The values kept for the engine “%1” cannot be read: %2</source>
-        <translation>Сохранённые данные двигателя «%1» не читаются: %2</translation>
-    </message>
-    <message>
-        <source>The engine needs a name.</source>
-        <translation>Двигателю нужно название.</translation>
-    </message>
-    <message>
-        <source>“%1” is the name of a preset; choose another.</source>
-        <translation>«%1» — название встроенного двигателя; выберите другое.</translation>
-    </message>
-    <message>
-        <source>Save engine</source>
-        <translation>Запомнить двигатель</translation>
-    </message>
-    <message>
-        <source>“%1” is the name of another engine of your own; choose another.</source>
-        <translation>Имя «%1» уже носит другой ваш двигатель; выберите иное.</translation>
-    </message>
-    <message>
-        <source>Rename engine</source>
-        <translation>Переименование двигателя</translation>
-    </message>
-    <message>
-        <source>The values differ from those kept under this name; “Keep as own engine” keeps these.</source>
-        <translation>Данные отличаются от сохранённых под этим именем; «Запомнить двигатель» сохранит эти.</translation>
-    </message>
-    <message>
-        <source>The paper gives only the crank radius of this engine; the rest has to be measured.</source>
-        <translation>Для этого двигателя статья даёт только радиус кривошипа; остальное нужно измерить.</translation>
-    </message>
-    <message>
-        <source>Plug masses as the paper prints them. They look too small for the threads it prints: weigh the plugs and type what the scale says.</source>
-        <translation>Массы пробок — как напечатано в статье. Для напечатанных резьб они слишком малы: взвесьте пробки и введите показания весов.</translation>
-    </message>
-    <message>
-        <source>The values do not go together.</source>
-        <translation>Значения не согласуются.</translation>
-    </message>
-    <message>
-        <source>Still needed: %1.</source>
-        <translation>Ещё нужны: %1.</translation>
-    </message>
-    <message>
-        <source>Excess Δm_y: not known yet</source>
-        <translation>Δm_у: пока неизвестна</translation>
-    </message>
-    <message>
-        <source>Excess Δm_y: %1, %2</source>
-        <translation>Δm_у: %1, %2</translation>
-    </message>
-    <message>
-        <source>The bob weight still needs: %1.</source>
-        <translation>Для груза ещё нужны: %1.</translation>
-    </message>
-    <message>
-        <source>ISO 21940-11 needs grade, mass and speed.</source>
-        <translation>Для ИСО 21940-11 нужны класс, масса и частота вращения.</translation>
-    </message>
-    <message>
-        <source>ISO 21940-11: U_per = 1000 m G / ω = %1 for the whole crankshaft; the method&apos;s own limit is %2 in each plane.</source>
-        <translation>ИСО 21940-11: U_доп = 1000 m G / ω = %1 на весь вал; предел самого метода — %2 в каждой плоскости.</translation>
-    </message>
-    <message>
-        <source>With thread and height the sheet says what the plug would weigh.</source>
-        <translation>По резьбе и высоте лист скажет, сколько весила бы пробка.</translation>
-    </message>
-    <message>
-        <source>A plug of these dimensions weighs %1 in steel, %2 in aluminium.</source>
-        <translation>Пробка таких размеров весит %1 из стали, %2 из алюминия.</translation>
-    </message>
-    <message>
-        <source>Option</source>
-        <translation>Вариант</translation>
-    </message>
-    <message>
-        <source>const., g</source>
-        <translation>пост., г</translation>
-    </message>
-    <message>
-        <source>slope</source>
-        <translation>наклон</translation>
-    </message>
-    <message>
-        <source>reach, g</source>
-        <translation>предел, г</translation>
-    </message>
-    <message>
-        <source>needed, g</source>
-        <translation>снять, г</translation>
-    </message>
-    <message>
-        <source>left, g</source>
-        <translation>ост., г</translation>
-    </message>
-    <message>
-        <source>left, g·mm</source>
-        <translation>ост., г·мм</translation>
-    </message>
-    <message>
-        <source>The engine has no such plug, or its data are missing.</source>
-        <translation>Такой пробки у двигателя нет или нет её данных.</translation>
-    </message>
-    <message>
-        <source>For the other crankshaft.</source>
-        <translation>Для другого вала.</translation>
-    </message>
-    <message>
-        <source>%1: %2.</source>
-        <translation>%1: %2.</translation>
-    </message>
-    <message>
-        <source>At most %1 may come off a plug; slope k_y = %2, %3°.</source>
-        <translation>С пробки можно снять не больше %1; наклон k_у = %2, %3°.</translation>
-    </message>
-    <message>
-        <source>factor × mass, g</source>
-        <translation>коэфф. × масса, г</translation>
-    </message>
-    <message>
-        <source>nominal</source>
-        <translation>номинал</translation>
-    </message>
-    <message>
-        <source>before</source>
-        <translation>до</translation>
-    </message>
-    <message>
-        <source>after</source>
-        <translation>после</translation>
-    </message>
-    <message>
-        <source>Bob weight</source>
-        <translation>Груз</translation>
-    </message>
-    <message>
-        <source>Plane</source>
-        <translation>Плоскость</translation>
-    </message>
-    <message>
-        <source>allowed, g·mm</source>
-        <translation>допустимо, г·мм</translation>
-    </message>
-    <message>
-        <source>reading, g·mm</source>
-        <translation>показание, г·мм</translation>
-    </message>
-    <message>
-        <source>verdict</source>
-        <translation>вывод</translation>
-    </message>
-    <message>
-        <source>✓ passes</source>
-        <translation>✓ годен</translation>
-    </message>
-    <message>
-        <source>✗ fails</source>
-        <translation>✗ не годен</translation>
-    </message>
-    <message>
-        <source>Front (pulley)</source>
-        <translation>Передняя (шкив)</translation>
-    </message>
-    <message>
-        <source>Rear (flywheel)</source>
-        <translation>Задняя (маховик)</translation>
-    </message>
-    <message>
-        <source>Cylinder</source>
-        <translation>Цилиндр</translation>
-    </message>
-    <message>
-        <source>Piston from</source>
-        <translation>Поршень из</translation>
-    </message>
-    <message>
-        <source>Rod from</source>
-        <translation>Шатун из</translation>
-    </message>
-    <message>
-        <source>Crankpin</source>
-        <translation>Шейка</translation>
-    </message>
-    <message>
-        <source>spread</source>
-        <translation>разброс</translation>
-    </message>
-    <message>
-        <source>as weighed, g</source>
-        <translation>как есть, г</translation>
-    </message>
-    <message>
-        <source>after moving, g</source>
-        <translation>после, г</translation>
-    </message>
-    <message>
-        <source>%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.</source>
-        <translation>%1: взвешено %2; тяжелее всех в цилиндре %3, легче всех в цилиндре %4.</translation>
-    </message>
-    <message>
-        <source>There is no journal.</source>
-        <translation>Журнала нет.</translation>
-    </message>
-    <message>
-        <source>without an engine number</source>
-        <translation>без номера двигателя</translation>
-    </message>
-    <message>
-        <source>Job %1 had been changed elsewhere meanwhile: saved as a new job.</source>
-        <translation>Работу %1 тем временем изменили в другом месте: сохранено как новая работа.</translation>
-    </message>
-    <message>
-        <source>Job %1 saved in the journal.</source>
-        <translation>Работа %1 сохранена в журнале.</translation>
-    </message>
-    <message>
-        <source>The job&apos;s sheet cannot be read: %1</source>
-        <translation>Лист работы не читается: %1</translation>
-    </message>
-</context>
-<context>
     <name>balance-shaft</name>
     <message>
         <source>must be at least %1, what the cycle gives without heat</source>
@@ -2546,6 +1750,10 @@
     <message>
         <source>Of a two-stroke engine: crank angle after top dead centre at which the exhaust opens. It closes at the same place of the piston.</source>
         <translation>Двухтактный двигатель: угол после верхней мёртвой точки, при котором открывается выпуск. Закрывается он при том же положении поршня.</translation>
+    </message>
+    <message>
+        <source>What evens out the speed within a cycle: J or δ.</source>
+        <translation>Что выравнивает частоту вращения внутри цикла: J или δ.</translation>
     </message>
     <message>
         <source>Inertia &amp;J</source>
@@ -5649,12 +4857,212 @@
 <context>
     <name>ravnoves::BalanceShaftModel</name>
     <message>
+        <source>Torque source</source>
+        <translation>Источник момента</translation>
+    </message>
+    <message>
+        <source>Pressure trace</source>
+        <translation>Индикаторная диаграмма</translation>
+    </message>
+    <message>
+        <source>Move shaft</source>
+        <translation>Поворот вала</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Частота вращения</translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation>Н·м</translation>
+    </message>
+    <message>
+        <source>Mᵤₚ</source>
+        <translation>Mᵤₚ</translation>
+    </message>
+    <message>
+        <source>Mₛ</source>
+        <translation>Mₛ</translation>
+    </message>
+    <message>
+        <source>Mᵤₚₛ</source>
+        <translation>Mᵤₚₛ</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>измен.</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>размах</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>СКЗ</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>среднее</translation>
+    </message>
+    <message>
+        <source>nodes</source>
+        <translation>по узлам</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>макс.</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>мин.</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Величина</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Значение</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Ед.</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>Н</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>мм</translation>
+    </message>
+    <message>
+        <source>Inertia force Pⱼ₁, max</source>
+        <translation>Сила инерции Pⱼ₁, макс.</translation>
+    </message>
+    <message>
+        <source>Counterweight m₁</source>
+        <translation>Противовес m₁</translation>
+    </message>
+    <message>
+        <source>kg</source>
+        <translation>кг</translation>
+    </message>
+    <message>
+        <source>Counterweight force P₁</source>
+        <translation>Сила противовеса P₁</translation>
+    </message>
+    <message>
+        <source>Amplitude of Mₛ, P₁ l</source>
+        <translation>Амплитуда Mₛ, P₁ l</translation>
+    </message>
+    <message>
+        <source>First order&apos;s share of Mᵤₚ</source>
+        <translation>Доля 1-го порядка в Mᵤₚ</translation>
+    </message>
+    <message>
+        <source>Envelope, width × height</source>
+        <translation>Габарит, ширина × высота</translation>
+    </message>
+    <message>
+        <source>Indicated mean effective pressure</source>
+        <translation>Среднее индикаторное давление</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>бар</translation>
+    </message>
+    <message>
+        <source>Indicated work per cycle</source>
+        <translation>Индикаторная работа за цикл</translation>
+    </message>
+    <message>
+        <source>J</source>
+        <translation>Дж</translation>
+    </message>
+    <message>
+        <source>Indicated power</source>
+        <translation>Индикаторная мощность</translation>
+    </message>
+    <message>
+        <source>kW</source>
+        <translation>кВт</translation>
+    </message>
+    <message>
+        <source>Mean torque</source>
+        <translation>Средний крутящий момент</translation>
+    </message>
+    <message>
+        <source>Peak pressure</source>
+        <translation>Наибольшее давление</translation>
+    </message>
+    <message>
+        <source>at crank angle</source>
+        <translation>при угле поворота</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Рабочий объём</translation>
+    </message>
+    <message>
+        <source>cm³</source>
+        <translation>см³</translation>
+    </message>
+    <message>
+        <source>Clearance volume</source>
+        <translation>Объём камеры сгорания</translation>
+    </message>
+    <message>
+        <source>Heat per cycle</source>
+        <translation>Теплота за цикл</translation>
+    </message>
+    <message>
         <source>Every α is as good as any other.</source>
         <translation>Все α одинаково хороши.</translation>
     </message>
     <message>
+        <source>Least range %2 N·m at %1°</source>
+        <translation>Наименьший размах %2 Н·м при %1°</translation>
+    </message>
+    <message>
+        <source>Least RMS %2 N·m at %1°</source>
+        <translation>Наименьшее СКЗ %2 Н·м при %1°</translation>
+    </message>
+    <message>
         <source>cannot be built</source>
         <translation>построить нельзя</translation>
+    </message>
+    <message>
+        <source>Excess work ΔE</source>
+        <translation>Избыточная работа ΔE</translation>
+    </message>
+    <message>
+        <source>Fluctuation δ</source>
+        <translation>Неравномерность δ</translation>
+    </message>
+    <message>
+        <source>Moment of inertia J</source>
+        <translation>Момент инерции J</translation>
+    </message>
+    <message>
+        <source>kg·m²</source>
+        <translation>кг·м²</translation>
+    </message>
+    <message>
+        <source>Speed swings by ±</source>
+        <translation>Частота колеблется на ±</translation>
+    </message>
+    <message>
+        <source>min⁻¹</source>
+        <translation>мин⁻¹</translation>
+    </message>
+    <message>
+        <source>Fastest at crank angle</source>
+        <translation>Быстрее всего при угле</translation>
+    </message>
+    <message>
+        <source>Slowest at crank angle</source>
+        <translation>Медленнее всего при угле</translation>
     </message>
     <message>
         <source>
@@ -6194,6 +5602,173 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Paste cylinders</source>
         <translation>Вставка цилиндров</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ElasticHingeModel</name>
+    <message>
+        <source>Zotov and Sviridov 2021</source>
+        <translation>Зотов и Свиридов 2021</translation>
+    </message>
+    <message>
+        <source>None: %1.</source>
+        <translation>Нет: %1.</translation>
+    </message>
+    <message>
+        <source>c = %1 kN/m, ρ₀ = %2 mm: relief %3 mm within %4 mm; the spring is at least %5 mm long, bears up to %6 kN and stores up to %7 J.</source>
+        <translation>c = %1 кН/м, ρ₀ = %2 мм: перепад %3 мм в пределах %4 мм; пружина не короче %5 мм, несёт до %6 кН и запасает до %7 Дж.</translation>
+    </message>
+    <message>
+        <source>Take over the guide found</source>
+        <translation>Взята найденная направляющая</translation>
+    </message>
+    <message>
+        <source>Preload that the guide needs</source>
+        <translation>Нужный преднатяг</translation>
+    </message>
+    <message>
+        <source>Stiffness that the guide needs</source>
+        <translation>Нужная жёсткость</translation>
+    </message>
+    <message>
+        <source>No guide: %1.</source>
+        <translation>Направляющей нет: %1.</translation>
+    </message>
+    <message>
+        <source>The roller of radius %1 mm undercuts the guide: at most %2 mm follow it.</source>
+        <translation>Ролик радиусом %1 мм подрезает направляющую: годится не больше %2 мм.</translation>
+    </message>
+    <message>
+        <source>The guide exists, but with the printed sign it stores what the mechanism takes up: the crank does not keep its speed.</source>
+        <translation>Направляющая существует, но с напечатанным знаком она запасает то, что поглощает механизм: кривошип не сохраняет скорость.</translation>
+    </message>
+    <message>
+        <source>The guide exists, but cannot be made: with a relief of %1 mm a profile error of %2 µm changes its moment by up to %3.</source>
+        <translation>Направляющая существует, но её нельзя изготовить: при перепаде %1 мм погрешность профиля %2 мкм меняет её момент до %3.</translation>
+    </message>
+    <message>
+        <source>The guide exists: relief %1 mm; a profile error of %2 µm changes its moment by up to %3.</source>
+        <translation>Направляющая существует: перепад %1 мм; погрешность профиля %2 мкм меняет её момент до %3.</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Величина</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Значение</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Ед.</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>Н</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>мм</translation>
+    </message>
+    <message>
+        <source>Relief of the guide</source>
+        <translation>Перепад направляющей</translation>
+    </message>
+    <message>
+        <source>Preload needed / given</source>
+        <translation>Преднатяг нужен / есть</translation>
+    </message>
+    <message>
+        <source>Spring travel</source>
+        <translation>Ход пружины</translation>
+    </message>
+    <message>
+        <source>Largest spring force</source>
+        <translation>Сила пружины, макс.</translation>
+    </message>
+    <message>
+        <source>kN</source>
+        <translation>кН</translation>
+    </message>
+    <message>
+        <source>Moment error from %1 µm</source>
+        <translation>Погр. момента, %1 мкм</translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation>Н·м</translation>
+    </message>
+    <message>
+        <source>Least curvature radius</source>
+        <translation>Радиус кривизны, мин.</translation>
+    </message>
+    <message>
+        <source>Largest roller radius</source>
+        <translation>Радиус ролика, макс.</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>любая</translation>
+    </message>
+    <message>
+        <source>∮ M₁₂ dφ</source>
+        <translation>∮ M₁₂ dφ</translation>
+    </message>
+    <message>
+        <source>J</source>
+        <translation>Дж</translation>
+    </message>
+    <message>
+        <source>Side force without hinge</source>
+        <translation>Бок. сила без шарнира</translation>
+    </message>
+    <message>
+        <source>Side force with rod hinge</source>
+        <translation>Бок. сила с шарниром</translation>
+    </message>
+    <message>
+        <source>Counterweight P₄</source>
+        <translation>Противовес P₄</translation>
+    </message>
+    <message>
+        <source>kg</source>
+        <translation>кг</translation>
+    </message>
+    <message>
+        <source>reverses</source>
+        <translation>реверс</translation>
+    </message>
+    <message>
+        <source>Ripple without hinge</source>
+        <translation>Неравном. без шарнира</translation>
+    </message>
+    <message>
+        <source>Ripple with hinge</source>
+        <translation>Неравном. с шарниром</translation>
+    </message>
+    <message>
+        <source>Ripple from %1 rad/s</source>
+        <translation>Неравном. от %1 рад/с</translation>
+    </message>
+    <message>
+        <source>%1: %2…%3 rad/s, drift %4</source>
+        <translation>%1: %2…%3 рад/с, уход %4</translation>
+    </message>
+    <message>
+        <source>without hinge</source>
+        <translation>без шарнира</translation>
+    </message>
+    <message>
+        <source>crank hinge</source>
+        <translation>шарнир кривошипа</translation>
+    </message>
+    <message>
+        <source>both hinges</source>
+        <translation>оба шарнира</translation>
+    </message>
+    <message>
+        <source>from %1 rad/s</source>
+        <translation>от %1 рад/с</translation>
     </message>
 </context>
 <context>
@@ -7594,6 +7169,205 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Roll</source>
         <translation>Опрокид.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::InertiaMomentsModel</name>
+    <message>
+        <source>VW VR5 (paper)</source>
+        <translation>VW VR5 (статья)</translation>
+    </message>
+    <message>
+        <source>Own table</source>
+        <translation>Своя таблица</translation>
+    </message>
+    <message>
+        <source>VR%1</source>
+        <translation>VR%1</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Компоновка</translation>
+    </message>
+    <message>
+        <source>Even firing needs a firing order.</source>
+        <translation>Для равномерного чередования нужен порядок работы.</translation>
+    </message>
+    <message>
+        <source>Even firing</source>
+        <translation>Равномерное чередование</translation>
+    </message>
+    <message>
+        <source>Bank angle</source>
+        <translation>Угол развала</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Дезаксаж</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Частота вращения</translation>
+    </message>
+    <message>
+        <source>Centre of mass</source>
+        <translation>Центр масс</translation>
+    </message>
+    <message>
+        <source>Add shaft</source>
+        <translation>Добавление вала</translation>
+    </message>
+    <message>
+        <source>Remove shaft</source>
+        <translation>Удаление вала</translation>
+    </message>
+    <message>
+        <source>Shaft on</source>
+        <translation>Вал включён</translation>
+    </message>
+    <message>
+        <source>Shaft off</source>
+        <translation>Вал выключен</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>N; N·m</source>
+        <translation>Н; Н·м</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>точно</translation>
+    </message>
+    <message>
+        <source>phase, °</source>
+        <translation>фаза, °</translation>
+    </message>
+    <message>
+        <source>two-term</source>
+        <translation>2 члена</translation>
+    </message>
+    <message>
+        <source>diff., %</source>
+        <translation>откл., %</translation>
+    </message>
+    <message>
+        <source>+kω</source>
+        <translation>+kω</translation>
+    </message>
+    <message>
+        <source>at, °</source>
+        <translation>угол, °</translation>
+    </message>
+    <message>
+        <source>−kω</source>
+        <translation>−kω</translation>
+    </message>
+    <message>
+        <source>Shaft</source>
+        <translation>Вал</translation>
+    </message>
+    <message>
+        <source>cancels</source>
+        <translation>гасит</translation>
+    </message>
+    <message>
+        <source>mρ, g·mm</source>
+        <translation>mρ, г·мм</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>остаток</translation>
+    </message>
+    <message>
+        <source>Rotating masses</source>
+        <translation>Вращающиеся массы</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>значение</translation>
+    </message>
+    <message>
+        <source>angle, °</source>
+        <translation>угол, °</translation>
+    </message>
+    <message>
+        <source>lag, °</source>
+        <translation>отст., °</translation>
+    </message>
+    <message>
+        <source>Force, N</source>
+        <translation>Сила, Н</translation>
+    </message>
+    <message>
+        <source>Moment, N·m</source>
+        <translation>Момент, Н·м</translation>
+    </message>
+    <message>
+        <source>against the force</source>
+        <translation>против силы</translation>
+    </message>
+    <message>
+        <source>against the moment</source>
+        <translation>против момента</translation>
+    </message>
+    <message>
+        <source>, g·mm</source>
+        <translation>, г·мм</translation>
+    </message>
+    <message>
+        <source>, g</source>
+        <translation>, г</translation>
+    </message>
+    <message>
+        <source>Front web</source>
+        <translation>Передняя щека</translation>
+    </message>
+    <message>
+        <source>Rear web</source>
+        <translation>Задняя щека</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>до</translation>
+    </message>
+    <message>
+        <source>left, %</source>
+        <translation>ост., %</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>и ещё %n</numerusform>
+            <numerusform>и ещё %n</numerusform>
+            <numerusform>и ещё %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 left out (%2 % of the largest)</source>
+        <translation>%1 отброшен (%2 % наибольшего)</translation>
+    </message>
+    <message>
+        <source>%1 %2 % off</source>
+        <translation>%1: ошибка %2 %</translation>
+    </message>
+    <message>
+        <source>Two-term is not enough: order %1.</source>
+        <translation>Двух членов мало: порядок %1.</translation>
+    </message>
+    <message>
+        <source>%1 kg, rods: %2</source>
+        <translation>%1 кг, шатунов: %2</translation>
+    </message>
+    <message>
+        <source>On a throw, rods: %1, g</source>
+        <translation>Колено, ×%1, г</translation>
     </message>
 </context>
 <context>
@@ -9341,6 +9115,233 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>M_id, N·m</source>
         <translation>M_id, Н·м</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::V8PlugsModel</name>
+    <message>
+        <source>Engine</source>
+        <translation>Двигатель</translation>
+    </message>
+    <message>
+        <source>The values kept for the engine “%1” cannot be read: %2</source>
+        <translation>Сохранённые данные двигателя «%1» не читаются: %2</translation>
+    </message>
+    <message>
+        <source>The engine needs a name.</source>
+        <translation>Двигателю нужно название.</translation>
+    </message>
+    <message>
+        <source>“%1” is the name of a preset; choose another.</source>
+        <translation>«%1» — название встроенного двигателя; выберите другое.</translation>
+    </message>
+    <message>
+        <source>Save engine</source>
+        <translation>Запомнить двигатель</translation>
+    </message>
+    <message>
+        <source>“%1” is the name of another engine of your own; choose another.</source>
+        <translation>Имя «%1» уже носит другой ваш двигатель; выберите иное.</translation>
+    </message>
+    <message>
+        <source>Rename engine</source>
+        <translation>Переименование двигателя</translation>
+    </message>
+    <message>
+        <source>The values differ from those kept under this name; “Keep as own engine” keeps these.</source>
+        <translation>Данные отличаются от сохранённых под этим именем; «Запомнить двигатель» сохранит эти.</translation>
+    </message>
+    <message>
+        <source>The paper gives only the crank radius of this engine; the rest has to be measured.</source>
+        <translation>Для этого двигателя статья даёт только радиус кривошипа; остальное нужно измерить.</translation>
+    </message>
+    <message>
+        <source>Plug masses as the paper prints them. They look too small for the threads it prints: weigh the plugs and type what the scale says.</source>
+        <translation>Массы пробок — как напечатано в статье. Для напечатанных резьб они слишком малы: взвесьте пробки и введите показания весов.</translation>
+    </message>
+    <message>
+        <source>The values do not go together.</source>
+        <translation>Значения не согласуются.</translation>
+    </message>
+    <message>
+        <source>Still needed: %1.</source>
+        <translation>Ещё нужны: %1.</translation>
+    </message>
+    <message>
+        <source>Excess Δm_y: not known yet</source>
+        <translation>Δm_у: пока неизвестна</translation>
+    </message>
+    <message>
+        <source>Excess Δm_y: %1, %2</source>
+        <translation>Δm_у: %1, %2</translation>
+    </message>
+    <message>
+        <source>The bob weight still needs: %1.</source>
+        <translation>Для груза ещё нужны: %1.</translation>
+    </message>
+    <message>
+        <source>ISO 21940-11 needs grade, mass and speed.</source>
+        <translation>Для ИСО 21940-11 нужны класс, масса и частота вращения.</translation>
+    </message>
+    <message>
+        <source>ISO 21940-11: U_per = 1000 m G / ω = %1 for the whole crankshaft; the method&apos;s own limit is %2 in each plane.</source>
+        <translation>ИСО 21940-11: U_доп = 1000 m G / ω = %1 на весь вал; предел самого метода — %2 в каждой плоскости.</translation>
+    </message>
+    <message>
+        <source>With thread and height the sheet says what the plug would weigh.</source>
+        <translation>По резьбе и высоте лист скажет, сколько весила бы пробка.</translation>
+    </message>
+    <message>
+        <source>A plug of these dimensions weighs %1 in steel, %2 in aluminium.</source>
+        <translation>Пробка таких размеров весит %1 из стали, %2 из алюминия.</translation>
+    </message>
+    <message>
+        <source>Option</source>
+        <translation>Вариант</translation>
+    </message>
+    <message>
+        <source>const., g</source>
+        <translation>пост., г</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>наклон</translation>
+    </message>
+    <message>
+        <source>reach, g</source>
+        <translation>предел, г</translation>
+    </message>
+    <message>
+        <source>needed, g</source>
+        <translation>снять, г</translation>
+    </message>
+    <message>
+        <source>left, g</source>
+        <translation>ост., г</translation>
+    </message>
+    <message>
+        <source>left, g·mm</source>
+        <translation>ост., г·мм</translation>
+    </message>
+    <message>
+        <source>The engine has no such plug, or its data are missing.</source>
+        <translation>Такой пробки у двигателя нет или нет её данных.</translation>
+    </message>
+    <message>
+        <source>For the other crankshaft.</source>
+        <translation>Для другого вала.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>At most %1 may come off a plug; slope k_y = %2, %3°.</source>
+        <translation>С пробки можно снять не больше %1; наклон k_у = %2, %3°.</translation>
+    </message>
+    <message>
+        <source>factor × mass, g</source>
+        <translation>коэфф. × масса, г</translation>
+    </message>
+    <message>
+        <source>nominal</source>
+        <translation>номинал</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>до</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>после</translation>
+    </message>
+    <message>
+        <source>Bob weight</source>
+        <translation>Груз</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Плоскость</translation>
+    </message>
+    <message>
+        <source>allowed, g·mm</source>
+        <translation>допустимо, г·мм</translation>
+    </message>
+    <message>
+        <source>reading, g·mm</source>
+        <translation>показание, г·мм</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>вывод</translation>
+    </message>
+    <message>
+        <source>✓ passes</source>
+        <translation>✓ годен</translation>
+    </message>
+    <message>
+        <source>✗ fails</source>
+        <translation>✗ не годен</translation>
+    </message>
+    <message>
+        <source>Front (pulley)</source>
+        <translation>Передняя (шкив)</translation>
+    </message>
+    <message>
+        <source>Rear (flywheel)</source>
+        <translation>Задняя (маховик)</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Цилиндр</translation>
+    </message>
+    <message>
+        <source>Piston from</source>
+        <translation>Поршень из</translation>
+    </message>
+    <message>
+        <source>Rod from</source>
+        <translation>Шатун из</translation>
+    </message>
+    <message>
+        <source>Crankpin</source>
+        <translation>Шейка</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>разброс</translation>
+    </message>
+    <message>
+        <source>as weighed, g</source>
+        <translation>как есть, г</translation>
+    </message>
+    <message>
+        <source>after moving, g</source>
+        <translation>после, г</translation>
+    </message>
+    <message>
+        <source>%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.</source>
+        <translation>%1: взвешено %2; тяжелее всех в цилиндре %3, легче всех в цилиндре %4.</translation>
+    </message>
+    <message>
+        <source>There is no journal.</source>
+        <translation>Журнала нет.</translation>
+    </message>
+    <message>
+        <source>without an engine number</source>
+        <translation>без номера двигателя</translation>
+    </message>
+    <message>
+        <source>Job %1 had been changed elsewhere meanwhile: saved as a new job.</source>
+        <translation>Работу %1 тем временем изменили в другом месте: сохранено как новая работа.</translation>
+    </message>
+    <message>
+        <source>Job %1 saved in the journal.</source>
+        <translation>Работа %1 сохранена в журнале.</translation>
+    </message>
+    <message>
+        <source>The job&apos;s sheet cannot be read: %1</source>
+        <translation>Лист работы не читается: %1</translation>
     </message>
 </context>
 <context>

@@ -17,10 +17,12 @@ void SceneModel::beginEditing() {
     editing_ = true;
 }
 
-void SceneModel::endEditing() {
+void SceneModel::endEditing(bool isRefused) {
     keepTyped();
     editing_ = false;
-    sayRefused({});
+    if (!isRefused) {
+        sayRefused({});
+    }
 }
 
 void SceneModel::undo() {

@@ -84,7 +84,8 @@ class SceneModel : public QObject {
     // typed shows its effect at once, but is in no history: that, and what could be redone, change
     // when the editing ends, by one step.
     void beginEditing();
-    void endEditing();
+    /// @param isRefused  what was typed still stands there, refused: so does the reason
+    void endEditing(bool isRefused = false);
     bool isEditing() const { return editing_; }
     /// True where the editing has changed the input.
     virtual bool isTyped() const { return false; }

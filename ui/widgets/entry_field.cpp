@@ -56,7 +56,7 @@ void EntryField::showValue() {
 void EntryField::endEditing() {
     if (std::exchange(editing_, false)) {
         if (model_ != nullptr) {
-            model_->endEditing();
+            model_->endEditing(!trouble_.isEmpty());
         }
         Q_EMIT editingEnded();
     }

@@ -521,22 +521,5 @@ TEST_F(InertiaMomentsPageTest, ResultsGoToTheClipboardWhole) {
     EXPECT_TRUE(page.resultsAsCsv().contains(QLatin1Char(',')));
 }
 
-TEST_F(InertiaMomentsPageTest, EveryInputIsNamedAndExplained) {
-    for (NumberField* input : page.findChildren<NumberField*>()) {
-        EXPECT_FALSE(input->accessibleName().isEmpty()) << input->objectName().toStdString();
-        EXPECT_TRUE(input->toolTip().contains(QStringLiteral("must be")))
-            << input->objectName().toStdString();
-        bool buddy = false;
-        for (const QLabel* label : page.findChildren<QLabel*>()) {
-            buddy = buddy || (label->buddy() == input && label->text().contains(QLatin1Char('&')));
-        }
-        EXPECT_TRUE(buddy) << input->objectName().toStdString();
-    }
-    for (QComboBox* box : page.findChildren<QComboBox*>()) {
-        EXPECT_FALSE(box->accessibleName().isEmpty());
-        EXPECT_FALSE(box->toolTip().isEmpty()) << box->accessibleName().toStdString();
-    }
-}
-
 }  // namespace
 }  // namespace ravnoves

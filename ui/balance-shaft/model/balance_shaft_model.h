@@ -30,8 +30,6 @@ struct BalanceShaftScene {
     }
 };
 
-extern template class CaseModel<BalanceShaftScene>;
-
 /// The state of the balance-shaft page: input, the solver's result, the crank angle of the picture.
 ///
 /// Moving the shaft costs about a microsecond (Solver::move_shaft), any other change a new Solver.
@@ -116,5 +114,7 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     double crankAngle_ = 60.0;
     Means means_ = Means::Both;
 };
+
+extern template class CaseModel<BalanceShaftScene>;
 
 }  // namespace ravnoves

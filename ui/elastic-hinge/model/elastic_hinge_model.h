@@ -32,8 +32,6 @@ struct ElasticHingeScene {
     elastic_hinge::SolveOptions options;
 };
 
-extern template class CaseModel<ElasticHingeScene>;
-
 /// The state of the elastic-hinge page: input, the solver's result, the motions (computed in a
 /// worker thread), and what the pictures show.
 class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
@@ -138,5 +136,7 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     elastic_hinge::Hinge shownHinge_ = elastic_hinge::Hinge::crank;
     std::optional<double> exaggeration_;
 };
+
+extern template class CaseModel<ElasticHingeScene>;
 
 }  // namespace ravnoves

@@ -24,8 +24,6 @@ struct InertiaMomentsScene {
     static Solved solve(const Input& input) { return inertia_moments::solve(input); }
 };
 
-extern template class CaseModel<InertiaMomentsScene>;
-
 /// The state of the inertia-moments page: input, the solver's result, the crank angle of the
 /// picture, which tabs are in front.
 ///
@@ -139,5 +137,7 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     double crankAngle_ = 40.0;
     std::array<int, 3> tabs_{};
 };
+
+extern template class CaseModel<InertiaMomentsScene>;
 
 }  // namespace ravnoves

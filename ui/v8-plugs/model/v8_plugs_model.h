@@ -28,8 +28,6 @@ struct V8PlugsScene {
     bool dated;  ///< a new job is of today
 };
 
-extern template class CaseModel<V8PlugsScene>;
-
 /// The state of the V-8 workshop page: the job on the sheet, what follows from it, its history and
 /// its place in the journal.
 ///
@@ -169,5 +167,7 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     bool draftStale_ = false;
     bool draftKept_ = false;
 };
+
+extern template class CaseModel<V8PlugsScene>;
 
 }  // namespace ravnoves
