@@ -5352,8 +5352,8 @@ cannot be built: −%2 at %1°</source>
         <translation>двухтактный</translation>
     </message>
     <message>
-        <source>Sizes: what can be built, envelope</source>
-        <translation>Размеры: что можно построить, габарит</translation>
+        <source>Sizes: what can be built</source>
+        <translation>Размеры: что можно построить</translation>
     </message>
 </context>
 <context>

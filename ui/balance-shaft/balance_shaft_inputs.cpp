@@ -132,7 +132,7 @@ QWidget* BalanceShaftPage::buildInputs() {
          {"/counterweight_radius_mm", "/counterweight_mass_kg", "/centre_distance_mm"}) {
         form->number(place);
     }
-    FormSection* sizes = form->section(tr("Sizes: what can be built, envelope"));
+    FormSection* sizes = form->section(tr("Sizes: what can be built"));
     for (const char* place :
          {"/envelope/cylinder_bore_mm", "/envelope/cylinder_wall_mm",
           "/envelope/cylinder_bottom_mm", "/envelope/cylinder_top_mm", "/envelope/rod_width_mm",

@@ -110,6 +110,7 @@ NumberField* Form::number(const Field& description, std::function<std::optional<
 QComboBox* Form::choice(const char* pointer) {
     const FieldEntry& entry = described(pointer);
     auto* box = new QComboBox(current_);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setObjectName(QString::fromStdString(std::string(entry.field.key)));
     for (const Word& word : entry.field.words) {
         box->addItem(shownText(word.label));

@@ -84,7 +84,9 @@ FormSection::FormSection(const QString& title, QWidget* parent) : QWidget(parent
     column->setContentsMargins(0, 0, 0, Theme::space);
     column->setSpacing(Theme::gap);
     if (!title.isEmpty()) {
-        column->addWidget(headingLabel(title, this));
+        QLabel* heading = headingLabel(title, this);
+        heading->setWordWrap(true);  // no title makes the form wider than its place
+        column->addWidget(heading);
     }
     grid_ = new QGridLayout;
     grid_->setHorizontalSpacing(Theme::space);
