@@ -23,8 +23,8 @@ class FieldVisitor;
 /// measured in the direction of rotation (α = 90°: beside the crank, to the right). It is geared
 /// 1:1 and turns the opposite way. Two equal counterweights m₁ at the radius ρ₁, one on the crank,
 /// one on the shaft, both point down at top dead centre. Moments are positive in the direction of
-/// rotation. Of a cylinder that is offset by e to the right, φ counts from the true top dead centre,
-/// α from the cylinder's direction, and the counterweights lag (PistonFirstOrder).
+/// rotation. Of a cylinder that is offset by e to the right, φ counts from the true top dead
+/// centre, α from the cylinder's direction, and the counterweights lag (PistonFirstOrder).
 namespace ravnoves::balance_shaft {
 
 /// One of the masses that move with the piston (the paper's Table 1).
