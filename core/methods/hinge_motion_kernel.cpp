@@ -16,9 +16,9 @@
 #include "methods/cancellation.h"
 #include "methods/definition.h"
 #include "methods/hinge_mechanism.h"
-#include "methods/runge_kutta.h"
 #include "numerics/constants.h"
 #include "numerics/harmonics.h"
+#include "numerics/runge_kutta.h"
 
 namespace ravnoves::methods {
 

@@ -1,8 +1,8 @@
 #include "elastic-hinge/motion.h"
 
 #include "elastic-hinge/presets.h"
-#include "methods/runge_kutta.h"
 #include "numerics/constants.h"
+#include "numerics/runge_kutta.h"
 #include "support.h"
 
 namespace ravnoves::elastic_hinge {
@@ -299,8 +299,8 @@ TEST(ElasticHingeMotion, TheEquationOfMotionSaysTheSame) {
                     2.0 * spring.stiffness * (spring.free_length - 2.0 * radius) * slope;
                 return (moment - 0.5 * I.slope * speed * speed) / I.value;
             };
-            methods::Dop853 method(1e-13, 90.0, 1e-4);
-            methods::TurnState state{setup.start_angle, setup.start_speed};
+            Dop853 method(1e-13, 90.0, 1e-4);
+            TurnState state{setup.start_angle, setup.start_speed};
             for (int k = 1; k <= 3; ++k) {
                 EXPECT_TRUE(method.advance(acceleration, 0.1, state));
                 setup.longest_time = 0.1 * k;

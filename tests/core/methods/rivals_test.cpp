@@ -8,9 +8,9 @@
 #include "methods/enclosure.h"
 #include "methods/hinge_mechanism.h"
 #include "methods/kernel.h"
-#include "methods/runge_kutta.h"
 #include "numerics/chebyshev.h"
 #include "numerics/constants.h"
+#include "numerics/runge_kutta.h"
 
 namespace ravnoves::methods {
 namespace {

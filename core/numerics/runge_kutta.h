@@ -6,7 +6,7 @@
 #include <cstddef>
 
 /// One-step methods for φ̈ = f(φ, φ̇) that Boost.Odeint lacks. f is called as f(angle, speed).
-namespace ravnoves::methods {
+namespace ravnoves {
 
 struct TurnState {
     double angle = 0.0;  ///< rad
@@ -223,4 +223,4 @@ class Dop853 {
     double step_;
 };
 
-}  // namespace ravnoves::methods
+}  // namespace ravnoves
