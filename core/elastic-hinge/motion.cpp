@@ -22,6 +22,7 @@ struct Place {
     double slope;      ///< I′, kg·m²
     double potential;  ///< V + Π − work of the crank's moment, J, up to a constant
     double moment;     ///< −d potential / dφ by weights, spring and the guide's slope, N·m
+    double closeness;  ///< 1 / cos² ψ, which rounding in I grows with
 
     double acceleration(double speed) const {
         return (moment - 0.5 * slope * speed * speed) / inertia;
@@ -48,7 +49,7 @@ class System {
         const auto inertia = reduced_inertia(mechanism_, s, c, rod);
         Place place{inertia.value, inertia.slope,
                     weight_ * s - setup_.crank_torque * (phi - setup_.start_angle),
-                    setup_.crank_torque - weight_ * c};
+                    setup_.crank_torque - weight_ * c, 1.0 / (rod.cos_psi * rod.cos_psi)};
         if (shape_ != nullptr) {
             add_hinges(phi, s, c, rod, inertia, place);
         }
@@ -103,6 +104,31 @@ const ChebyshevPoints& points() {
     return list;
 }
 
+struct Node {
+    double angle, speed, acceleration;
+};
+struct Sample : Node {
+    double seconds;
+};
+
+using State = std::array<double, 2>;  // φ, φ̇
+
+/// Angle and speed between two samples.
+State between(const Sample& from, const Sample& to, double seconds) {
+    const double h = to.seconds - from.seconds;
+    const double u = (seconds - from.seconds) / h;
+    const double rise = to.angle - from.angle;
+    const double v0 = h * from.speed;
+    const double v1 = h * to.speed;
+    const double a0 = h * h * from.acceleration;
+    const double a1 = h * h * to.acceleration;
+    const double c3 = 10 * rise - 6 * v0 - 4 * v1 - (3 * a0 - a1) / 2;
+    const double c4 = -15 * rise + 8 * v0 + 7 * v1 + (3 * a0 - 2 * a1) / 2;
+    const double c5 = 6 * rise - 3 * (v0 + v1) - (a0 - a1) / 2;
+    return {from.angle + u * (v0 + u * (a0 / 2 + u * (c3 + u * (c4 + u * c5)))),
+            (v0 + u * (a0 + u * (3 * c3 + u * (4 * c4 + u * 5 * c5)))) / h};
+}
+
 /// A stretch of the motion in one direction, x = −1…1 from its first angle to its last. Where the
 /// crank stands still at an end, the angle is quadratic in x there, so that the time is smooth.
 struct Cell {
@@ -112,14 +138,8 @@ struct Cell {
     bool to_rest = false;
     std::array<double, cell_points> rate{};      ///< series of dt/dx, s
     std::array<double, cell_points + 1> time{};  ///< and of the time since the first angle
-    struct Node {
-        double angle, speed, acceleration;
-    };
-    struct Sample : Node {
-        double seconds;  ///< since the first angle
-    };
     std::array<Node, cell_points> nodes{};
-    std::vector<Sample> samples;  ///< as they were recorded, the last at the last angle
+    std::vector<Sample> samples;  ///< as they were recorded, by the time since the first angle
     double work = 0.0;            ///< of all moments, J
     double potential = 0.0;       ///< at the last angle, J
     double energy = 0.0;          ///< largest kinetic or potential energy, J
@@ -128,6 +148,7 @@ struct Cell {
 
     double angle(double x) const { return begin + span * part(0.5 * (1.0 + x)); }
     double seconds(double x) const { return chebyshev_value(time, x); }
+    double speed(double x) const { return span * slope(x) / chebyshev_value(rate, x); }
     double slope(double x) const {  ///< d part / dx
         return from_rest ? 0.5 * (1.0 + x) : to_rest ? 0.5 * (1.0 - x) : 0.5;
     }
@@ -175,8 +196,12 @@ bool fill(const System& system, const Level& level, Cell& cell, double& reached)
         rate[j] = slope / speed;
         power[j] = place.moment * slope;
         cell.nodes[j] = {phi, speed, place.acceleration(speed)};
+        // What rounding leaves of the energies, also by that of the angle after many turns.
         const double energy =
-            std::abs(level.kinetic) + std::abs(level.potential) + std::abs(place.potential);
+            std::abs(level.kinetic) + std::abs(level.potential) + std::abs(place.potential) +
+            std::abs(phi) *
+                (std::abs(place.moment) + kinetic * std::abs(place.slope) / place.inertia) +
+            kinetic * place.closeness;
         noise = std::max(noise, 4.0 * epsilon * rate[j] * energy / kinetic);
         cell.energy = std::max({cell.energy, kinetic, std::abs(kinetic - level.kinetic)});
     }
@@ -224,25 +249,6 @@ void check_setup(const Design& design, const Guide& guide, const MotionSetup& se
 
 namespace {
 
-using State = std::array<double, 2>;  // φ, φ̇
-
-/// Angle and speed within the interval that ends with sample `next`.
-State between(const Motion& motion, std::size_t next, double seconds) {
-    const std::size_t i = next - 1;
-    const double h = motion.time[next] - motion.time[i];
-    const double u = (seconds - motion.time[i]) / h;
-    const double rise = motion.crank_angle[next] - motion.crank_angle[i];
-    const double v0 = h * motion.speed[i];
-    const double v1 = h * motion.speed[next];
-    const double a0 = h * h * motion.acceleration[i];
-    const double a1 = h * h * motion.acceleration[next];
-    const double c3 = 10 * rise - 6 * v0 - 4 * v1 - (3 * a0 - a1) / 2;
-    const double c4 = -15 * rise + 8 * v0 + 7 * v1 + (3 * a0 - 2 * a1) / 2;
-    const double c5 = 6 * rise - 3 * (v0 + v1) - (a0 - a1) / 2;
-    return {motion.crank_angle[i] + u * (v0 + u * (a0 / 2 + u * (c3 + u * (c4 + u * c5)))),
-            (v0 + u * (a0 + u * (3 * c3 + u * (4 * c4 + u * 5 * c5)))) / h};
-}
-
 State state_at(const Motion& motion, double seconds) {
     if (motion.time.empty()) {
         return {};
@@ -255,7 +261,11 @@ State state_at(const Motion& motion, double seconds) {
     if (next == motion.time.size()) {
         return {motion.crank_angle.back(), motion.speed.back()};
     }
-    return between(motion, next, seconds);
+    const auto sample = [&](std::size_t i) {
+        return Sample{{motion.crank_angle[i], motion.speed[i], motion.acceleration[i]},
+                      motion.time[i]};
+    };
+    return between(sample(next - 1), sample(next), seconds);
 }
 
 }  // namespace
@@ -318,8 +328,8 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
     bool done = false;
 
     // Takes the speed where it is greatest or least between two nodes.
-    std::optional<Cell::Node> last_node;
-    const auto take_node = [&](const Cell::Node& node) {
+    std::optional<Node> last_node;
+    const auto take_node = [&](const Node& node) {
         const auto last = std::exchange(last_node, node);
         if (!last || (last->acceleration < 0.0) == (node.acceleration < 0.0)) {
             take_speed(node.speed);
@@ -346,13 +356,9 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
     };
 
     const double sample_angle = two_pi / std::max(setup.samples_per_turn, 4);
-    const auto sample = [&](Cell& cell, double end) {
-        // Cells are short where much happens: what is read between samples is as good there.
-        constexpr double fewest = 8.0;
-        const auto parts = static_cast<int>(std::clamp(
-            std::ceil(std::abs(cell.angle(end) - cell.begin) / sample_angle), fewest, 1000.0));
+    const auto take_samples = [&](Cell& cell, double end, double parts) {
         cell.samples.clear();
-        for (int part = 1; part <= parts; ++part) {
+        for (double part = 1.0; part <= parts; ++part) {
             const double x = part == parts ? end : -1.0 + (end + 1.0) * part / parts;
             const double angle = cell.angle(x);
             const Place place = system.at(angle);
@@ -360,13 +366,38 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
             cell.samples.push_back({{angle, speed, place.acceleration(speed)}, cell.seconds(x)});
         }
     };
-    constexpr std::size_t most_steps = 20'000'000;
+    // What is read between samples has to be as good as they are.
+    const auto sample = [&](Cell& cell, double end) {
+        constexpr double fewest = 8.0;
+        constexpr double most = 1000.0;
+        const double parts = std::clamp(
+            std::ceil(std::abs(cell.angle(end) - cell.begin) / sample_angle), fewest, most);
+        take_samples(cell, end, parts);
+        double error = 0.0;
+        double fastest = 0.0;
+        for (std::size_t i = 1; i < cell.samples.size(); ++i) {
+            constexpr double worst = 0.276;  // of an interval, where the polynomial's speed is
+            const double part = static_cast<double>(i) + worst;
+            const double x = -1.0 + (end + 1.0) * part / parts;
+            const State read = between(cell.samples[i - 1], cell.samples[i], cell.seconds(x));
+            const double speed = cell.speed(x);
+            error = std::max(error, std::abs(read[1] - speed));
+            fastest = std::max(fastest, std::abs(speed));
+        }
+        // Of order 5; beyond four times as many it is the time's error that is seen.
+        const double allowed = 0.25 * std::max(setup.tolerance, 1e-8) * fastest;
+        if (error > allowed) {
+            const double finer = std::min(1.1 * std::pow(error / allowed, 0.2), 4.0);
+            take_samples(cell, end, std::min(std::ceil(finer * parts), most));
+        }
+    };
+    constexpr std::size_t most_samples = 20'000'000;
     // Goes through a cell, new or used again some turns further, as far as angle and time allow.
     const auto pass = [&](Cell& cell, double turns_before) {
         double end = 1.0;
         const double left = wanted - side * (phi - setup.start_angle);
         if (left <= std::abs(cell.span) + 1e-15 * wanted) {
-            end = std::min(cell.place(std::min(left / std::abs(cell.span), 1.0)), 1.0);
+            end = std::min(cell.place(std::clamp(left / std::abs(cell.span), 0.0, 1.0)), 1.0);
             motion.end = MotionEnd::completed;
             done = true;
         }
@@ -392,7 +423,7 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
         if (turns_before == 0.0 || end < 1.0) {
             sample(cell, end);
         }
-        for (const Cell::Sample& point : cell.samples) {
+        for (const Sample& point : cell.samples) {
             record(time + point.seconds, side * two_pi * turns_before + point.angle, point.speed,
                    point.acceleration);
         }
@@ -402,7 +433,7 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
         time = motion.time.back();
         phi = motion.crank_angle.back();
         ++motion.steps;
-        if (motion.steps >= most_steps && !done) {
+        if (motion.time.size() >= most_samples && !done) {
             motion.end = MotionEnd::too_slow;
             done = true;
         }
@@ -420,21 +451,42 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
     const bool repeats = setup.crank_torque == 0.0;
     std::vector<Cell> turn;
     constexpr double longest_cell = two_pi / 4.0;
-    constexpr double shortest_cell = 1e-11;
     constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
     double span = two_pi / 8.0;
     double stop = nowhere;  // the angle at which the crank will stop, where that is known
+    double base = phi;      // the angle from which it goes this way
+    double forced = 1.0;    // grows where even the shortest cells are not smooth
+    // The crank has stopped: that ends the motion, or it goes where it is accelerated to.
+    const auto stand = [&] {
+        const Place place = system.at(phi);
+        side = place.moment < 0.0 ? -1.0 : 1.0;
+        level = {0.0, place.potential};
+        at_rest = true;
+        base = phi;
+        turn.clear();
+        last_node.reset();
+        stop = nowhere;
+        span = longest_cell;
+        if (setup.stop_at_reversal) {
+            motion.end = MotionEnd::reversed;
+            done = true;
+        }
+    };
     while (!done) {
         Cell cell;
         cell.begin = phi;
         cell.from_rest = at_rest;
+        // Shorter ones are lost in the rounding of the angle.
+        const double rounding = std::numeric_limits<double>::epsilon() * std::abs(phi);
+        const double shortest_cell = forced * std::max(1e-11, 64.0 * rounding);
         // Cells end at whole turns.
-        const double gone = std::abs(phi - setup.start_angle) / two_pi;
-        const double to_turn = (std::floor(gone + 1e-12) + 1.0 - gone) * two_pi;
+        const double slack = 1e-12 + rounding;
+        const double gone = std::abs(phi - base) / two_pi;
+        const double to_turn = (std::floor(gone + slack) + 1.0 - gone) * two_pi;
         const double to_stop = std::isnan(stop) ? 2.0 * to_turn : side * (stop - phi);
-        if (!(to_stop > 0.0)) {
-            motion.end = MotionEnd::reversed;
-            break;
+        if (!(to_stop > 0.0) && !at_rest) {
+            stand();
+            continue;
         }
         cell.to_rest = std::min(span, to_turn) > 0.999 * to_stop;
         if (cell.to_rest && at_rest) {  // not at both ends
@@ -444,7 +496,8 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
         cell.span = side * (cell.to_rest ? to_stop : std::min(span, to_turn));
         double reached = 1.0;
         const bool filled = fill(system, level, cell, reached);
-        if (!filled && std::isnan(stop)) {
+        // Rounding may spoil the last places before a stop; a stop well before one is another.
+        if (!filled && (std::isnan(stop) || side * (reached - phi) < 0.9 * to_stop)) {
             // The crank stops on the way: after the last point that moves.
             const auto kinetic = [&](double angle) { return level.at(system.at(angle)); };
             double from = phi;
@@ -471,15 +524,18 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
                 span = 0.5 * std::abs(cell.span);
                 continue;
             }
-            if (!filled) {
-                if (at_rest) {  // nothing drives it
-                    record(longest, phi, 0.0, 0.0);
-                }
-                motion.end = !at_rest                   ? MotionEnd::reversed
-                             : setup.longest_time > 0.0 ? MotionEnd::completed
-                                                        : MotionEnd::too_slow;
+            if (!filled && !at_rest) {
+                stand();
+                continue;
+            }
+            if (!filled) {  // nothing drives it
+                record(longest, phi, 0.0, 0.0);
+                motion.end = setup.longest_time > 0.0 ? MotionEnd::completed : MotionEnd::too_slow;
                 break;
             }
+            forced *= 2.0;
+        } else {
+            forced = std::max(0.5 * forced, 1.0);
         }
         // A cell that a turn's end cut short says nothing of how long the next one may be.
         const bool has_room = cell.last_terms < 1e-3 * setup.tolerance + cell.noise;
@@ -490,16 +546,7 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
             break;
         }
         if (cell.to_rest) {
-            if (setup.stop_at_reversal) {
-                motion.end = MotionEnd::reversed;
-                break;
-            }
-            side = -side;
-            at_rest = true;
-            level = {0.0, cell.potential};
-            turn.clear();
-            last_node.reset();
-            stop = nowhere;
+            stand();
             continue;
         }
         if (!repeats) {
@@ -507,7 +554,7 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
         }
         turn.push_back(cell);
         const double turned = std::abs(phi - turn.front().begin);
-        for (double turns = 1.0; !done && turned > two_pi * (1.0 - 1e-12); ++turns) {
+        for (double turns = 1.0; !done && turned > two_pi * (1.0 - slack); ++turns) {
             for (std::size_t i = 0; i < turn.size() && !done; ++i) {
                 pass(turn[i], turns);
             }

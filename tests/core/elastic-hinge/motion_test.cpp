@@ -267,8 +267,31 @@ TEST(ElasticHingeMotion, SwingsThereAndBackAsAPendulumDoes) {
     }
 }
 
+/// A swing so small that rounding hides the energies next to its stops goes on all the same, as
+/// well as they still tell: an energy is quadratic in the amplitude.
+TEST(ElasticHingeMotion, SmallSwingsGoOn) {
+    Input input = preset_zotov();
+    input.rod_mass = 0.0;
+    input.slider_mass = 0.0;
+    input.spring.reset();
+    const Result result = solve(input);
+    const auto& m = result.design->mechanism();
+    const double scale = std::sqrt(reduced_inertia_at_zero(m) / potential_amplitude(m));
+    MotionSetup setup;
+    setup.stop_at_reversal = false;
+    for (const double amplitude : {1e-1, 1e-3, 1e-5}) {
+        setup.start_angle = -90.0 * degree + amplitude;
+        setup.longest_time = 5.0 * std::comp_ellint_1(std::sin(amplitude / 2.0)) * scale;
+        const Motion motion = simulate(result.design, result.crank_guide, setup);
+        EXPECT_EQ(motion.end, MotionEnd::completed);
+        EXPECT_NEAR(motion.time.back(), setup.longest_time, 1e-15);
+        EXPECT_NEAR((motion.crank_angle.back() + 90.0 * degree) / amplitude, 0.0,
+                    1e-8 + 1e-12 / (amplitude * amplitude));
+    }
+}
+
 /// The equation of motion, integrated in time, says the same: with a moment on the crank, waves on
-/// the guide, and off the design speed.
+/// the guide, off the design speed, either way, from rest, and through stops both ways.
 TEST(ElasticHingeMotion, TheEquationOfMotionSaysTheSame) {
     const Input input = preset_zotov();
     const Result result = solve(input);
@@ -278,9 +301,11 @@ TEST(ElasticHingeMotion, TheEquationOfMotionSaysTheSame) {
     MotionSetup setup;
     setup.hinges = HingeSet::crank;
     setup.start_angle = 0.3;
-    setup.start_speed = 90.0;
     setup.turns = 100.0;
     setup.tolerance = 1e-12;
+    setup.stop_at_reversal = false;
+    int turned_back = 0;
+    int turned_on = 0;
     for (const double torque : {0.0, 0.4, -0.4}) {
         for (const double waves : {0.0, 12.0}) {
             setup.crank_torque = torque;
@@ -299,17 +324,83 @@ TEST(ElasticHingeMotion, TheEquationOfMotionSaysTheSame) {
                     2.0 * spring.stiffness * (spring.free_length - 2.0 * radius) * slope;
                 return (moment - 0.5 * I.slope * speed * speed) / I.value;
             };
-            Dop853 method(1e-13, 90.0, 1e-4);
-            TurnState state{setup.start_angle, setup.start_speed};
-            for (int k = 1; k <= 3; ++k) {
-                EXPECT_TRUE(method.advance(acceleration, 0.1, state));
-                setup.longest_time = 0.1 * k;
-                const Motion motion = simulate(result.design, guide, setup);
-                EXPECT_NEAR(motion.crank_angle.back(), state.angle, 1e-9) << torque << " " << waves;
-                EXPECT_NEAR(motion.speed.back(), state.speed, 1e-7) << torque << " " << waves;
+            for (const double start_speed : {90.0, 0.0, -90.0}) {
+                setup.start_speed = start_speed;
+                SCOPED_TRACE(testing::Message()
+                             << torque << " N·m, " << waves << " waves, " << start_speed);
+                Dop853 method(1e-13, 90.0, 1e-4);
+                TurnState state{setup.start_angle, setup.start_speed};
+                for (int k = 1; k <= 3; ++k) {
+                    EXPECT_TRUE(method.advance(acceleration, 0.1, state));
+                    setup.longest_time = 0.1 * k;
+                    const Motion motion = simulate(result.design, guide, setup);
+                    EXPECT_EQ(motion.end, MotionEnd::completed);
+                    EXPECT_EQ(motion.time.back(), setup.longest_time);
+                    EXPECT_NEAR(motion.crank_angle.back(), state.angle, 1e-9);
+                    EXPECT_NEAR(motion.speed.back(), state.speed, 1e-7);
+                    for (std::size_t i = 1; i + 1 < motion.speed.size(); ++i) {
+                        turned_back += motion.speed[i - 1] > 0.0 && motion.speed[i + 1] < 0.0;
+                        turned_on += motion.speed[i - 1] < 0.0 && motion.speed[i + 1] > 0.0;
+                    }
+                }
             }
         }
     }
+    EXPECT_GT(turned_back, 0);
+    EXPECT_GT(turned_on, 0);
+}
+
+/// Whatever it is asked for, a motion ends within a bounded number of stretches.
+TEST(ElasticHingeMotion, EndsWhateverItIsAskedFor) {
+    for (const double lambda : {0.3, 0.9999, 1.0 - 1e-10}) {
+        Input input = preset_zotov();
+        input.lambda = lambda;
+        input.spring.reset();
+        const Result result = solve(input);
+        for (const double torque : {0.0, 1e-9, 1.0, -1e9, 1e9}) {
+            for (const double start_speed : {0.0, 1e-12, 100.0, -1e6}) {
+                for (const double start_angle : {0.0, 1.5, 1e5}) {
+                    SCOPED_TRACE(testing::Message() << lambda << " " << torque << " " << start_speed
+                                                    << " " << start_angle);
+                    MotionSetup setup;
+                    setup.crank_torque = torque;
+                    setup.start_speed = start_speed;
+                    setup.start_angle = start_angle;
+                    setup.stop_at_reversal = false;
+                    const Motion motion = simulate(result.design, result.crank_guide, setup);
+                    EXPECT_LT(motion.steps, 200'000u);
+                    EXPECT_LT(motion.evaluations, 4'000'000u);
+                    EXPECT_TRUE(std::ranges::is_sorted(motion.time));
+                    EXPECT_TRUE(std::isfinite(motion.time.back()));
+                    EXPECT_TRUE(std::isfinite(motion.speed.back()));
+                    if (std::abs(torque) > 1e-6) {  // more than the weights hold back
+                        EXPECT_EQ(motion.end, MotionEnd::completed);
+                        EXPECT_NEAR(std::abs(motion.crank_angle.back() - start_angle), 5.0 * two_pi,
+                                    1e-9);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// After 5 000 turns with a moment on the crank, the energy is still that of its work, at the
+/// tightest tolerance too.
+TEST(ElasticHingeMotion, ManyTurnsWithAMoment) {
+    Input input = preset_zotov();
+    const Result result = solve(input);
+    MotionSetup setup;
+    setup.crank_torque = 0.01;
+    setup.start_speed = 100.0;
+    setup.turns = 5'000.0;
+    setup.tolerance = 1e-12;
+    const Motion motion = simulate(result.design, result.crank_guide, setup);
+    EXPECT_EQ(motion.end, MotionEnd::completed);
+    EXPECT_LT(motion.steps, 200'000u);
+    const double I = reduced_inertia_at_zero(result.design->mechanism());
+    const double square = 1e4 + 2.0 * 0.01 * 5'000.0 * two_pi / I;
+    EXPECT_NEAR(motion.speed.back() / std::sqrt(square), 1.0, 1e-10);
+    EXPECT_LT(motion.energy_drift, 1e-9);
 }
 
 TEST(ElasticHingeMotion, CanBeCancelledAndReportsItsProgress) {
