@@ -301,6 +301,7 @@ inline constexpr Field bore{
 inline constexpr Field offset{
     .key = "offset_mm",
     .unit = units::mm,
+    .range = Range::between(-10000, 10000),
     .label = CORE_TEXT("balance-shaft", "O&ffset e"),
     .symbol = "e",
     .hint = CORE_TEXT("balance-shaft",

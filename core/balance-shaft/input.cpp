@@ -113,6 +113,15 @@ void check_rod(const Input& input, const std::string& parent) {
     }
     const double least = input.crank_radius + 2.0 * std::abs(offset);
     if (!(input.effective_rod_length() > least * (1.0 + 1e-9))) {
+        if (!input.rod_length) {
+            throw InputError(
+                pointer(field::offset, parent),
+                {CORE_TEXT("balance-shaft",
+                           "must be less than %1 in size, half of what the rod is longer than the "
+                           "crank radius"),
+                 shown(field::offset, 0.5 * (input.effective_rod_length() - input.crank_radius))},
+                shown(field::offset, offset));
+        }
         throw InputError(
             pointer(field::rod_length, parent),
             {CORE_TEXT("balance-shaft",
@@ -204,7 +213,8 @@ void check_together(const Input& input) {
     };
     for (const auto& product : products) {
         if (!(std::abs(product.value) <= 1e100)) {
-            throw InputError(pointer(product.field),
+            const bool of_envelope = product.what.english == envelope.english;
+            throw InputError(pointer(product.field, of_envelope ? "/input/envelope" : "/input"),
                              {CORE_TEXT("balance-shaft",
                                         "makes %1 larger than this program can work with (%2) "
                                         "together with the other inputs"),

@@ -1,6 +1,7 @@
 #include "balance-shaft/torque_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -147,7 +148,8 @@ Message TableFormat::describe() const {
     add(!pressure_unit.empty(),
         {unit_named
              ? CORE_TEXT("balance-shaft", "pressure in %1")
-             : CORE_TEXT("balance-shaft", "pressure taken for %1, as no heading names its unit"),
+             : CORE_TEXT("balance-shaft",
+                         "pressure taken for %1, as the heading names no unit that is known"),
          Text{"core", pressure_unit.data()}});
     add(strokes == 2, CORE_TEXT("balance-shaft", "360°, the cycle of a two-stroke engine"));
     add(closed, CORE_TEXT("balance-shaft", "end joined to the start"));
@@ -233,6 +235,13 @@ Cycle to_cycle(TwoColumns&& rows, const Column& column) {
     return cycle;
 }
 
+/// True for "bar(g)", "barg", "gauge pressure" and the like.
+bool names_gauge_pressure(std::string_view header) {
+    return std::ranges::any_of(
+        std::array{"barg", "(g)", "gauge", "Gauge", "psig", "изб"},
+        [&](std::string_view word) { return header.find(word) != std::string_view::npos; });
+}
+
 /// The unit that the header names for a pressure, if any.
 std::optional<Unit> pressure_unit(std::string_view header) {
     const auto has_word = [&](std::string_view word) {
@@ -257,6 +266,9 @@ std::optional<Unit> pressure_unit(std::string_view header) {
     }
     if (has_word("Pa") || header.find("Па") != std::string_view::npos) {
         return units::pascal;
+    }
+    if (has_word("mbar") || header.find("мбар") != std::string_view::npos) {
+        return mbar;
     }
     if (has_word("psi")) {
         return psi;
@@ -335,6 +347,13 @@ ParsedTorqueTable parse_torque_table(std::string_view text) {
 
 ParsedPressureTrace parse_pressure_trace(std::string_view text) {
     TwoColumns rows = read_two_columns(text, rule_for(pressure_column(units::bar)));
+    if (names_gauge_pressure(rows.header)) {
+        throw InputError("line 1",
+                         CORE_TEXT("balance-shaft",
+                                   "must name absolute pressure: add the pressure of the "
+                                   "surroundings to every row, and name the unit alone"),
+                         CORE_TEXT("balance-shaft", "gauge pressure"));
+    }
     const std::optional<Unit> named = pressure_unit(rows.header);
     const Unit unit = named.value_or(units::bar);
     Cycle cycle = to_cycle(std::move(rows), pressure_column(unit));

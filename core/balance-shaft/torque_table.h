@@ -28,6 +28,7 @@ inline constexpr double largest_torque = 1e12;                  ///< N·m
 
 inline constexpr double largest_pressure = 1e10;  ///< Pa
 inline constexpr Unit psi{"psi", 6894.757293168361};
+inline constexpr Unit mbar{"mbar", 100.0};
 
 /// Strokes of the cycle that rows span: 2 for 360°, else 4.
 int strokes_of(const std::vector<double>& crank_angle_deg);

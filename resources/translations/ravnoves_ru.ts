@@ -1860,10 +1860,6 @@
         <translation>Ни один угол, который можно построить, не делает СКЗ меньше, чем без вала.</translation>
     </message>
     <message>
-        <source>pressure taken for %1, as no heading names its unit</source>
-        <translation>давление принято в единицах %1: заголовок единицы не называет</translation>
-    </message>
-    <message>
         <source>360°, the cycle of a two-stroke engine</source>
         <translation>360°, цикл двухтактного двигателя</translation>
     </message>
@@ -1894,6 +1890,22 @@
     <message>
         <source>The compression in the pressure trace has the polytropic exponent %1; 1.25 to 1.42 is usual. The crank angles may be out of phase by a few degrees, or the zero of the pressure off.</source>
         <translation>Показатель политропы сжатия в измеренном давлении равен %1; обычно — от 1,25 до 1,42. Возможно, углы сдвинуты по фазе на несколько градусов или смещён нуль давления.</translation>
+    </message>
+    <message>
+        <source>must be less than %1 in size, half of what the rod is longer than the crank radius</source>
+        <translation>по величине должно быть меньше %1 — половины того, на что шатун длиннее радиуса кривошипа</translation>
+    </message>
+    <message>
+        <source>pressure taken for %1, as the heading names no unit that is known</source>
+        <translation>давление принято в единицах %1: заголовок не называет известной единицы</translation>
+    </message>
+    <message>
+        <source>must name absolute pressure: add the pressure of the surroundings to every row, and name the unit alone</source>
+        <translation>должно называть абсолютное давление: прибавьте к каждой строке давление окружающей среды и назовите одну единицу</translation>
+    </message>
+    <message>
+        <source>gauge pressure</source>
+        <translation>избыточное давление</translation>
     </message>
 </context>
 <context>
@@ -5072,9 +5084,9 @@ but nothing can be built</source>
     </message>
     <message>
         <source>
-cannot be built: −%2 at %1°</source>
+%2 N·m less at %1° cannot be built</source>
         <translation>
-нельзя построить: −%2 при %1°</translation>
+на %2 Н·м меньше при %1° — построить нельзя</translation>
     </message>
 </context>
 <context>

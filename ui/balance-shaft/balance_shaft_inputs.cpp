@@ -70,11 +70,20 @@ void BalanceShaftPage::addEngine(Form* form) {
     const auto showStrokes = [this, strokes] {
         strokes->setCurrentIndex(strokes->findData(model_->input().strokes));
     };
-    connect(strokes, &QComboBox::activated, this, [this, strokes, showStrokes](int index) {
-        model_->setStrokes(strokes->itemData(index).toInt());  // says itself why not
+    QLabel* whyNot = captionLabel({}, engine);
+    whyNot->setObjectName(QStringLiteral("strokesRefused"));
+    whyNot->hide();
+    engine->addWide(whyNot);
+    connect(strokes, &QComboBox::activated, this, [this, strokes, showStrokes, whyNot](int index) {
+        const QString trouble = model_->setStrokes(strokes->itemData(index).toInt());
         showStrokes();
+        whyNot->setText(trouble);
+        whyNot->setVisible(!trouble.isEmpty());
     });
-    form->follow(showStrokes);
+    form->follow([showStrokes, whyNot] {
+        showStrokes();
+        whyNot->hide();
+    });
     form->number("/crank_radius_mm");
     // It stands in the object of the torque where that is computed.
     NumberField* rod = form->number(

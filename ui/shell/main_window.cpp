@@ -400,11 +400,14 @@ void MainWindow::updateTitle() {
     setWindowModified(entry.document->needsSaving());
 }
 
-QString MainWindow::openCase(const QString& path) {
+QString MainWindow::openCase(const QString& path, bool asks) {
     try {
         const CaseFile file = CaseDocument::read(path);
         const QString scene = QString::fromStdString(file.scene);
         page(scene);
+        if (asks && !entryOf(scene)->document->mayGo()) {
+            return {};
+        }
         entryOf(scene)->document->open(file, path);
         showScene(scene);
         return {};
@@ -414,7 +417,7 @@ QString MainWindow::openCase(const QString& path) {
 }
 
 void MainWindow::openOrSayWhy(const QString& path) {
-    const QString trouble = openCase(path);
+    const QString trouble = openCase(path, true);
     if (!trouble.isEmpty()) {
         QMessageBox::warning(this, tr("Open case"), trouble);
     }

@@ -33,7 +33,8 @@ class MainWindow : public QMainWindow {
 
     /// Opens a case file and shows its scene.
     /// @return an empty string, or what is wrong, with the file's name; all stays as it was then
-    QString openCase(const QString& path);
+    /// @param asks  whether unsaved changes of what it replaces are asked about; no: undo has them
+    QString openCase(const QString& path, bool asks = false);
     /// Writes the current page's case. The same return.
     QString saveCase(const QString& path) { return current().document->saveTo(path); }
 

@@ -450,9 +450,17 @@ TEST(ParsedPressureTrace, KnowsUnitsAndClosesTheCycle) {
     EXPECT_FALSE(open.unit_named);
     EXPECT_TRUE(read.unit_named);
     EXPECT_TRUE(parse_pressure_trace("°;бар\n0;1\n180;1\n360;60\n540;3\n720;1\n").unit_named);
-    EXPECT_NE(
-        open.describe().english().find("pressure taken for bar, as no heading names its unit"),
-        std::string::npos);
+    EXPECT_NE(open.describe().english().find(
+                  "pressure taken for bar, as the heading names no unit that is known"),
+              std::string::npos);
+    EXPECT_EQ(parse_pressure_trace("°;mbar\n0;1\n180;1\n360;60\n540;3\n720;1\n").pressure_unit,
+              "mbar");
+    for (const char* heading : {"°;bar(g)", "deg;barg", "angle;gauge pressure, bar"}) {
+        const std::string rows = std::string(heading) + "\n0;0\n180;0\n360;59\n540;2\n720;0\n";
+        EXPECT_NE(error_of([&] { parse_pressure_trace(rows); }).find("absolute pressure"),
+                  std::string::npos)
+            << heading;
+    }
     EXPECT_EQ(open.trace.crank_angle_deg.back(), 720.0);
     EXPECT_EQ(open.trace.pressure.back(), 1e5);
     EXPECT_EQ(error_of([] { parse_pressure_trace("0 1\n180 1\n360 60\n540 3\n720 9\n"); }),

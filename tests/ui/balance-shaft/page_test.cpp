@@ -288,5 +288,18 @@ TEST_F(BalanceShaftPageTest, MeansCanBeChosen) {
     EXPECT_NEAR(*page.meanPlot()->valueAt(0, 90.0), 0.0, 1e-9);
 }
 
+TEST_F(BalanceShaftPageTest, StrokesThatTheTableDoesNotFitAreRefusedInWords) {
+    auto* strokes = test::named<QComboBox>(page, "strokes");
+    auto* why = test::named<QLabel>(page, "strokesRefused");
+    EXPECT_TRUE(why->isHidden());
+    strokes->setFocus();
+    QTest::keyClick(strokes, Qt::Key_Down);
+    EXPECT_EQ(strokes->currentIndex(), 0);
+    EXPECT_FALSE(why->isHidden());
+    EXPECT_TRUE(why->text().contains(QStringLiteral("720"))) << why->text().toStdString();
+    type(field("crank_radius_mm"), QStringLiteral("47"));
+    EXPECT_TRUE(why->isHidden());
+}
+
 }  // namespace
 }  // namespace ravnoves

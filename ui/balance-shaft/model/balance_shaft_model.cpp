@@ -379,9 +379,9 @@ QString bestText(const Optimum& best, const Optimum& all, bool canBeBuilt,
     if (!canBeBuilt) {
         text += say(QT_TRANSLATE_NOOP("ravnoves::BalanceShaftModel", "\nbut nothing can be built"));
     } else if (all.shaft_angle && *all.shaft_angle != *best.shaft_angle) {
-        text +=
-            say(QT_TRANSLATE_NOOP("ravnoves::BalanceShaftModel", "\ncannot be built: −%2 at %1°"))
-                .arg(number(*all.shaft_angle / degree, 2), number(best.value - all.value, 1));
+        text += say(QT_TRANSLATE_NOOP("ravnoves::BalanceShaftModel",
+                                      "\n%2 N·m less at %1° cannot be built"))
+                    .arg(number(*all.shaft_angle / degree, 2), number(best.value - all.value, 1));
     }
     return text;
 }
