@@ -6343,10 +6343,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>1-й с валом</translation>
     </message>
     <message>
-        <source>2nd order, λ P</source>
-        <translation>2-й порядок, λ P</translation>
-    </message>
-    <message>
         <source>on crank, κ mⱼ r</source>
         <translation>на валу, κ mⱼ r</translation>
     </message>
@@ -6425,6 +6421,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Least and largest ΔMᵤₚₛ while the shaft wanders</source>
         <translation>Наименьший и наибольший ΔMᵤₚₛ, пока вал ходит в зазоре</translation>
+    </message>
+    <message>
+        <source>2nd order, λ mⱼ r ω²</source>
+        <translation>2-й порядок, λ mⱼ r ω²</translation>
     </message>
 </context>
 <context>

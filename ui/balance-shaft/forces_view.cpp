@@ -211,7 +211,7 @@ void ForcesView::showLocus() {
         row(tr("along, (1 − κ) P"), balance.along),
         row(tr("across, κ P"), balance.across),
         row(tr("1st with shaft"), balance.with_shaft),
-        row(tr("2nd order, λ P"), balance.second_order),
+        row(tr("2nd order, λ mⱼ r ω²"), balance.second_order),
         {tr("on crank, κ mⱼ r"),
          fixedNumber(balance.counterweight_moment / units::gram_mm, 0, locale), tr("g·mm")},
     });

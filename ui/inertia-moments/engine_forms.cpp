@@ -126,7 +126,15 @@ void EngineForm::addFiringOrder() {
     order->setHint(shownText(field::firing_order.hint));
     current()->addWidget(shownText(field::firing_order.label), order);
     order->setModel(model_);
-    follow([this, order] { order->setValue(model_->firingOrder()); });
+    QLabel* misfit = captionLabel({}, current());
+    misfit->setObjectName(QStringLiteral("firing_misfit"));
+    current()->addWide(misfit);
+    follow([this, order, misfit] {
+        order->setValue(model_->firingOrder());
+        const Message& why = model_->result().firing_trouble;
+        misfit->setText(messageText(why));
+        misfit->setVisible(!why.empty());
+    });
 }
 
 void EngineForm::addCycle() {

@@ -237,9 +237,13 @@ TEST_F(InertiaMomentsPageTest, TwoStrokesFireInOneTurn) {
     model->chooseLayout(QStringLiteral("v8-cross-plane"));
     EXPECT_TRUE(model->result().firing.empty());
     EXPECT_FALSE(model->result().firing_trouble.empty());
+    auto* misfit = test::named<QLabel>(page, "firing_misfit");
+    EXPECT_FALSE(misfit->isHidden());
+    EXPECT_TRUE(misfit->text().contains(QStringLiteral("cannot be run through")));
     EXPECT_FALSE(page.grab().isNull());
     model->setFiringOrder(inertia_moments::dead_centre_order(model->result().engine));
     EXPECT_EQ(model->result().firing.size(), 8U);
+    EXPECT_TRUE(misfit->isHidden());
     EXPECT_FALSE(page.grab().isNull());  // pairs that fire at once
     model->history()->undo();
     EXPECT_EQ(model->input().strokes, 2);
