@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 
 #include "numerics/constants.h"
 
@@ -52,7 +54,7 @@ class RodSweep {
     }
 
   private:
-    static constexpr std::size_t samples = 180;
+    static constexpr std::size_t samples = 90;
     static constexpr double step = two_pi / samples;
 
     struct Rod {
@@ -163,12 +165,11 @@ BuildableAngles buildable_angles(const FrontView& view) {
     constexpr double narrow = two_pi / 16384;
     std::vector<double> ends;  // beginnings and ends of what can be built, by turns
     const auto find_end = [&](Sample left, Sample right) {
-        const bool begins = right.spare >= 0.0;
-        for (int i = 0; i < 60; ++i) {
-            const double middle = left.alpha + (right.alpha - left.alpha) / 2.0;
-            ((spare(middle) >= 0.0) == begins ? right : left).alpha = middle;
-        }
-        ends.push_back(begins ? right.alpha : left.alpha);
+        std::uintmax_t tries = 60;
+        const auto [before, after] = boost::math::tools::toms748_solve(
+            spare, left.alpha, right.alpha, left.spare, right.spare,
+            boost::math::tools::eps_tolerance<double>(48), tries);
+        ends.push_back(right.spare >= 0.0 ? after : before);
     };
     std::vector<std::array<Sample, 2>> open;
     constexpr int parts = 64;
