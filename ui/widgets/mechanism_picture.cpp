@@ -101,7 +101,15 @@ PicturePanel::PicturePanel(MechanismPicture* picture, double most, const QString
 }
 
 void PicturePanel::addControl(QWidget* control) {
-    controls_->insertWidget(controls_->indexOf(slider_), control);
+    if (choices_ == nullptr) {
+        choices_ = new QHBoxLayout;
+        choices_->setContentsMargins(Theme::space, 0, Theme::space, Theme::gap);
+        choices_->setSpacing(Theme::space);
+        auto* column = static_cast<QVBoxLayout*>(layout());
+        column->insertLayout(column->indexOf(controls_), choices_);
+        choices_->addStretch(1);
+    }
+    choices_->insertWidget(choices_->count() - 1, control);
 }
 
 }  // namespace ravnoves

@@ -55,11 +55,12 @@ class PicturePanel : public Panel {
     ValueSlider* slider() const { return slider_; }
     /// Plays and pauses, for menu and toolbar.
     QAction* action() const { return action_; }
-    /// Puts another control into the bar, before the angle.
+    /// Puts another control into a row of its own above the bar: the angle's slider needs its width.
     void addControl(QWidget* control);
 
   private:
     QHBoxLayout* controls_;
+    QHBoxLayout* choices_ = nullptr;
     ValueSlider* slider_;
     QAction* action_;
 };
