@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "numerics/constants.h"
+#include "numerics/angle.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -139,9 +139,8 @@ bool BuildableAngles::contains(double shaft_angle) const {
     // The ends themselves can be built, and an angle that was rounded on its way here is one.
     constexpr double rounding = 1e-9;
     return std::any_of(stretches.begin(), stretches.end(), [&](const AngleStretch& stretch) {
-        const double after = shaft_angle - stretch.from;
-        const double wrapped = after - two_pi * std::floor(after / two_pi);
-        return wrapped <= stretch.to - stretch.from + rounding || wrapped >= two_pi - rounding;
+        const double after = wrap_turn(shaft_angle - stretch.from);
+        return after <= stretch.to - stretch.from + rounding || after >= two_pi - rounding;
     });
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "numerics/angle.h"
 #include "numerics/extrema.h"
 #include "numerics/real50.h"
 
@@ -19,16 +20,6 @@ using Block = Eigen::Array<Scalar, block, 1>;
 template <typename Scalar>
 Scalar degree_of() {
     return boost::math::constants::degree<Scalar>();
-}
-
-template <typename Scalar>
-Scalar wrap(Scalar x, const Scalar& period) {
-    using std::fmod;
-    x = fmod(x, period);
-    if (x < 0) {
-        x += period;
-    }
-    return x < period ? x : Scalar(0);
 }
 
 }  // namespace

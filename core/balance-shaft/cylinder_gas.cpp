@@ -9,7 +9,7 @@
 #include "balance-shaft/torque_table.h"
 #include "case-file/input_error.h"
 #include "case-file/range.h"
-#include "numerics/constants.h"
+#include "numerics/angle.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -19,14 +19,6 @@ using boost::math::quadrature::gauss;
 
 constexpr int combustion_steps = 256;
 const double vibe_a = std::log(1000.0);
-
-double wrap_cycle(double angle, double period) {
-    angle = std::fmod(angle, period);
-    if (angle < 0.0) {
-        angle += period;
-    }
-    return angle < period ? angle : 0.0;
-}
 
 }  // namespace
 
@@ -48,7 +40,7 @@ CylinderGas::CylinderGas(const SliderCrank<double>& crank, const CylinderSizes& 
     period_ = pi * strokes_of(trace.crank_angle_deg);
     breaks_.reserve(trace.crank_angle_deg.size());
     for (const double angle : trace.crank_angle_deg) {
-        breaks_.push_back(wrap_cycle(angle * degree, period_));
+        breaks_.push_back(wrap(angle * degree, period_));
     }
     find_indicated();
 }
@@ -78,7 +70,7 @@ CylinderGas::CylinderGas(const SliderCrank<double>& crank, const CylinderSizes& 
     }
 
     for (double& angle : breaks_) {
-        angle = wrap_cycle(angle, period_);
+        angle = wrap(angle, period_);
     }
 
     const double volume_at_closing = strokes == 2 ? volume(ports_close_ + top_dead_centre_)
@@ -191,7 +183,7 @@ double CylinderGas::closed_pressure(double angle) const {
 }
 
 double CylinderGas::pressure(double theta) const {
-    const double angle = wrap_cycle(theta - top_dead_centre_, period_);
+    const double angle = wrap(theta - top_dead_centre_, period_);
     return trace_ ? (*trace_)(angle / degree) : cycle_pressure(angle);
 }
 
@@ -205,7 +197,7 @@ std::vector<double> CylinderGas::breaks_deg() const {
     for (const double angle : breaks_) {
         // A place given in whole degrees stays so.
         const double rounded = std::round(angle / degree * 1e9) / 1e9;
-        places.push_back(wrap_cycle(rounded, std::round(period_ / degree)));
+        places.push_back(wrap(rounded, std::round(period_ / degree)));
     }
     std::sort(places.begin(), places.end());
     return places;
@@ -253,7 +245,7 @@ void CylinderGas::find_indicated() {
     indicated_.peak_pressure_angle = period_ * highest / samples;
     if (-negative > indicated_.peak_pressure) {
         indicated_.peak_pressure = -negative;
-        indicated_.peak_pressure_angle = wrap_cycle(highest_angle, period_);
+        indicated_.peak_pressure_angle = wrap(highest_angle, period_);
     }
 }
 

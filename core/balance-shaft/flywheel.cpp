@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numerics/constants.h"
+#include "numerics/angle.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -88,12 +88,8 @@ Flywheel flywheel(const PeriodicPiecewise& torque, double angular_speed,
         return at_knot[place.piece] + excess_of(torque.pieces()[place.piece], mean, place.t);
     };
     const double zero = energy_at(0.0);
-    const auto wrapped = [&](double angle) {
-        angle = std::fmod(angle, torque.period());
-        return (angle < 0.0 ? angle + torque.period() : angle) * degree;
-    };
-    result.max_angle = wrapped(result.max_angle);
-    result.min_angle = wrapped(result.min_angle);
+    result.max_angle = wrap(result.max_angle, torque.period()) * degree;
+    result.min_angle = wrap(result.min_angle, torque.period()) * degree;
     result.max_energy = (highest - zero) * degree;
     result.min_energy = (lowest - zero) * degree;
     result.excess_work = (highest - lowest) * degree;

@@ -8,6 +8,7 @@
 
 #include "balance-shaft/input.h"
 #include "case-file/range.h"
+#include "numerics/angle.h"
 #include "numerics/slider_crank.h"
 
 namespace ravnoves::balance_shaft {
@@ -63,10 +64,7 @@ std::vector<Row> rows_of_stroke(const TorqueTable& table, double begin_deg) {
     const std::size_t count = table.size() - 1;
     for (std::size_t i = 0; i < count; ++i) {
         const double period = 180.0 * strokes_of(table.crank_angle_deg);
-        double angle = std::fmod(table.crank_angle_deg[i] - begin_deg, period);
-        if (angle < 0.0) {
-            angle += period;
-        }
+        const double angle = wrap(table.crank_angle_deg[i] - begin_deg, period);
         if (angle < from_deg - 1e-9 || angle > to_deg + 1e-9) {
             continue;
         }

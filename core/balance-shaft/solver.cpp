@@ -9,6 +9,7 @@
 #include "balance-shaft/cycle_extrema.h"
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/trace_check.h"
+#include "numerics/angle.h"
 #include "numerics/periodic_piecewise.h"
 
 namespace ravnoves::balance_shaft {
@@ -32,14 +33,6 @@ std::vector<double> grid(double span, double step) {
     }
     values.back() = span;
     return values;
-}
-
-double wrap_turn(double angle) {
-    angle = std::fmod(angle, two_pi);
-    if (angle < 0.0) {
-        angle += two_pi;
-    }
-    return angle < two_pi ? angle : 0.0;
 }
 
 struct Forces {

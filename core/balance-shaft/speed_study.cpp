@@ -12,6 +12,7 @@
 #include "balance-shaft/offset_cylinder.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "numerics/angle.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -28,16 +29,12 @@ double squared(double x) {
     return x * x;
 }
 
-double wrapped(double angle) {
-    return angle - two_pi * std::floor(angle / two_pi);
-}
-
 /// The angle itself or the end of a stretch that is next to it round the turn.
 double nearest(const std::vector<AngleStretch>& stretches, double angle) {
     double found = angle;
     double least = std::numeric_limits<double>::infinity();
     for (const AngleStretch& stretch : stretches) {
-        if (wrapped(angle - stretch.from) <= stretch.to - stretch.from) {
+        if (wrap_turn(angle - stretch.from) <= stretch.to - stretch.from) {
             return angle;
         }
         for (const double end : {stretch.from, stretch.to}) {
@@ -110,19 +107,19 @@ SpeedStudy::SpeedStudy(const Input& input, const SpeedBand& band, const Progress
         point.range_without = speed.without.max.value - speed.without.min.value;
         point.rms_without = rms_of(speed.variance);
         const BestRange best = minimise_range(speed.extrema);
-        point.best_range_angle = wrapped(best.shaft_angle - phase_);
+        point.best_range_angle = wrap_turn(best.shaft_angle - phase_);
         point.best_range = best.range;
         // M_s opposes the first order.
         const double opposed = std::atan2(-speed.order_1.a, -speed.order_1.b);
-        point.best_rms_angle = wrapped(opposed - phase_);
+        point.best_rms_angle = wrap_turn(opposed - phase_);
         const double first = std::hypot(speed.order_1.a, speed.order_1.b);
         point.best_rms = rms_of(speed.variance + speed.amplitude * (speed.amplitude / 2.0 - first));
         if (!within.empty()) {
             point.buildable_range_angle =
                 buildable_.contains(point.best_range_angle)
                     ? point.best_range_angle
-                    : wrapped(minimise_range(speed.extrema, within).shaft_angle - phase_);
-            point.buildable_rms_angle = wrapped(nearest(within, opposed) - phase_);
+                    : wrap_turn(minimise_range(speed.extrema, within).shaft_angle - phase_);
+            point.buildable_rms_angle = wrap_turn(nearest(within, opposed) - phase_);
         }
         points_.push_back(point);
     }
@@ -388,7 +385,7 @@ SpeedStudy::LeastBad SpeedStudy::least_bad_angle(Criterion criterion, Measure me
     }
     const double bound = best.value - best.gap;
     LeastBad answer;
-    answer.shaft_angle = wrapped(best.alpha - phase_);
+    answer.shaft_angle = wrap_turn(best.alpha - phase_);
     answer.value = by_range ? worst : rms_of(worst);
     answer.gap = answer.value - (by_range ? bound : rms_of(bound));
     answer.worst_speed = worst_speed;

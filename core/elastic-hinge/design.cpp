@@ -8,7 +8,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 
-#include "numerics/constants.h"
+#include "numerics/angle.h"
 #include "numerics/periodic_integral.h"
 
 namespace ravnoves::elastic_hinge {
@@ -16,12 +16,6 @@ namespace ravnoves::elastic_hinge {
 namespace {
 
 constexpr int table_samples = 721;
-
-/// φ in 0…2π.
-double wrap(double phi) {
-    const double turned = phi - two_pi * std::floor(phi / two_pi);
-    return turned >= two_pi ? 0.0 : std::max(turned, 0.0);
-}
 
 }  // namespace
 
@@ -151,7 +145,7 @@ void Design::tabulate_work() {
 }
 
 double Design::rod_work(double phi) const {
-    const double x = wrap(phi);
+    const double x = wrap_turn(phi);
     if (!sharp_) {
         return interpolated_work_(x);
     }
@@ -233,11 +227,11 @@ void Design::find_ranges() {
         const auto take = [&](double phi, double energy) {
             if (energy < range.min) {
                 range.min = energy;
-                range.min_angle = wrap(phi);
+                range.min_angle = wrap_turn(phi);
             }
             if (energy > range.max) {
                 range.max = energy;
-                range.max_angle = wrap(phi);
+                range.max_angle = wrap_turn(phi);
             }
         };
         for (std::size_t i = 0; i + 1 < n; ++i) {

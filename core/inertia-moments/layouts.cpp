@@ -8,6 +8,7 @@
 #include <string>
 
 #include "inertia-moments/fields.h"
+#include "numerics/angle.h"
 
 namespace ravnoves::inertia_moments {
 
@@ -201,10 +202,7 @@ std::vector<Cylinder> make_cylinders(const Layout& layout, double crank_radius, 
 }
 
 double wrap_turn(double angle) {
-    double wrapped = std::fmod(angle, two_pi);
-    if (wrapped < 0.0) {
-        wrapped += two_pi;
-    }
+    const double wrapped = wrap(angle, two_pi);
     return wrapped > two_pi - 1e-11 ? 0.0 : wrapped;
 }
 

@@ -10,7 +10,7 @@
 #include "elastic-hinge/solver.h"
 #include "inertia-moments/scene.h"
 #include "inertia-moments/solver.h"
-#include "numerics/constants.h"
+#include "numerics/angle.h"
 
 namespace ravnoves::methods {
 
@@ -72,8 +72,7 @@ Value table_rows(const balance_shaft::Input& input, bool cubic) {
 
 Value of_balance_shaft(std::string_view sweep, const balance_shaft::Input& input) {
     if (sweep == "shaft-angle" || sweep == "pure-sine") {
-        const double turn = std::fmod(input.shaft_angle / degree, 360.0);
-        return turn < 0.0 ? turn + 360.0 : turn;
+        return wrap(input.shaft_angle / degree, 360.0);
     }
     if (sweep == "amplitude") {
         return balance_shaft::Solver(input).result().moment_amplitude;

@@ -16,10 +16,6 @@ constexpr double cycle_deg = 720.0;
 constexpr double peak_deg = 383.77;         // of the combustion: on no node of a round step
 constexpr double paper_amplitude = 430.39;  // N·m, of the paper's Table 3
 
-double wrapped(double angle_deg) {
-    return std::remainder(angle_deg, cycle_deg);
-}
-
 /// Rows of a function of the crank angle (°).
 template <typename Function>
 TorqueCycle from_rows(std::vector<double> angle_deg, const Function& moment) {
@@ -48,7 +44,7 @@ std::vector<double> equal_rows(std::size_t n) {
 /// compression before it and the inertia's second order.
 double outline(double angle_deg, double width_deg) {
     const auto bell = [&](double centre, double width) {
-        const double u = wrapped(angle_deg - centre) / width;
+        const double u = std::remainder(angle_deg - centre, cycle_deg) / width;
         return std::exp(-0.5 * u * u);
     };
     return -(500.0 * bell(peak_deg, width_deg) - 150.0 * bell(335.0, 20.0) +

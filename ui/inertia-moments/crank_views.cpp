@@ -7,6 +7,7 @@
 #include <map>
 
 #include "inertia-moments/model/inertia_moments_model.h"
+#include "numerics/angle.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
@@ -20,10 +21,7 @@ using inertia_moments::FiringEvent;
 namespace {
 
 QString angleText(double radians) {
-    double value = std::fmod(radians / degree, 360.0);
-    if (value < 0.0) {
-        value += 360.0;
-    }
+    const double value = wrap(radians / degree, 360.0);
     return fixedNumber(value > 359.95 ? 0.0 : value, 1, QLocale()) + QStringLiteral("°");
 }
 

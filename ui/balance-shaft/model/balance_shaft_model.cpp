@@ -9,6 +9,7 @@
 #include "balance-shaft/scene.h"
 #include "case-file/input_error.h"
 #include "model/case_model_json.h"
+#include "numerics/angle.h"
 #include "numerics/vector_state.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
@@ -21,11 +22,6 @@ using balance_shaft::Optimum;
 using balance_shaft::Solver;
 
 namespace {
-
-double wrap(double value, double period) {
-    const double rest = std::fmod(value, period);
-    return rest < 0.0 ? rest + period : rest;
-}
 
 QString number(double value, int decimals) {
     return fixedNumber(value, decimals, QLocale());

@@ -9,6 +9,7 @@
 #include "elastic-hinge/fields.h"
 #include "elastic-hinge/scene.h"
 #include "model/case_model_json.h"
+#include "numerics/angle.h"
 #include "numerics/vector_state.h"
 #include "plot/model/ticks.h"
 #include "text/error_text.h"
@@ -57,11 +58,6 @@ QString millimetresUp(double length) {
 
 QString percent(double fraction, int decimals = 1) {
     return number(100.0 * fraction, decimals) + QStringLiteral("\u00A0%");
-}
-
-double wrap(double value, double period) {
-    const double rest = std::fmod(value, period);
-    return rest < 0.0 ? rest + period : rest;
 }
 
 /// The largest of 1, 2, 5, 10, … that is not above the value, at least 1.

@@ -9,6 +9,7 @@
 #include "inertia-moments/fields.h"
 #include "inertia-moments/scene.h"
 #include "model/case_model_json.h"
+#include "numerics/angle.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 
@@ -35,11 +36,6 @@ namespace {
 const QString paperEngine = QStringLiteral("vw-vr5");
 const QString ownTable = QStringLiteral("table");
 const QString dash = QStringLiteral("–");
-
-double wrap(double value, double period) {
-    const double rest = std::fmod(value, period);
-    return rest < 0.0 ? rest + period : rest;
-}
 
 QString number(double value, int decimals) {
     return fixedNumber(value, decimals, QLocale());
