@@ -144,6 +144,23 @@ bool BuildableAngles::contains(double shaft_angle) const {
     });
 }
 
+std::vector<AngleStretch> BuildableAngles::gaps() const {
+    // A stretch over 0 ends in the next turn; its last part is the first of this one.
+    double end = stretches.empty() ? 0.0 : std::max(stretches.back().to - two_pi, 0.0);
+    std::vector<AngleStretch> gaps;
+    const auto add_up_to = [&](double from) {
+        if (from > end) {
+            gaps.push_back({end, from});
+        }
+    };
+    for (const AngleStretch& stretch : stretches) {
+        add_up_to(stretch.from);
+        end = stretch.to;
+    }
+    add_up_to(two_pi);
+    return gaps;
+}
+
 BuildableAngles buildable_angles(const FrontView& view) {
     BuildableAngles answer;
     answer.reason = reason_at_every_angle(view);

@@ -29,6 +29,8 @@ struct BuildableAngles {
 
     /// @param shaft_angle  α, rad, any
     bool contains(double shaft_angle) const;
+    /// What lies between them, ascending within 0…2π: all of it where nothing can be built.
+    std::vector<AngleStretch> gaps() const;
 };
 
 /// The ends are found to rounding, on the side that can be built. A stretch or gap of less than

@@ -34,6 +34,7 @@ struct FrontView {
     double gear_module;  ///< l / teeth
     double clearance;
     double wall;
+    bool operator==(const FrontView&) const = default;
 
     SliderCrank<double> crank() const { return {crank_radius, rod_length, offset}; }
     /// Half of what the cylinder with its wall takes across.

@@ -121,7 +121,7 @@ struct Solver::Prepared {
     std::vector<double> cos_curve;  ///< cos φ and sin φ at the curves' angles
     std::vector<double> sin_curve;
 
-    explicit Prepared(const Input& checked);
+    Prepared(const Input& checked, const Prepared* before);
 
     double variance_at(double alpha) const {
         // The shaft's moment A sin(φ + α) = A sin α cos φ + A cos α sin φ has the variance A²/2 and
@@ -146,10 +146,11 @@ struct Solver::Prepared {
     void prepare_notes_on_building();
 };
 
-Solver::Prepared::Prepared(const Input& checked)
+Solver::Prepared::Prepared(const Input& checked, const Prepared* before)
     : input(checked),
       view(balance_shaft::front_view(checked)),
-      buildable(buildable_angles(view)),
+      buildable(before != nullptr && before->view == view ? before->buildable
+                                                          : buildable_angles(view)),
       crank(slider_crank(checked)),
       top(crank.top_dead_centre()),
       piston_1(piston_first_order(crank)),
@@ -395,9 +396,10 @@ void Solver::Prepared::prepare_notes_on_building() {
     base.assumed_sizes = balance_shaft::assumed_sizes(input);
 }
 
-Solver::Solver(const Input& input) {
+Solver::Solver(const Input& input, const Solver* before) {
     check_input(input);
-    prepared_ = std::make_shared<const Prepared>(input);
+    prepared_ = std::make_shared<const Prepared>(
+        input, before != nullptr ? before->prepared_.get() : nullptr);
 }
 
 const Input& Solver::input() const {

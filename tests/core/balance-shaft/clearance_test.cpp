@@ -233,6 +233,45 @@ TEST(BuildableAngles, OldDefaultSizesCouldNotBeBuilt) {
     EXPECT_TRUE(buildable_angles(front_view(input)).stretches.empty());
 }
 
+TEST(BuildableAnglesTest, GapsAreAllThatCannotBeBuilt) {
+    const auto gaps_of = [](std::vector<AngleStretch> stretches) {
+        return BuildableAngles{std::move(stretches), {}}.gaps();
+    };
+    using Gaps = std::vector<AngleStretch>;
+    EXPECT_EQ(gaps_of({}), Gaps({{0.0, two_pi}}));
+    EXPECT_EQ(gaps_of(whole_turn()), Gaps());
+    EXPECT_EQ(gaps_of({{1.0, 2.0}, {3.0, 4.0}}), Gaps({{0.0, 1.0}, {2.0, 3.0}, {4.0, two_pi}}));
+    EXPECT_EQ(gaps_of({{1.0, two_pi}}), Gaps({{0.0, 1.0}}));
+    // One that goes on over 0 is built at both ends of the turn.
+    const Gaps over_zero = gaps_of({{2.0, 3.0}, {5.0, two_pi + 1.0}});
+    ASSERT_EQ(over_zero.size(), 2U);
+    EXPECT_NEAR(over_zero[0].from, 1.0, 1e-15);
+    EXPECT_EQ(over_zero[0].to, 2.0);
+    EXPECT_EQ(over_zero[1], (AngleStretch{3.0, 5.0}));
+}
+
+TEST(BuildableAnglesTest, AreTakenOverWhereTheFrontViewIsTheSame) {
+    const Input input = preset_tmz_650d();
+    const Solver first(input);
+    // The sizes are the same at another speed and torque: so is the answer, and so is all else.
+    Input faster = input;
+    faster.angular_speed *= 1.1;
+    faster.torque.table.torque[3] += 1.0;
+    EXPECT_EQ(first.front_view(), front_view(faster));
+    const Solver after(faster, &first);
+    EXPECT_EQ(write_result(after, after.result()), write_result(Solver(faster), solve(faster)));
+    // Another place or unbalance of the shaft is looked at anew.
+    Input other = input;
+    other.centre_distance *= 1.05;
+    Input lighter = input;
+    lighter.reciprocating_masses[0].mass *= 0.9;
+    for (const Input& changed : {other, lighter}) {
+        const Solver next(changed, &after);
+        EXPECT_NE(next.buildable().stretches.at(0).from, first.buildable().stretches.at(0).from);
+        EXPECT_EQ(write_result(next, next.result()), write_result(Solver(changed), solve(changed)));
+    }
+}
+
 TEST(EnvelopeStudyTest, EfficientAnglesCanBeBuilt) {
     const Solver solver(preset_tmz_650d());
     const EnvelopeStudy study = envelope_study(solver, 720);

@@ -24,10 +24,11 @@ struct BalanceShaftScene {
     static QString defaultTitle() { return QStringLiteral("TMZ-650D"); }
     static Input read(const Json& input, const CaseContext& context);
     static Json write(const Input& input);
-    static Solved solve(const Input& input) {
-        const balance_shaft::Solver solver(input);
-        return {solver, solver.result(), {}, {}};
+    Solved solve(const Input& input) const {
+        last = balance_shaft::Solver(input, last ? &*last : nullptr);
+        return {*last, last->result(), {}, {}};
     }
+    mutable std::optional<balance_shaft::Solver> last{};  ///< spares the next what stays
 };
 
 /// The state of the balance-shaft page: input, the solver's result, the crank angle of the picture.
