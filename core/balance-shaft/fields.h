@@ -118,14 +118,16 @@ inline constexpr Field shaft_angle{.key = "shaft_angle_deg",
                                                      "From the crank axis to the shaft, measured "
                                                      "from the cylinder axis in the direction of "
                                                      "rotation.")};
+inline constexpr Word stroke_words[] = {{"2", CORE_TEXT("balance-shaft", "two-stroke")},
+                                        {"4", CORE_TEXT("balance-shaft", "four-stroke")}};
 inline constexpr Field strokes{
     .key = "strokes",
-    .range = Range::between(2, 4),
     .label = CORE_TEXT("balance-shaft", "Stro&kes"),
     .hint =
         CORE_TEXT("balance-shaft",
                   "A four-stroke engine has a cycle of two turns, 720°, a two-stroke engine one "
-                  "of one turn, 360°. Torque table and pressure trace must span it.")};
+                  "of one turn, 360°. Torque table and pressure trace must span it."),
+    .words = stroke_words};
 inline constexpr Word interpolation_words[] = {
     {"linear", CORE_TEXT("balance-shaft", "straight lines")},
     {"periodic-cubic", CORE_TEXT("balance-shaft", "periodic cubic spline")}};

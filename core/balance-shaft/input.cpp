@@ -264,10 +264,7 @@ void check_speed_band(const SpeedBand& band) {
 void check_input(const Input& input) {
     check_fields(input);
     check_masses(input);
-    if (input.strokes != 2 && input.strokes != 4) {
-        throw InputError(pointer(field::strokes), CORE_TEXT("balance-shaft", "must be 2 or 4"),
-                         Number{1.0 * input.strokes});
-    }
+    check_together(input);
     check_torque(input);
     if (input.flywheel &&
         input.flywheel->inertia.has_value() == input.flywheel->fluctuation.has_value()) {
@@ -297,7 +294,6 @@ void check_input(const Input& input) {
     if (input.relieved_shaft) {
         check_relieved_shaft(*input.relieved_shaft);
     }
-    check_together(input);
 }
 
 }  // namespace ravnoves::balance_shaft

@@ -1,7 +1,10 @@
 #include "case-file/field_reader.h"
 
+#include <cmath>
+
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "case-file/whole_number.h"
 
 namespace ravnoves {
 
@@ -46,8 +49,12 @@ void FieldReader::number_or_word(const Field& field, std::optional<double>& si,
 void FieldReader::visit_integer(const Field& field, int& value, const int* fallback,
                                 bool /*always*/) {
     if (reader().has(field.key) || (fallback == nullptr && !is_lenient())) {
-        value = reader().integer(field.key, static_cast<int>(field.range.min),
-                                 static_cast<int>(field.range.max));
+        const Json& json = reader().raw(field.key);
+        const double number = json.is_number() ? json.get<double>() : std::nan("");
+        if (!allows_whole(field, number)) {
+            throw InputError(reader().pointer_to(field.key), whole_number_rule(field), show(json));
+        }
+        value = static_cast<int>(number);
     } else if (fallback != nullptr) {
         value = *fallback;
     }

@@ -6,6 +6,7 @@
 #include "case-file/field_walker.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "case-file/whole_number.h"
 
 namespace ravnoves {
 
@@ -153,8 +154,8 @@ class Checker final : public FieldWalker {
         }
     }
     static void check_whole(const Field& field, int value, const std::string& where) {
-        if (!field.range.contains(value)) {
-            throw InputError(where, field.range.whole_number_message(), Number{1.0 * value});
+        if (!allows_whole(field, value)) {
+            throw InputError(where, whole_number_rule(field), Number{1.0 * value});
         }
     }
 };

@@ -56,13 +56,15 @@ inline constexpr Field rotating_mass_per_throw{
                       "Instead of the mass of one cylinder: all that turns on one crankpin, with "
                       "the shares of its rods unless the rod is a rigid body below. Only where all "
                       "pins carry the same number of rods.")};
+inline constexpr Word stroke_words[] = {{"2", CORE_TEXT("inertia-moments", "two strokes, 360°")},
+                                        {"4", CORE_TEXT("inertia-moments", "four strokes, 720°")}};
 inline constexpr Field strokes{
     .key = "strokes",
-    .range = Range::between(2, 4),
     .label = CORE_TEXT("inertia-moments", "C&ycle"),
     .hint = CORE_TEXT("inertia-moments",
                       "4 or 2 strokes: the cylinders fire over 720° or over 360° of the crank. "
-                      "Crankpins for even firing follow it.")};
+                      "Crankpins for even firing follow it."),
+    .words = stroke_words};
 inline constexpr Field reference_position{
     .key = "reference_position_mm",
     .unit = units::mm,

@@ -138,10 +138,6 @@ void check_size(const Input& input, const Engine& engine) {
 
 void check_input(const Input& input) {
     check_fields(input);
-    if (input.strokes != 2 && input.strokes != 4) {
-        throw InputError("/input/strokes", CORE_TEXT("inertia-moments", "must be 2 or 4"),
-                         Number{static_cast<double>(input.strokes)});
-    }
     if (input.layout) {
         check_layout(*input.layout);
         // Only the offsets matter for locking; crankpins would need a top dead centre.

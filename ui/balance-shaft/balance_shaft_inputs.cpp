@@ -62,28 +62,7 @@ void BalanceShaftPage::addEngine(Form* form) {
         angularSpeed->setText(fixedNumber(model_->input().angular_speed, 2, QLocale()) +
                               tr(" rad/s"));
     });
-    auto* strokes = new QComboBox(form);
-    strokes->setObjectName(QStringLiteral("strokes"));
-    strokes->addItem(tr("four-stroke"), 4);
-    strokes->addItem(tr("two-stroke"), 2);
-    engine->addWidget(shownText(field::strokes.label), strokes, {}, shownText(field::strokes.hint));
-    const auto showStrokes = [this, strokes] {
-        strokes->setCurrentIndex(strokes->findData(model_->input().strokes));
-    };
-    QLabel* whyNot = captionLabel({}, engine);
-    whyNot->setObjectName(QStringLiteral("strokesRefused"));
-    whyNot->hide();
-    engine->addWide(whyNot);
-    connect(strokes, &QComboBox::activated, this, [this, strokes, showStrokes, whyNot](int index) {
-        const QString trouble = model_->setStrokes(strokes->itemData(index).toInt());
-        showStrokes();
-        whyNot->setText(trouble);
-        whyNot->setVisible(!trouble.isEmpty());
-    });
-    form->follow([showStrokes, whyNot] {
-        showStrokes();
-        whyNot->hide();
-    });
+    form->choice("/strokes", [this](int strokes) { return model_->setStrokes(strokes); });
     form->number("/crank_radius_mm");
     // It stands in the object of the torque where that is computed.
     NumberField* rod = form->number(

@@ -60,7 +60,7 @@ EngineForm::EngineForm(InertiaMomentsModel* model) : Form(model), model_(model) 
     section(tr("Layout"));
     addLayoutChoice();
     addFiringOrder();
-    addCycle();
+    choice("/strokes");
     FormSection* sizes = section({});
     number("/layout/spacing_mm");
     number("/layout/stagger_mm");
@@ -135,21 +135,6 @@ void EngineForm::addFiringOrder() {
         misfit->setText(messageText(why));
         misfit->setVisible(!why.empty());
     });
-}
-
-void EngineForm::addCycle() {
-    auto* cycle = new QComboBox(this);
-    cycle->setObjectName(QStringLiteral("strokes"));
-    cycle->addItem(tr("four strokes, 720°"), 4);
-    cycle->addItem(tr("two strokes, 360°"), 2);
-    current()->addWidget(shownText(field::strokes.label), cycle, {},
-                         shownText(field::strokes.hint));
-    connect(cycle, &QComboBox::activated, this, [this, cycle](int index) {
-        model_->finishDrag();
-        model_->editField("/strokes", cycle->itemData(index).toInt(), fieldName(field::strokes));
-        model_->finishDrag();
-    });
-    follow([this, cycle] { cycle->setCurrentIndex(cycle->findData(model_->input().strokes)); });
 }
 
 void EngineForm::addRotatingMass() {

@@ -22,7 +22,6 @@ class EngineForm : public Form {
   private:
     void addLayoutChoice();
     void addFiringOrder();
-    void addCycle();
     void addRotatingMass();
     void addRod();
     void showLayout();

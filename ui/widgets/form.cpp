@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "case-file/whole_number.h"
 #include "numerics/demand.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
@@ -107,24 +108,36 @@ NumberField* Form::number(const Field& description, std::function<std::optional<
     return field;
 }
 
-QComboBox* Form::choice(const char* pointer) {
+QComboBox* Form::choice(const char* pointer, std::function<QString(int)> write) {
     const FieldEntry& entry = described(pointer);
     auto* box = new QComboBox(current_);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setObjectName(QString::fromStdString(std::string(entry.field.key)));
+    const bool isWhole = entry.kind == FieldKind::integer;
     for (const Word& word : entry.field.words) {
-        box->addItem(shownText(word.label));
+        box->addItem(shownText(word.label), isWhole ? whole_number(word) : box->count());
     }
     current_->addWidget(shownText(entry.field.label), box, {}, shownText(entry.field.hint));
+    auto* trouble = new TroubleLine(current_);
+    trouble->setObjectName(box->objectName() + QStringLiteral("Refused"));
+    current_->addWide(trouble);
+    if (!write) {
+        write = [this, place = entry.pointer, name = fieldName(entry.field)](int value) {
+            return model_->editField(place, value, name);
+        };
+    }
     connect(box, &QComboBox::activated, this,
-            [this, place = entry.pointer, name = fieldName(entry.field)](int index) {
-                if (!model_->editField(place, index, name).isEmpty()) {
-                    showAll();  // refused: the choice goes back
+            [this, box, trouble, write = std::move(write)](int index) {
+                const QString why = write(box->itemData(index).toInt());
+                if (!why.isEmpty()) {
+                    showAll();  // the choice goes back
                 }
+                trouble->say(why);
             });
-    add(pointer, box, [box](const FieldValue& value) {
-        const int* index = std::get_if<int>(&value);
-        box->setCurrentIndex(index != nullptr ? *index : -1);
+    add(pointer, box, [box, trouble](const FieldValue& value) {
+        const int* present = std::get_if<int>(&value);
+        box->setCurrentIndex(present != nullptr ? box->findData(*present) : -1);
+        trouble->say({});
     });
     return box;
 }

@@ -33,8 +33,11 @@ class Form : public QWidget {
 
     /// A row for a number (or a whole number) of the input.
     NumberField* number(const char* pointer);
-    /// A row for a choice of words.
-    QComboBox* choice(const char* pointer);
+    /// A row for a choice of words, or for a whole number that is one of two; why it is refused
+    /// stands under it.
+    /// @param write  for more than setting the field: takes the word's place (or the number) and
+    ///               returns as SceneModel::editField()
+    QComboBox* choice(const char* pointer, std::function<QString(int)> write = {});
     /// A row for yes or no; returns the box to tick.
     QWidget* flag(const char* pointer);
     /// A row for a text.

@@ -88,6 +88,12 @@ TEST(TwoStroke, ATableMustSpanTheCycle) {
               "/input/strokes: must be 4, since the torque table spans 720°, got 2");
     json["strokes"] = 3;
     EXPECT_EQ(error_of([&] { read_input(json, {}); }), "/input/strokes: must be 2 or 4, got 3");
+    json["strokes"] = "two";
+    EXPECT_EQ(error_of([&] { read_input(json, {}); }),
+              "/input/strokes: must be 2 or 4, got \"two\"");
+    Input five = one_turn;
+    five.strokes = 5;
+    EXPECT_EQ(error_of([&] { check_input(five); }), "/input/strokes: must be 2 or 4, got 5");
 }
 
 TEST(TwoStroke, OneTurnIsWhatTheSameTurnTwiceIs) {

@@ -86,16 +86,16 @@ TEST_F(BalanceShaftViewsTest, TheFlywheelAnswersForInertiaAndForFluctuation) {
 TEST_F(BalanceShaftViewsTest, ATwoStrokeHasPlotsOfOneTurn) {
     auto* strokes = page.findChild<QComboBox*>(QStringLiteral("strokes"));
     ASSERT_NE(strokes, nullptr);
-    const auto choose = [&](int index) {
-        strokes->setCurrentIndex(index);
-        Q_EMIT strokes->activated(index);
+    const auto choose = [&](int number) {
+        strokes->setCurrentIndex(strokes->findData(number));
+        Q_EMIT strokes->activated(strokes->currentIndex());
     };
     // The paper's table is one of 720°: refused, and the choice says so by staying.
-    choose(1);
+    choose(2);
     EXPECT_EQ(model->input().strokes, 4);
     EXPECT_EQ(strokes->currentIndex(), 0);
     model->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
-    choose(1);
+    choose(2);
     EXPECT_EQ(model->input().strokes, 2);
     EXPECT_EQ(page.momentPlot()->xInterval().second, 360.0);
     auto* view = open<FlywheelView>();

@@ -228,7 +228,7 @@ TEST_F(InertiaMomentsPageTest, TwoStrokesFireInOneTurn) {
     model->chooseLayout(QStringLiteral("i4"));
     EXPECT_NEAR(model->result().firing[0].interval / degree, 180.0, 1e-9);
     strokes->setFocus();
-    QTest::keyClick(strokes, Qt::Key_Down);
+    QTest::keyClick(strokes, Qt::Key_Up);
     EXPECT_EQ(model->input().strokes, 2);
     EXPECT_NEAR(model->result().firing[0].interval / degree, 90.0, 1e-9);
     tab(Tabs::Charts, "firing");
