@@ -19,6 +19,15 @@ Number shown(const Field& field, double si) {
     return {from_si(field, si)};
 }
 
+/// The object of the case that gives the cylinder's sizes: that of a computed torque, else "input".
+std::string cylinder_place(const Input& input) {
+    if (!input.torque.is_computed()) {
+        return "/input";
+    }
+    const bool traced = input.torque.kind == TorqueSource::Kind::pressure;
+    return pointer(traced ? field::pressure : field::cycle, pointer(field::torque));
+}
+
 void check_masses(const Input& input) {
     const double sum = input.reciprocating_mass();
     if (!(sum > 0.0) || !std::isfinite(sum)) {
@@ -106,7 +115,8 @@ void check_strokes(const Input& input) {
 }
 
 /// The crank must turn round, with room to spare where the cylinder is offset.
-void check_rod(const Input& input, const std::string& parent) {
+void check_rod(const Input& input) {
+    const std::string parent = cylinder_place(input);
     const double offset = input.torque.cylinder.offset;
     if (offset == 0.0 && !input.torque.is_computed()) {
         return;
@@ -136,17 +146,15 @@ void check_torque(const Input& input) {
     if (!source.is_computed()) {
         check_torque_table(source.table, pointer(field::torque));
         check_strokes(input);
-        check_rod(input, "/input");
+        check_rod(input);
         return;
     }
-    const bool traced = source.kind == TorqueSource::Kind::pressure;
-    const std::string parent =
-        pointer(traced ? field::pressure : field::cycle, pointer(field::torque));
+    const std::string parent = cylinder_place(input);
     if (!input.rod_length) {
         throw InputError(pointer(field::rod_length, parent),
                          CORE_TEXT("core", "is required and missing"));
     }
-    check_rod(input, parent);
+    check_rod(input);
     // Beyond these no cylinder exists, and pressures and powers of volumes leave double's range.
     constexpr Range displacement_range = Range::between(1e-12, 1e3);
     const SliderCrank<double> crank = slider_crank(input);
@@ -158,7 +166,7 @@ void check_torque(const Input& input) {
             CORE_TEXT("balance-shaft", "must make a displacement from 1e-6 cm³ to 1e9 cm³"),
             Number{displacement / units::cm3, units::cm3, 6});
     }
-    if (traced) {
+    if (source.kind == TorqueSource::Kind::pressure) {
         check_pressure_trace(source.trace, pointer(field::csv, parent));
         check_strokes(input);
     } else {
@@ -166,7 +174,7 @@ void check_torque(const Input& input) {
     }
 }
 
-/// Each number alone may be fine and their products not.
+/// Each number alone may be fine and their products not. Offset and bore have ranges of their own.
 void check_together(const Input& input) {
     const double speed = input.angular_speed;
     const double reciprocating = input.reciprocating_mass();
@@ -174,47 +182,51 @@ void check_together(const Input& input) {
         reciprocating * input.crank_radius / (2.0 * input.counterweight_radius));
     const double force = counterweight * input.counterweight_radius * speed * speed;
     constexpr Text mechanism = CORE_TEXT("balance-shaft", "the mechanism");
-    constexpr Text cylinder = CORE_TEXT("balance-shaft", "the cylinder");
     constexpr Text envelope = CORE_TEXT("balance-shaft", "the envelope");
+    const std::string sizes_place = pointer(field::envelope);
     const EnvelopeSizes& sizes = input.envelope;
-    const struct {
+    struct Product {
         double value;
         Text what;
-        const Field& field;
-    } products[] = {
-        {speed * speed, CORE_TEXT("balance-shaft", "the square of the speed"),
-         input.speed_in_rpm ? field::speed : field::angular_speed},
-        {input.crank_radius, mechanism, field::crank_radius},
-        {reciprocating * input.crank_radius * speed * speed,
-         CORE_TEXT("balance-shaft", "the inertia force"), field::crank_radius},
-        {counterweight, CORE_TEXT("balance-shaft", "the counterweight's mass"),
-         field::counterweight_radius},
-        {input.counterweight_radius, mechanism, field::counterweight_radius},
-        {force, CORE_TEXT("balance-shaft", "the counterweight's force"),
-         field::counterweight_radius},
-        {input.centre_distance, mechanism, field::centre_distance},
-        {force * input.centre_distance, CORE_TEXT("balance-shaft", "the shaft's moment"),
-         field::centre_distance},
-        {input.effective_rod_length(), mechanism, field::rod_length},
-        {reciprocating * input.crank_radius * input.crank_radius * speed * speed,
-         CORE_TEXT("balance-shaft", "the inertia torque"), field::crank_radius},
-        {input.torque.cylinder.bore, cylinder, field::bore},
-        {input.torque.cylinder.offset, cylinder, field::offset},
-        {sizes.cylinder_bore.value_or(0.0), envelope, field::cylinder_bore},
-        {sizes.cylinder_top.value_or(0.0), envelope, field::cylinder_top},
-        {sizes.crank_swing_radius.value_or(0.0), envelope, field::crank_swing_radius},
-        {sizes.shaft_swing_radius.value_or(0.0), envelope, field::shaft_swing_radius},
-        {sizes.cylinder_bottom.value_or(0.0), envelope, field::cylinder_bottom},
-        {sizes.cylinder_wall.value_or(0.0), envelope, field::cylinder_wall},
-        {sizes.rod_width.value_or(0.0), envelope, field::rod_width},
-        {sizes.gear_tip_radius.value_or(0.0), envelope, field::gear_tip_radius},
-        {sizes.clearance, envelope, field::clearance},
-        {sizes.wall, envelope, field::wall},
+        std::string where;
     };
-    for (const auto& product : products) {
+    const auto of_envelope = [&](const std::optional<double>& size, const Field& field) {
+        return Product{size.value_or(0.0), envelope, pointer(field, sizes_place)};
+    };
+    const Product products[] = {
+        {speed * speed, CORE_TEXT("balance-shaft", "the square of the speed"),
+         pointer(input.speed_in_rpm ? field::speed : field::angular_speed)},
+        {input.crank_radius, mechanism, pointer(field::crank_radius)},
+        {reciprocating * input.crank_radius * speed * speed,
+         CORE_TEXT("balance-shaft", "the inertia force"), pointer(field::crank_radius)},
+        {counterweight, CORE_TEXT("balance-shaft", "the counterweight's mass"),
+         pointer(input.counterweight_mass ? field::counterweight_mass
+                                          : field::counterweight_radius)},
+        {input.counterweight_radius, mechanism, pointer(field::counterweight_radius)},
+        {force, CORE_TEXT("balance-shaft", "the counterweight's force"),
+         pointer(field::counterweight_radius)},
+        {input.centre_distance, mechanism, pointer(field::centre_distance)},
+        {force * input.centre_distance, CORE_TEXT("balance-shaft", "the shaft's moment"),
+         pointer(field::centre_distance)},
+        {input.effective_rod_length(), mechanism,
+         input.rod_length ? pointer(field::rod_length, cylinder_place(input))
+                          : pointer(field::crank_radius)},
+        {reciprocating * input.crank_radius * input.crank_radius * speed * speed,
+         CORE_TEXT("balance-shaft", "the inertia torque"), pointer(field::crank_radius)},
+        of_envelope(sizes.cylinder_bore, field::cylinder_bore),
+        of_envelope(sizes.cylinder_top, field::cylinder_top),
+        of_envelope(sizes.crank_swing_radius, field::crank_swing_radius),
+        of_envelope(sizes.shaft_swing_radius, field::shaft_swing_radius),
+        of_envelope(sizes.cylinder_bottom, field::cylinder_bottom),
+        of_envelope(sizes.cylinder_wall, field::cylinder_wall),
+        of_envelope(sizes.rod_width, field::rod_width),
+        of_envelope(sizes.gear_tip_radius, field::gear_tip_radius),
+        of_envelope(sizes.clearance, field::clearance),
+        of_envelope(sizes.wall, field::wall),
+    };
+    for (const Product& product : products) {
         if (!(std::abs(product.value) <= 1e100)) {
-            const bool of_envelope = product.what.english == envelope.english;
-            throw InputError(pointer(product.field, of_envelope ? "/input/envelope" : "/input"),
+            throw InputError(product.where,
                              {CORE_TEXT("balance-shaft",
                                         "makes %1 larger than this program can work with (%2) "
                                         "together with the other inputs"),

@@ -181,6 +181,55 @@ TEST(BalanceShaftInput, NotFiniteValuesOfAProgramAreRefusedToo) {
               "got 0");
 }
 
+TEST(BalanceShaftInput, WhatIsTooLargeIsNamedAtItsOwnPlace) {
+    const auto place_of = [](Input input, const auto& change) {
+        change(input);
+        const std::string error = error_of([&] { check_input(input); });
+        return error.substr(0, error.find(':'));
+    };
+    const Input given = preset_tmz_650d();
+    const Input cycle = test::diesel();
+    Input pressure = cycle;
+    pressure.torque.kind = TorqueSource::Kind::pressure;
+    for (const double size : {1e101, 1e200}) {  // its square is infinite
+        const auto rod = [&](Input& i) { i.rod_length = size; };
+        EXPECT_EQ(place_of(given, rod), "/input/rod_length_mm");
+        EXPECT_EQ(place_of(cycle, rod), "/input/torque/cycle/rod_length_mm");
+        EXPECT_EQ(place_of(pressure, rod), "/input/torque/pressure/rod_length_mm");
+        const auto offset = [&](Input& i) { i.torque.cylinder.offset = size; };
+        EXPECT_EQ(place_of(given, offset), "/input/offset_mm");
+        EXPECT_EQ(place_of(cycle, offset), "/input/torque/cycle/offset_mm");
+        EXPECT_EQ(place_of(pressure, offset), "/input/torque/pressure/offset_mm");
+        const auto bore = [&](Input& i) { i.torque.cylinder.bore = size; };
+        EXPECT_EQ(place_of(cycle, bore), "/input/torque/cycle/bore_mm");
+        EXPECT_EQ(place_of(pressure, bore), "/input/torque/pressure/bore_mm");
+        EXPECT_EQ(place_of(given, [&](Input& i) { i.counterweight_mass = size; }),
+                  "/input/counterweight_mass_kg");
+        EXPECT_EQ(place_of(given, [&](Input& i) { i.centre_distance = size; }),
+                  "/input/centre_distance_mm");
+        EXPECT_EQ(place_of(given, [&](Input& i) { i.envelope.wall = size; }),
+                  "/input/envelope/wall_mm");
+        EXPECT_EQ(place_of(cycle, [&](Input& i) { i.envelope.cylinder_bore = size; }),
+                  "/input/envelope/cylinder_bore_mm");
+    }
+    // The default of the rod is made from the crank radius.
+    EXPECT_EQ(place_of(given,
+                       [](Input& i) {
+                           i.rod_length.reset();
+                           i.angular_speed = 1e-50;
+                           i.crank_radius = 0.5e100;
+                           i.counterweight_mass = 1.0;
+                       }),
+              "/input/crank_radius_mm");
+    EXPECT_EQ(error_of([&] {
+                  Input input = cycle;
+                  input.rod_length = 1e101;
+                  check_input(input);
+              }),
+              "/input/torque/cycle/rod_length_mm: makes the mechanism larger than this program can "
+              "work with (1e100) together with the other inputs");
+}
+
 class CsvBesideTheCase : public testing::Test {
   protected:
     void SetUp() override {
