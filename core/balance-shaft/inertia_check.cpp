@@ -27,7 +27,7 @@ PistonMotion<double> unit_motion(double lambda, double relative_offset, double a
     return crank.at(angle + crank.top_dead_centre());
 }
 
-/// Inertia torque for m_j r² ω² = 1: −s′ s″/r².
+/// Inertia torque for mⱼ r² ω² = 1: −s′ s″/r².
 double unit_torque(double lambda, double relative_offset, double angle) {
     const PistonMotion<double> motion = unit_motion(lambda, relative_offset, angle);
     return -motion.ds * motion.d2s;
@@ -211,12 +211,12 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
         *check.consistent
             ? Message(CORE_TEXT("balance-shaft",
                                 "The torque on the gas-exchange stroke holds an inertia torque of "
-                                "m_j r² ω² = %1 N·m (r/L = %2); the masses and the speed entered "
+                                "mⱼ r² ω² = %1 N·m (r/L = %2); the masses and the speed entered "
                                 "give %3 N·m. They belong together."),
                       number(fit.scale), number(fit.lambda), number(check.entered))
             : Message(CORE_TEXT("balance-shaft",
                                 "The torque on the gas-exchange stroke holds an inertia torque of "
-                                "m_j r² ω² = %1 N·m (r/L = %2); the masses and the speed entered "
+                                "mⱼ r² ω² = %1 N·m (r/L = %2); the masses and the speed entered "
                                 "give %3 N·m. They do not belong together: the torque fits these "
                                 "masses at %4 min⁻¹, or %5 kg at this speed. The best angle found "
                                 "below is that of no real engine until they agree."),

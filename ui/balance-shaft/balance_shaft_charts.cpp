@@ -99,7 +99,7 @@ QWidget* BalanceShaftPage::buildMoments() {
     up_ = moments_->addCurve({.name = QStringLiteral("Mᵤₚ"),
                               .colour = 0,
                               .width = 1.4,
-                              .toolTip = tr("Tipping moment, −M_id")});
+                              .toolTip = tr("Tipping moment: the reaction to the engine torque")});
     s_ = moments_->addCurve({.name = QStringLiteral("Mₛ"),
                              .colour = 1,
                              .width = 1.4,

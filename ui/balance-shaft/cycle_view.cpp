@@ -50,10 +50,10 @@ CycleView::CycleView(BalanceShaftModel* model, QWidget* parent)
                                  .colour = 5,
                                  .pen = Qt::DashLine,
                                  .toolTip = tr("e mⱼ ω² s″: what an offset cylinder adds to Mᵤₚ")});
-    total_ = torque_->addCurve({.name = tr("M_id"),
+    total_ = torque_->addCurve({.name = tr("engine torque"),
                                 .colour = 2,
                                 .width = 2.0,
-                                .toolTip = tr("Engine torque, gas plus inertia")});
+                                .toolTip = tr("Gas plus inertia")});
     connect(torque_, &PlotView::cursorMoved, model_, &BalanceShaftModel::setCrankAngleDeg);
     pressure_ = new PlotView(tr("Cylinder pressure"), plots);
     pressure_->setYAxis(PlotView::Side::Left, {tr("bar")});

@@ -180,7 +180,7 @@ QVariant TorqueTableModel::headerData(int section, Qt::Orientation orientation, 
     if (orientation == Qt::Vertical) {
         return section + 1;
     }
-    return section == CrankAngle ? tr("φ, °") : tr("M_id, N·m");
+    return section == CrankAngle ? tr("φ, °") : tr("torque, N·m");
 }
 
 }  // namespace ravnoves
