@@ -253,11 +253,13 @@ inline constexpr Field gears{
 inline constexpr Field teeth{
     .key = "teeth",
     .range = Range::between(6, 1000),
+    .label = CORE_TEXT("balance-shaft", "Teeth &z"),
     .symbol = "z",
     .hint = CORE_TEXT("balance-shaft", "Teeth of each of the two equal gears.")};
 inline constexpr Field shifted_teeth{
     .key = "shifted_teeth",
     .range = Range::between(-999, 999),
+    .label = CORE_TEXT("balance-shaft", "Teeth out, &k"),
     .symbol = "k",
     .hint = CORE_TEXT("balance-shaft",
                       "The shaft is assembled k teeth ahead of its right place: a phase error of "
@@ -266,6 +268,7 @@ inline constexpr Field backlash{
     .key = "backlash_mm",
     .unit = units::mm,
     .range = Range::between(0, 10),
+    .label = CORE_TEXT("balance-shaft", "Back&lash"),
     .hint = CORE_TEXT("balance-shaft",
                       "Circumferential play at the pitch circle, whose radius is l/2.")};
 
@@ -420,12 +423,12 @@ inline constexpr Field speed_band{.key = "speed_band",
 inline constexpr Field band_from{.key = "from_rpm",
                                  .unit = units::rpm,
                                  .range = Range::greater_than(0),
-                                 .label = CORE_TEXT("balance-shaft", "Band from"),
+                                 .label = CORE_TEXT("balance-shaft", "&Band from"),
                                  .hint = CORE_TEXT("balance-shaft", "Lowest speed of the band.")};
 inline constexpr Field band_to{.key = "to_rpm",
                                .unit = units::rpm,
                                .range = Range::greater_than(0),
-                               .label = CORE_TEXT("balance-shaft", "Band to"),
+                               .label = CORE_TEXT("balance-shaft", "Band &to"),
                                .hint = CORE_TEXT("balance-shaft", "Highest speed of the band.")};
 inline constexpr Field band_speeds{
     .key = "speeds",

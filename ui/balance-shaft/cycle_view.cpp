@@ -3,27 +3,15 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QStackedLayout>
-#include <algorithm>
-#include <functional>
 
 #include "balance-shaft/model/balance_shaft_model.h"
+#include "balance-shaft/model/shown_curves.h"
 #include "plot/plot_view.h"
 #include "theme/theme.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {
-
-namespace {
-
-std::vector<double> scaled(const std::vector<double>& values, double factor) {
-    std::vector<double> result(values.size());
-    std::transform(values.begin(), values.end(), result.begin(),
-                   [factor](double value) { return value * factor; });
-    return result;
-}
-
-}  // namespace
 
 CycleView::CycleView(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(model), stack_(new QStackedLayout(this)) {
@@ -91,9 +79,9 @@ CycleView::CycleView(BalanceShaftModel* model, QWidget* parent)
 void CycleView::showResult() {
     const balance_shaft::Result& result = model_->result();
     const balance_shaft::MomentCurves& curves = result.curves;
-    const bool computed = result.indicated.has_value() && !curves.M_gas.empty();
-    stack_->setCurrentIndex(computed ? 1 : 0);
-    if (!computed) {
+    const ShownCycle shown = shownCycle(result);
+    stack_->setCurrentIndex(shown.torque.empty() ? 0 : 1);
+    if (shown.torque.empty()) {
         return;
     }
     for (PlotView* plot : {torque_, pressure_}) {
@@ -104,17 +92,12 @@ void CycleView::showResult() {
     const bool isOffset = model_->input().torque.cylinder.offset != 0.0;
     torque_->setCurve(offset_, isOffset ? curves.crank_angle_deg : std::vector<double>(),
                       isOffset ? curves.M_offset : std::vector<double>());
-    std::vector<double> total = curves.M_offset;
-    std::transform(total.begin(), total.end(), curves.M_up.begin(), total.begin(), std::minus<>());
-    torque_->setCurve(total_, curves.crank_angle_deg, std::move(total));
-    pressure_->setCurve(pressureCurve_, curves.crank_angle_deg,
-                        scaled(curves.pressure, 1.0 / units::bar.to_si));
-    const std::vector<double> volume = scaled(curves.volume, 1e6);
-    const double largest = *std::max_element(volume.begin(), volume.end());
+    torque_->setCurve(total_, curves.crank_angle_deg, shown.torque);
+    pressure_->setCurve(pressureCurve_, curves.crank_angle_deg, shown.pressure);
     indicator_->setXAxis(
         {result.indicated->clearance ? tr("V, cm³") : tr("V without clearance, cm³"), 0.0,
-         1.03 * largest});
-    indicator_->setCurve(loop_, volume, scaled(curves.pressure, 1.0 / units::bar.to_si));
+         1.03 * shown.largestVolume});
+    indicator_->setCurve(loop_, shown.volume, shown.pressure);
     table_->setRows(model_->cycleRows());
 }
 

@@ -3,7 +3,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "balance-shaft/buildable_bands.h"
 #include "balance-shaft/model/balance_shaft_model.h"
@@ -13,12 +12,6 @@
 #include "widgets/form_section.h"
 
 namespace ravnoves {
-
-namespace {
-
-constexpr double squareCentimetre = 1e-4;  ///< m²
-
-}  // namespace
 
 EnvelopeView::EnvelopeView(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
@@ -57,14 +50,12 @@ EnvelopeView::EnvelopeView(BalanceShaftModel* model, QWidget* parent)
         const QPointF clicked = pareto_->toPixel(area, range);
         double nearest = 1e300;
         double angle = 0.0;
-        const balance_shaft::EnvelopeStudy& study = model_->envelopeStudy();
-        for (std::size_t i = 0; i < study.area.size(); ++i) {
-            const QPointF d =
-                pareto_->toPixel(study.area[i] / squareCentimetre, study.range[i]) - clicked;
+        for (std::size_t i = 0; i + 1 < shown_.area.size(); ++i) {
+            const QPointF d = pareto_->toPixel(shown_.area[i], shown_.range[i]) - clicked;
             const double distance = d.x() * d.x() + d.y() * d.y();
             if (distance < nearest) {
                 nearest = distance;
-                angle = study.shaft_angle_deg[i];
+                angle = shown_.angle[i];
             }
         }
         model_->setShaftAngleDeg(angle);
@@ -101,62 +92,34 @@ void EnvelopeView::showEvent(QShowEvent* event) {
 
 void EnvelopeView::solve() {
     stale_ = false;
-    const balance_shaft::EnvelopeStudy& study = model_->envelopeStudy();
-    const auto scaled = [](std::vector<double> values, double unit) {
-        for (double& value : values) {
-            value /= unit;
-        }
-        return values;
-    };
-    // The curve is closed: its first point comes again.
-    const auto closed = [](std::vector<double> values, double last) {
-        values.push_back(last);
-        return values;
-    };
-    const std::vector<double> angle = closed(study.shaft_angle_deg, 360.0);
-    const std::vector<double> width = scaled(study.width, units::mm.to_si);
-    const std::vector<double> height = scaled(study.height, units::mm.to_si);
-    const std::vector<double> area = scaled(study.area, squareCentimetre);
-    sizes_->setCurve(width_, angle, closed(width, width.front()));
-    sizes_->setCurve(height_, angle, closed(height, height.front()));
+    shown_ = shownSizes(model_->envelopeStudy());
+    sizes_->setCurve(width_, shown_.angle, shown_.width);
+    sizes_->setCurve(height_, shown_.angle, shown_.height);
     sizes_->setBands(unbuildableBands(model_->result().buildable));
-    const auto [least, most] = std::minmax_element(area.begin(), area.end());
+    const auto [least, most] = std::minmax_element(shown_.area.begin(), shown_.area.end());
     const double pad = std::max(0.04 * (*most - *least), 1e-6);
     pareto_->setXAxis({tr("width × height, cm²"), *least - pad, *most + pad});
-    pareto_->setCurve(all_, closed(area, area.front()), closed(study.range, study.range.front()));
-    std::vector<double> builtRange = study.range;
-    for (std::size_t i = 0; i < builtRange.size(); ++i) {
-        if (!study.buildable[i]) {
-            builtRange[i] = std::numeric_limits<double>::quiet_NaN();
-        }
+    pareto_->setCurve(all_, shown_.area, shown_.range);
+    pareto_->setCurve(built_, shown_.area, shown_.builtRange);
+    std::vector<double> area;
+    std::vector<double> range;
+    for (const ShownSizes::Point& point : shown_.efficient) {
+        area.push_back(point.area);
+        range.push_back(point.range);
     }
-    pareto_->setCurve(built_, closed(area, area.front()), closed(builtRange, builtRange.front()));
-    std::vector<double> bestArea;
-    std::vector<double> bestRange;
+    pareto_->setCurve(efficient_, std::move(area), std::move(range));
     std::vector<PlotView::Mark> marks;
-    const QLocale locale;
-    double lastMarked = -1e9;
-    for (std::size_t i = 0; i < area.size(); ++i) {
-        if (!study.efficient[i]) {
-            continue;
-        }
-        bestArea.push_back(area[i]);
-        bestRange.push_back(study.range[i]);
-        if (std::abs(study.shaft_angle_deg[i] - lastMarked) >= 15.0) {
-            lastMarked = study.shaft_angle_deg[i];
-            marks.push_back({area[i], study.range[i],
-                             fixedNumber(lastMarked, 0, locale) + QStringLiteral("°"), 3});
-        }
+    for (const ShownSizes::Point& point : shown_.marked) {
+        marks.push_back({point.area, point.range,
+                         fixedNumber(point.angle, 0, QLocale()) + QStringLiteral("°"), 3});
     }
-    pareto_->setCurve(efficient_, bestArea, bestRange);
     pareto_->setMarks(marks);
     showPresent();
 }
 
 void EnvelopeView::showPresent() {
     sizes_->setPresentX(model_->shaftAngleDeg());
-    const balance_shaft::Envelope& box = model_->result().envelope;
-    pareto_->setCurve(present_, {box.width() * box.height() / squareCentimetre},
+    pareto_->setCurve(present_, {boxArea(model_->result().envelope)},
                       {model_->result().M_ups.range});
 }
 

@@ -2,6 +2,8 @@
 
 #include <QWidget>
 
+#include "balance-shaft/model/shown_curves.h"
+
 namespace ravnoves {
 
 class BalanceShaftModel;
@@ -27,6 +29,7 @@ class EnvelopeView : public QWidget {
     BalanceShaftModel* model_;
     PlotView* sizes_;
     PlotView* pareto_;
+    ShownSizes shown_;
     int width_ = 0;
     int height_ = 0;
     int all_ = 0;

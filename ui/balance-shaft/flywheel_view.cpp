@@ -6,7 +6,6 @@
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "plot/plot_view.h"
-#include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form.h"
@@ -16,7 +15,6 @@
 namespace ravnoves {
 
 using balance_shaft::FlywheelTarget;
-using balance_shaft::Input;
 namespace field = balance_shaft::field;
 
 FlywheelView::FlywheelView(BalanceShaftModel* model, QWidget* parent)
@@ -65,31 +63,16 @@ FlywheelView::FlywheelView(BalanceShaftModel* model, QWidget* parent)
 QWidget* FlywheelView::buildForm() {
     auto* form = new Form(model_, this);
     FormSection* section = form->section(tr("Flywheel"));
-    // Each is the other's answer: the one that is typed is given, the other one follows.
-    const auto add = [&](const Field& given, std::optional<double> FlywheelTarget::*own,
-                         std::optional<double> FlywheelTarget::*other) {
+    for (const auto& [given, value] :
+         {std::pair(&field::flywheel_inertia, &FlywheelTarget::inertia),
+          std::pair(&field::fluctuation, &FlywheelTarget::fluctuation)}) {
         NumberField* number = form->number(
-            given,
-            [this, own]() -> std::optional<double> {
-                const auto& target = model_->input().flywheel;
-                return target ? (*target).*own : std::nullopt;
-            },
-            [this, &given, own, other](std::optional<double> value) {
-                model_->edit(fieldName(given), [&](Input& input) {
-                    FlywheelTarget target = input.flywheel.value_or(FlywheelTarget{});
-                    target.*own = value;
-                    if (value) {
-                        (target.*other).reset();
-                    }
-                    input.flywheel =
-                        target == FlywheelTarget{} ? std::nullopt : std::optional(target);
-                });
-            });
+            *given,
+            [this, value] { return model_->input().flywheel.value_or(FlywheelTarget{}).*value; },
+            [this, value](std::optional<double> typed) { model_->setFlywheel(value, typed); });
         number->setOptional(true);
         number->setDigits(6);
-    };
-    add(field::flywheel_inertia, &FlywheelTarget::inertia, &FlywheelTarget::fluctuation);
-    add(field::fluctuation, &FlywheelTarget::fluctuation, &FlywheelTarget::inertia);
+    }
     section->addWide(
         captionLabel(tr("The load takes the mean torque. The inertia of piston and rod is in the "
                         "torque already and is not a part of J."),

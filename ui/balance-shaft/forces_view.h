@@ -2,18 +2,17 @@
 
 #include <QWidget>
 
-class QSpinBox;
+class QGridLayout;
 
 namespace ravnoves {
 
 class BalanceShaftModel;
-class NumberField;
 class PlotView;
 class ResultTable;
 class ValueSlider;
 
-/// Forces on the engine without a shaft (share κ balanced on the crank alone) beside the shaft's,
-/// and what a shaft fitted some teeth out, and the play of its gears, do.
+/// Shows ForcesModel: the forces with a share κ balanced on the crank alone beside those with the
+/// shaft, and gears fitted some teeth out.
 class ForcesView : public QWidget {
     Q_OBJECT
 
@@ -21,7 +20,6 @@ class ForcesView : public QWidget {
     explicit ForcesView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
     ValueSlider* shareSlider() const { return share_; }
-    QSpinBox* shiftedTeeth() const { return shifted_; }
     PlotView* locusPlot() const { return locus_; }
     PlotView* gearPlot() const { return gears_; }
 
@@ -29,15 +27,14 @@ class ForcesView : public QWidget {
     void showEvent(QShowEvent* event) override;
 
   private:
-    void showInput();
+    QWidget* inPanel(QWidget* widget);
+    ResultTable* addTable(QGridLayout* grid, int column, const QString& name,
+                          const QStringList& headings);
     void showLocus();
     void showGears();
 
     BalanceShaftModel* model_;
     ValueSlider* share_;
-    QSpinBox* teeth_;
-    QSpinBox* shifted_;
-    NumberField* backlash_;
     PlotView* locus_;
     PlotView* gears_;
     ResultTable* forceTable_;

@@ -3,6 +3,7 @@
 #include <QVBoxLayout>
 
 #include "balance-shaft/model/balance_shaft_model.h"
+#include "balance-shaft/model/shown_curves.h"
 #include "plot/plot_view.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
@@ -62,24 +63,19 @@ void OrdersView::showResult() {
         return;
     }
     const balance_shaft::Result& result = model_->result();
-    std::vector<double> order;
-    std::vector<double> up;
-    std::vector<double> ups;
-    QVector<QStringList> rows;
+    const ShownOrders shown = shownOrders(result);
+    plot_->setCurve(up_, shown.order, shown.without);
+    plot_->setCurve(ups_, shown.order, shown.with);
     const QLocale locale;
-    for (std::size_t i = 0; i < result.spectrum_M_up.size(); ++i) {
-        const balance_shaft::OrderLine& without = result.spectrum_M_up[i];
-        const balance_shaft::OrderLine& with = result.spectrum_M_ups[i];
-        order.push_back(without.order);
-        up.push_back(without.amplitude);
-        ups.push_back(with.amplitude);
-        rows.push_back(
-            {formNumber(without.order, locale), fixedNumber(without.amplitude, 2, locale),
-             fixedNumber(without.phase / degree, 1, locale), fixedNumber(with.amplitude, 2, locale),
-             fixedNumber(with.phase / degree, 1, locale)});
+    QVector<QStringList> rows;
+    for (std::size_t i = 0; i < shown.order.size(); ++i) {
+        const auto fixed = [&](double value, int digits) {
+            return fixedNumber(value, digits, locale);
+        };
+        rows.push_back({formNumber(shown.order[i], locale), fixed(shown.without[i], 2),
+                        fixed(result.spectrum_M_up[i].phase / degree, 1), fixed(shown.with[i], 2),
+                        fixed(result.spectrum_M_ups[i].phase / degree, 1)});
     }
-    plot_->setCurve(up_, order, std::move(up));
-    plot_->setCurve(ups_, order, std::move(ups));
     table_->setRows(rows);
 }
 

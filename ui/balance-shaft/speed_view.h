@@ -1,34 +1,28 @@
 #pragma once
 
 #include <QWidget>
-#include <memory>
-#include <optional>
-
-#include "balance-shaft/solver.h"
-#include "balance-shaft/speed_study.h"
 
 class QComboBox;
 class QLabel;
-class QProgressBar;
 class QPushButton;
 
 namespace ravnoves {
 
 class BackgroundJob;
 class BalanceShaftModel;
-class NumberField;
+class Form;
 class PlotView;
+class SpeedStudyModel;
 class ValueSlider;
 
-/// The shaft over a band of speeds: best α over speed, a map of range or RMS over (α, speed), the α
-/// that is least bad over the band, and sliders for speed and load. Solved off the GUI thread.
+/// Shows SpeedStudyModel: best α over speed, the map, the least bad α; sliders for speed and load.
 class SpeedView : public QWidget {
     Q_OBJECT
 
   public:
     explicit SpeedView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
-    BackgroundJob* job() const { return job_; }
+    BackgroundJob* job() const;
     PlotView* anglePlot() const { return angles_; }
     PlotView* mapPlot() const { return map_; }
     QString answer() const;
@@ -37,31 +31,17 @@ class SpeedView : public QWidget {
     void showEvent(QShowEvent* event) override;
 
   private:
-    struct Study {
-        std::shared_ptr<const balance_shaft::SpeedStudy> study;
-        std::optional<balance_shaft::SpeedStudy::Map> map;
-        // Of the angles that can be built, or of all where none can.
-        balance_shaft::SpeedStudy::LeastBad range;
-        balance_shaft::SpeedStudy::LeastBad rms;
-        balance_shaft::SpeedStudy::LeastBad rangeOfAll;
-        balance_shaft::SpeedStudy::LeastBad rmsOfAll;
-    };
-
-    balance_shaft::SpeedBand band() const;
-    void solveAgain();
+    QWidget* buildSliders();
+    Form* buildForm();
     void showInput();
     void showStudy();
-    void showMap();
+    void showMap(double from, double to);
 
     BalanceShaftModel* model_;
-    BackgroundJob* job_;
+    SpeedStudyModel* study_;
     ValueSlider* speed_;
     ValueSlider* load_;
-    NumberField* from_;
-    NumberField* to_;
     QComboBox* criterion_;
-    QProgressBar* progress_;
-    QPushButton* cancel_;
     QPushButton* goLeastBad_;
     QLabel* answer_;
     PlotView* angles_;
@@ -69,9 +49,6 @@ class SpeedView : public QWidget {
     int rangeAngle_ = 0;
     int rmsAngle_ = 0;
     int bestLine_ = 0;
-    Study study_;
-    bool stale_ = true;
-    std::optional<balance_shaft::Input> solvedInput_;
 };
 
 }  // namespace ravnoves

@@ -1,5 +1,6 @@
 #include "widgets/number_field.h"
 
+#include <QKeyEvent>
 #include <algorithm>
 #include <cmath>
 
@@ -30,6 +31,16 @@ void NumberField::setRange(const Range& range, const QString& unit) {
 void NumberField::setDigits(int digits) {
     digits_ = digits;
     setValue(value());
+}
+
+void NumberField::keyPressEvent(QKeyEvent* event) {
+    const int step = event->key() == Qt::Key_Up ? 1 : event->key() == Qt::Key_Down ? -1 : 0;
+    if (step == 0 || !whole_ || !value() || isReadOnly()) {
+        ValueEntry::keyPressEvent(event);
+    } else if (const double next = *value() + step; range_.contains(next)) {
+        setText(formNumber(next, locale(), digits_));
+        Q_EMIT textEdited(text());
+    }
 }
 
 NumberField::Reading NumberField::read(const QString& typed) const {

@@ -19,7 +19,7 @@ class NumberField : public ValueEntry<std::optional<double>> {
     void setRange(const Range& range, const QString& unit);
     /// An empty field is allowed and means "by formula"; its value is then empty.
     void setOptional(bool optional) { optional_ = optional; }
-    /// Only whole numbers are allowed.
+    /// Only whole numbers are allowed; the arrows up and down go to the next.
     void setWhole(bool whole) { whole_ = whole; }
     /// Significant digits shown; all that is typed is kept.
     void setDigits(int digits);
@@ -29,6 +29,7 @@ class NumberField : public ValueEntry<std::optional<double>> {
     void valueEdited(std::optional<double> value);
 
   protected:
+    void keyPressEvent(QKeyEvent* event) override;
     Reading read(const QString& typed) const override;
     QString written() const override;
     QString rule() const override;

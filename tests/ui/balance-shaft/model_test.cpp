@@ -3,11 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <QSignalSpy>
+#include <QTest>
+#include <algorithm>
+#include <cmath>
 
+#include "balance-shaft/model/forces_model.h"
 #include "balance-shaft/model/relieved_shaft_model.h"
+#include "balance-shaft/model/shown_curves.h"
+#include "balance-shaft/model/speed_study_model.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "example_check.h"
+#include "model/background_job.h"
 #include "scenes/scenes.h"
 
 namespace ravnoves {
@@ -32,7 +39,8 @@ TEST(BalanceShaftModel, MovingTheShaftFollowsEverywhere) {
     model.goToBestRange();
     EXPECT_EQ(model.shaftAngleDeg(), *model.result().best_range_buildable.shaft_angle / degree);
     EXPECT_TRUE(model.result().is_buildable);
-    EXPECT_TRUE(model.bestRangeText().contains(QStringLiteral("43.1 N·m less at 50.65° cannot be built")))
+    EXPECT_TRUE(
+        model.bestRangeText().contains(QStringLiteral("43.1 N·m less at 50.65° cannot be built")))
         << model.bestRangeText().toStdString();
     model.goToBestRms();
     EXPECT_EQ(model.shaftAngleDeg(), *model.result().best_rms_buildable.shaft_angle / degree);
@@ -137,6 +145,117 @@ TEST(RelievedShaftModel, WhatWasFoundBecomesWhatIsGiven) {
     EXPECT_EQ(relief.sized(), Sized::None);
     EXPECT_TRUE(relief.isGiven(&Sizes::length));
     EXPECT_EQ(model.history()->count(), steps + 2);
+}
+
+TEST(SpeedStudyModel, AnswersForTheInputThatIsThere) {
+    BalanceShaftModel model;
+    model.setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
+    SpeedStudyModel study(&model);
+    study.setBand(&balance_shaft::SpeedBand::from, 2000.0);
+    study.setBand(&balance_shaft::SpeedBand::to, 4000.0);
+    model.edit(QStringLiteral("coarse"), [](auto& input) { input.speed_band->speeds = 5; });
+    EXPECT_FALSE(study.isSolved());
+    EXPECT_EQ(study.answer(), QString());
+    const auto solve = [&] {
+        study.solve();
+        return QTest::qWaitFor([&] { return !study.job()->isRunning(); }, 20000);
+    };
+    ASSERT_TRUE(solve());
+    ASSERT_TRUE(study.isSolved());
+    const SpeedStudyModel::Curves curves = study.curves();
+    ASSERT_EQ(curves.speed.size(), 5U);
+    EXPECT_NEAR(curves.speed.front(), 2000.0, 1e-9);
+    EXPECT_NEAR(curves.speed.back(), 4000.0, 1e-9);
+    // The map is the criterion against the engine without a shaft: solved alone at one place.
+    const SpeedStudyModel::Map map = study.map();
+    EXPECT_EQ(map.angles * map.speeds, static_cast<int>(map.relative.size()));
+    auto input = model.input();
+    input.angular_speed = curves.speed[2] * rpm;
+    const balance_shaft::Solver alone(input);
+    EXPECT_NEAR(map.relative[static_cast<std::size_t>(2 * map.angles + 100)],
+                alone.range(100.0 * degree) / alone.result().M_up.range, 1e-9);
+    // By its two ends.
+    EXPECT_EQ(*std::min_element(map.relative.begin(), map.relative.end()), map.least);
+    EXPECT_GE(map.part(2, 100), 0.0);
+    EXPECT_LE(map.part(2, 100), 1.0);
+    study.goToLeastBad();
+    EXPECT_NEAR(model.shaftAngleDeg(), study.leastBadDeg(), 1e-9);
+    const QString answer = study.answer();
+    study.setCriterion(SpeedStudyModel::Criterion::rms);
+    EXPECT_NE(study.answer(), answer);
+    EXPECT_NE(study.map().least, map.least);
+    study.setCriterion(SpeedStudyModel::Criterion::range);
+
+    // The shaft's angle solves nothing anew; neither does an input that comes back meanwhile.
+    model.setShaftAngleDeg(10.0);
+    study.solve();
+    EXPECT_FALSE(study.job()->isRunning());
+    study.setBand(&balance_shaft::SpeedBand::to, 5000.0);
+    study.solve();
+    EXPECT_TRUE(study.job()->isRunning());
+    model.history()->undo();
+    ASSERT_TRUE(solve());
+    EXPECT_NEAR(study.curves().speed.back(), 4000.0, 1e-9);
+    EXPECT_EQ(study.answer(), answer);
+
+    // A table that does not fit its masses: a reason, and nothing to show.
+    model.setTorqueKind(balance_shaft::TorqueSource::Kind::table);
+    ASSERT_TRUE(solve());
+    EXPECT_FALSE(study.isSolved());
+    EXPECT_TRUE(study.answer().contains(QStringLiteral("does not belong")));
+    EXPECT_FALSE(study.hasLoad());
+}
+
+TEST(ForcesModel, LociAreThoseOfTheRows) {
+    BalanceShaftModel model;
+    model.editField("/crank_share", 0.3, QStringLiteral("share"));
+    const ForcesModel forces(&model);
+    const ForcesModel::Loci loci = forces.loci();
+    double across = 0.0;
+    double along = 0.0;
+    for (std::size_t i = 0; i < loci.first.x.size(); ++i) {
+        across = std::max(across, std::abs(loci.first.x[i]));
+        along = std::max(along, std::abs(loci.first.y[i]));
+        EXPECT_LE(std::hypot(loci.both.x[i], loci.both.y[i]), std::sqrt(2.0) * loci.reach);
+    }
+    const double force = model.result().inertia_force_1_max / 1000.0;
+    EXPECT_NEAR(across, 0.3 * force, 1e-3 * force);
+    EXPECT_NEAR(along, 0.7 * force, 1e-3 * force);
+    EXPECT_EQ(forces.forceRows().size(), ForcesModel::forceHints().size());
+    EXPECT_EQ(ForcesModel::gearRows(forces.gearError()).size(), ForcesModel::gearHints().size());
+}
+
+TEST(ShownCurves, AreInTheUnitsOfTheirAxes) {
+    BalanceShaftModel model;
+    EXPECT_TRUE(shownCycle(model.result()).torque.empty());
+    model.setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
+    const auto& curves = model.result().curves;
+    const ShownCycle cycle = shownCycle(model.result());
+    for (std::size_t i = 0; i < curves.M_gas.size(); i += 7) {
+        EXPECT_NEAR(cycle.torque[i], curves.M_gas[i] + curves.M_inertia[i], 1e-9);
+    }
+    EXPECT_NEAR(cycle.pressure[100], curves.pressure[100] / 1e5, 1e-12);
+    EXPECT_NEAR(cycle.largestVolume * 1e-6,
+                *std::max_element(curves.volume.begin(), curves.volume.end()), 1e-15);
+    const ShownOrders orders = shownOrders(model.result());
+    EXPECT_EQ(orders.order.at(1), 1.0);
+    EXPECT_EQ(orders.with.at(1), model.result().spectrum_M_ups[1].amplitude);
+
+    const auto& study = model.envelopeStudy();
+    const ShownSizes sizes = shownSizes(study);
+    ASSERT_EQ(sizes.angle.size(), study.area.size() + 1);
+    EXPECT_EQ(sizes.angle.back(), 360.0);
+    EXPECT_EQ(sizes.width.back(), sizes.width.front());
+    EXPECT_NEAR(sizes.area[5], sizes.width[5] * sizes.height[5] / 100.0, 1e-9);
+    for (std::size_t i = 0; i < study.area.size(); ++i) {
+        EXPECT_EQ(std::isnan(sizes.builtRange[i]), !study.buildable[i]);
+    }
+    ASSERT_FALSE(sizes.marked.empty());
+    for (std::size_t i = 1; i < sizes.marked.size(); ++i) {
+        EXPECT_GE(sizes.marked[i].angle - sizes.marked[i - 1].angle, 15.0);
+    }
+    model.setShaftAngleDeg(90.0);
+    EXPECT_NEAR(boxArea(model.result().envelope), sizes.area[180], 1e-6);
 }
 
 }  // namespace

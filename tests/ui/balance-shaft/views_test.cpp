@@ -3,7 +3,6 @@
 #include <QComboBox>
 #include <QPushButton>
 #include <QSlider>
-#include <QSpinBox>
 #include <QTabWidget>
 #include <cmath>
 
@@ -93,7 +92,7 @@ TEST_F(BalanceShaftViewsTest, ATwoStrokeHasPlotsOfOneTurn) {
     // The paper's table is one of 720°: refused, and the choice says so by staying.
     choose(2);
     EXPECT_EQ(model->input().strokes, 4);
-    EXPECT_EQ(strokes->currentIndex(), 0);
+    EXPECT_EQ(strokes->currentData(), 4);
     model->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
     choose(2);
     EXPECT_EQ(model->input().strokes, 2);
@@ -133,9 +132,11 @@ TEST_F(BalanceShaftViewsTest, ShareSliderTurnsTheEllipseIntoALine) {
 
 TEST_F(BalanceShaftViewsTest, AToothOutShowsInTheMoment) {
     auto* view = open<ForcesView>();
-    view->shiftedTeeth()->setFocus();
-    QTest::keyClick(view->shiftedTeeth(), Qt::Key_Up);
+    auto* shifted = test::named<NumberField>(*view, "shifted_teeth");
+    shifted->setFocus();
+    QTest::keyClick(shifted, Qt::Key_Up);
     EXPECT_EQ(model->input().gears.shifted_teeth, 1);
+    QTest::keyClick(shifted, Qt::Key_Return);
     const double right = *view->gearPlot()->valueAt(2, 100.0);
     const double wrong = *view->gearPlot()->valueAt(3, 100.0);
     const double amplitude = model->result().moment_amplitude;
@@ -143,6 +144,53 @@ TEST_F(BalanceShaftViewsTest, AToothOutShowsInTheMoment) {
     EXPECT_NEAR(wrong - right,
                 amplitude * (std::sin(alpha + 109.0 * degree) - std::sin(alpha + 100.0 * degree)),
                 1e-6 * amplitude);
+}
+
+TEST_F(BalanceShaftViewsTest, GearsThatCannotBeAreRefusedInTheirField) {
+    auto* view = open<ForcesView>();
+    auto* teeth = test::named<NumberField>(*view, "teeth");
+    auto* shifted = test::named<NumberField>(*view, "shifted_teeth");
+    const auto type = [](NumberField* field, const char* text) {
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, QLatin1String(text));
+        QTest::keyClick(field, Qt::Key_Return);
+    };
+    type(shifted, "20");
+    EXPECT_EQ(model->input().gears.shifted_teeth, 20);
+    type(teeth, "12");  // fewer than the shaft is out by
+    EXPECT_EQ(model->input().gears.teeth, 40);
+    EXPECT_FALSE(teeth->trouble().isEmpty());
+    // On the way to a number that can be, nothing else changes.
+    type(teeth, "120");
+    EXPECT_EQ(model->input().gears.teeth, 120);
+    EXPECT_EQ(model->input().gears.shifted_teeth, 20);
+    type(shifted, "1.5");
+    EXPECT_EQ(model->input().gears.shifted_teeth, 20);
+    EXPECT_FALSE(shifted->trouble().isEmpty());
+}
+
+TEST_F(BalanceShaftViewsTest, TheBandOfSpeedsIsAForm) {
+    auto* view = open<SpeedView>();
+    auto* from = test::named<NumberField>(*view, "from_rpm");
+    auto* to = test::named<NumberField>(*view, "to_rpm");
+    EXPECT_FALSE(model->input().speed_band);
+    to->setFocus();
+    to->selectAll();
+    QTest::keyClicks(to, QStringLiteral("500"));  // below the other end
+    QTest::keyClick(to, Qt::Key_Return);
+    EXPECT_FALSE(model->input().speed_band);
+    EXPECT_FALSE(to->trouble().isEmpty());
+    to->selectAll();
+    QTest::keyClicks(to, QStringLiteral("5000"));
+    QTest::keyClick(to, Qt::Key_Return);
+    ASSERT_TRUE(model->input().speed_band);
+    EXPECT_NEAR(model->input().speed_band->to / rpm, 5000.0, 1e-9);
+    EXPECT_NEAR(model->input().speed_band->from, 0.3 * model->input().angular_speed, 1e-9);
+    EXPECT_EQ(to->trouble(), QString());
+    model->history()->undo();
+    EXPECT_FALSE(model->input().speed_band);
+    EXPECT_NEAR(*from->value(), 0.3 * model->input().angular_speed / rpm, 1e-3);
 }
 
 TEST_F(BalanceShaftViewsTest, SpeedStudyIsSolvedInTheBackground) {

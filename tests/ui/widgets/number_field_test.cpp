@@ -42,6 +42,24 @@ TEST_F(NumberFieldTest, TakesCommaAndPoint) {
     EXPECT_FALSE(edited.isEmpty());
 }
 
+TEST_F(NumberFieldTest, ArrowsGoToTheNextWholeNumber) {
+    QTest::keyClick(&field, Qt::Key_Up);
+    EXPECT_EQ(field.value(), 46.0);  // what is no whole number has no next
+    field.setWhole(true);
+    QSignalSpy edited(&field, &NumberField::valueEdited);
+    QTest::keyClick(&field, Qt::Key_Up);
+    QTest::keyClick(&field, Qt::Key_Up);
+    EXPECT_EQ(field.value(), 48.0);
+    EXPECT_EQ(edited.size(), 2);
+    EXPECT_TRUE(field.isEditing());
+    QTest::keyClick(&field, Qt::Key_Escape);
+    EXPECT_EQ(field.value(), 46.0);
+    field.setValue(1.0);
+    QTest::keyClick(&field, Qt::Key_Down);  // 0 is not in the range
+    EXPECT_EQ(field.value(), 1.0);
+    EXPECT_EQ(field.text(), QStringLiteral("1"));
+}
+
 TEST_F(NumberFieldTest, RefusesInWordsAndKeepsTheLastValue) {
     QSignalSpy edited(&field, &NumberField::valueEdited);
     QTest::keyClicks(&field, QStringLiteral("-3"));

@@ -16,6 +16,7 @@
 
 namespace ravnoves {
 
+using balance_shaft::FlywheelTarget;
 using balance_shaft::Input;
 using balance_shaft::MomentMetrics;
 using balance_shaft::Optimum;
@@ -234,6 +235,19 @@ void BalanceShaftModel::goToBestRms() {
         setShaftAngleDeg(*bestRms().shaft_angle / degree);
         finishDrag();
     }
+}
+
+QString BalanceShaftModel::setFlywheel(std::optional<double> FlywheelTarget::*given,
+                                       std::optional<double> value) {
+    const bool isInertia = given == &FlywheelTarget::inertia;
+    namespace field = balance_shaft::field;
+    return edit(
+        fieldName(isInertia ? field::flywheel_inertia : field::fluctuation), [&](Input& input) {
+            FlywheelTarget target =
+                value ? FlywheelTarget{} : input.flywheel.value_or(FlywheelTarget{});
+            target.*given = value;
+            input.flywheel = target == FlywheelTarget{} ? std::nullopt : std::optional(target);
+        });
 }
 
 void BalanceShaftModel::setSpeed(double angularSpeed) {

@@ -77,6 +77,10 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     void goToBestRange();
     void goToBestRms();
 
+    /// Gives J or δ of the flywheel, so that the other one follows from it; or nothing.
+    QString setFlywheel(std::optional<double> balance_shaft::FlywheelTarget::*given,
+                        std::optional<double> value);
+
     /// Sets ω, rad/s; the case file then gives it in min⁻¹.
     void setSpeed(double angularSpeed);
 

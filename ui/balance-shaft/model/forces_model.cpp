@@ -1,0 +1,86 @@
+#include "balance-shaft/model/forces_model.h"
+
+#include <QLocale>
+#include <algorithm>
+
+#include "text/number_text.h"
+
+namespace ravnoves {
+
+using balance_shaft::ForceLocus;
+
+namespace {
+
+ForceLocus inKilonewtons(ForceLocus locus) {
+    for (std::vector<double>* newtons : {&locus.x, &locus.y}) {
+        for (double& value : *newtons) {
+            value = value / units::kN;
+        }
+    }
+    return locus;
+}
+
+}  // namespace
+
+ForcesModel::Loci ForcesModel::loci() const {
+    const balance_shaft::CrankBalance balance = balance_shaft::crank_balance(model_->solver());
+    return {1.15 * std::max(balance.across, balance.along + balance.second_order) / units::kN,
+            inKilonewtons(balance_shaft::crank_only_locus(balance)),
+            inKilonewtons(balance_shaft::crank_only_locus_with_second_order(balance)),
+            inKilonewtons(balance_shaft::shaft_locus(balance))};
+}
+
+QVector<QStringList> ForcesModel::forceRows() const {
+    const balance_shaft::CrankBalance balance = balance_shaft::crank_balance(model_->solver());
+    const auto row = [](const QString& name, double value, const QString& unit = tr("N")) {
+        return QStringList{name, fixedNumber(value, 0, QLocale()), unit};
+    };
+    return {row(tr("1st order, P"), balance.first_order),
+            row(tr("along, (1 − κ) P"), balance.along),
+            row(tr("across, κ P"), balance.across),
+            row(tr("1st with shaft"), balance.with_shaft),
+            row(tr("2nd order, λ mⱼ r ω²"), balance.second_order),
+            row(tr("on crank, κ mⱼ r"), balance.counterweight_moment / units::gram_mm, tr("g·mm"))};
+}
+
+QStringList ForcesModel::forceHints() {
+    return {tr("First-order inertia force, mⱼ r ω²"),
+            tr("Half-axis of the ellipse along the cylinder"),
+            tr("Half-axis of the ellipse across the cylinder"),
+            tr("First order that the shaft's two counterweights leave"),
+            tr("Second order along the cylinder; stays with and without a shaft"),
+            tr("Static moment of the counterweight on the crank")};
+}
+
+balance_shaft::GearError ForcesModel::gearError() const {
+    return balance_shaft::gear_error(model_->solver(), model_->input().shaft_angle);
+}
+
+QVector<QStringList> ForcesModel::gearRows(const balance_shaft::GearError& error) {
+    const auto fixed = [](double value, int digits) {
+        return fixedNumber(value, digits, QLocale());
+    };
+    const auto change = [&](double right, double wrong, int digits) {
+        return fixed(right, digits) + QStringLiteral(" → ") + fixed(wrong, digits);
+    };
+    const QString newtonMetre = tr("N·m");
+    return {{tr("phase error"), fixed(error.phase_error / degree, 2), QStringLiteral("°")},
+            {tr("force left"), fixed(error.residual_force, 0), tr("N")},
+            {tr("range"), change(error.right_range, error.range, 0), newtonMetre},
+            {tr("RMS"), change(error.right_rms, error.rms, 1), newtonMetre},
+            {tr("play, ±"), fixed(error.play / degree, 3), QStringLiteral("°")},
+            {tr("range in play"),
+             fixed(error.play_range_low, 0) + QStringLiteral("…") + fixed(error.play_range_high, 0),
+             newtonMetre}};
+}
+
+QStringList ForcesModel::gearHints() {
+    return {tr("360° k / z"),
+            tr("Constant force that turns against the crank, 2 P₁ |sin(δ/2)|"),
+            tr("ΔMᵤₚₛ, shaft in its right place → k teeth out"),
+            tr("RMS of Mᵤₚₛ, shaft in its right place → k teeth out"),
+            tr("The shaft wanders this far to either side: play / l"),
+            tr("Least and largest ΔMᵤₚₛ while the shaft wanders")};
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <QVector>
+
+#include "balance-shaft/crank_balance.h"
+#include "balance-shaft/gear_error.h"
+#include "balance-shaft/model/balance_shaft_model.h"
+
+namespace ravnoves {
+
+/// The forces on the engine without and with a shaft, and what a gear fitted some teeth out, and
+/// its play, do.
+class ForcesModel {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::ForcesModel)
+
+  public:
+    /// Where the tip of the force runs, kN.
+    struct Loci {
+        double reach = 0.0;  ///< half the width of a picture that holds them all
+        balance_shaft::ForceLocus first;
+        balance_shaft::ForceLocus both;  ///< first and second order
+        balance_shaft::ForceLocus withShaft;
+    };
+
+    explicit ForcesModel(const BalanceShaftModel* model) : model_(model) {}
+
+    Loci loci() const;
+    /// The table of the forces, and what the names of its rows mean.
+    QVector<QStringList> forceRows() const;
+    static QStringList forceHints();
+
+    balance_shaft::GearError gearError() const;
+    static QVector<QStringList> gearRows(const balance_shaft::GearError& error);
+    static QStringList gearHints();
+
+  private:
+    const BalanceShaftModel* model_;
+};
+
+}  // namespace ravnoves

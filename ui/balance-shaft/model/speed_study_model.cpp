@@ -1,0 +1,203 @@
+#include "balance-shaft/model/speed_study_model.h"
+
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "model/background_job.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
+
+namespace ravnoves {
+
+using balance_shaft::Input;
+using balance_shaft::SpeedBand;
+using balance_shaft::SpeedStudy;
+
+namespace {
+
+constexpr std::size_t mapAngles = 360;
+
+}  // namespace
+
+double SpeedStudyModel::Map::part(int speed, int angle) const {
+    const auto at = static_cast<std::size_t>(speed) * static_cast<std::size_t>(angles) +
+                    static_cast<std::size_t>(angle);
+    return (relative[at] - least) / std::max(most - least, 1e-12);
+}
+
+SpeedStudyModel::SpeedStudyModel(BalanceShaftModel* model, QObject* parent)
+    : QObject(parent), model_(model), job_(new BackgroundJob(this)) {
+    connect(model_, &SceneModel::changed, this, [this] { stale_ = true; });
+    connect(job_, &BackgroundJob::failed, this, [this](const QString& why) { take({}, why); });
+}
+
+SpeedBand SpeedStudyModel::band() const {
+    const Input& input = model_->input();
+    return input.speed_band.value_or(
+        SpeedBand{0.3 * input.angular_speed, 1.1 * input.angular_speed});
+}
+
+void SpeedStudyModel::setBand(double SpeedBand::*end, double speed) {
+    model_->edit(tr("Speed band"), [&](Input& input) {
+        input.speed_band = band();
+        (*input.speed_band).*end = speed * rpm;
+    });
+}
+
+void SpeedStudyModel::setCriterion(Criterion criterion) {
+    criterion_ = criterion;
+    Q_EMIT studied();
+}
+
+SpeedStudyModel::Study SpeedStudyModel::studyOf(const Input& input, const SpeedBand& band,
+                                                const std::function<bool(double)>& progress) {
+    const auto study = std::make_shared<SpeedStudy>(
+        input, band, [&](double part) { return progress(0.3 * part); });
+    Study result{study, {}, {}, {}};
+    if (!study->reason().empty() || !study->is_complete()) {
+        return result;
+    }
+    result.map = study->map(mapAngles, [&](double part) { return progress(0.3 + 0.6 * part); });
+    const auto among = [&](const std::vector<balance_shaft::AngleStretch>& angles) {
+        constexpr auto relative = SpeedStudy::Measure::relative;
+        return Best{study->least_bad_angle(Criterion::range, relative, angles),
+                    study->least_bad_angle(Criterion::rms, relative, angles)};
+    };
+    result.ofAll = among(balance_shaft::whole_turn());
+    const auto& stretches = study->buildable().stretches;
+    result.best = stretches.empty() ? result.ofAll : among(stretches);
+    return result;
+}
+
+void SpeedStudyModel::solve() {
+    if (!std::exchange(stale_, false)) {
+        return;
+    }
+    Input input = model_->input();
+    input.shaft_angle = 0.0;  // the study does not depend on it
+    if (solvedInput_ == input) {
+        job_->cancel();  // of an input that was there in between
+        trouble_.clear();
+        Q_EMIT studied();
+        return;
+    }
+    job_->start([this, input, range = band()](const BackgroundJob::Progress& progress) {
+        auto result = std::make_shared<Study>(studyOf(input, range, progress));
+        return [this, result, input] {
+            solvedInput_ = input;
+            take(std::move(*result), {});
+        };
+    });
+}
+
+void SpeedStudyModel::cancel() {
+    job_->cancel();
+    trouble_ = tr("Cancelled. Any change of the input solves again.");
+    Q_EMIT studied();
+}
+
+void SpeedStudyModel::take(Study study, const QString& trouble) {
+    study_ = std::move(study);
+    trouble_ = trouble;
+    if (!trouble.isEmpty()) {
+        solvedInput_.reset();
+    }
+    Q_EMIT studied();
+}
+
+SpeedStudyModel::Curves SpeedStudyModel::curves() const {
+    Curves curves;
+    for (const SpeedStudy::Point& point : study_.study->points()) {
+        curves.speed.push_back(point.angular_speed / rpm);
+        curves.rangeAngle.push_back(point.buildable_range_angle.value_or(point.best_range_angle) /
+                                    degree);
+        curves.rmsAngle.push_back(point.buildable_rms_angle.value_or(point.best_rms_angle) /
+                                  degree);
+    }
+    return curves;
+}
+
+SpeedStudyModel::Map SpeedStudyModel::map() const {
+    const auto& points = study_.study->points();
+    const std::vector<double>& angles = study_.map->shaft_angle_deg;
+    Map map;
+    map.angles = static_cast<int>(angles.size());
+    map.speeds = static_cast<int>(points.size());
+    map.relative = byRange() ? study_.map->range : study_.map->rms;
+    for (std::size_t i = 0; i < map.relative.size(); ++i) {
+        const SpeedStudy::Point& point = points[i / angles.size()];
+        const double without = byRange() ? point.range_without : point.rms_without;
+        map.relative[i] = without > 0.0 ? map.relative[i] / without : 1.0;
+    }
+    const auto [least, most] = std::minmax_element(map.relative.begin(), map.relative.end());
+    map.least = *least;
+    map.most = *most;
+    for (const double angle : angles) {
+        map.canBuild.push_back(buildable().contains(angle * degree));
+    }
+    return map;
+}
+
+void SpeedStudyModel::goToLeastBad() {
+    model_->finishDrag();
+    model_->setShaftAngleDeg(leastBadDeg());
+    model_->finishDrag();
+}
+
+QString SpeedStudyModel::answer() const {
+    if (!trouble_.isEmpty() || study_.study == nullptr) {
+        return trouble_;
+    }
+    if (!isSolved()) {
+        return messageText(study_.study->reason()) + QLatin1Char(' ') +
+               tr("Rebuild the torque (Torque tab) or choose a pressure trace or a computed "
+                  "cycle.");
+    }
+    const QLocale locale;
+    const LeastBad& best = leastBad();
+    const LeastBad& ofAll = byRange() ? study_.ofAll.range : study_.ofAll.rms;
+    QString other;
+    if (buildable().stretches.empty()) {
+        other = tr(" But nothing can be built.");
+    } else if (best.value > ofAll.value + 1e-6) {
+        other = tr(" %1° would gain %2 % more but cannot be built.")
+                    .arg(fixedNumber(ofAll.shaft_angle / degree, 1, locale),
+                         fixedNumber(100.0 * (best.value - ofAll.value), 1, locale));
+    }
+    const double change = 100.0 * (best.value - 1.0);
+    return tr("Least bad α over the band, by the %1 against the engine without a shaft: %2°. At "
+              "its worst speed, %3 min⁻¹, the %1 is %4 % %5.")
+               .arg(byRange() ? tr("range") : tr("RMS"),
+                    fixedNumber(best.shaft_angle / degree, 1, locale),
+                    fixedNumber(best.worst_speed / rpm, 0, locale),
+                    fixedNumber(std::abs(change), 1, locale),
+                    change > 0.0 ? tr("larger") : tr("smaller")) +
+           other;
+}
+
+void SpeedStudyModel::pick(double angleDeg, double speed) {
+    model_->setShaftAngleDeg(std::round(angleDeg * 10.0) / 10.0);
+    if (model_->input().torque.is_computed()) {
+        model_->setSpeed(std::round(speed / 10.0) * 10.0 * rpm);
+    }
+}
+
+bool SpeedStudyModel::hasLoad() const {
+    return model_->input().torque.kind == balance_shaft::TorqueSource::Kind::cycle &&
+           model_->result().indicated.has_value();
+}
+
+double SpeedStudyModel::load() const {
+    return model_->result().indicated->imep / units::bar;
+}
+
+void SpeedStudyModel::setLoad(double load) {
+    model_->drag(tr("Load"), [&](Input& input) {
+        input.torque.cycle.imep = load * units::bar;
+        input.torque.cycle.heat.reset();
+    });
+}
+
+}  // namespace ravnoves

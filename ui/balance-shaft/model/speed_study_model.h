@@ -1,0 +1,111 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "balance-shaft/model/balance_shaft_model.h"
+#include "balance-shaft/speed_study.h"
+
+namespace ravnoves {
+
+class BackgroundJob;
+
+/// The shaft over a band of speeds, solved off the GUI thread: best α over speed, a map of the
+/// criterion over (α, speed) and the α that is least bad over the band.
+class SpeedStudyModel : public QObject {
+    Q_OBJECT
+
+  public:
+    using Criterion = balance_shaft::SpeedStudy::Criterion;
+    /// Best α at each speed: of those that can be built, of all where none can.
+    struct Curves {
+        std::vector<double> speed;       ///< min⁻¹
+        std::vector<double> rangeAngle;  ///< °
+        std::vector<double> rmsAngle;    ///< °
+    };
+    /// The criterion with the shaft over that without it at the same speed, or the high speeds
+    /// would drown the rest.
+    struct Map {
+        int angles = 0;  ///< of 0 ≤ α < 360°, equally spaced
+        int speeds = 0;
+        std::vector<double> relative;  ///< element speed × angles + angle
+        double least = 0.0;
+        double most = 0.0;
+        std::vector<bool> canBuild;  ///< by angle
+
+        /// Where a value stands between the least and the most, 0…1.
+        double part(int speed, int angle) const;
+    };
+
+    explicit SpeedStudyModel(BalanceShaftModel* model, QObject* parent = nullptr);
+
+    BackgroundJob* job() const { return job_; }
+    /// Of the input; without one from idling to a little above the speed entered.
+    balance_shaft::SpeedBand band() const;
+    /// @param end  one of the band's two ends; the speed is in min⁻¹
+    void setBand(double balance_shaft::SpeedBand::*end, double speed);
+    Criterion criterion() const { return criterion_; }
+    void setCriterion(Criterion criterion);
+
+    /// Begins to solve where what it depends on has changed since.
+    void solve();
+    void cancel();
+    /// False before the first study, and where none can be made of this input.
+    bool isSolved() const { return study_.map.has_value(); }
+
+    // Of what is solved.
+    const balance_shaft::BuildableAngles& buildable() const { return study_.study->buildable(); }
+    Curves curves() const;
+    Map map() const;
+    /// α that is least bad by the criterion, °.
+    double leastBadDeg() const { return leastBad().shaft_angle / degree; }
+    void goToLeastBad();
+
+    /// The least bad α in a sentence; why there is none.
+    QString answer() const;
+
+    /// A place of the map: α, and of a torque that follows it the speed, min⁻¹.
+    void pick(double angleDeg, double speed);
+    /// The load can be moved where the torque is a computed cycle.
+    bool hasLoad() const;
+    double load() const;        ///< indicated mean effective pressure, bar
+    void setLoad(double load);  ///< part of a drag
+
+  Q_SIGNALS:
+    /// There is something else to show.
+    void studied();
+
+  private:
+    using LeastBad = balance_shaft::SpeedStudy::LeastBad;
+    /// By range and by RMS.
+    struct Best {
+        LeastBad range;
+        LeastBad rms;
+    };
+    struct Study {
+        std::shared_ptr<const balance_shaft::SpeedStudy> study;
+        std::optional<balance_shaft::SpeedStudy::Map> map;
+        Best best;  ///< of what can be built, of all where nothing can
+        Best ofAll;
+    };
+
+    static Study studyOf(const balance_shaft::Input& input, const balance_shaft::SpeedBand& band,
+                         const std::function<bool(double)>& progress);
+    bool byRange() const { return criterion_ == Criterion::range; }
+    const LeastBad& leastBad() const { return byRange() ? study_.best.range : study_.best.rms; }
+    void take(Study study, const QString& trouble);
+
+    BalanceShaftModel* model_;
+    BackgroundJob* job_;
+    Criterion criterion_ = Criterion::range;
+    Study study_;
+    QString trouble_;  ///< why the last run gave nothing
+    bool stale_ = true;
+    std::optional<balance_shaft::Input> solvedInput_;
+};
+
+}  // namespace ravnoves
