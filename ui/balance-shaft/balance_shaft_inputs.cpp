@@ -1,7 +1,6 @@
 #include <QComboBox>
 #include <QTabWidget>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "balance-shaft/balance_shaft_page.h"
 #include "balance-shaft/fields.h"
@@ -15,21 +14,6 @@ namespace ravnoves {
 
 using balance_shaft::Input;
 namespace field = balance_shaft::field;
-
-namespace {
-
-/// What the form does not list of the reciprocating masses, kg.
-double otherMasses(const Input& input) {
-    double sum = 0.0;
-    for (const balance_shaft::NamedMass& part : input.reciprocating_masses) {
-        const bool listed = std::any_of(field::mass_parts.begin(), field::mass_parts.end(),
-                                        [&](const Field& row) { return row.key == part.name; });
-        sum += listed ? 0.0 : part.mass;
-    }
-    return sum;
-}
-
-}  // namespace
 
 void BalanceShaftPage::addEngine(Form* form) {
     FormSection* engine = form->section(tr("Engine"));
@@ -105,7 +89,7 @@ void BalanceShaftPage::addMasses(Form* form) {
     form->follow([this, sum, note] {
         const QLocale locale;
         sum->setText(fixedNumber(model_->input().reciprocating_mass(), 3, locale) + tr(" kg"));
-        const double other = otherMasses(model_->input());
+        const double other = model_->otherMasses();
         note->setText(tr("%1 kg of it are not listed above.").arg(formNumber(other, locale, 6)));
         note->setVisible(other > 0.0);
     });

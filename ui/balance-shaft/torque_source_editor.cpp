@@ -13,10 +13,6 @@
 #include "balance-shaft/inertia_check.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/torque_table_editor.h"
-#include "case-file/input_error.h"
-#include "case-file/text_file.h"
-#include "text/error_text.h"
-#include "text/file_path.h"
 #include "text/message_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
@@ -61,9 +57,8 @@ TorqueSourceEditor::TorqueSourceEditor(BalanceShaftModel* model, QWidget* parent
                          "torque is gas torque plus inertia torque of the masses and speed "
                          "entered, so it follows both."));
     column->addWidget(source);
-    trouble_ = captionLabel({}, this);
+    trouble_ = new TroubleLine(this);
     trouble_->setContentsMargins(Theme::margin, 0, Theme::margin, 0);
-    trouble_->hide();
     column->addWidget(trouble_);
     column->addWidget(buildCheck());
     forms_ = new QStackedWidget(this);
@@ -78,15 +73,15 @@ TorqueSourceEditor::TorqueSourceEditor(BalanceShaftModel* model, QWidget* parent
             forms_->setCurrentIndex(page);  // nothing to solve until a file is read
             return;
         }
-        const QString why =
-            model_->setTorqueKind(page == TablePage      ? TorqueSource::Kind::table
-                                  : page == PressurePage ? TorqueSource::Kind::pressure
-                                                         : TorqueSource::Kind::cycle);
-        trouble_->setText(why);
-        trouble_->setVisible(!why.isEmpty());
+        trouble_->say(model_->setTorqueKind(page == TablePage      ? TorqueSource::Kind::table
+                                            : page == PressurePage ? TorqueSource::Kind::pressure
+                                                                   : TorqueSource::Kind::cycle));
         showInput();
     });
-    connect(model_, &SceneModel::changed, this, &TorqueSourceEditor::showInput);
+    connect(model_, &SceneModel::changed, this, [this] {
+        trouble_->say({});
+        showInput();
+    });
     showInput();
 }
 
@@ -201,47 +196,34 @@ QWidget* TorqueSourceEditor::buildCycle() {
         });
     form->follow([this, ports] { ports->setEnabled(model_->input().strokes == 2); });
     form->section(tr("Combustion"));
-    const auto addLoad = [&](const Field& load, std::optional<double> GasCycle::*own,
-                             std::optional<double> GasCycle::*other) {
+    for (const auto& [load, value] :
+         {std::pair(&field::imep, &GasCycle::imep), std::pair(&field::heat, &GasCycle::heat)}) {
         NumberField* number = form->number(
-            load,
-            [this, &load, own]() -> std::optional<double> {
-                const auto& value = model_->input().torque.cycle.*own;
-                return value ? std::optional(*value / load.unit) : std::nullopt;
+            *load,
+            [this, load, value]() -> std::optional<double> {
+                const auto& given = model_->input().torque.cycle.*value;
+                return given ? std::optional(*given / load->unit) : std::nullopt;
             },
-            [this, &load, own, other](std::optional<double> value) {
-                if (!value) {
-                    return;  // one of the two always holds
+            [this, load, value](std::optional<double> typed) {
+                if (typed) {  // one of the two always holds
+                    model_->setLoad(value, *typed * load->unit);
                 }
-                model_->edit(fieldName(load), [&](Input& input) {
-                    input.torque.cycle.*own = *value * load.unit;
-                    (input.torque.cycle.*other).reset();
-                });
             });
         number->setOptional(true);
         number->setDigits(6);
-    };
-    addLoad(field::imep, &GasCycle::imep, &GasCycle::heat);
-    addLoad(field::heat, &GasCycle::heat, &GasCycle::imep);
+    }
     addNumbers(form, place, {field::combustion_start, field::combustion_duration, field::wiebe_m});
     static_cast<QVBoxLayout*>(form->layout())->addStretch();
     return scrolled(form, this);
 }
 
 QString TorqueSourceEditor::importTrace(const QString& path) {
-    try {
-        const std::string text = read_text_file(fsPath(path));
-        const balance_shaft::ParsedPressureTrace read = balance_shaft::parse_pressure_trace(text);
-        const QString why = model_->setPressureTrace(read.trace, path);
-        if (!why.isEmpty()) {
-            return path + QStringLiteral(": ") + why;
-        }
-        trace_->setText(
-            tr("%1: %2.").arg(QFileInfo(path).fileName(), messageText(read.describe())));
-        return {};
-    } catch (const InputError& error) {
-        return path + QStringLiteral(": ") + errorText(error);
+    QString described;
+    QString why = model_->importPressureTrace(path, described);
+    if (why.isEmpty()) {
+        trace_->setText(tr("%1: %2.").arg(QFileInfo(path).fileName(), described));
     }
+    return why;
 }
 
 void TorqueSourceEditor::showInput() {

@@ -15,6 +15,7 @@ namespace ravnoves {
 class BalanceShaftModel;
 class Form;
 class TorqueTableEditor;
+class TroubleLine;
 
 /// Where the engine torque comes from: a table, a measured pressure trace, or a computed cycle,
 /// each with its own form. Switching keeps what the other sources hold.
@@ -44,7 +45,7 @@ class TorqueSourceEditor : public QWidget {
     QStackedWidget* forms_ = nullptr;
     TorqueTableEditor* table_ = nullptr;
     QLabel* trace_ = nullptr;
-    QLabel* trouble_ = nullptr;
+    TroubleLine* trouble_ = nullptr;
     QWidget* check_ = nullptr;
     QLabel* checkText_ = nullptr;
     QWidget* remedies_ = nullptr;

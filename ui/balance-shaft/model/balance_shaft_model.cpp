@@ -8,15 +8,19 @@
 #include "balance-shaft/fields.h"
 #include "balance-shaft/scene.h"
 #include "case-file/input_error.h"
+#include "case-file/text_file.h"
 #include "model/case_model_json.h"
 #include "numerics/angle.h"
 #include "numerics/vector_state.h"
+#include "text/error_text.h"
+#include "text/file_path.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 
 namespace ravnoves {
 
 using balance_shaft::FlywheelTarget;
+using balance_shaft::GasCycle;
 using balance_shaft::Input;
 using balance_shaft::MomentMetrics;
 using balance_shaft::Optimum;
@@ -103,15 +107,34 @@ QString BalanceShaftModel::setTorqueKind(balance_shaft::TorqueSource::Kind kind)
     });
 }
 
-QString BalanceShaftModel::setPressureTrace(const balance_shaft::PressureTrace& trace,
-                                            const QString& path) {
-    return edit(tr("Pressure trace"), [&](Input& input) {
-        input.torque.kind = balance_shaft::TorqueSource::Kind::pressure;
-        input.torque.trace = trace;
-        input.torque.csv = path.toStdString();
-        input.strokes = input.strokes_of_torque();
-        fillCylinder(input);
-    });
+QString BalanceShaftModel::importPressureTrace(const QString& path, QString& described) {
+    QString why;
+    try {
+        const auto read = balance_shaft::parse_pressure_trace(read_text_file(fsPath(path)));
+        described = messageText(read.describe());
+        why = edit(tr("Pressure trace"), [&](Input& input) {
+            input.torque.kind = balance_shaft::TorqueSource::Kind::pressure;
+            input.torque.trace = read.trace;
+            input.torque.csv = path.toStdString();
+            input.strokes = input.strokes_of_torque();
+            fillCylinder(input);
+        });
+    } catch (const InputError& error) {
+        why = errorText(error);
+    }
+    return why.isEmpty() ? why : path + QStringLiteral(": ") + why;
+}
+
+QString BalanceShaftModel::setLoad(std::optional<double> GasCycle::*given, double value,
+                                   bool isDrag) {
+    const auto load = [&](Input& input) {
+        input.torque.cycle.heat.reset();
+        input.torque.cycle.imep.reset();
+        input.torque.cycle.*given = value;
+    };
+    namespace field = balance_shaft::field;
+    return isDrag ? drag(tr("Load"), load)
+                  : edit(fieldName(given == &GasCycle::heat ? field::heat : field::imep), load);
 }
 
 namespace {
@@ -276,6 +299,17 @@ double BalanceShaftModel::mass(const std::string& name) const {
         }
     }
     return 0.0;
+}
+
+double BalanceShaftModel::otherMasses() const {
+    const auto& listed = balance_shaft::field::mass_parts;
+    double sum = 0.0;
+    for (const balance_shaft::NamedMass& part : input().reciprocating_masses) {
+        const bool isListed = std::any_of(listed.begin(), listed.end(),
+                                          [&](const Field& row) { return row.key == part.name; });
+        sum += isListed ? 0.0 : part.mass;
+    }
+    return sum;
 }
 
 QStringList BalanceShaftModel::criteriaColumns() const {

@@ -54,8 +54,14 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     /// Where the torque comes from; a source used for the first time starts with values made from
     /// what is there (rod length, bore, the table's mean torque). Returns as edit().
     QString setTorqueKind(balance_shaft::TorqueSource::Kind kind);
-    /// Takes a measured trace and computes the torque from it. The same return.
-    QString setPressureTrace(const balance_shaft::PressureTrace& trace, const QString& path);
+    /// Reads a measured trace and computes the torque from it.
+    /// @param described  what was read
+    /// @return an empty string, or what is wrong, with the file's name
+    QString importPressureTrace(const QString& path, QString& described);
+    /// Gives heat or mean effective pressure of a computed cycle; the other one follows from it.
+    /// @param isDrag  part of a drag
+    QString setLoad(std::optional<double> balance_shaft::GasCycle::*given, double value,
+                    bool isDrag = false);
 
     double shaftAngleDeg() const;  ///< α, 0…360
     void setShaftAngleDeg(double angle);
@@ -90,6 +96,8 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
 
     /// The mass of a named part, kg; 0 where there is none.
     double mass(const std::string& name) const;
+    /// What the parts of field::mass_parts lack of the reciprocating mass, kg.
+    double otherMasses() const;
 
     // What the page's tables show: text in the user's locale, the first column the row's name.
     QStringList criteriaColumns() const;

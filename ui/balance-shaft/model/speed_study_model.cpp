@@ -194,10 +194,7 @@ double SpeedStudyModel::load() const {
 }
 
 void SpeedStudyModel::setLoad(double load) {
-    model_->drag(tr("Load"), [&](Input& input) {
-        input.torque.cycle.imep = load * units::bar;
-        input.torque.cycle.heat.reset();
-    });
+    model_->setLoad(&balance_shaft::GasCycle::imep, load * units::bar, true);
 }
 
 }  // namespace ravnoves
