@@ -40,7 +40,8 @@ void check_masses(const Input& input) {
         if (part.name == "rod_small_end" && input.rod_mass && part.mass > *input.rod_mass) {
             throw InputError(
                 pointer(field::reciprocating_masses) + "/" + part.name,
-                {CORE_TEXT("balance-shaft", "must be at most rod_mass_kg, %1"), *input.rod_mass},
+                {CORE_TEXT("balance-shaft", "must be at most the mass of the whole rod, %1"),
+                 *input.rod_mass},
                 Number{part.mass});
         }
     }
@@ -259,10 +260,11 @@ void check_speed_band(const SpeedBand& band) {
     const std::string parent = pointer(field::speed_band);
     check_fields(band, parent.c_str());
     if (band.to < band.from) {
-        throw InputError(pointer(field::band_to, parent),
-                         {CORE_TEXT("balance-shaft", "must be at least from_rpm, %1"),
-                          shown(field::band_from, band.from)},
-                         shown(field::band_to, band.to));
+        throw InputError(
+            pointer(field::band_to, parent),
+            {CORE_TEXT("balance-shaft", "must be at least the lowest speed of the band, %1"),
+             shown(field::band_from, band.from)},
+            shown(field::band_to, band.to));
     }
     constexpr double largest_speed = 1e6;  // rad/s; far above any engine, its square is harmless
     if (!(band.to <= largest_speed)) {

@@ -206,7 +206,8 @@ TEST(SpeedStudy, IsPrintedByACase) {
     EXPECT_EQ(refusal(R"({"from_rpm": 0})"),
               "/input/speed_band/from_rpm: must be greater than 0, got 0");
     EXPECT_EQ(refusal(R"({"to_rpm": 1000})"),
-              "/input/speed_band/to_rpm: must be at least from_rpm, 2000, got 1000");
+              "/input/speed_band/to_rpm: must be at least the lowest speed of the band, 2000, got "
+              "1000");
     EXPECT_EQ(refusal(R"({"speeds": 1})"),
               "/input/speed_band/speeds: must be a whole number from 2 to 1000, got 1");
     EXPECT_EQ(refusal(R"({"to_rpm": 1e300})").rfind("/input/speed_band/to_rpm: must be at most", 0),

@@ -1,9 +1,9 @@
 #include "balance-shaft/model/shown_curves.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
 #include "numerics/units.h"
 
