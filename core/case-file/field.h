@@ -26,7 +26,8 @@ struct Field {
     std::string_view symbol{};      ///< in formulas, for example "r"
     Text hint{};                    ///< what it means, an example, its source
     Text placeholder{};             ///< what an empty field of the form stands for ("auto")
-    std::span<const Word> words{};  ///< of a choice, in the order of its enumeration
+    /// Of a choice, in the order of its enumeration; of a whole number, the two that it can be.
+    std::span<const Word> words{};
 };
 
 /// The value in the field's unit, as a person would write it: of the doubles that read back to this
