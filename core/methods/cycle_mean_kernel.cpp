@@ -13,8 +13,6 @@ namespace ravnoves::methods {
 
 namespace {
 
-constexpr double cycle_deg = 720.0;
-
 /// Mean of M_ups, its RMS about the mean, and the first order of M_up, a cos φ + b sin φ: with it
 /// the RMS at every other α follows from the one at this.
 struct MeanCase : TorqueCycle {

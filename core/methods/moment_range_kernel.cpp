@@ -14,8 +14,6 @@ namespace ravnoves::methods {
 
 namespace {
 
-constexpr double cycle_deg = 720.0;
-
 /// Range of M_ups at one α. What does not depend on α is prepared, as the scene prepares it.
 struct RangeCase : TorqueCycle {
     std::size_t outputs() const { return 1; }

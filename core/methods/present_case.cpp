@@ -10,7 +10,9 @@
 #include "elastic-hinge/solver.h"
 #include "inertia-moments/scene.h"
 #include "inertia-moments/solver.h"
+#include "methods/torque_cycle.h"
 #include "numerics/angle.h"
+#include "numerics/constants.h"
 
 namespace ravnoves::methods {
 
@@ -22,7 +24,6 @@ using Value = std::optional<double>;
 /// the standard deviation of a bell.
 Value peak_width(const balance_shaft::Solver& solver) {
     constexpr int samples = 14'400;  // every 0.05°
-    constexpr double cycle_deg = 720.0;
     const auto moment = [&](int i) {
         const int wrapped = ((i % samples) + samples) % samples;
         return std::abs(solver.M_up(cycle_deg * wrapped / samples * degree));

@@ -12,7 +12,6 @@ namespace ravnoves::methods {
 
 namespace {
 
-constexpr double cycle_deg = 720.0;
 constexpr double peak_deg = 383.77;         // of the combustion: on no node of a round step
 constexpr double paper_amplitude = 430.39;  // N·m, of the paper's Table 3
 

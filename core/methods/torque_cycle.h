@@ -7,6 +7,8 @@
 
 namespace ravnoves::methods {
 
+inline constexpr double cycle_deg = 720.0;  ///< of a four-stroke engine
+
 /// A tipping moment over the cycle of 720° with the moment of a balance shaft: what the kernels of
 /// the scene "balance-shaft" work on.
 struct TorqueCycle {

@@ -12,8 +12,6 @@ namespace ravnoves::methods {
 
 namespace {
 
-constexpr double cycle_deg = 720.0;
-
 const Real50& exact_degree() {
     return boost::math::constants::degree<Real50>();
 }
