@@ -95,6 +95,13 @@ class EveryPage : public ::testing::TestWithParam<std::string> {
         QTest::keyClick(&field, Qt::Key_A, Qt::ControlModifier);
         QTest::keyClicks(&field, text);
     }
+    /// So many fields must have been tried; a small scene has fewer.
+    qsizetype enough() {
+        const auto fields = model().describedFields();
+        return std::min<qsizetype>(
+            6, std::count_if(fields.begin(), fields.end(),
+                             [](const auto& it) { return it.kind == FieldKind::number; }));
+    }
     /// Leaves a step that can be redone.
     void leaveSomethingToRedo() {
         bool left = false;
@@ -244,7 +251,7 @@ TEST_P(EveryPage, MakesOneStepOfAnEditing) {
         ++changed;
     });
     if (model().hasCaseFile()) {
-        EXPECT_GT(changed, 5);
+        EXPECT_GE(changed, enough());
     }
 }
 
@@ -280,7 +287,7 @@ TEST_P(EveryPage, AnEscapeLeavesNoStepBehind) {
             }
         }
     });
-    EXPECT_GT(seen.size(), 5);
+    EXPECT_GE(seen.size(), enough());
     EXPECT_TRUE(model().history()->canRedo());
 }
 
