@@ -51,15 +51,12 @@ void HingeInputs::addChoice(const QString& name, const QString& label, const QSt
 void HingeInputs::addObjectBox(const Field& field, const QString& name,
                                std::function<bool(const Input&)> has,
                                std::function<void(Input&, bool)> set) {
-    auto* box = new QCheckBox(shownText(field.label), this);
-    box->setObjectName(name);
-    box->setToolTip(shownText(field.hint));
-    current()->addWide(box);
-    connect(box, &QCheckBox::clicked, this,
-            [this, step = fieldName(field), set = std::move(set)](bool on) {
-                model_->edit(step, [&](Input& input) { set(input, on); });
-            });
-    follow([this, box, has = std::move(has)] { box->setChecked(has(model_->input())); });
+    box(
+        name, shownText(field.label), shownText(field.hint),
+        [this, has = std::move(has)] { return has(model_->input()); },
+        [this, step = fieldName(field), set = std::move(set)](bool on) {
+            model_->edit(step, [&](Input& input) { set(input, on); });
+        });
 }
 
 void HingeInputs::showSectionWhile(std::function<bool(const Input&)> wanted) {

@@ -6,10 +6,10 @@
 
 namespace ravnoves {
 
-std::vector<QStringList> readTextTable(const QString& text) {
+std::vector<QStringList> readTextTable(const QString& text, EmptyLine empty) {
     std::vector<QStringList> rows;
     for (const QString& line : text.split(QLatin1Char('\n'))) {
-        if (line.trimmed().isEmpty()) {
+        if (empty == EmptyLine::nothing && line.trimmed().isEmpty()) {
             continue;
         }
         QStringList cells =
@@ -19,8 +19,14 @@ std::vector<QStringList> readTextTable(const QString& text) {
         }
         rows.push_back(std::move(cells));
     }
+    while (!rows.empty() && rows.back().join(QString()).isEmpty()) {
+        rows.pop_back();
+    }
     const auto isNumber = [](const QString& cell) { return readFormNumber(cell).has_value(); };
-    if (rows.size() > 1 && std::none_of(rows[0].begin(), rows[0].end(), isNumber)) {
+    const bool beginsWithGap =
+        empty == EmptyLine::gap && !rows.empty() && rows[0].join(QString()).isEmpty();
+    if (rows.size() > 1 && !beginsWithGap &&
+        std::none_of(rows[0].begin(), rows[0].end(), isNumber)) {
         rows.erase(rows.begin());
     }
     return rows;

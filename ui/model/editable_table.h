@@ -7,10 +7,16 @@
 
 namespace ravnoves {
 
+/// What an empty line in the middle of a block is.
+enum class EmptyLine {
+    nothing,  ///< it is passed over
+    gap       ///< a row in which nothing stands
+};
+
 /// Rows of cells as a spreadsheet puts them on the clipboard: tabs or semicolons between the cells.
-/// Empty lines are passed over, and a first line without any number where more lines follow: it is
-/// a header.
-std::vector<QStringList> readTextTable(const QString& text);
+/// Empty lines are passed over, those at the end always, and a first line without any number where
+/// more lines follow: it is a header.
+std::vector<QStringList> readTextTable(const QString& text, EmptyLine empty = EmptyLine::nothing);
 
 /// A table of numbers that is edited in place.
 class EditableTable : public QAbstractTableModel {
@@ -22,9 +28,9 @@ class EditableTable : public QAbstractTableModel {
     /// True for a cell that holds what was refused; the editor colours it.
     static constexpr int TroubleRole = Qt::UserRole + 1;
 
-    /// A new row below a row; below the last one for −1.
-    virtual void insertRowBelow(int row) = 0;
-    virtual void removeRowRange(int first, int count) = 0;
+    /// A new row below a row; below the last one for −1. A table of so many rows has none.
+    virtual void insertRowBelow(int /*row*/) {}
+    virtual void removeRowRange(int /*first*/, int /*count*/) {}
     /// Writes a block of cells at a cell, as a spreadsheet does.
     /// @return an empty string, or what is wrong
     virtual QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) = 0;

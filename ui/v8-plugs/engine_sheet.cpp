@@ -6,7 +6,6 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QSignalBlocker>
 
 #include "theme/theme.h"
 
@@ -40,25 +39,18 @@ EngineSheet::EngineSheet(V8PlugsModel* model, QWidget* parent) : SheetForm(model
 
 void EngineSheet::addPlugs(const QString& label, const QString& name, const QString& hint,
                            EngineGroup group, bool Engine::*member) {
-    auto* box = ordered(new QCheckBox(label, this));
-    box->setObjectName(name);
-    box->setToolTip(hint);
-    box->setFont(Theme::font(Theme::baseSize, true));
-    box->setMinimumHeight(fieldHeight - 6);
-    current()->addWide(box);
-    const QString step = QString(label).remove(QLatin1Char('&'));
-    connect(box, &QCheckBox::toggled, this, [this, step, group](bool on) {
-        model_->edit(step, [&](Input& input) {
-            set_plugs(input.engine, group, on);
-            if (!input.engine.has_new_plug) {
-                input.crankshaft = Crankshaft::standard;
-            }
-        });
-    });
-    follow([this, box, member] {
-        const QSignalBlocker block(box);
-        box->setChecked(model_->input().engine.*member);
-    });
+    QCheckBox* there = ordered(box(
+        name, label, hint, [this, member] { return model_->input().engine.*member; },
+        [this, step = QString(label).remove(QLatin1Char('&')), group](bool on) {
+            model_->edit(step, [&](Input& input) {
+                set_plugs(input.engine, group, on);
+                if (!input.engine.has_new_plug) {
+                    input.crankshaft = Crankshaft::standard;
+                }
+            });
+        }));
+    there->setFont(Theme::font(Theme::baseSize, true));
+    there->setMinimumHeight(fieldHeight - 6);
     addValues(group);
 }
 

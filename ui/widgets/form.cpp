@@ -102,10 +102,26 @@ NumberField* Form::number(const char* pointer) {
 NumberField* Form::number(const Field& description, std::function<std::optional<double>()> read,
                           std::function<void(std::optional<double>)> write) {
     NumberField* field = current_->addNumber(description);
+    bind(field, std::move(read), std::move(write));
+    return field;
+}
+
+void Form::bind(NumberField* field, std::function<std::optional<double>()> read,
+                std::function<void(std::optional<double>)> write) {
     connect(field, &NumberField::valueEdited, this, std::move(write));
     field->setModel(model_);
     follow([field, read = std::move(read)] { field->setValue(read()); });
-    return field;
+}
+
+QCheckBox* Form::box(const QString& name, const QString& label, const QString& hint,
+                     std::function<bool()> read, std::function<void(bool)> write) {
+    auto* box = new QCheckBox(label, current_);
+    box->setObjectName(name);
+    box->setToolTip(hint);
+    current_->addWide(box);
+    connect(box, &QCheckBox::clicked, this, std::move(write));
+    follow([box, read = std::move(read)] { box->setChecked(read()); });
+    return box;
 }
 
 QComboBox* Form::choice(const char* pointer, std::function<QString(int)> write) {

@@ -10,6 +10,7 @@
 #include "model/scene_model.h"
 #include "widgets/form_section.h"
 
+class QCheckBox;
 class QVBoxLayout;
 
 namespace ravnoves {
@@ -47,6 +48,13 @@ class Form : public QWidget {
     /// in the field's unit.
     NumberField* number(const Field& field, std::function<std::optional<double>()> read,
                         std::function<void(std::optional<double>)> write);
+
+    /// Binds a number that stands elsewhere than in a row of its own, for example in a grid.
+    void bind(NumberField* field, std::function<std::optional<double>()> read,
+              std::function<void(std::optional<double>)> write);
+    /// A row for yes or no that is no field by itself.
+    QCheckBox* box(const QString& name, const QString& label, const QString& hint,
+                   std::function<bool()> read, std::function<void(bool)> write);
 
     /// Calls `show` now and whenever the input changes.
     void follow(std::function<void()> show);

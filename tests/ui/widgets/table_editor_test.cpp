@@ -25,5 +25,13 @@ TEST(TextTable, PassesOverAHeader) {
     EXPECT_EQ(read("a\t1\n2\t3\n").size(), 2U);
 }
 
+TEST(TextTable, KeepsGapsWhereTheyMeanSomething) {
+    const auto rows = readTextTable(QStringLiteral("Pin, g\n151\n\n153\n\n"), EmptyLine::gap);
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_EQ(rows[1].join(QString()), QString());
+    EXPECT_EQ(rows[2], QStringList{QStringLiteral("153")});
+    EXPECT_EQ(readTextTable(QStringLiteral("\n152\n"), EmptyLine::gap).size(), 2U);
+}
+
 }  // namespace
 }  // namespace ravnoves
