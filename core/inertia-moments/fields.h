@@ -176,7 +176,7 @@ inline constexpr Field first_position{
     .label = CORE_TEXT("inertia-moments", "&Position of cylinder 1"),
     .symbol = "z",
     .hint = CORE_TEXT("inertia-moments",
-                      "Axial position z of cylinder 1. Volkswagen VR5: 3 a + l_cm = 204.8 mm, with "
+                      "Axial position z of cylinder 1. Volkswagen VR5: 3 a + l = 204.8 mm, with "
                       "the centre of mass at z = 0.")};
 
 // Of the object "rod".

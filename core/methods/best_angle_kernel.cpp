@@ -134,7 +134,7 @@ Kernel best_angle_kernel() {
     Kernel& kernel = definition.kernel;
     kernel.id = "best-angle";
     kernel.title = CORE_TEXT("methods", "Best shaft angle");
-    kernel.quantity = CORE_TEXT("methods", "the α with the least range of M_ups");
+    kernel.quantity = CORE_TEXT("methods", "the α with the least range of Mᵤₚₛ");
     kernel.error_measure =
         CORE_TEXT("methods", "range there less the least range, part of the largest torque + A");
     kernel.evaluation = CORE_TEXT("methods", "one search over all α, the table being prepared");

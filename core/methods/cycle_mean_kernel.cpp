@@ -304,7 +304,7 @@ Kernel cycle_mean_kernel() {
     kernel.id = "cycle-mean";
     kernel.title = CORE_TEXT("methods", "Cycle mean and RMS");
     kernel.quantity = CORE_TEXT("methods",
-                                "mean of M_ups, its RMS about the mean, and the first order, which "
+                                "mean of Mᵤₚₛ, its RMS about the mean, and the first order, which "
                                 "gives the RMS at every α");
     kernel.error_measure = CORE_TEXT("methods", "part of the largest torque of the table + A");
     kernel.evaluation = CORE_TEXT("methods", "all of these, from the table");

@@ -277,9 +277,9 @@ Kernel moment_range_kernel() {
     Definition<RangeCase> definition;
     Kernel& kernel = definition.kernel;
     kernel.id = "moment-range";
-    kernel.title = CORE_TEXT("methods", "Range of M_ups");
+    kernel.title = CORE_TEXT("methods", "Range of Mᵤₚₛ");
     kernel.quantity =
-        CORE_TEXT("methods", "ΔM_ups, largest less smallest moment over the cycle, at one α");
+        CORE_TEXT("methods", "ΔMᵤₚₛ, largest less smallest moment over the cycle, at one α");
     kernel.error_measure = CORE_TEXT("methods", "part of the largest torque of the table + A");
     kernel.evaluation = CORE_TEXT("methods", "the range at one α, the table being prepared");
     kernel.check_text = CORE_TEXT(

@@ -64,14 +64,13 @@ void masses(const Engine& engine, PaperRows& rows) {
     const Text unused = CORE_TEXT(
         "methods", "The paper states it and computes nothing from it; nor does the program.");
     rows.at(table(1));
-    rows.given(CORE_TEXT("methods", "piston m_p"), "kg", "0.645", part(0));
-    rows.given(CORE_TEXT("methods", "piston m_p, in brackets"), "kg", "0.640", std::nullopt,
-               unused);
-    rows.given(CORE_TEXT("methods", "piston pin m_pp"), "kg", "0.241", part(1));
-    rows.given(CORE_TEXT("methods", "piston rings m_pr"), "kg", "0.1", part(2));
-    rows.given(CORE_TEXT("methods", "connecting rod m_sh"), "kg", "0.950", input.rod_mass);
-    rows.given(CORE_TEXT("methods", "connecting rod m_sh, ±"), "kg", "0.015", std::nullopt, unused);
-    rows.given(CORE_TEXT("methods", "rod's part at the pin m_1"), "kg", "0.33", part(3));
+    rows.given(CORE_TEXT("methods", "piston mₚ"), "kg", "0.645", part(0));
+    rows.given(CORE_TEXT("methods", "piston mₚ, in brackets"), "kg", "0.640", std::nullopt, unused);
+    rows.given(CORE_TEXT("methods", "piston pin mₚₚ"), "kg", "0.241", part(1));
+    rows.given(CORE_TEXT("methods", "piston rings mₚᵣ"), "kg", "0.1", part(2));
+    rows.given(CORE_TEXT("methods", "connecting rod mₛₕ"), "kg", "0.950", input.rod_mass);
+    rows.given(CORE_TEXT("methods", "connecting rod mₛₕ, ±"), "kg", "0.015", std::nullopt, unused);
+    rows.given(CORE_TEXT("methods", "rod's part at the pin m₁"), "kg", "0.33", part(3));
 }
 
 void first_order_forces(const Engine& engine, PaperRows& rows) {
@@ -92,12 +91,12 @@ void first_order_forces(const Engine& engine, PaperRows& rows) {
               CORE_TEXT("methods", "π is rounded to 3.14."));
     rows.reproduced(CORE_TEXT("methods", "crank radius r"), "m", "0.046", stroke.value / 200.0,
                     CORE_TEXT("methods", "Half the stroke of 9.2 cm in the engine's type."));
-    rows.reproduced(CORE_TEXT("methods", "reciprocating mass m_j"), "kg", "1.316",
+    rows.reproduced(CORE_TEXT("methods", "reciprocating mass mⱼ"), "kg", "1.316",
                     r.reciprocating_mass,
                     CORE_TEXT("methods", "The sum of Table 1 with the heavier piston."));
-    rows.reproduced(CORE_TEXT("methods", "first-order inertia force P_j1 max"), "N", "8594.8",
+    rows.reproduced(CORE_TEXT("methods", "first-order inertia force Pⱼ₁ max"), "N", "8594.8",
                     r.inertia_force_1_max,
-                    CORE_TEXT("methods", "m_j r ω² at the printed 376.8 rad/s."));
+                    CORE_TEXT("methods", "mⱼ r ω² at the printed 376.8 rad/s."));
     rows.reproduced(
         CORE_TEXT("methods", "counterweight m₁"), "kg", "0.658",
         input.reciprocating_mass() * input.crank_radius / (2.0 * input.counterweight_radius),
@@ -121,11 +120,11 @@ void table_2(const Engine& engine, PaperRows& rows) {
     rows.at(table(2));
     double phi = 0.0;
     for (std::size_t i = 0; i < gots_klevtsov::table_2.size(); ++i) {
-        rows.given({Text{"", "M_id(φ = %1°)"}, phi}, "N·m", gots_klevtsov::table_2_torque[i],
+        rows.given({Text{"", "Mᵢ(φ = %1°)"}, phi}, "N·m", gots_klevtsov::table_2_torque[i],
                    engine.solver.input().torque.table.torque.at(i));
-        rows.given({Text{"", "M_up(φ = %1°)"}, phi}, "N·m", gots_klevtsov::table_2[i],
+        rows.given({Text{"", "Mᵤₚ(φ = %1°)"}, phi}, "N·m", gots_klevtsov::table_2[i],
                    engine.M_up(phi),
-                   CORE_TEXT("methods", "M_up = −M_id, which the program was told."));
+                   CORE_TEXT("methods", "Mᵤₚ = −Mᵢ, which the program was told."));
         phi += gots_klevtsov::table_2_step;
     }
     const Text reason = CORE_TEXT("methods",
@@ -133,8 +132,8 @@ void table_2(const Engine& engine, PaperRows& rows) {
                                   "twice; ours is the cycle integral.");
     const double mean = engine.result.M_up.mean;
     const double of_rows = engine.result.printed_mean_M_up;
-    rows.artefact(CORE_TEXT("methods", "mean of M_id"), "N·m", "37.9", -mean, -of_rows, reason);
-    rows.artefact(CORE_TEXT("methods", "mean of M_up"), "N·m", "-37.9", mean, of_rows, reason);
+    rows.artefact(CORE_TEXT("methods", "mean of Mᵢ"), "N·m", "37.9", -mean, -of_rows, reason);
+    rows.artefact(CORE_TEXT("methods", "mean of Mᵤₚ"), "N·m", "-37.9", mean, of_rows, reason);
 }
 
 void table_3(const Engine& engine, PaperRows& rows) {
@@ -156,21 +155,21 @@ void table_3(const Engine& engine, PaperRows& rows) {
             const double alpha = table_3_step * static_cast<double>(k);
             const std::string_view printed = gots_klevtsov::table_3[i][k];
             if (k + 1 < table_3_columns) {
-                rows.reproduced({Text{"", "M_s(φ = %1°, α = %2°)"}, phi, alpha}, "N·m", printed,
+                rows.reproduced({Text{"", "Mₛ(φ = %1°, α = %2°)"}, phi, alpha}, "N·m", printed,
                                 engine.M_s(phi, alpha), reason, scatter);
             } else {
                 rows.slip(
                     joined(CORE_TEXT("methods", "last column"),
-                           Message{Text{"", "M_up(φ = %1°)"}, phi}),
+                           Message{Text{"", "Mᵤₚ(φ = %1°)"}, phi}),
                     "N·m", printed, engine.M_up(phi), engine.M_s(phi, alpha),
-                    CORE_TEXT("methods", "The column is headed M_up but holds M_s of α = 330°."),
+                    CORE_TEXT("methods", "The column is headed Mᵤₚ but holds Mₛ of α = 330°."),
                     scatter);
             }
         }
     }
     for (std::size_t k = 0; k + 1 < table_3_columns; ++k) {
         const double alpha = table_3_step * static_cast<double>(k);
-        rows.artefact({CORE_TEXT("methods", "mean M_sm(α = %1°)"), alpha}, "N·m",
+        rows.artefact({CORE_TEXT("methods", "mean Mₛₘ(α = %1°)"), alpha}, "N·m",
                       gots_klevtsov::table_3_means[k], 0.0,
                       engine.mean_of_nodes(alpha, table_3_step),
                       CORE_TEXT("methods",
@@ -232,43 +231,43 @@ void means_over_the_angle(const Engine& engine, PaperRows& rows) {
     const double turn = engine.result.sweep.shaft_angle_deg.back();
     rows.at(in_text(Message{CORE_TEXT("methods", "before Table %1"), 3}));
     const double step = step_of_printed_means(engine);
-    rows.slip_shown(CORE_TEXT("methods", "step of the means M_sm in Table 3"), "°", "5", step,
+    rows.slip_shown(CORE_TEXT("methods", "step of the means Mₛₘ in Table 3"), "°", "5", step,
                     engine.has_printed_mean(step) && !engine.has_printed_mean(5.0),
                     CORE_TEXT("methods",
                               "Only the 25 printed rows give the printed means; rows every 5° "
                               "would give a sixth of them."));
     rows.at(in_text(CORE_TEXT("methods", "results")));
-    rows.reproduced(CORE_TEXT("methods", "α at which M_s is a sine"), "°", "0",
-                    angle_of_peak(engine, 90.0), CORE_TEXT("methods", "M_s is P₁ l sin φ there."));
-    rows.slip(CORE_TEXT("methods", "α at which M_s is a cosine"), "°", "180",
+    rows.reproduced(CORE_TEXT("methods", "α at which Mₛ is a sine"), "°", "0",
+                    angle_of_peak(engine, 90.0), CORE_TEXT("methods", "Mₛ is P₁ l sin φ there."));
+    rows.slip(CORE_TEXT("methods", "α at which Mₛ is a cosine"), "°", "180",
               angle_of_peak(engine, 0.0), negative_from,
               CORE_TEXT("methods",
-                        "At 180° the mean of the nodes is 0 as well, but there M_s is a sine; it "
+                        "At 180° the mean of the nodes is 0 as well, but there Mₛ is a sine; it "
                         "is a cosine at 90°."));
     const Text positive = CORE_TEXT("methods",
                                     "The mean of the nodes is positive up to there; the cycle mean "
-                                    "of M_s is 0 for every α.");
+                                    "of Mₛ is 0 for every α.");
     rows.artefact(CORE_TEXT("methods", "lower end of the α that lower the mean"), "°", "0",
                   std::nullopt, begin_of_positive_means(engine),
                   CORE_TEXT("methods",
-                            "The mean of the nodes is positive from there; the cycle mean of M_s "
+                            "The mean of the nodes is positive from there; the cycle mean of Mₛ "
                             "is 0 for every α."));
     rows.artefact(CORE_TEXT("methods", "upper end of the α that lower the mean"), "°", "180",
                   std::nullopt, negative_from, positive);
-    rows.artefact(CORE_TEXT("methods", "lower end of the α with M_sm < 0"), "°", "180",
-                  std::nullopt, negative_from,
-                  CORE_TEXT("methods", "So do the nodes; the cycle mean of M_s is 0 for every α."));
+    rows.artefact(CORE_TEXT("methods", "lower end of the α with Mₛₘ < 0"), "°", "180", std::nullopt,
+                  negative_from,
+                  CORE_TEXT("methods", "So do the nodes; the cycle mean of Mₛ is 0 for every α."));
     rows.slip(
-        CORE_TEXT("methods", "upper end of the α with M_sm < 0"), "°", "60", turn,
+        CORE_TEXT("methods", "upper end of the α with Mₛₘ < 0"), "°", "60", turn,
         std::fmod(turn, 100.0),
         CORE_TEXT("methods",
-                  "360 without its first digit: M_sm of the nodes is negative from 180° to 360°."));
-    rows.artefact(CORE_TEXT("methods", "α from which M_sm changes its sign"), "°", "180",
+                  "360 without its first digit: Mₛₘ of the nodes is negative from 180° to 360°."));
+    rows.artefact(CORE_TEXT("methods", "α from which Mₛₘ changes its sign"), "°", "180",
                   std::nullopt, negative_from,
-                  CORE_TEXT("methods", "So do the nodes; the cycle mean of M_s is 0 for every α."));
-    rows.artefact(CORE_TEXT("methods", "α from which M_sm is negative"), "°", "180", std::nullopt,
+                  CORE_TEXT("methods", "So do the nodes; the cycle mean of Mₛ is 0 for every α."));
+    rows.artefact(CORE_TEXT("methods", "α from which Mₛₘ is negative"), "°", "180", std::nullopt,
                   negative_from,
-                  CORE_TEXT("methods", "So do the nodes; the cycle mean of M_s is 0 for every α."));
+                  CORE_TEXT("methods", "So do the nodes; the cycle mean of Mₛ is 0 for every α."));
     rows.given({CORE_TEXT("methods", "α of Fig. %1"), 2}, "°", "45",
                engine.solver.input().shaft_angle / degree);
     // The cut of the node mean is proportional to sin α.
@@ -311,10 +310,10 @@ void ranges(const Engine& engine, PaperRows& rows) {
     const double worst_angle =
         sweep.shaft_angle_deg[static_cast<std::size_t>(worst - sweep.range.begin())];
     rows.at(in_text(CORE_TEXT("methods", "results")));
-    rows.reproduced(CORE_TEXT("methods", "α of the largest ΔM_ups"), "°", "240", worst_angle,
+    rows.reproduced(CORE_TEXT("methods", "α of the largest ΔMᵤₚₛ"), "°", "240", worst_angle,
                     CORE_TEXT("methods", "The largest of the sweep over α."));
     rows.not_derivable(
-        CORE_TEXT("methods", "largest ΔM_ups"), "N·m", "1802",
+        CORE_TEXT("methods", "largest ΔMᵤₚₛ"), "N·m", "1802",
         CORE_TEXT(
             "methods",
             "It was read from a torque table of 5° that is not printed; ours is of the 15° table."),

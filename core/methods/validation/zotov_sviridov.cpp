@@ -150,7 +150,7 @@ void guide(PaperRows& rows) {
     const double as_printed = largest_radius(GuideSign::as_printed);
     const Mechanism<double> m = elastic_hinge::mechanism_of(input);
     rows.at(equation(3));
-    rows.reproduced(CORE_TEXT("methods", "divisor of r² (P₁ + P₂) / g in I_pr(0)"), "", "3",
+    rows.reproduced(CORE_TEXT("methods", "divisor of r² (P₁ + P₂) / g in Iₚᵣ(0)"), "", "3",
                     m.crank_radius * m.crank_radius * (m.crank_mass + m.rod_mass) /
                         elastic_hinge::reduced_inertia_at_zero(m),
                     CORE_TEXT("methods", "From the mechanism's reduced inertia."), 1e-9);
