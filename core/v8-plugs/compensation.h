@@ -178,14 +178,14 @@ struct BobWeightLine {
 
 /// Names of the lines, in the order of the enumeration.
 inline constexpr Word bob_weight_words[] = {
-    {"reciprocating_mass", CORE_TEXT("V8", "Reciprocating mass m_j")},
-    {"piston", CORE_TEXT("V8", "Improved piston Δm_pi")},
-    {"repair_piston_and_rings", CORE_TEXT("V8", "Repair piston and rings Δm_rp")},
-    {"rotating_mass", CORE_TEXT("V8", "Rotating mass m_R")},
+    {"reciprocating_mass", CORE_TEXT("V8", "Reciprocating mass mⱼ")},
+    {"piston", CORE_TEXT("V8", "Improved piston Δmₚᵢ")},
+    {"repair_piston_and_rings", CORE_TEXT("V8", "Repair piston and rings Δmᵣₚ")},
+    {"rotating_mass", CORE_TEXT("V8", "Rotating mass")},
     {"plugs", CORE_TEXT("V8", "Plug")},
-    {"rod_big_end", CORE_TEXT("V8", "Rod big end Δm_be")},
-    {"repair_bearing", CORE_TEXT("V8", "Repair shells Δm_sh")},
-    {"oil", CORE_TEXT("V8", "Oil m_m")}};
+    {"rod_big_end", CORE_TEXT("V8", "Rod big end")},
+    {"repair_bearing", CORE_TEXT("V8", "Repair shells Δmₛₕ")},
+    {"oil", CORE_TEXT("V8", "Oil mₘ")}};
 constexpr const Word& bob_weight_word(BobWeightLine::Part part) {
     return bob_weight_words[static_cast<std::size_t>(part)];
 }

@@ -322,8 +322,11 @@ void visit_fields(FieldVisitor& visitor, Input& input) {
     visitor.custom(field::engine_overrides, false, overrides);
     visitor.choice(field::process, input.process);
     visitor.choice(field::crankshaft, input.crankshaft, Crankshaft::standard);
-    const bool typed = visitor.has(field::mass_changes.key, true);
-    visitor.object_of(field::mass_changes, false, true,
+    const bool typed = visitor.has(field::mass_changes.key, input.has_typed_changes());
+    if (visitor.is_reading()) {
+        input.changes_given = typed;
+    }
+    visitor.object_of(field::mass_changes, false, typed,
                       [&] { visit_fields(visitor, input.typed_changes); });
     const bool weighed = visitor.has(field::weigh_in.key, input.weigh_in.has_value());
     if (visitor.is_reading() || weighed) {

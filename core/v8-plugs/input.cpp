@@ -12,21 +12,21 @@ constexpr Field change(std::string_view key, Text label, Text hint) {
             .range = Range::between(-100'000, 100'000),
             .label = label,
             .hint = hint,
-            .placeholder = {"", "0"}};
+            .placeholder = {"", "?"}};
 }
 
 constexpr std::array<MassChangeField, 4> change_fields{{
-    {change("piston", CORE_TEXT("V8", "Improved piston Δm_pi"),
-            CORE_TEXT("V8", "Δm_pi: one piston against nominal.")),
+    {change("piston", CORE_TEXT("V8", "Improved piston Δmₚᵢ"),
+            CORE_TEXT("V8", "Δmₚᵢ: one piston against nominal.")),
      &MassChanges::piston, false},
-    {change("rod_big_end", CORE_TEXT("V8", "Rod big end Δm_be"),
-            CORE_TEXT("V8", "Δm_be: one big end against nominal.")),
+    {change("rod_big_end", CORE_TEXT("V8", "Rod big end"),
+            CORE_TEXT("V8", "One big end against nominal.")),
      &MassChanges::rod_big_end, false},
-    {change("repair_piston_and_rings", CORE_TEXT("V8", "Repair piston and rings Δm_rp"),
-            CORE_TEXT("V8", "Δm_rp: one repair piston with its rings against nominal.")),
+    {change("repair_piston_and_rings", CORE_TEXT("V8", "Repair piston and rings Δmᵣₚ"),
+            CORE_TEXT("V8", "Δmᵣₚ: one repair piston with its rings against nominal.")),
      &MassChanges::repair_piston_and_rings, true},
-    {change("repair_bearing", CORE_TEXT("V8", "Repair shells Δm_sh"),
-            CORE_TEXT("V8", "Δm_sh: the repair shells of one crankpin against nominal.")),
+    {change("repair_bearing", CORE_TEXT("V8", "Repair shells Δmₛₕ"),
+            CORE_TEXT("V8", "Δmₛₕ: the repair shells of one crankpin against nominal.")),
      &MassChanges::repair_bearing, true},
 }};
 

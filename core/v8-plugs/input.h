@@ -82,6 +82,7 @@ struct Input {
     Crankshaft crankshaft = Crankshaft::standard;
     Process process = Process::repair;
     MassChanges typed_changes;
+    bool changes_given = false;  ///< though all of them may be 0
     bool changes_from_weigh_in = false;
     std::optional<WeighIn> weigh_in;
     double tolerance = default_tolerance;  ///< kg·m
@@ -89,8 +90,13 @@ struct Input {
     std::optional<BalancingSheet> balancing;
     JobHeader job;
 
-    /// Typed, or from the weigh-in sheet.
+    /// Typed, or from the weigh-in sheet; 0 where they are not known.
     MassChanges changes() const;
+    bool has_typed_changes() const { return changes_given || typed_changes != MassChanges{}; }
+    /// False on a sheet on which none is typed, or nothing weighed counts yet.
+    bool changes_known() const {
+        return changes_from_weigh_in ? weigh_in && weigh_in->is_counted() : has_typed_changes();
+    }
 
     friend bool operator==(const Input&, const Input&) = default;
 };

@@ -33,12 +33,12 @@ struct OptionBobWeight {
 /// not there yet are empty, so that a form half filled shows what can be known.
 struct Result {
     MassChanges changes;
-    std::optional<double> unbalanced_mass;  ///< Δm_y, kg; needs k_ш
+    std::optional<double> unbalanced_mass;  ///< Δm_y, kg; needs k_ш and the changes
     std::optional<PlugSet> plugs;
     std::array<std::optional<Option>, all_options.size()> options;  ///< in the order of all_options
     std::optional<Advice> advice;
 
-    // bob weights; need the nominal masses too
+    // bob weights; need the nominal masses too, all but the nominal one the changes
     std::optional<BobWeight> nominal;  ///< of the crankshaft that is fitted
     std::optional<BobWeight> before;   ///< these parts, the plugs the crankshaft was made for
     std::array<std::optional<OptionBobWeight>, all_options.size()> bob_weights;

@@ -73,14 +73,14 @@ void solve_shifts(const Input& input, Result& result) {
     }
 }
 
-void solve_bob_weights(const Input& input, Result& result) {
+void solve_bob_weights(const Input& input, bool changes_known, Result& result) {
     const auto gear = gear_masses(input.engine);
     if (!gear || !result.plugs) {
         return;
     }
     const PlugSet& plugs = *result.plugs;
     result.nominal = nominal_bob_weight(plugs, *gear, input.crankshaft);
-    if (result.nominal) {
+    if (result.nominal && changes_known) {
         const bool new_plugs = input.crankshaft == Crankshaft::new_plugs;
         result.before = bob_weight(plugs, *gear, input.process, result.changes,
                                    new_plugs ? plugs.new_design->mass : plugs.steel_mass,
@@ -99,10 +99,10 @@ void solve_bob_weights(const Input& input, Result& result) {
 
 }  // namespace
 
-Result solve(const Input& input) {
+Result solve(const Input& input, bool changes_known) {
     Result result;
     result.changes = input.changes();
-    if (input.engine.rod_coefficient) {
+    if (changes_known && input.engine.rod_coefficient) {
         result.unbalanced_mass =
             unbalanced_mass(input.process, result.changes, *input.engine.rod_coefficient);
     }
@@ -115,7 +115,7 @@ Result solve(const Input& input) {
         result.advice =
             advise(*result.plugs, input.crankshaft, *result.unbalanced_mass, input.tolerance);
     }
-    solve_bob_weights(input, result);
+    solve_bob_weights(input, changes_known, result);
     solve_weigh_in(input, result);
     solve_plug(input, result);
     solve_shifts(input, result);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -140,6 +141,14 @@ bool PartColumn::is_empty() const {
 bool PartColumn::is_complete() const {
     return nominal &&
            std::all_of(mass.begin(), mass.end(), [](const auto& m) { return m.has_value(); });
+}
+
+bool WeighIn::is_empty() const {
+    return std::all_of(columns.begin(), columns.end(), std::mem_fn(&PartColumn::is_empty));
+}
+
+bool WeighIn::is_counted() const {
+    return std::any_of(columns.begin(), columns.end(), std::mem_fn(&PartColumn::is_complete));
 }
 
 Crankpins crankpins(CylinderNumbering numbering) {
@@ -313,8 +322,7 @@ Assignment best_assignment(const std::vector<double>& pistons, const std::vector
 
 std::optional<Assignment> best_assignment(const WeighIn& sheet, Process process,
                                           double rod_coefficient) {
-    if (std::none_of(sheet.columns.begin(), sheet.columns.end(),
-                     [](const PartColumn& column) { return column.is_complete(); })) {
+    if (!sheet.is_counted()) {
         return std::nullopt;
     }
     std::vector<double> pistons;

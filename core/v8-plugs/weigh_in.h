@@ -50,6 +50,9 @@ struct WeighIn {
     std::array<PartColumn, 6> columns;  ///< in the order of all_parts
     CylinderNumbering numbering = CylinderNumbering::bank_by_bank;
 
+    bool is_empty() const;    ///< nothing weighed
+    bool is_counted() const;  ///< a column is complete
+
     PartColumn& operator[](Part part) { return columns[static_cast<std::size_t>(part)]; }
     const PartColumn& operator[](Part part) const {
         return columns[static_cast<std::size_t>(part)];

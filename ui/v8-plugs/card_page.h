@@ -24,6 +24,7 @@ class CardPage {
     static const QColor grey;   ///< captions
     static const QColor hair;   ///< thin lines
     static const QColor shade;  ///< behind what matters
+    static const QColor amber;  ///< what does not count
 
     /// @param page  the whole sheet in the painter's units
     CardPage(QPainter& painter, const QRectF& page);

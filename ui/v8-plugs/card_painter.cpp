@@ -97,7 +97,7 @@ double CardPainter::answer(double y) {
     QStringList more;
     if (solution_.advice) {
         const double excess = *solution_.unbalanced_mass;
-        fact = words_.translate("JobCard", "Excess on each crankpin Δm_y = %1 (%2)")
+        fact = words_.translate("JobCard", "Excess on each crankpin Δmᵤ = %1 (%2)")
                    .arg(v8_text::grams(words_, excess, 3),
                         v8_text::gramMillimetres(
                             words_, excess * input_.engine.crank_radius.value_or(0.0)));
@@ -109,6 +109,8 @@ double CardPainter::answer(double y) {
         more.removeAll(QString());
     } else {
         action = words_.translate("JobCard", "The data are not complete; nothing can be advised.");
+        fact = words_.translate("JobCard", "Not known without: %1.")
+                   .arg(v8_text::missingNames(words_, input_, false));
     }
     const double inner = left + 3.0;
     const double room = full - 6.0;
@@ -167,11 +169,14 @@ void CardPainter::changesTable(double x, double y, double width) {
         if (field.repair_only && input_.process == Process::manufacture) {
             continue;
         }
-        changes.add({{words_.name(field.field),
-                      words_.plain(solution_.changes.*field.member / gram, 3), unitGram()}});
+        changes.add(
+            {{words_.name(field.field),
+              input_.changes_known() ? words_.plain(solution_.changes.*field.member / gram, 3)
+                                     : missing,
+              unitGram()}});
     }
     changes.add(
-        {{words_.translate("JobCard", "Excess Δm_y"),
+        {{words_.translate("JobCard", "Excess Δmᵤ"),
           solution_.unbalanced_mass ? grams(*solution_.unbalanced_mass, 3) : missing, unitGram()},
          true,
          true});
@@ -219,7 +224,7 @@ double CardPainter::options(double y) {
         left, y + height + 0.4, full,
         words_
             .translate("JobCard",
-                       "Each compensates constant + k_y × lightening of one plug, k_y = %1 "
+                       "Each compensates constant + kᵤ × lightening of one plug, kᵤ = %1 "
                        "(slope %2°); needed: lightening of one plug.")
             .arg(solution_.plugs ? words_.number(solution_.plugs->coefficients().k_y, 3) : missing,
                  solution_.plugs
@@ -240,7 +245,7 @@ double CardPainter::bobWeights(double y) {
     } else {
         height = sheet_.paragraph(left, y + 5.4, tableWidth,
                                   words_.translate("JobCard", "Not known without: %1.")
-                                      .arg(v8_text::missingNames(words_, input_.engine, true)),
+                                      .arg(v8_text::missingNames(words_, input_, true)),
                                   8, 4);
     }
     const double x = left + tableWidth + 4.0;

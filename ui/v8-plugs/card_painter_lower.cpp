@@ -13,9 +13,7 @@ using namespace v8_plugs;
 
 /// The weights of the parts, and which set goes to which cylinder, under the same columns.
 double CardPainter::weighIn(double y) {
-    if (!input_.weigh_in ||
-        std::all_of(input_.weigh_in->columns.begin(), input_.weigh_in->columns.end(),
-                    [](const PartColumn& c) { return c.is_empty(); })) {
+    if (!input_.weigh_in || input_.weigh_in->is_empty()) {
         return y - 2.2;  // no section, no gap
     }
     sheet_.heading(
@@ -63,11 +61,14 @@ double CardPainter::weighIn(double y) {
         add(words_.translate("JobCard", "Rod set from"), solution_.assignment->rods);
     }
     double height = 5.0 + table.draw(sheet_, left, y + 5.0);
-    const QString summary = v8_text::assignmentText(words_, solution_);
-    if (!summary.isEmpty()) {
-        sheet_.text(left, y + height + 0.3, full, summary, 7.5);
-        height += 3.8;
-    }
+    const auto say = [&](const QString& text, const QColor& colour) {
+        if (!text.isEmpty()) {
+            sheet_.text(left, y + height + 0.3, full, text, 7.5, Qt::AlignLeft, false, colour);
+            height += 3.8;
+        }
+    };
+    say(v8_text::assignmentText(words_, solution_), CardPage::ink);
+    say(v8_text::notCounted(words_, input_).join(QLatin1Char(' ')), CardPage::amber);
     return y + height;
 }
 
@@ -107,7 +108,7 @@ void CardPainter::machine(double y) {
     if (solution_.balancing && input_.balancing) {
         const BalancingCheck check = input_.balancing->check().value();
         limits =
-            words_.translate("JobCard", "ISO 21940-11, G %1, %2 kg at %3 min⁻¹: U_per = %4 in all.")
+            words_.translate("JobCard", "ISO 21940-11, G %1, %2 kg at %3 min⁻¹: Uₚₑᵣ = %4 in all.")
                 .arg(words_.plain(check.grade / units::mm_per_s, 2),
                      words_.plain(check.rotor_mass, 2),
                      words_.plain(check.service_speed / units::rpm, 0),

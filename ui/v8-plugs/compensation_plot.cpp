@@ -17,7 +17,7 @@ constexpr int todayColour = 6;
 CompensationPlot::CompensationPlot(QWidget* parent) : PlotView(tr("Excess compensated"), parent) {
     const Words words;
     setAccessibleName(tr("Excess compensated over the lightening of one plug"));
-    setYAxis(Side::Left, {tr("Δm_y, g")});
+    setYAxis(Side::Left, {tr("Δmᵤ, g")});
     for (const OptionId id : all_options) {
         CurveStyle style;
         style.name = v8_text::shortOption(words, id);

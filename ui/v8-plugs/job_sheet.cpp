@@ -66,11 +66,16 @@ void JobSheet::buildChanges() {
         NumberField* made = number(
             each.field,
             [this, each] {
-                return std::optional(from_si(each.field, model_->solution().changes.*each.member));
+                // Empty until one of them is given: then the others are 0.
+                return model_->input().changes_known()
+                           ? std::optional(
+                                 from_si(each.field, model_->solution().changes.*each.member))
+                           : std::nullopt;
             },
             [this, each](std::optional<double> value) {
                 model_->edit(fieldName(each.field), [&](Input& input) {
                     input.typed_changes.*each.member = value.value_or(0.0) * each.field.unit;
+                    input.changes_given = true;
                 });
             });
         follow([this, made, each] {

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
+#include "v8-plugs/model/weigh_in_table.h"
 #include "v8-plugs/sheet_form.h"
-#include "v8-plugs/weigh_in.h"
 
-class QCheckBox;
+class QGridLayout;
 class QPushButton;
 
 namespace ravnoves {
@@ -27,29 +26,17 @@ class WeighInSheet : public SheetForm {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    /// Rows of a column that are typed: nominal mass, permitted spread, the cylinders.
-    static constexpr int firstCylinder = 2;
-    static constexpr int rowCount = firstCylinder + v8_plugs::cylinder_count;
-    struct Column {
-        std::array<NumberField*, rowCount> cells;
-        QLabel* mean;
-        QLabel* deviation;  ///< of the mean from nominal
-        QLabel* spread;
-    };
-
     void buildGrid();
-    NumberField* addCell(v8_plugs::Part part, int row);
+    void addColumn(QGridLayout* grid, int column);
+    NumberField* addCell(int row, int column);
     void buildFindings();
-    /// Writes a block of text into the cells from one on; a row of headings above it is passed
-    /// over. All of it is one step, and nothing is written where part of it is refused.
-    void pasteBlock(const QString& text, int column, int row);
     /// The keys of a cell: a block is pasted, the arrows go up and down. @return true for such a
     /// key
-    bool useKey(const QKeyEvent& key, std::size_t column, std::size_t row);
-    void showInput();
+    bool useKey(const QKeyEvent& key, const QModelIndex& cell);
+    void showFindings();
 
-    std::vector<Column> columns_;
-    QCheckBox* use_;
+    WeighInTable* table_;
+    std::vector<NumberField*> cells_;  ///< column by column
     TroubleLine* trouble_;
     QLabel* summary_;
     QPushButton* move_;

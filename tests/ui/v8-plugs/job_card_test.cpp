@@ -90,21 +90,21 @@ class JobCardTest : public ::testing::Test {
                      u"Новый вал, стальные пробки"_s, u"Новый вал, алюминиевые пробки"_s},
                     u"Сумма: груз"_s,
                     u"Груз на каждую шейку:"_s,
-                    u"Неуравновешенная масса на каждой шатунной шейке Δm_у ="_s,
+                    u"Неуравновешенная масса на каждой шатунной шейке Δmᵤ ="_s,
                     u"Передняя (шкив)"_s,
                     u"Задняя (маховик)"_s,
-                    u"Поступательная масса m_j"_s,
+                    u"Поступательная масса mⱼ"_s,
                     u"Рем. вкладыши Δm_шр"_s};
         }
         return {{u"Machine today's steel plugs"_s, u"Aluminium plugs"_s,
                  u"New crankshaft, today's steel plugs"_s, u"New crankshaft, aluminium plugs"_s},
                 u"Sum: bob weight"_s,
                 u"Hang"_s,
-                u"Excess on each crankpin Δm_y ="_s,
+                u"Excess on each crankpin Δmᵤ ="_s,
                 u"Front (pulley)"_s,
                 u"Rear (flywheel)"_s,
-                u"Reciprocating mass m_j"_s,
-                u"Repair shells Δm_sh"_s};
+                u"Reciprocating mass mⱼ"_s,
+                u"Repair shells Δmₛₕ"_s};
     }
 
     /// Every number that both say.

@@ -74,14 +74,23 @@ TEST_F(V8ModelTest, OptionsWithConstantSlopeReachNeedAndWhatIsLeft) {
 
 TEST_F(V8ModelTest, HalfFilledSheetNamesWhatIsMissing) {
     V8PlugsModel model({});
+    // Nothing is known of the parts: no answer, and no option that would do.
+    EXPECT_FALSE(model.solution().advice);
+    EXPECT_TRUE(model.adviceText().startsWith(u"Still needed: changes of mass"_s))
+        << qPrintable(model.adviceText());
+    EXPECT_FALSE(model.solution().option(OptionId::steel_machined));
+    EXPECT_FALSE(model.inputJson().contains("mass_changes_g"));
+    // All parts may be nominal; that is something else.
+    model.edit(u"none"_s, [](Input& input) { input.changes_given = true; });
+    EXPECT_TRUE(model.inputJson().contains("mass_changes_g"));
     // 4.25 l: the paper gives no nominal masses; options are known, bob weights are not.
     EXPECT_TRUE(model.solution().advice);
     EXPECT_TRUE(model.bobWeightRows().isEmpty());
-    EXPECT_TRUE(model.missingText().contains(u"Reciprocating mass m_j"_s));
+    EXPECT_TRUE(model.missingText().contains(u"Reciprocating mass mⱼ"_s));
     EXPECT_TRUE(model.resultJson().contains("error"));
     model.chooseEngine(3);  // 8.32 l: only the crank radius
     EXPECT_FALSE(model.solution().advice);
-    EXPECT_TRUE(model.adviceText().startsWith(u"Still needed: Plug radius r_p"_s))
+    EXPECT_TRUE(model.adviceText().startsWith(u"Still needed: Plug radius rₚ"_s))
         << qPrintable(model.adviceText());
     EXPECT_TRUE(model.engineNote().contains(u"only the crank radius"_s));
     EXPECT_FALSE(model.hangText().contains(u"Hang"_s));
@@ -112,10 +121,9 @@ TEST_F(V8ModelTest, RulesBetweenFieldsAreNamedNotLost) {
     V8PlugsModel model({});
     model.edit(u"sizes"_s, [](Input& input) { input.plug.reset(); });
     model.edit(u"limit"_s, [](Input& input) { input.engine.max_steel_reduction = 3 * gram; });
-    EXPECT_EQ(
-        model.troubles(),
-        QStringList{
-            u"Most off steel plug Δm_pm: must be less than the plug's mass, 2.790\u00A0g."_s});
+    EXPECT_EQ(model.troubles(),
+              QStringList{
+                  u"Most off steel plug Δmₚₘ: must be less than the plug's mass, 2.790\u00A0g."_s});
     EXPECT_FALSE(model.solution().advice);
     model.edit(u"mass"_s, [](Input& input) { input.engine.steel_plug_mass = 25 * gram; });
     EXPECT_TRUE(model.troubles().isEmpty());
@@ -165,13 +173,41 @@ TEST_F(V8ModelTest, ColumnsHalfWeighedAreNamed) {
         (*input.weigh_in)[Part::pin].mass[0] = 151 * gram;
         (*input.weigh_in)[Part::rings].mass.fill(60 * gram);
     });
-    ASSERT_EQ(model.weighInGaps().size(), 2);
-    EXPECT_EQ(model.weighInGaps().at(0), u"Pin: 1 of 8 weighed; nominal counts until all are."_s);
-    EXPECT_TRUE(model.weighInGaps().at(1).startsWith(u"Rings: the weights do not count"_s));
-    EXPECT_TRUE(model.troubles().isEmpty());  // typed changes count
+    // Typed changes count, and that is said.
+    EXPECT_EQ(model.troubles(),
+              QStringList{u"The weights of the parts do not count: the box on sheet 3 is off."_s});
+    EXPECT_EQ(model.troubles(), model.notCounted());
     EXPECT_EQ(model.columnNote(Part::pin).deviation, u"+1.00"_s);
+    EXPECT_FALSE(model.columnNote(Part::pin).counts);
     model.edit(u"source"_s, [](Input& input) { input.changes_from_weigh_in = true; });
-    EXPECT_EQ(model.troubles(), model.weighInGaps());
+    ASSERT_EQ(model.notCounted().size(), 2);
+    EXPECT_EQ(model.notCounted().at(0), u"Pin: 1 of 8 weighed; nominal counts until all are."_s);
+    EXPECT_TRUE(model.notCounted().at(1).startsWith(u"Rings: the weights do not count"_s));
+    EXPECT_EQ(model.troubles(), model.notCounted());
+    EXPECT_FALSE(model.solution().advice) << "no column counts yet";
+    model.editWeights(u"weigh"_s, [](WeighIn& sheet) { sheet[Part::pin].mass.fill(151 * gram); });
+    EXPECT_TRUE(model.columnNote(Part::pin).counts);
+    EXPECT_TRUE(model.solution().advice);
+    model.edit(u"typed"_s, [](Input& input) { input.typed_changes.piston = 1 * gram; });
+    EXPECT_EQ(model.notCounted().at(0),
+              u"The changes typed do not count: the weights of the parts do."_s);
+}
+
+TEST_F(V8ModelTest, WeightsCountFromTheFirstToTheLast) {
+    V8PlugsModel model({});
+    const auto weigh = [&](std::optional<double> mass) {
+        model.editWeights(u"weigh"_s, [&](WeighIn& sheet) { sheet[Part::pin].mass[3] = mass; });
+    };
+    model.editWeights(u"nominal"_s, [](WeighIn& sheet) { sheet[Part::pin].nominal = 150 * gram; });
+    EXPECT_FALSE(model.input().changes_from_weigh_in) << "nothing is weighed yet";
+    weigh(151 * gram);
+    EXPECT_TRUE(model.input().changes_from_weigh_in);
+    weigh(std::nullopt);
+    EXPECT_FALSE(model.input().changes_from_weigh_in);
+    weigh(151 * gram);
+    model.edit(u"off"_s, [](Input& input) { input.changes_from_weigh_in = false; });
+    weigh(152 * gram);
+    EXPECT_FALSE(model.input().changes_from_weigh_in) << "the user said so";
 }
 
 TEST_F(V8ModelTest, ShiftOfThePlannedBoreIsSaid) {
@@ -404,6 +440,7 @@ TEST_F(V8ModelTest, DamagedJournalIsSaidOnThePage) {
     V8PlugsModel model(path());
     EXPECT_TRUE(model.openJournal());
     EXPECT_TRUE(model.journalTrouble().contains(u"damaged"_s));
+    number(model, "1");
     bool ok = false;
     model.saveJob(&ok);
     EXPECT_TRUE(ok);

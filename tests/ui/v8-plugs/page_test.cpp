@@ -325,7 +325,7 @@ TEST_F(V8PageTest, RefusedEntryStaysUntilItIsMended) {
     };
     reply(QMessageBox::Cancel);
     press(Qt::Key_F2);
-    EXPECT_TRUE(asked.contains(u"Steel plug m_p"_s)) << qPrintable(asked);
+    EXPECT_TRUE(asked.contains(u"Steel plug mₚ"_s)) << qPrintable(asked);
     EXPECT_EQ(model->jobId(), 0);
     reply(QMessageBox::Ignore);
     press(Qt::Key_F2);
@@ -440,7 +440,14 @@ TEST_F(V8PageTest, WeighInSheetByKeyboard) {
     EXPECT_EQ(QApplication::focusWidget(), field("nominal_pin"));
     EXPECT_NEAR(*(*model->input().weigh_in)[Part::piston].mass[7], 607 * gram, 1e-12);
     EXPECT_TRUE(label("troubles").contains(u"Piston: spread 7.00"_s));
-    EXPECT_NEAR(model->solution().changes.repair_piston_and_rings, 0.0, 1e-12);
+    // They count, and no box is to be ticked for it.
+    auto* use = find<QCheckBox>("changes_from_weigh_in");
+    EXPECT_TRUE(use->isChecked());
+    EXPECT_NEAR(model->solution().changes.repair_piston_and_rings, 3.5 * gram, 1e-12);
+    EXPECT_FALSE(field("repair_piston_and_rings")->isEnabled());
+    EXPECT_NEAR(field("repair_piston_and_rings")->value().value_or(0.0), 3.5, 1e-12);
+    EXPECT_TRUE(label("advice").startsWith(u"Machine all 8 steel plugs"_s))
+        << qPrintable(label("advice"));
     // The parts change places on the sheet too, once they did on the bench.
     auto* move = find<QPushButton>("move_parts");
     ASSERT_TRUE(move->isVisible());
@@ -453,14 +460,64 @@ TEST_F(V8PageTest, WeighInSheetByKeyboard) {
     EXPECT_EQ(model->solution().assignment->moved, 0);
     EXPECT_FALSE(move->isVisible());
     model->history()->undo();
-    auto* use = find<QCheckBox>("changes_from_weigh_in");
+    // What does not count is amber, on the sheet and in the answer.
     use->setFocus();
     QTest::keyClick(use, Qt::Key_Space);
-    EXPECT_NEAR(model->solution().changes.repair_piston_and_rings, 3.5 * gram, 1e-12);
-    EXPECT_FALSE(field("repair_piston_and_rings")->isEnabled());
-    EXPECT_NEAR(field("repair_piston_and_rings")->value().value_or(0.0), 3.5, 1e-12);
-    QTest::keyClick(use, Qt::Key_Space);
     EXPECT_TRUE(field("repair_piston_and_rings")->isEnabled());
+    for (const char* name : {"troubles", "weigh_in_summary"}) {
+        EXPECT_TRUE(label(name).contains(u"The weights of the parts do not count"_s)) << name;
+        EXPECT_EQ(find<QLabel>(name)->palette().color(QPalette::WindowText),
+                  Theme::instance().warning())
+            << name;
+    }
+    EXPECT_TRUE(label("advice").startsWith(u"Still needed: changes of mass"_s));
+    QTest::keyClick(use, Qt::Key_Space);
+    EXPECT_FALSE(label("troubles").contains(u"do not count"_s));
+    EXPECT_NEAR(model->solution().changes.repair_piston_and_rings, 3.5 * gram, 1e-12);
+}
+
+TEST_F(V8PageTest, EmptySheetGivesNoAnswerAndIsNotJournalled) {
+    const auto save = [&] {
+        QString said;
+        whenModal<QMessageBox>([&said](QMessageBox* box) {
+            said = box->text();
+            QTest::keyClick(box, Qt::Key_Return);
+        });
+        press(Qt::Key_F2);
+        return said;
+    };
+    const auto colour = [&] {
+        return find<QLabel>("advice")->palette().color(QPalette::WindowText);
+    };
+    EXPECT_TRUE(label("advice").startsWith(u"Still needed: changes of mass"_s))
+        << qPrintable(label("advice"));
+    EXPECT_EQ(colour(), Theme::instance().mutedText());
+    EXPECT_FALSE(label("hang").contains(u"Hang"_s)) << qPrintable(label("hang"));
+    EXPECT_TRUE(save().startsWith(u"The sheet is empty: nothing is saved. Still needed:"_s));
+    EXPECT_EQ(model->jobId(), 0);
+    EXPECT_TRUE(model->journal()->search({}).isEmpty());
+    // A zero that was typed is something that is known.
+    EXPECT_EQ(field("rod_big_end")->value(), std::nullopt);
+    type("rod_big_end", u"0"_s);
+    EXPECT_TRUE(label("advice").startsWith(u"Leave the plugs as they are"_s));
+    EXPECT_EQ(colour(), Theme::instance().text());
+    EXPECT_EQ(field("repair_bearing")->value(), 0.0);
+    press(Qt::Key_F2);
+    EXPECT_GT(model->jobId(), 0);
+    press(Qt::Key_F4);
+    EXPECT_TRUE(label("advice").startsWith(u"Still needed: changes of mass"_s));
+}
+
+TEST_F(V8PageTest, JobWithoutAnAnswerIsSavedAndSaidSo) {
+    type("engine_number", u"53-11"_s);
+    QSignalSpy status(&page, &ScenePage::status);
+    press(Qt::Key_F2);
+    ASSERT_EQ(status.count(), 1);
+    EXPECT_TRUE(status.at(0).at(0).toString().contains(u"saved in the journal. Still needed:"_s));
+    const auto job = model->journal()->job(model->jobId());
+    ASSERT_TRUE(job);
+    EXPECT_FALSE(job->unbalancedMass);
+    EXPECT_TRUE(job->recommended.isEmpty());
 }
 
 TEST_F(V8PageTest, ColumnOfASpreadsheetIsPastedWithoutItsHeading) {
@@ -488,6 +545,7 @@ TEST_F(V8PageTest, ColumnOfASpreadsheetIsPastedWithoutItsHeading) {
 }
 
 TEST_F(V8PageTest, EngineChoiceAndFlags) {
+    type("rod_big_end", u"0"_s);
     auto* engine = find<QComboBox>("engine");
     engine->setFocus();
     QTest::keyClick(engine, Qt::Key_Down);

@@ -11,14 +11,14 @@ using namespace v8_plugs;
 namespace {
 
 // In the order of their enumerations.
-constexpr const char* shortLines[] = {QT_TRANSLATE_NOOP("V8", "reciprocating m_j"),
-                                      QT_TRANSLATE_NOOP("V8", "piston Δm_pi"),
-                                      QT_TRANSLATE_NOOP("V8", "rep. piston Δm_rp"),
-                                      QT_TRANSLATE_NOOP("V8", "rotating m_R"),
+constexpr const char* shortLines[] = {QT_TRANSLATE_NOOP("V8", "reciprocating mⱼ"),
+                                      QT_TRANSLATE_NOOP("V8", "piston Δmₚᵢ"),
+                                      QT_TRANSLATE_NOOP("V8", "rep. piston Δmᵣₚ"),
+                                      QT_TRANSLATE_NOOP("V8", "rotating"),
                                       QT_TRANSLATE_NOOP("V8", "plug"),
-                                      QT_TRANSLATE_NOOP("V8", "big end Δm_be"),
-                                      QT_TRANSLATE_NOOP("V8", "rep. shells Δm_sh"),
-                                      QT_TRANSLATE_NOOP("V8", "oil m_m")};
+                                      QT_TRANSLATE_NOOP("V8", "big end"),
+                                      QT_TRANSLATE_NOOP("V8", "rep. shells Δmₛₕ"),
+                                      QT_TRANSLATE_NOOP("V8", "oil mₘ")};
 constexpr const char* shortOptions[] = {
     QT_TRANSLATE_NOOP("V8", "steel"), QT_TRANSLATE_NOOP("V8", "aluminium"),
     QT_TRANSLATE_NOOP("V8", "new: steel"), QT_TRANSLATE_NOOP("V8", "new: its own"),
@@ -62,10 +62,14 @@ QString materialName(const Words& words, PlugMaterial material) {
                                            : words.translate("V8", "Aluminium");
 }
 
-QString missingNames(const Words& words, const Engine& engine, bool withBobWeight) {
+QString missingNames(const Words& words, const Input& input, bool withBobWeight) {
     QStringList names;
-    for (const EngineField* each : missing_fields(engine, withBobWeight)) {
+    for (const EngineField* each : missing_fields(input.engine, withBobWeight)) {
         names << words.name(each->field);
+    }
+    if (!input.changes_known()) {
+        names << words.translate("V8",
+                                 "changes of mass (sheet 1) or weights of the parts (sheet 3)");
     }
     return names.join(QStringLiteral(", "));
 }

@@ -3,10 +3,8 @@
 #include <QString>
 #include <string>
 
-#include "v8-plugs/compensation.h"
+#include "v8-plugs/input.h"
 #include "v8-plugs/model/words.h"
-#include "v8-plugs/plug_geometry.h"
-#include "v8-plugs/weigh_in.h"
 
 namespace ravnoves::v8_text {
 
@@ -22,7 +20,7 @@ QString shortLine(const Words& words, const v8_plugs::BobWeightLine& line);
 /// An option in the fewest words, for legends.
 QString shortOption(const Words& words, v8_plugs::OptionId option);
 QString materialName(const Words& words, v8_plugs::PlugMaterial material);
-/// The names of the values that an engine lacks: "Oil in a crankpin m_m, Oil coefficient k_m".
-QString missingNames(const Words& words, const v8_plugs::Engine& engine, bool withBobWeight);
+/// The names of the values that the answer lacks: "Oil in a crankpin mₘ, Oil coefficient kₘ".
+QString missingNames(const Words& words, const v8_plugs::Input& input, bool withBobWeight);
 
 }  // namespace ravnoves::v8_text

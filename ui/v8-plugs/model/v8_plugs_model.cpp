@@ -138,6 +138,19 @@ void V8PlugsModel::takeJob(const Input& job, const QString& title, qint64 id, in
     draftTimer_.stop();
 }
 
+QString V8PlugsModel::editWeights(const QString& name,
+                                  const std::function<void(WeighIn&)>& mutate) {
+    return edit(name, [&](Input& input) {
+        WeighIn sheet = input.weigh_in.value_or(WeighIn{});
+        const bool wasEmpty = sheet.is_empty();
+        mutate(sheet);
+        if (sheet.is_empty() != wasEmpty) {
+            input.changes_from_weigh_in = wasEmpty;
+        }
+        input.weigh_in = std::move(sheet);
+    });
+}
+
 void V8PlugsModel::newJob() {
     Input next = scene().defaultInput();
     next.preset = input().preset;

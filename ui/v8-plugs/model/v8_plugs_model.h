@@ -23,7 +23,9 @@ struct V8PlugsScene {
     static Input read(const Json& input, const CaseContext& context);
     static Json write(const Input& input);
     /// Refuses nothing: what is missing or broken is named in the solution.
-    static Solved solve(const Input& input) { return v8_plugs::solve(input); }
+    static Solved solve(const Input& input) {
+        return v8_plugs::solve(input, input.changes_known());
+    }
 
     bool dated;  ///< a new job is of today
 };
@@ -48,6 +50,10 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     bool setViewOption(const QString& key, const QString& value) override;
 
     const v8_plugs::Result& solution() const { return solved(); }
+
+    /// Changes the weights. They count from the first on, until the user says otherwise; where none
+    /// is left, what was typed counts again.
+    QString editWeights(const QString& name, const std::function<void(v8_plugs::WeighIn&)>& mutate);
 
     // ------------------------------------------------------------------------------- engines
     /// Reads the user's own engines again: another program may have kept one.
@@ -84,8 +90,8 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     QString isoText() const;
     QString plugWeightText() const;
     QString assignmentText() const;
-    /// Columns of the weigh-in sheet that are begun but do not count yet.
-    QStringList weighInGaps() const;
+    /// What was typed or weighed, but does not count (yet).
+    QStringList notCounted() const;
 
     QStringList optionColumns() const;
     QVector<QStringList> optionRows() const;
@@ -104,6 +110,7 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
         QString deviation;  ///< of the mean from nominal, with its sign
         QString spread;
         bool tooWide = false;
+        bool counts = true;  ///< or nothing is weighed
         QString toolTip;
     };
     ColumnNote columnNote(v8_plugs::Part part) const;

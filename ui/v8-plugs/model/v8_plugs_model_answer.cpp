@@ -23,7 +23,7 @@ QString V8PlugsModel::adviceText() const {
     if (solution().advice) {
         return v8_text::advice(words_, input(), solution());
     }
-    const QString names = v8_text::missingNames(words_, input().engine, false);
+    const QString names = v8_text::missingNames(words_, input(), false);
     return names.isEmpty() ? tr("The values do not go together.")
                            : tr("Still needed: %1.").arg(names);
 }
@@ -36,9 +36,9 @@ QString V8PlugsModel::boringText() const {
 
 QString V8PlugsModel::excessText() const {
     if (!solution().unbalanced_mass || !input().engine.crank_radius) {
-        return tr("Excess Δm_y: not known yet");
+        return tr("Excess Δmᵤ: not known yet");
     }
-    return tr("Excess Δm_y: %1, %2")
+    return tr("Excess Δmᵤ: %1, %2")
         .arg(v8_text::grams(words_, *solution().unbalanced_mass, 3),
              v8_text::gramMillimetres(words_,
                                       *solution().unbalanced_mass * *input().engine.crank_radius));
@@ -66,7 +66,7 @@ QString V8PlugsModel::hangText() const {
 }
 
 QString V8PlugsModel::missingText() const {
-    const QString names = v8_text::missingNames(words_, input().engine, true);
+    const QString names = v8_text::missingNames(words_, input(), true);
     return names.isEmpty() ? QString() : tr("The bob weight still needs: %1.").arg(names);
 }
 
@@ -74,7 +74,7 @@ QString V8PlugsModel::isoText() const {
     if (!solution().balancing || !input().balancing) {
         return tr("ISO 21940-11 needs grade, mass and speed.");
     }
-    return tr("ISO 21940-11: U_per = 1000 m G / ω = %1 for the whole crankshaft; the method's own "
+    return tr("ISO 21940-11: Uₚₑᵣ = 1000 m G / ω = %1 for the whole crankshaft; the method's own "
               "limit is %2 in each plane.")
         .arg(v8_text::gramMillimetres(words_, solution().balancing->permissible),
              v8_text::gramMillimetres(words_, input().tolerance));
@@ -94,8 +94,8 @@ QString V8PlugsModel::assignmentText() const {
     return v8_text::assignmentText(words_, solution());
 }
 
-QStringList V8PlugsModel::weighInGaps() const {
-    return v8_text::weighInGaps(words_, input());
+QStringList V8PlugsModel::notCounted() const {
+    return v8_text::notCounted(words_, input());
 }
 
 QStringList V8PlugsModel::optionColumns() const {
@@ -142,7 +142,7 @@ QString V8PlugsModel::optionToolTip(int row) const {
     text << QStringList{
         tr("%1: %2.").arg(v8_text::optionName(words_, id),
                           words_.message(describe_verdict(*option, input().tolerance))),
-        tr("At most %1 may come off a plug; slope k_y = %2, %3°.")
+        tr("At most %1 may come off a plug; slope kᵤ = %2, %3°.")
             .arg(v8_text::grams(words_, option->max_reduction, 3), words_.number(option->slope, 3),
                  words_.number(std::atan(option->slope) / units::degree, 1))};
     const QString boring = v8_text::boring(words_, input(), solution(), id);
@@ -245,7 +245,7 @@ QVector<QStringList> V8PlugsModel::crankpinRows() const {
 }
 
 V8PlugsModel::ColumnNote V8PlugsModel::columnNote(Part part) const {
-    ColumnNote note{dash, dash, dash, false, {}};
+    ColumnNote note{dash, dash, dash, false, true, {}};
     if (!input().weigh_in) {
         return note;
     }
@@ -261,6 +261,7 @@ V8PlugsModel::ColumnNote V8PlugsModel::columnNote(Part part) const {
     }
     note.spread = words_.number(s->spread / gram, 2);
     note.tooWide = !s->within_permitted;
+    note.counts = input().changes_from_weigh_in && (*input().weigh_in)[part].is_complete();
     note.toolTip = tr("%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.")
                        .arg(v8_text::partName(words_, part))
                        .arg(s->count)

@@ -90,6 +90,9 @@ QString V8PlugsModel::saveJob(bool* ok) {
     if (ok != nullptr) {
         *ok = false;
     }
+    if (jobId_ == 0 && !hasChanges() && !input().changes_known()) {
+        return tr("The sheet is empty: nothing is saved.") + QLatin1Char(' ') + adviceText();
+    }
     if (!openJournal()) {
         return journalTrouble_.isEmpty() ? tr("There is no journal.") : journalTrouble_;
     }
@@ -111,9 +114,11 @@ QString V8PlugsModel::saveJob(bool* ok) {
     }
     const QString number =
         job.engineNumber.isEmpty() ? tr("without an engine number") : job.engineNumber;
-    return saved == Journal::Saved::AsCopy
-               ? tr("Job %1 had been changed elsewhere meanwhile: saved as a new job.").arg(number)
-               : tr("Job %1 saved in the journal.").arg(number);
+    const QString done =
+        saved == Journal::Saved::AsCopy
+            ? tr("Job %1 had been changed elsewhere meanwhile: saved as a new job.").arg(number)
+            : tr("Job %1 saved in the journal.").arg(number);
+    return solution().advice ? done : done + QLatin1Char(' ') + adviceText();
 }
 
 QString V8PlugsModel::takeForm(const QByteArray& form, qint64 id, int revision, bool copy) {

@@ -51,10 +51,18 @@ QStringList massWarnings(const Words& words, const Input& input, const Result& s
     return warnings;
 }
 
-QStringList weighInGaps(const Words& words, const Input& input) {
+QStringList notCounted(const Words& words, const Input& input) {
+    if (!input.weigh_in || input.weigh_in->is_empty()) {
+        return {};
+    }
+    if (!input.changes_from_weigh_in) {
+        return {words.translate(
+            "V8", "The weights of the parts do not count: the box on sheet 3 is off.")};
+    }
     QStringList gaps;
-    if (!input.weigh_in) {
-        return gaps;
+    if (input.typed_changes != MassChanges{}) {
+        gaps << words.translate("V8",
+                                "The changes typed do not count: the weights of the parts do.");
     }
     for (const Part part : all_parts) {
         const PartColumn& column = (*input.weigh_in)[part];
@@ -125,9 +133,7 @@ QStringList troubles(const Words& words, const Input& input, const Result& solut
         list << plugTroubles(words, *input.plug);
     }
     list << massWarnings(words, input, solution);
-    if (input.changes_from_weigh_in) {
-        list << weighInGaps(words, input);
-    }
+    list << notCounted(words, input);
     if (input.weigh_in) {
         list << spreadTroubles(words, *input.weigh_in);
     }

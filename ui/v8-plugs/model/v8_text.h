@@ -24,9 +24,9 @@ QString boring(const Words& words, const v8_plugs::Input& input, const v8_plugs:
 /// where it fits or nothing is known.
 QStringList massWarnings(const Words& words, const v8_plugs::Input& input,
                          const v8_plugs::Result& solution);
-/// Columns of the weigh-in sheet that are begun but do not count yet.
-QStringList weighInGaps(const Words& words, const v8_plugs::Input& input);
-/// Rules broken, masses that do not fit, columns half weighed, spreads too wide.
+/// What was typed or weighed, but does not count (yet).
+QStringList notCounted(const Words& words, const v8_plugs::Input& input);
+/// Rules broken, masses that do not fit, what does not count, spreads too wide.
 QStringList troubles(const Words& words, const v8_plugs::Input& input,
                      const v8_plugs::Result& solution);
 /// What the shift of the plug's centre of mass is worth for an option, beside the tolerance: the
