@@ -1,7 +1,7 @@
 #include "bibliography/bibliography.h"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 
 #include "numerics/demand.h"
 
@@ -14,7 +14,7 @@ constexpr Source standard(std::string_view key, const char* number, const char* 
     return {key, {"", number}, {"", "ISO"}, {"", title}, number, 0, 0, "", ""};
 }
 
-constexpr std::array<Source, 8> sources{{
+constexpr Source sources[] = {
     {"gots-klevtsov", CORE_TEXT("core", "Gots, Klevtsov"),
      CORE_TEXT("core", "A. N. Gots, V. S. Klevtsov"),
      CORE_TEXT("core",
@@ -42,7 +42,7 @@ constexpr std::array<Source, 8> sources{{
              "Mechanical vibration, rotor balancing: procedures and tolerances for rotors with "
              "rigid behaviour"),
     standard("iso-80000-3", "ISO 80000-3", "Quantities and units: space and time"),
-}};
+};
 
 }  // namespace
 
@@ -51,9 +51,9 @@ std::span<const Source> bibliography() {
 }
 
 const Source& source(std::string_view key) {
-    const auto found = std::find_if(sources.begin(), sources.end(),
+    const auto found = std::find_if(std::begin(sources), std::end(sources),
                                     [&](const Source& entry) { return entry.key == key; });
-    RAVNOVES_DEMAND(found != sources.end(), "the bibliography holds " + std::string(key));
+    RAVNOVES_DEMAND(found != std::end(sources), "the bibliography holds " + std::string(key));
     return *found;
 }
 
