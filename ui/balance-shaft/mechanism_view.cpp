@@ -32,18 +32,6 @@ QPainterPath weight(const QPointF& axis, const QPointF& mass, double radius, dou
 
 }  // namespace
 
-/// The mapping of metres to this widget's pixels: fixed while the shaft moves around, so that the
-/// picture does not jump.
-struct MechanismView::Scale {
-    double pixelsPerMetre = 1.0;
-    QPointF origin;
-
-    QPointF at(const Vector2& v) const { return at(v.x, v.y); }
-    QPointF at(double x, double y) const {
-        return origin + QPointF(x * pixelsPerMetre, -y * pixelsPerMetre);
-    }
-};
-
 MechanismView::MechanismView(BalanceShaftModel* model, QWidget* parent)
     : MechanismPicture(
           tr("Front view of the mechanism"),
@@ -63,7 +51,7 @@ void MechanismView::step(double degrees) {
     model_->setCrankAngleDeg(model_->crankAngleDeg() + degrees);
 }
 
-MechanismView::Scale MechanismView::scale() const {
+drawing::Frame MechanismView::frame() const {
     const FrontView& sizes = model_->solver().front_view();
     // Room for the shaft at any α, and for the cylinder above.
     const double shaftReach = sizes.centre_distance +
@@ -75,13 +63,13 @@ MechanismView::Scale MechanismView::scale() const {
     const double top = std::max(sizes.cylinder_top, reach);
     const double margin = 14.0;
     const double captions = 24.0;  // the rows of text above and below
-    Scale scale;
-    scale.pixelsPerMetre =
+    drawing::Frame frame;
+    frame.pixelsPerUnit =
         std::min((width() - 2 * margin) / (2 * reach), (height() - 2 * captions) / (top + reach));
-    scale.pixelsPerMetre = std::max(scale.pixelsPerMetre, 1e-9);
-    const double used = (top + reach) * scale.pixelsPerMetre;
-    scale.origin = QPointF(width() / 2.0, (height() + used) / 2.0 - reach * scale.pixelsPerMetre);
-    return scale;
+    frame.pixelsPerUnit = std::max(frame.pixelsPerUnit, 1e-9);
+    const double used = (top + reach) * frame.pixelsPerUnit;
+    frame.origin = QPointF(width() / 2.0, (height() + used) / 2.0 - reach * frame.pixelsPerUnit);
+    return frame;
 }
 
 void MechanismView::paintEvent(QPaintEvent* /*event*/) {
@@ -91,8 +79,8 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
     const MechanismPose pose =
         balance_shaft::mechanism_pose(model_->solver(), phi, model_->input().shaft_angle);
     const Envelope& envelope = model_->result().envelope;
-    const Scale map = scale();
-    const double k = map.pixelsPerMetre;
+    const drawing::Frame map = frame();
+    const double k = map.pixelsPerUnit;
 
     QPainter painter(this);
     painter.fillRect(rect(), theme.panel());
@@ -239,13 +227,13 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
 }
 
 void MechanismView::mousePressEvent(QMouseEvent* event) {
-    const Scale map = scale();
+    const drawing::Frame map = frame();
     const FrontView& sizes = model_->solver().front_view();
     const double alpha = model_->input().shaft_angle;
     const QPointF shaft =
         map.at(sizes.centre_distance * std::sin(alpha), sizes.centre_distance * std::cos(alpha));
     const QPointF away = event->position() - shaft;
-    draggingShaft_ = std::hypot(away.x(), away.y()) < sizes.shaft_swing_radius * map.pixelsPerMetre;
+    draggingShaft_ = std::hypot(away.x(), away.y()) < sizes.shaft_swing_radius * map.pixelsPerUnit;
     mouseMoveEvent(event);
 }
 
@@ -253,7 +241,7 @@ void MechanismView::mouseMoveEvent(QMouseEvent* event) {
     if (!(event->buttons() & Qt::LeftButton)) {
         return;
     }
-    const QPointF p = event->position() - scale().origin;
+    const QPointF p = event->position() - frame().origin;
     double angle = std::atan2(p.x(), -p.y()) / degree;  // clockwise from up
     if (angle < 0) {
         angle += 360.0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "widgets/drawing.h"
 #include "widgets/mechanism_picture.h"
 
 namespace ravnoves {
@@ -27,8 +28,8 @@ class MechanismView : public MechanismPicture {
     void step(double degrees) override;
 
   private:
-    struct Scale;
-    Scale scale() const;
+    /// The mapping of metres to pixels; it rests while the mechanism moves.
+    drawing::Frame frame() const;
 
     BalanceShaftModel* model_;
     bool draggingShaft_ = false;

@@ -13,7 +13,6 @@
 namespace ravnoves {
 
 using elastic_hinge::Branch;
-using elastic_hinge::Guide;
 using elastic_hinge::Hinge;
 
 namespace {
@@ -155,38 +154,22 @@ void GuideTab::showReach() {
 }
 
 void GuideTab::showRelief() {
-    const Guide& guide = model_->shownGuide();
     const std::vector<double>& phi = model_->result().crank_angle_deg;
-    double finest = 0.0;
     const GuidePicture picture = shown();
-    std::array rises{picture.rise(Branch::compressed), picture.rise(Branch::stretched)};
-    for (const std::vector<double>& list : rises) {
-        for (const double rise : list) {
-            finest = std::isfinite(rise) ? std::max(finest, std::abs(rise)) : finest;
-        }
-    }
-    if (finest > 0.0) {
+    if (const double finest = picture.greatestRise(); finest > 0.0) {
         narrow_ = finest < (narrow_ ? 0.6e-3 : 0.4e-3);  // does not flicker at the border
     }
     relief_->setYAxis(PlotView::Side::Left,
                       {narrow_ ? HingePlots::tr("ρ − ρ(0), µm") : HingePlots::tr("ρ − ρ(0), mm")});
-    for (std::size_t branch = 0; branch < rises.size(); ++branch) {
-        for (double& rise : rises[branch]) {
-            rise = rise / (narrow_ ? units::micrometre : units::mm);
-        }
-        relief_->setCurve(static_cast<int>(branch), phi, std::move(rises[branch]));
+    for (std::size_t branch = 0; branch < branches.size(); ++branch) {
+        relief_->setCurve(static_cast<int>(branch), phi,
+                          picture.rise(branches[branch], narrow_ ? units::micrometre : units::mm));
     }
     std::vector<PlotView::Band> bands;
     QColor shade = Theme::instance().error();
     shade.setAlphaF(0.12F);
-    for (std::size_t i = 0; i < guide.radius_stretched.size(); ++i) {
-        if (std::isfinite(guide.radius_stretched[i])) {
-            continue;
-        }
-        if (bands.empty() || bands.back().to < phi[i - 1]) {
-            bands.push_back({phi[i], phi[i], shade, HingePlots::tr("no guide")});
-        }
-        bands.back().to = phi[i];
+    for (const auto& [from, to] : picture.gaps(phi)) {
+        bands.push_back({from, to, shade, HingePlots::tr("no guide")});
     }
     relief_->setBands(std::move(bands));
 }

@@ -50,17 +50,6 @@ QPainterPath springPath(const QPointF& from, const QPointF& to, double width) {
 
 }  // namespace
 
-/// The mapping of metres to this widget's pixels; it rests while the crank turns.
-struct HingeMechanismView::Scale {
-    double pixelsPerMetre = 1.0;
-    QPointF origin;
-
-    QPointF at(const PlanePoint& p) const { return at(p.x, p.y); }
-    QPointF at(double x, double y) const {
-        return origin + QPointF(x * pixelsPerMetre, -y * pixelsPerMetre);
-    }
-};
-
 HingeMechanismView::HingeMechanismView(ElasticHingeModel* model, QWidget* parent)
     : MechanismPicture(
           tr("Picture of the mechanism with its hinges"),
@@ -102,7 +91,7 @@ void HingeMechanismView::turnTo(double degrees) {
     model_->setCrankAngleDeg(degrees);
 }
 
-HingeMechanismView::Scale HingeMechanismView::scale() const {
+drawing::Frame HingeMechanismView::frame() const {
     const auto& mechanism = model_->result().design->mechanism();
     const Guide& guide = model_->result().crank_guide;
     const double r = mechanism.crank_radius;
@@ -121,13 +110,13 @@ HingeMechanismView::Scale HingeMechanismView::scale() const {
         std::max({ring, r + mechanism.counterweight_distance * mechanism.lambda + 0.2 * r, block});
     const double margin = 12.0;
     const double header = 16.0;
-    Scale scale;
-    scale.pixelsPerMetre = std::max(1e-9, std::min((width() - 2 * margin) / (left + right),
-                                                   (height() - 2 * margin - header) / (2 * tall)));
-    const double used = (left + right) * scale.pixelsPerMetre;
-    scale.origin =
-        QPointF(0.5 * (width() - used) + left * scale.pixelsPerMetre, 0.5 * (height() + header));
-    return scale;
+    drawing::Frame frame;
+    frame.pixelsPerUnit = std::max(1e-9, std::min((width() - 2 * margin) / (left + right),
+                                                  (height() - 2 * margin - header) / (2 * tall)));
+    const double used = (left + right) * frame.pixelsPerUnit;
+    frame.origin =
+        QPointF(0.5 * (width() - used) + left * frame.pixelsPerUnit, 0.5 * (height() + header));
+    return frame;
 }
 
 void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
@@ -137,8 +126,8 @@ void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
     const Guide& guide = result.crank_guide;
     const double phi = model_->crankAngleDeg() * degree;
     const MechanismPose pose = elastic_hinge::mechanism_pose(result, phi);
-    const Scale map = scale();
-    const double k = map.pixelsPerMetre;
+    const drawing::Frame map = frame();
+    const double k = map.pixelsPerUnit;
     const double r = mechanism.crank_radius;
 
     QPainter painter(this);
@@ -297,7 +286,7 @@ void HingeMechanismView::mouseMoveEvent(QMouseEvent* event) {
     if (!(event->buttons() & Qt::LeftButton)) {
         return;
     }
-    const QPointF p = event->position() - scale().origin;
+    const QPointF p = event->position() - frame().origin;
     turnTo(std::atan2(-p.y(), p.x()) / degree);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "widgets/drawing.h"
 #include "widgets/mechanism_picture.h"
 
 namespace ravnoves {
@@ -31,8 +32,8 @@ class HingeMechanismView : public MechanismPicture {
     void step(double degrees) override;
 
   private:
-    struct Scale;
-    Scale scale() const;
+    /// The mapping of metres to pixels; it rests while the mechanism moves.
+    drawing::Frame frame() const;
 
     ElasticHingeModel* model_;
 };

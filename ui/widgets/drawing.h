@@ -13,8 +13,13 @@ struct Frame {
     QPointF origin;
     double pixelsPerUnit = 1.0;
 
-    QPointF at(const std::complex<double>& p) const {
-        return origin + QPointF(p.real() * pixelsPerUnit, -p.imag() * pixelsPerUnit);
+    QPointF at(double x, double y) const {
+        return origin + QPointF(x * pixelsPerUnit, -y * pixelsPerUnit);
+    }
+    QPointF at(const std::complex<double>& p) const { return at(p.real(), p.imag()); }
+    template <typename Point>
+    QPointF at(const Point& p) const {
+        return at(p.x, p.y);
     }
     double length(double units) const { return units * pixelsPerUnit; }
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numerics/constants.h"
+#include "numerics/units.h"
 
 namespace ravnoves {
 
@@ -78,12 +78,36 @@ std::optional<PlanePoint> GuidePicture::centre(Branch branch, double phi) const 
     return PlanePoint{far * std::cos(point.angle), far * std::sin(point.angle)};
 }
 
-std::vector<double> GuidePicture::rise(Branch branch) const {
+std::vector<double> GuidePicture::rise(Branch branch, const Unit& unit) const {
     std::vector<double> rise = radii(branch);
     for (double& value : rise) {
-        value -= start(branch);
+        value = (value - start(branch)) / unit;
     }
     return rise;
+}
+
+double GuidePicture::greatestRise() const {
+    double greatest = 0.0;
+    for (const Branch branch : {Branch::compressed, Branch::stretched}) {
+        for (const double value : rise(branch, units::metre)) {
+            greatest = std::isfinite(value) ? std::max(greatest, std::abs(value)) : greatest;
+        }
+    }
+    return greatest;
+}
+
+std::vector<std::pair<double, double>> GuidePicture::gaps(const std::vector<double>& angles) const {
+    std::vector<std::pair<double, double>> gaps;
+    for (std::size_t i = 0; i < guide_.radius_stretched.size(); ++i) {
+        if (std::isfinite(guide_.radius_stretched[i])) {
+            continue;
+        }
+        if (gaps.empty() || gaps.back().second < angles[i - 1]) {
+            gaps.emplace_back(angles[i], angles[i]);
+        }
+        gaps.back().second = angles[i];
+    }
+    return gaps;
 }
 
 }  // namespace ravnoves

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "elastic-hinge/guide.h"
@@ -32,8 +33,12 @@ class GuidePicture {
     Path profile(double roller_radius) const;
     /// The roller's centre at a crank angle (rad), mm.
     std::optional<elastic_hinge::PlanePoint> centre(Branch branch, double phi) const;
-    /// ρ − ρ(0) over the turn, m.
-    std::vector<double> rise(Branch branch) const;
+    /// ρ − ρ(0) over the turn.
+    std::vector<double> rise(Branch branch, const Unit& unit) const;
+    /// Its greatest size on both branches, m.
+    double greatestRise() const;
+    /// Where the guide does not exist, as stretches of the angles.
+    std::vector<std::pair<double, double>> gaps(const std::vector<double>& angles) const;
 
   private:
     const std::vector<double>& radii(Branch branch) const;
