@@ -69,10 +69,10 @@ void TroubleLine::watch(EntryField* field, bool named) {
     });
 }
 
-void TroubleLine::say(const QString& trouble) {
-    colourText(this, Theme::instance().error());
-    setText(trouble);
-    setVisible(!trouble.isEmpty());
+void TroubleLine::say(const QString& text, bool isTrouble) {
+    colourText(this, isTrouble ? Theme::instance().error() : Theme::instance().mutedText());
+    setText(text);
+    setVisible(!text.isEmpty());
 }
 
 void makeCell(QWidget* field) {

@@ -19,7 +19,8 @@ class TroubleLine : public QLabel {
 
     /// @param named  several fields share the line: it says which one is meant
     void watch(EntryField* field, bool named = true);
-    void say(const QString& trouble);
+    /// @param isTrouble  false: nothing is wrong, it says what was done
+    void say(const QString& text, bool isTrouble = true);
 
   private:
     QList<EntryField*> fields_;

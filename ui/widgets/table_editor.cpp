@@ -63,7 +63,7 @@ TableEditor::TableEditor(EditableTable* table, const QString& name, const QStrin
     view_->setTabKeyNavigation(false);
     view_->installEventFilter(this);
     column->addWidget(view_, 1);
-    message_ = captionLabel({}, this);
+    message_ = new TroubleLine(this);
     column->addWidget(message_);
 
     addTool(QStringLiteral("copy"), tr("Copy (Ctrl+C)"), [this] { copy(); });
@@ -89,8 +89,7 @@ QToolButton* TableEditor::addTool(const QString& icon, const QString& tip,
 }
 
 void TableEditor::say(const QString& text, bool isTrouble) {
-    colourText(message_, isTrouble ? Theme::instance().error() : Theme::instance().mutedText());
-    message_->setText(text);
+    message_->say(text, isTrouble);
 }
 
 void TableEditor::removeSelected() {

@@ -12,6 +12,8 @@ class QToolButton;
 
 namespace ravnoves {
 
+class TroubleLine;
+
 /// A table with its tools: edit, copy, paste, add and remove rows; above it a caption, below it
 /// what is wrong.
 class TableEditor : public QWidget {
@@ -46,7 +48,7 @@ class TableEditor : public QWidget {
     QHBoxLayout* tools_;
     QTableView* view_;
     QLabel* caption_;
-    QLabel* message_;
+    TroubleLine* message_;
     int toolCount_ = 0;
 };
 
