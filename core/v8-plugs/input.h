@@ -6,12 +6,16 @@
 #include <string_view>
 #include <vector>
 
-#include "case-file/field_visitor.h"
+#include "case-file/field.h"
 #include "v8-plugs/compensation.h"
 #include "v8-plugs/engine.h"
 #include "v8-plugs/plug_geometry.h"
 #include "v8-plugs/residual_unbalance.h"
 #include "v8-plugs/weigh_in.h"
+
+namespace ravnoves {
+class FieldVisitor;
+}
 
 namespace ravnoves::v8_plugs {
 

@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "case-file/field_visitor.h"
 #include "case-file/input_error.h"
 #include "model/input_command.h"
 #include "model/scene_model.h"

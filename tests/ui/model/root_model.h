@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 
+#include "case-file/field_visitor.h"
 #include "model/case_model_json.h"
 #include "vector_registers.h"
 
