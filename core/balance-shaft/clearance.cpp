@@ -2,95 +2,24 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
 
+#include "balance-shaft/rod_sweep.h"
 #include "numerics/angle.h"
 
 namespace ravnoves::balance_shaft {
 
 namespace {
 
-struct Place {
-    double x;
-    double y;
-};
-
-Place shaft_axis(const FrontView& view, double alpha) {
-    return {view.centre_distance * std::sin(alpha), view.centre_distance * std::cos(alpha)};
-}
-
-/// The segments between crankpin and piston pin over a turn.
-class RodSweep {
-  public:
-    explicit RodSweep(const FrontView& view) : crank_(view.crank()) {
-        for (std::size_t i = 0; i < samples; ++i) {
-            rods_[i] = rod_at(step * static_cast<double>(i));
-        }
-    }
-
-    /// Least distance of the place from any of them: the samples, then each of their minima
-    /// refined.
-    double distance(const Place& place) const {
-        std::array<double, samples> square{};
-        for (std::size_t i = 0; i < samples; ++i) {
-            square[i] = square_of_distance(rods_[i], place);
-        }
-        double least = *std::min_element(square.begin(), square.end());
-        for (std::size_t i = 0; i < samples; ++i) {
-            const double before = square[(i + samples - 1) % samples];
-            const double after = square[(i + 1) % samples];
-            if (square[i] <= before && square[i] <= after) {
-                const double theta = step * static_cast<double>(i);
-                const auto [at, value] = boost::math::tools::brent_find_minima(
-                    [&](double t) { return square_of_distance(rod_at(t), place); }, theta - step,
-                    theta + step, 26);
-                least = std::min(least, value);
-            }
-        }
-        return std::sqrt(least);
-    }
-
-  private:
-    static constexpr std::size_t samples = 90;
-    static constexpr double step = two_pi / samples;
-
-    struct Rod {
-        Place pin;
-        Place along;  ///< to the piston pin
-    };
-
-    Rod rod_at(double theta) const {
-        const double x = crank_.crank_radius * std::sin(theta);
-        const double y = crank_.crank_radius * std::cos(theta);
-        return {{x, y}, {crank_.offset - x, crank_.at(theta).s - y}};
-    }
-
-    double square_of_distance(const Rod& rod, const Place& place) const {
-        const Place to{place.x - rod.pin.x, place.y - rod.pin.y};
-        const double length2 = crank_.rod_length * crank_.rod_length;
-        const double along = to.x * rod.along.x + to.y * rod.along.y;
-        const double t = length2 > 0.0 ? std::clamp(along / length2, 0.0, 1.0) : 0.0;
-        const double dx = to.x - t * rod.along.x;
-        const double dy = to.y - t * rod.along.y;
-        return dx * dx + dy * dy;
-    }
-
-    SliderCrank<double> crank_;
-    std::array<Rod, samples> rods_{};
-};
-
 ShaftClearance clearance_of(const FrontView& view, const RodSweep& rods, double alpha) {
-    const Place axis = shaft_axis(view, alpha);
-    const double beside = std::abs(axis.x - view.offset) - view.cylinder_half_width();
-    const double above = std::max(axis.y - view.cylinder_top, view.cylinder_bottom - axis.y);
-    const double outside = std::hypot(std::max(beside, 0.0), std::max(above, 0.0));
+    const double x = view.centre_distance * std::sin(alpha);
+    const double y = view.centre_distance * std::cos(alpha);
     ShaftClearance free;
     free.crank = view.centre_distance - view.crank_swing_radius - view.shaft_swing_radius;
-    free.cylinder = (outside > 0.0 ? outside : std::max(beside, above)) - view.shaft_swing_radius;
-    free.rod = rods.distance(axis) - view.rod_width / 2.0 - view.shaft_swing_radius;
+    free.cylinder = distance_from_cylinder(view, x, y) - view.shaft_swing_radius;
+    free.rod = rods.distance(x, y) - view.rod_width / 2.0 - view.shaft_swing_radius;
     return free;
 }
 
@@ -126,6 +55,13 @@ Message reason_at_every_angle(const FrontView& view) {
 }
 
 }  // namespace
+
+double distance_from_cylinder(const FrontView& view, double x, double y) {
+    const double beside = std::abs(x - view.offset) - view.cylinder_half_width();
+    const double above = std::max(y - view.cylinder_top, view.cylinder_bottom - y);
+    const double outside = std::hypot(std::max(beside, 0.0), std::max(above, 0.0));
+    return outside > 0.0 ? outside : std::max(beside, above);
+}
 
 double ShaftClearance::least() const {
     return std::min({crank, cylinder, rod});

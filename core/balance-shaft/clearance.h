@@ -17,6 +17,9 @@ struct ShaftClearance {
     double least() const;
 };
 
+/// Of a place in the front view from the cylinder with its wall, m; negative inside.
+double distance_from_cylinder(const FrontView& view, double x, double y);
+
 /// @param shaft_angle  α, rad, any
 ShaftClearance shaft_clearance(const FrontView& view, double shaft_angle);
 

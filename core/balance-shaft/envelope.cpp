@@ -18,7 +18,6 @@ FrontView front_view(const Input& input) {
     view.rod_length = input.effective_rod_length();
     view.offset = input.torque.cylinder.offset;
     view.counterweight_radius = input.counterweight_radius;
-    view.centre_distance = input.centre_distance;
     const double known_bore =
         input.torque.is_computed() ? input.torque.cylinder.bore : 2.0 * view.crank_radius;
     view.cylinder_bore = sizes.cylinder_bore.value_or(known_bore);
@@ -39,11 +38,22 @@ FrontView front_view(const Input& input) {
     view.crank_swing_radius = sizes.crank_swing_radius.value_or(
         std::max(view.crank_radius + view.rod_width / 2.0, half_disc));
     view.shaft_swing_radius = sizes.shaft_swing_radius.value_or(half_disc);
-    view.gear_pitch_radius = view.centre_distance / 2.0;
-    view.gear_tip_radius = sizes.gear_tip_radius.value_or(view.gear_pitch_radius);
-    view.gear_module = view.centre_distance / input.gears.teeth;
+    view.gear_tip_radius = sizes.gear_tip_radius.value_or(0.0);
+    view.tip_follows_distance = !sizes.gear_tip_radius;
+    view.gear_teeth = input.gears.teeth;
     view.clearance = sizes.clearance;
     view.wall = sizes.wall;
+    return view.at_distance(input.centre_distance);
+}
+
+FrontView FrontView::at_distance(double distance) const {
+    FrontView view = *this;
+    view.centre_distance = distance;
+    view.gear_pitch_radius = distance / 2.0;
+    view.gear_module = distance / gear_teeth;
+    if (tip_follows_distance) {
+        view.gear_tip_radius = view.gear_pitch_radius;
+    }
     return view;
 }
 
@@ -73,10 +83,13 @@ Message assumed_sizes(const Input& input) {
 }
 
 Envelope envelope(const FrontView& view, double shaft_angle) {
+    return envelope(view, view.centre_distance * std::sin(shaft_angle),
+                    view.centre_distance * std::cos(shaft_angle));
+}
+
+Envelope envelope(const FrontView& view, double x, double y) {
     const double crank = std::max(view.crank_swing_radius, view.gear_tip_radius) + view.wall;
     const double shaft = std::max(view.shaft_swing_radius, view.gear_tip_radius) + view.wall;
-    const double x = view.centre_distance * std::sin(shaft_angle);
-    const double y = view.centre_distance * std::cos(shaft_angle);
     const double cylinder = view.cylinder_half_width() + view.wall;
     return {std::min({-crank, x - shaft, view.offset - cylinder}),
             std::max({crank, x + shaft, view.offset + cylinder}), std::min(-crank, y - shaft),

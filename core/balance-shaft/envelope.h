@@ -34,8 +34,12 @@ struct FrontView {
     double gear_module;  ///< l / teeth
     double clearance;
     double wall;
+    int gear_teeth;
+    bool tip_follows_distance;  ///< the gears' tip radius is not given
     bool operator==(const FrontView&) const = default;
 
+    /// The same engine with its shaft at another centre distance, m.
+    FrontView at_distance(double distance) const;
     SliderCrank<double> crank() const { return {crank_radius, rod_length, offset}; }
     /// Half of what the cylinder with its wall takes across.
     double cylinder_half_width() const { return cylinder_bore / 2.0 + cylinder_wall; }
@@ -53,5 +57,7 @@ Message assumed_sizes(const Input& input);
 
 /// @param shaft_angle  α, rad, any
 Envelope envelope(const FrontView& view, double shaft_angle);
+/// The shaft's axis at x, y in place of the view's distance and an angle; the gears are the view's.
+Envelope envelope(const FrontView& view, double x, double y);
 
 }  // namespace ravnoves::balance_shaft

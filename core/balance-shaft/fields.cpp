@@ -158,6 +158,17 @@ void visit_fields(FieldVisitor& visitor, EnvelopeSizes& sizes) {
     visitor.number(field::wall, sizes.wall, 0.0);
 }
 
+void visit_fields(FieldVisitor& visitor, PlaceLimits& limits) {
+    visitor.number(field::centre_distance_min, limits.centre_distance_min);
+    visitor.number(field::centre_distance_max, limits.centre_distance_max);
+    visitor.number(field::shaft_angle_from, limits.shaft_angle_from);
+    visitor.number(field::shaft_angle_to, limits.shaft_angle_to);
+    visitor.number(field::place_left, limits.left);
+    visitor.number(field::place_right, limits.right);
+    visitor.number(field::place_bottom, limits.bottom);
+    visitor.number(field::place_top, limits.top);
+}
+
 void visit_fields(FieldVisitor& visitor, GearPair& gears) {
     constexpr GearPair usual;
     visitor.integer(field::teeth, gears.teeth, usual.teeth);
@@ -233,6 +244,7 @@ void visit_fields(FieldVisitor& visitor, Input& input) {
     visitor.number(field::crank_share, input.crank_share, 0.5);
     visitor.object_with_defaults(field::gears, input.gears);
     visitor.object_with_defaults(field::envelope, input.envelope);
+    visitor.object_with_defaults(field::place_limits, input.place_limits);
     visitor.object(field::relieved_shaft, input.relieved_shaft);
     visitor.object(field::flywheel, input.flywheel);
     visitor.object(field::speed_band, input.speed_band);

@@ -248,6 +248,84 @@ inline constexpr Field wall{.key = "wall_mm",
                             .label = CORE_TEXT("balance-shaft", "Housing &wall and gap"),
                             .hint = CORE_TEXT("balance-shaft", "Added around every circle.")};
 
+inline constexpr Field place_limits{
+    .key = "place_limits",
+    .hint = CORE_TEXT("balance-shaft",
+                      "Limits on the place of the shaft's axis, beside what it must clear.")};
+inline constexpr Field centre_distance_min{
+    .key = "centre_distance_min_mm",
+    .unit = units::mm,
+    .range = Range::between(0, 1e6),
+    .label = CORE_TEXT("balance-shaft", "Least l"),
+    .symbol = "l",
+    .hint =
+        CORE_TEXT("balance-shaft", "Least distance between the crank axis and the shaft's axis."),
+    .placeholder = CORE_TEXT("balance-shaft", "any")};
+inline constexpr Field centre_distance_max{
+    .key = "centre_distance_max_mm",
+    .unit = units::mm,
+    .range = Range::between(0, 1e6),
+    .label = CORE_TEXT("balance-shaft", "Largest l"),
+    .symbol = "l",
+    .hint =
+        CORE_TEXT("balance-shaft", "Largest distance between the crank axis and the shaft's axis."),
+    .placeholder = CORE_TEXT("balance-shaft", "any")};
+inline constexpr Field shaft_angle_from{
+    .key = "shaft_angle_from_deg",
+    .unit = units::degree,
+    .range = Range::between(-360, 360),
+    .label = CORE_TEXT("balance-shaft", "α from"),
+    .symbol = "α",
+    .hint = CORE_TEXT("balance-shaft",
+                      "The shaft's angle is at least this, in the direction of rotation. Empty: 0 "
+                      "where the other end is given."),
+    .placeholder = CORE_TEXT("balance-shaft", "any")};
+inline constexpr Field shaft_angle_to{
+    .key = "shaft_angle_to_deg",
+    .unit = units::degree,
+    .range = Range::between(-360, 720),
+    .label = CORE_TEXT("balance-shaft", "α to"),
+    .symbol = "α",
+    .hint =
+        CORE_TEXT("balance-shaft",
+                  "The shaft's angle is at most this. Empty: 360° where the other end is given."),
+    .placeholder = CORE_TEXT("balance-shaft", "any")};
+inline constexpr Field place_left{
+    .key = "left_mm",
+    .unit = units::mm,
+    .range = Range::between(-1e6, 1e6),
+    .label = CORE_TEXT("balance-shaft", "Least x"),
+    .symbol = "x",
+    .hint = CORE_TEXT("balance-shaft",
+                      "The shaft's axis lies to the right of this line; x counts to the right from "
+                      "the crank axis. Of a wall: its place, the shaft's swing radius and a gap."),
+    .placeholder = CORE_TEXT("balance-shaft", "any")};
+inline constexpr Field place_right{
+    .key = "right_mm",
+    .unit = units::mm,
+    .range = Range::between(-1e6, 1e6),
+    .label = CORE_TEXT("balance-shaft", "Largest x"),
+    .symbol = "x",
+    .hint = CORE_TEXT("balance-shaft", "The shaft's axis lies to the left of this line."),
+    .placeholder = CORE_TEXT("balance-shaft", "any")};
+inline constexpr Field place_bottom{
+    .key = "bottom_mm",
+    .unit = units::mm,
+    .range = Range::between(-1e6, 1e6),
+    .label = CORE_TEXT("balance-shaft", "Least y"),
+    .symbol = "y",
+    .hint = CORE_TEXT("balance-shaft",
+                      "The shaft's axis lies above this line; y counts up from the crank axis."),
+    .placeholder = CORE_TEXT("balance-shaft", "any")};
+inline constexpr Field place_top{
+    .key = "top_mm",
+    .unit = units::mm,
+    .range = Range::between(-1e6, 1e6),
+    .label = CORE_TEXT("balance-shaft", "Largest y"),
+    .symbol = "y",
+    .hint = CORE_TEXT("balance-shaft", "The shaft's axis lies below this line."),
+    .placeholder = CORE_TEXT("balance-shaft", "any")};
+
 inline constexpr Field gears{
     .key = "gears", .hint = CORE_TEXT("balance-shaft", "The pair of gears that drives the shaft.")};
 inline constexpr Field teeth{

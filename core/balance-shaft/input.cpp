@@ -175,6 +175,36 @@ void check_torque(const Input& input) {
     }
 }
 
+void check_limits(const PlaceLimits& limits) {
+    const std::string parent = pointer(field::place_limits);
+    const struct {
+        const Field& low;
+        std::optional<double> from;
+        const Field& high;
+        std::optional<double> to;
+    } pairs[] = {
+        {field::centre_distance_min, limits.centre_distance_min, field::centre_distance_max,
+         limits.centre_distance_max},
+        {field::shaft_angle_from, limits.shaft_angle_from.value_or(0.0), field::shaft_angle_to,
+         limits.shaft_angle_to.value_or(two_pi)},
+        {field::place_left, limits.left, field::place_right, limits.right},
+        {field::place_bottom, limits.bottom, field::place_top, limits.top},
+    };
+    for (const auto& pair : pairs) {
+        if (pair.from && pair.to && !(*pair.from < *pair.to)) {
+            const bool is_given = &pair.low != &field::shaft_angle_from || limits.shaft_angle_to;
+            const Field& wrong = is_given ? pair.high : pair.low;
+            throw InputError(
+                pointer(wrong, parent),
+                {is_given ? CORE_TEXT("core", "must be greater than %1")
+                          : CORE_TEXT("core", "must be less than %1"),
+                 Number{from_si(is_given ? pair.low : pair.high, is_given ? *pair.from : *pair.to),
+                        wrong.unit, 6}},
+                shown(wrong, is_given ? *pair.to : *pair.from));
+        }
+    }
+}
+
 /// Each number alone may be fine and their products not. Offset and bore have ranges of their own.
 void check_together(const Input& input) {
     const double speed = input.angular_speed;
@@ -302,6 +332,7 @@ void check_input(const Input& input) {
                           shown(field::crank_radius, input.crank_radius)},
                          shown(field::rod_length, *input.rod_length));
     }
+    check_limits(input.place_limits);
     if (input.speed_band) {
         check_speed_band(*input.speed_band);
     }

@@ -89,6 +89,20 @@ struct EnvelopeSizes {
     bool operator==(const EnvelopeSizes&) const = default;
 };
 
+/// Limits on the place of the shaft's axis, for example by a wall of the crankcase; what is empty
+/// does not limit.
+struct PlaceLimits {
+    std::optional<double> centre_distance_min;  ///< m
+    std::optional<double> centre_distance_max;  ///< m
+    std::optional<double> shaft_angle_from;     ///< rad; where only the other is given 0
+    std::optional<double> shaft_angle_to;       ///< rad; where only the other is given 2π
+    std::optional<double> left;                 ///< least x, m
+    std::optional<double> right;                ///< largest x, m
+    std::optional<double> bottom;               ///< least y, m
+    std::optional<double> top;                  ///< largest y, m
+    bool operator==(const PlaceLimits&) const = default;
+};
+
 /// The gears between crank and shaft, 1:1.
 struct GearPair {
     int teeth = 40;         ///< z of each gear, 6 to 1000
@@ -127,6 +141,7 @@ struct Input {
     /// L, m; default r / default_lambda. Needed where the torque is computed.
     std::optional<double> rod_length;
     EnvelopeSizes envelope;
+    PlaceLimits place_limits;
     double crank_share = 0.5;  ///< κ of the comparison without a shaft
     GearPair gears;
     std::optional<FlywheelTarget> flywheel;
@@ -144,6 +159,7 @@ struct Input {
 /// The input's fields as fields.h describes them, for read_fields() and its like.
 void visit_fields(FieldVisitor& visitor, Input& input);
 void visit_fields(FieldVisitor& visitor, EnvelopeSizes& sizes);
+void visit_fields(FieldVisitor& visitor, PlaceLimits& limits);
 void visit_fields(FieldVisitor& visitor, GearPair& gears);
 void visit_fields(FieldVisitor& visitor, FlywheelTarget& flywheel);
 void visit_fields(FieldVisitor& visitor, SpeedBand& band);

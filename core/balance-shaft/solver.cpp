@@ -485,6 +485,18 @@ const CycleExtrema& Solver::extrema() const {
     return prepared_->extrema;
 }
 
+const PeriodicPiecewise& Solver::tipping_moment() const {
+    return prepared_->moment;
+}
+
+double Solver::tipping_variance() const {
+    return prepared_->variance;
+}
+
+const FourierPair& Solver::tipping_order_1() const {
+    return prepared_->order_1;
+}
+
 double Solver::counterweight_force() const {
     return prepared_->forces.counterweight_force;
 }

@@ -43,6 +43,10 @@ class Solver {
     double rms(double shaft_angle) const;
     /// Of M_up + M_s, for what asks about many angles.
     const CycleExtrema& extrema() const;
+    /// M_up over φ in degrees, its variance, (N·m)², and its first order a cos φ + b sin φ, N·m.
+    const PeriodicPiecewise& tipping_moment() const;
+    double tipping_variance() const;
+    const FourierPair& tipping_order_1() const;
     double counterweight_force() const;  ///< P₁, N
     const FrontView& front_view() const;
     Envelope envelope(double shaft_angle) const;

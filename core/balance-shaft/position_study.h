@@ -1,0 +1,89 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "balance-shaft/shaft_places.h"
+#include "balance-shaft/solver.h"
+
+namespace ravnoves::balance_shaft {
+
+/// A place of the balance shaft's axis in the front view, m: x = l sin α, y = l cos α.
+struct ShaftPosition {
+    double x = 0.0;
+    double y = 0.0;
+
+    static ShaftPosition at(double centre_distance, double shaft_angle);
+    double centre_distance() const;  ///< l, m
+    double shaft_angle() const;      ///< α, rad, 0…2π; 0 at the crank's axis
+};
+
+/// The criteria of the moment on the mounts with the shaft's axis at a place.
+struct PositionCriteria {
+    double range = 0.0;  ///< ΔM_ups, N·m
+    double rms = 0.0;    ///< N·m, about the mean
+    double size = 0.0;   ///< m², box of the front view (Envelope: width × height)
+};
+
+/// A place with the least value of a criterion.
+struct BestPosition {
+    ShaftPosition position;
+    PositionCriteria criteria;
+    double gap = 0.0;  ///< N·m: no place is better by more than this
+};
+
+/// The same among the places that can be built; empty with the reason where none can.
+struct BestPositions {
+    std::optional<BestPosition> range;
+    std::optional<BestPosition> rms;
+    Message reason;
+};
+
+/// A place that no other that can be built beats in range, RMS and size at once.
+struct FrontPosition {
+    ShaftPosition position;
+    PositionCriteria criteria;
+};
+
+/// Criteria over a rectangle of places: element row × columns + column, rows upwards.
+struct PositionMap {
+    double left = 0.0, right = 0.0, bottom = 0.0, top = 0.0;  ///< m
+    std::size_t columns = 0, rows = 0;
+    std::vector<double> range;  ///< N·m
+    std::vector<double> rms;    ///< N·m
+};
+
+/// What depends on the shaft's place alone while the counterweights stay as equation (1) (or the
+/// case) has them: M_s = P₁ (x cos φ' + y sin φ'), so range and RMS are convex over the plane.
+/// Copyable and cheap to copy; const members may run in several threads.
+class PositionStudy {
+  public:
+    explicit PositionStudy(const Solver& solver);
+
+    PositionCriteria at(const ShaftPosition& position) const;
+    /// Where range and RMS are those of the engine without a shaft (the axes meet): at the crank.
+    double range_without() const;  ///< N·m
+    double rms_without() const;    ///< N·m
+
+    BestPositions best() const;            ///< over all places
+    BestPositions best_buildable() const;  ///< over those that can be built
+    /// The best α at a centre distance (may not be buildable).
+    BestPosition best_range_at(double centre_distance) const;
+    BestPosition best_rms_at(double centre_distance) const;
+
+    Obstacle obstacle(const ShaftPosition& position) const;
+    Message obstacle_reason(const ShaftPosition& position) const;  ///< a sentence; empty: none
+
+    std::vector<FrontPosition> front() const;  ///< Pareto, ascending size
+
+    PositionMap map(double left, double right, double bottom, double top, std::size_t columns,
+                    std::size_t rows) const;
+
+    struct Prepared;
+
+  private:
+    std::shared_ptr<const Prepared> prepared_;
+};
+
+}  // namespace ravnoves::balance_shaft

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "balance-shaft/envelope.h"
+#include "numerics/constants.h"
+
+namespace ravnoves::balance_shaft {
+
+/// All that the rod's centre line covers over a turn: the segments between crankpin and piston pin.
+class RodSweep {
+  public:
+    explicit RodSweep(const FrontView& view);
+
+    struct Nearest {
+        double distance = 0.0;  ///< m
+        double x = 0.0;         ///< the place on the rod, m
+        double y = 0.0;
+    };
+    /// To any of the segments, to rounding.
+    Nearest nearest(double x, double y) const;
+    double distance(double x, double y) const { return nearest(x, y).distance; }
+    /// distance(x, y) ≥ needed, mostly for the price of a comparison.
+    bool is_clear(double x, double y, double needed) const;
+
+  private:
+    static constexpr std::size_t samples = 96;
+    static constexpr double step = two_pi / samples;
+    using Column = std::array<double, samples>;
+
+    struct Rod {
+        double x, y;              ///< crankpin, m
+        double along_x, along_y;  ///< to the piston pin, m
+    };
+    Rod rod_at(double theta) const;
+    double square(const Rod& rod, double x, double y) const;
+    /// Squares of the distances of all samples; returns the least.
+    double squares(double x, double y, Column& out) const;
+
+    SliderCrank<double> crank_;
+    double per_length2_ = 0.0;  ///< 1/L², 0 for no rod
+    double motion_ = 0.0;       ///< most that a place of the rod moves in one step, m
+    Column x_{}, y_{}, along_x_{}, along_y_{};
+    double left_ = 0.0, right_ = 0.0, bottom_ = 0.0, top_ = 0.0;  ///< of all samples, m
+};
+
+}  // namespace ravnoves::balance_shaft
