@@ -25,13 +25,13 @@ struct CosSin {
 /// For 0 ≤ t ≤ 0.27; the next terms are below 1e-17.
 CosSin short_cos_sin(double t) {
     const double q = t * t;
-    return {
-        1.0 - q / 2.0 *
-                  (1.0 -
-                   q / 12.0 *
-                       (1.0 - q / 30.0 * (1.0 - q / 56.0 * (1.0 - q / 90.0 * (1.0 - q / 132.0))))),
-        t * (1.0 -
-             q / 6.0 * (1.0 - q / 20.0 * (1.0 - q / 42.0 * (1.0 - q / 72.0 * (1.0 - q / 110.0)))))};
+    return {1.0 + q * (-1.0 / 2 +
+                       q * (1.0 / 24 +
+                            q * (-1.0 / 720 + q * (1.0 / 40320 +
+                                                   q * (-1.0 / 3628800 + q * (1.0 / 479001600)))))),
+            t * (1.0 + q * (-1.0 / 6 +
+                            q * (1.0 / 120 +
+                                 q * (-1.0 / 5040 + q * (1.0 / 362880 + q * (-1.0 / 39916800))))))};
 }
 
 }  // namespace
@@ -89,16 +89,18 @@ MomentPlane::MomentPlane(const PeriodicPiecewise& moment) {
     for (Eigen::Index k = 0; k < padded / lanes; ++k) {
         block_chord_[k] = chord_beside_.segment<lanes>(k * lanes).maxCoeff();
     }
-    prepare(moment, 1.0, up_);
-    prepare(moment, -1.0, down_);
+    prepare(moment);
     slack_ = 50.0 * epsilon * std::max(up_.peak.abs().maxCoeff(), down_.peak.abs().maxCoeff());
 }
 
-void MomentPlane::prepare(const PeriodicPiecewise& moment, double sign, Side& side) const {
+void MomentPlane::prepare(const PeriodicPiecewise& moment) {
     const auto turns = moment.period() > 540.0 ? std::size_t{2} : std::size_t{1};
-    side.peak.setConstant(cos_.size(), -std::numeric_limits<double>::infinity());
-    side.above.setZero(cos_.size());
-    side.first.push_back(0);
+    for (Side* const side : {&up_, &down_}) {
+        side->peak.setConstant(cos_.size(), -std::numeric_limits<double>::infinity());
+        side->above.setZero(cos_.size());
+        side->branches.reserve(turns * count_);
+    }
+    turns_ = turns;
     for (std::size_t j = 0; j < count_; ++j) {
         const double left = knot_[j] / degree;
         const double width = knot_[j + 1] - knot_[j];
@@ -113,29 +115,35 @@ void MomentPlane::prepare(const PeriodicPiecewise& moment, double sign, Side& si
                 offset = 0.0;  // keeps the table's own value at its knot
             }
             const PiecewiseCubic<double> piece = moment.pieces()[place.piece].shifted(offset);
-            Branch branch;
-            branch.interval = j;
-            branch.cubic = {sign * piece.y, sign * piece.c1 / degree,
-                            sign * piece.c2 / (degree * degree),
-                            sign * piece.c3 / (degree * degree * degree)};
-            branch.last = branch.cubic.value(width);
-            // The cubic less its chord is −t (h − t) (c₂ + c₃ (t + h)).
-            const double bend = std::min(branch.cubic.c2 + branch.cubic.c3 * width,
-                                         branch.cubic.c2 + 2.0 * branch.cubic.c3 * width);
-            branch.above = std::max(0.0, -bend * width * width / 4.0 * (1.0 + 1e-9));
-            side.peak[row] = std::max(side.peak[row], branch.cubic.y);
-            side.above[row] = std::max(side.above[row], branch.above);
-            side.above[next] = std::max(side.above[next], branch.above);
-            side.branches.push_back(branch);
+            const PiecewiseCubic<double> by_radian{piece.y, piece.c1 / degree,
+                                                   piece.c2 / (degree * degree),
+                                                   piece.c3 / (degree * degree * degree)};
+            for (Side* const side : {&up_, &down_}) {
+                const double sign = side == &up_ ? 1.0 : -1.0;
+                Branch branch;
+                branch.interval = j;
+                branch.cubic = {sign * by_radian.y, sign * by_radian.c1, sign * by_radian.c2,
+                                sign * by_radian.c3};
+                branch.last = branch.cubic.value(width);
+                // The cubic less its chord is −t (h − t) (c₂ + c₃ (t + h)).
+                const double bend = std::min(branch.cubic.c2 + branch.cubic.c3 * width,
+                                             branch.cubic.c2 + 2.0 * branch.cubic.c3 * width);
+                branch.above = std::max(0.0, -bend * width * width / 4.0 * (1.0 + 1e-9));
+                side->peak[row] = std::max(side->peak[row], branch.cubic.y);
+                side->above[row] = std::max(side->above[row], branch.above);
+                side->above[next] = std::max(side->above[next], branch.above);
+                side->branches.push_back(branch);
+            }
         }
-        side.first.push_back(side.branches.size());
     }
-    for (auto row = static_cast<Eigen::Index>(count_); row < cos_.size(); ++row) {
-        side.peak[row] = side.peak[0];
-    }
-    side.block_above.resize(cos_.size() / lanes);
-    for (Eigen::Index k = 0; k < side.block_above.size(); ++k) {
-        side.block_above[k] = side.above.segment<lanes>(k * lanes).maxCoeff();
+    for (Side* const side : {&up_, &down_}) {
+        for (auto row = static_cast<Eigen::Index>(count_); row < cos_.size(); ++row) {
+            side->peak[row] = side->peak[0];
+        }
+        side->block_above.resize(cos_.size() / lanes);
+        for (Eigen::Index k = 0; k < side->block_above.size(); ++k) {
+            side->block_above[k] = side->above.segment<lanes>(k * lanes).maxCoeff();
+        }
     }
 }
 
@@ -246,7 +254,7 @@ MomentPlane::Place MomentPlane::highest(const Side& side, const Vector& at) cons
                 if (interval == searched) {
                     continue;
                 }
-                for (std::size_t i = side.first[interval]; i < side.first[interval + 1]; ++i) {
+                for (std::size_t i = turns_ * interval; i < turns_ * (interval + 1); ++i) {
                     search_branch(side.branches[i], at, best);
                 }
             }
@@ -316,7 +324,7 @@ void MomentPlane::add_tile(const Side& side, const Grid& grid, std::size_t colum
                 if (interval == pushed) {
                     continue;
                 }
-                for (std::size_t n = side.first[interval]; n < side.first[interval + 1]; ++n) {
+                for (std::size_t n = turns_ * interval; n < turns_ * (interval + 1); ++n) {
                     near.push_back(&side.branches[n]);
                 }
                 pushed = interval;

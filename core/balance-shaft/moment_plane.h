@@ -53,9 +53,8 @@ class MomentPlane {
     };
     /// What the search for the maximum of ±M needs.
     struct Side {
-        std::vector<Branch> branches;  ///< of interval j from first[j] to first[j + 1]
-        std::vector<std::size_t> first;
-        Eigen::ArrayXd peak;   ///< the higher branch at each knot, padded to whole blocks
+        std::vector<Branch> branches;  ///< of each interval, one for each turn of the cycle
+        Eigen::ArrayXd peak;           ///< the higher branch at each knot, padded to whole blocks
         Eigen::ArrayXd above;  ///< most that the intervals beside a knot lie above their chords
         Eigen::ArrayXd block_above;
     };
@@ -67,12 +66,13 @@ class MomentPlane {
     };
     Vector vector(double a, double b) const;
 
-    void prepare(const PeriodicPiecewise& moment, double sign, Side& side) const;
+    void prepare(const PeriodicPiecewise& moment);
     Place highest(const Side& side, const Vector& at) const;
     void search_branch(const Branch& branch, const Vector& at, Place& best) const;
     void add_tile(const Side& side, const Grid& grid, std::size_t column, std::size_t row,
                   std::vector<double>& ranges) const;
 
+    std::size_t turns_ = 1;        ///< of the crank in a cycle
     std::size_t count_ = 0;        ///< folded knots
     std::vector<double> knot_;     ///< rad; count_ + 1
     Eigen::ArrayXd cos_, sin_;     ///< of the knots, padded with copies of the first

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "balance-shaft/best_range.h"
 #include "balance-shaft/moment_plane.h"
+#include "balance-shaft/place_search.h"
 #include "numerics/constants.h"
 #include "numerics/cutting_planes.h"
 
@@ -55,6 +57,17 @@ struct PositionStudy::Prepared {
     bool is_constant() const { return range_without <= constant_torque * size; }
     BestPosition best_range() const;
     BestPosition best_rms() const;
+
+    /// A criterion's gradient by the place, of its gradient by the moment.
+    Moment by_place(const Moment& by_moment) const {
+        return {force * (by_moment.x() * cos_phase - by_moment.y() * sin_phase),
+                force * (by_moment.x() * sin_phase + by_moment.y() * cos_phase)};
+    }
+    /// weight × range + (1 − weight) × RMS, N·m.
+    PlaceQuestion question(double weight) const;
+    PlaceQuestion question_of_size() const;
+    BestPosition found(const PlaceFound& found) const;
+    std::optional<BestPosition> best_buildable(double weight, const BestPosition& free) const;
 };
 
 PositionStudy::Prepared::Prepared(const Solver& of)
@@ -127,6 +140,67 @@ BestPosition PositionStudy::Prepared::best_rms() const {
                      places.size(best.position.x, best.position.y)};
     best.gap = 8.0 * std::numeric_limits<double>::epsilon() * rms_without;
     return best;
+}
+
+PlaceQuestion PositionStudy::Prepared::question(double weight) const {
+    PlaceQuestion question;
+    question.criterion = [this, weight](const Eigen::Vector2d& at) -> PlaceValue {
+        const Moment m = moment({at.x(), at.y()});
+        PlaceValue answer;
+        Moment gradient(0.0, 0.0);
+        if (weight > 0.0) {
+            const MomentPlane::Extrema extrema = plane(m.x(), m.y());
+            answer.value = weight * extrema.range();
+            gradient = weight *
+                       Moment(extrema.max.cos - extrema.min.cos, extrema.max.sin - extrema.min.sin);
+        }
+        if (weight < 1.0) {
+            const double here = rms(m);
+            answer.value += (1.0 - weight) * here;
+            if (here > 0.0) {
+                gradient += (1.0 - weight) / (2.0 * here) * (m - rms_centre);
+            }
+        }
+        answer.gradient = by_place(gradient);
+        return answer;
+    };
+    // Both are norms: that of the sum is at least the difference.
+    question.growth = force * (2.0 * weight + (1.0 - weight) / std::numbers::sqrt2);
+    question.at_crank = weight * range_without + (1.0 - weight) * rms_without;
+    question.tolerance = 1e-12 * (question.at_crank + question.growth * places.extent());
+    return question;
+}
+
+PlaceQuestion PositionStudy::Prepared::question_of_size() const {
+    PlaceQuestion question;
+    question.criterion = [this](const Eigen::Vector2d& at) -> PlaceValue {
+        const BoxSize box = places.box(at);
+        return {box.width * box.height, box.width * box.by_height + box.height * box.by_width,
+                box.by_width.norm() * box.by_height.norm()};
+    };
+    // Crank and shaft side by side, l and the crank's radius wide, the crank's diameter high.
+    const double radius = places.view().crank_swing_radius;
+    question.growth = radius;
+    question.at_crank = 0.0;
+    question.tolerance = 1e-9 * places.extent() * places.extent();
+    return question;
+}
+
+BestPosition PositionStudy::Prepared::found(const PlaceFound& found) const {
+    BestPosition best;
+    best.position = {found.place.x(), found.place.y()};
+    best.criteria = criteria(best.position);
+    best.gap = found.gap;
+    return best;
+}
+
+std::optional<BestPosition> PositionStudy::Prepared::best_buildable(
+    double weight, const BestPosition& free) const {
+    if (places.obstacle(free.position.x, free.position.y) == Obstacle::none) {
+        return free;
+    }
+    const std::optional<PlaceFound> place = search_places(places, question(weight));
+    return place ? std::optional(found(*place)) : std::nullopt;
 }
 
 ShaftPosition ShaftPosition::at(double centre_distance, double shaft_angle) {
@@ -214,11 +288,123 @@ Message PositionStudy::obstacle_reason(const ShaftPosition& position) const {
 }
 
 BestPositions PositionStudy::best_buildable() const {
-    return best();
+    BestPositions answer = best();
+    if (!answer.range || !answer.rms) {
+        return answer;
+    }
+    answer.range = prepared_->best_buildable(1.0, *answer.range);
+    answer.rms = prepared_->best_buildable(0.0, *answer.rms);
+    if (!answer.range || !answer.rms) {
+        answer = {};
+        answer.reason =
+            CORE_TEXT("balance-shaft",
+                      "No place of the shaft is within the limits, clears crank, cylinder and rod "
+                      "and lets the gears mesh.");
+    }
+    return answer;
 }
 
-std::vector<FrontPosition> PositionStudy::front() const {
-    return {};
+std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const {
+    std::vector<FrontPosition> front;
+    if (!best.range || !best.rms) {
+        return front;
+    }
+    const Prepared& prepared = *prepared_;
+    const std::optional<PlaceFound> smallest =
+        search_places(prepared.places, prepared.question_of_size());
+    if (!smallest) {
+        return front;
+    }
+    const auto add = [&](const PlaceFound& found) {
+        const ShaftPosition at{found.place.x(), found.place.y()};
+        front.push_back({at, prepared.criteria(at)});
+    };
+    // Range and RMS as parts of what they are without a shaft.
+    const double by_range = 1.0 / std::max(prepared.range_without, constant_torque);
+    const double by_rms = 1.0 / std::max(prepared.rms_without, constant_torque);
+    constexpr int weights = 5;
+    constexpr int sizes = 10;
+    constexpr double same = 1e-6;
+    constexpr double narrowest = 0.02;
+    for (int i = 0; i < weights; ++i) {
+        const double part = i / (weights - 1.0);
+        const double weight = part * by_range / (part * by_range + (1.0 - part) * by_rms);
+        PlaceQuestion question = prepared.question(weight);
+        question.tolerance *= 1e5;
+        std::optional<PlaceFound> largest;
+        if (i == 0 || i == weights - 1) {
+            const BestPosition& end = i == 0 ? *best.rms : *best.range;
+            largest = PlaceFound{{end.position.x, end.position.y}, 0.0, end.gap, 0};
+        } else {
+            question.start = Eigen::Vector2d(best.range->position.x, best.range->position.y);
+            largest = search_places(prepared.places, question);
+        }
+        if (!largest) {
+            continue;
+        }
+        add(*largest);
+        const double size = prepared.places.size(largest->place.x(), largest->place.y());
+        // Between the smallest and the size there: where the criterion falls most from one size to
+        // the next, another is set between them.
+        struct Level {
+            double size;
+            double value;
+            Eigen::Vector2d place;
+        };
+        std::vector<Level> levels{
+            {smallest->value, question.criterion(smallest->place).value, smallest->place},
+            {size, question.criterion(largest->place).value, largest->place}};
+        for (int k = 0; k < sizes; ++k) {
+            std::size_t widest = levels.size();
+            double most = 0.0;
+            for (std::size_t n = 0; n + 1 < levels.size(); ++n) {
+                const double width = levels[n + 1].size - levels[n].size;
+                const double fall = levels[n].value - levels[n + 1].value;
+                const double score = fall / (levels.front().value - levels.back().value) +
+                                     width / (size - smallest->value);
+                if (width > narrowest * (size - smallest->value) && fall > 0.0 && score > most) {
+                    most = score;
+                    widest = n;
+                }
+            }
+            if (widest == levels.size()) {
+                break;
+            }
+            question.largest_size = k == 0 ? smallest->value * (1.0 + same)
+                                           : (levels[widest].size + levels[widest + 1].size) / 2.0;
+            question.start = levels[widest].place;
+            const auto found = search_places(prepared.places, question);
+            if (!found) {
+                break;
+            }
+            add(*found);
+            levels.insert(levels.begin() + static_cast<std::ptrdiff_t>(widest) + 1,
+                          {*question.largest_size, found->value, found->place});
+        }
+    }
+    // What another beats, or equals within rounding, is left out.
+    std::stable_sort(front.begin(), front.end(), [](const auto& a, const auto& b) {
+        return a.criteria.size < b.criteria.size;
+    });
+    std::vector<FrontPosition> efficient;
+    for (std::size_t i = 0; i < front.size(); ++i) {
+        const PositionCriteria& one = front[i].criteria;
+        const auto beats = [&](const FrontPosition& other) {
+            const PositionCriteria& two = other.criteria;
+            return two.range <= one.range * (1.0 + same) && two.rms <= one.rms * (1.0 + same) &&
+                   two.size <= one.size * (1.0 + same);
+        };
+        const auto later = front.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+        const bool is_beaten = std::any_of(efficient.begin(), efficient.end(), beats) ||
+                               std::any_of(later, front.end(), [&](const FrontPosition& other) {
+                                   return beats(other) && !(other.criteria.range > one.range ||
+                                                            other.criteria.rms > one.rms);
+                               });
+        if (!is_beaten) {
+            efficient.push_back(front[i]);
+        }
+    }
+    return efficient;
 }
 
 PositionMap PositionStudy::map(double left, double right, double bottom, double top,

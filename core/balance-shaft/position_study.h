@@ -75,7 +75,11 @@ class PositionStudy {
     Obstacle obstacle(const ShaftPosition& position) const;
     Message obstacle_reason(const ShaftPosition& position) const;  ///< a sentence; empty: none
 
-    std::vector<FrontPosition> front() const;  ///< Pareto, ascending size
+    /// Pareto front of range, RMS and size among the places that can be built, ascending size: for
+    /// some sizes and some weights of range against RMS (as parts of those without a shaft) the
+    /// place with the least weighted sum, to one part in 10⁶. Others lie between these.
+    std::vector<FrontPosition> front() const { return front(best_buildable()); }
+    std::vector<FrontPosition> front(const BestPositions& best_buildable) const;
 
     PositionMap map(double left, double right, double bottom, double top, std::size_t columns,
                     std::size_t rows) const;

@@ -7,6 +7,7 @@
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/envelope_study.h"
 #include "balance-shaft/gear_error.h"
+#include "balance-shaft/position_study.h"
 #include "balance-shaft/speed_study.h"
 #include "case-file/field_reader.h"
 #include "case-file/field_writer.h"
@@ -191,6 +192,37 @@ Json write_envelope_study(const EnvelopeStudy& study) {
     return {{"efficient", efficient}};
 }
 
+Json write(const std::optional<BestPosition>& best) {
+    if (!best) {
+        return nullptr;
+    }
+    return {{"centre_distance_mm", best->position.centre_distance() / units::mm},
+            {"shaft_angle_deg", best->position.shaft_angle() / degree},
+            {"range_Nm", best->criteria.range},
+            {"rms_Nm", best->criteria.rms},
+            {"gap_Nm", best->gap}};
+}
+
+Json write(const BestPositions& best) {
+    Json json = {{"range", write(best.range)}, {"rms", write(best.rms)}};
+    if (!best.reason.empty()) {
+        json["reason"] = best.reason.english();
+    }
+    return json;
+}
+
+Json write_front(const std::vector<FrontPosition>& front) {
+    Json json = Json::array();
+    for (const FrontPosition& one : front) {
+        json.push_back({{"centre_distance_mm", one.position.centre_distance() / units::mm},
+                        {"shaft_angle_deg", one.position.shaft_angle() / degree},
+                        {"range_Nm", one.criteria.range},
+                        {"rms_Nm", one.criteria.rms},
+                        {"size_m2", one.criteria.size}});
+    }
+    return json;
+}
+
 Json write_gear_error(const GearError& error) {
     return {{"phase_error_deg", error.phase_error / degree},
             {"residual_force_N", error.residual_force},
@@ -328,6 +360,11 @@ Json write_result(const Solver& solver, const Result& result) {
     json["clearances"] = write_clearances(solver.front_view(), result.shaft_angle);
     json["crank_only"] = write_crank_balance(crank_balance(solver));
     json["envelope_study"] = write_envelope_study(envelope_study(solver));
+    const PositionStudy positions(solver);
+    const BestPositions buildable = positions.best_buildable();
+    json["best_position"] = write(positions.best());
+    json["best_position_buildable"] = write(buildable);
+    json["best_position_buildable"]["front"] = write_front(positions.front(buildable));
     json["gear_error"] = write_gear_error(gear_error(solver, result.shaft_angle));
     if (solver.input().relieved_shaft) {
         json["relieved_shaft"] = write_relieved_shaft(relieved_shaft(solver));

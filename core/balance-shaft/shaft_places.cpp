@@ -9,6 +9,37 @@
 
 namespace ravnoves::balance_shaft {
 
+PlacePolygon::PlacePolygon(const Eigen::Vector2d& middle, const Eigen::Vector2d& half) {
+    corners_[0] = middle + Eigen::Vector2d(-half.x(), -half.y());
+    corners_[1] = middle + Eigen::Vector2d(half.x(), -half.y());
+    corners_[2] = middle + Eigen::Vector2d(half.x(), half.y());
+    corners_[3] = middle + Eigen::Vector2d(-half.x(), half.y());
+}
+
+void PlacePolygon::cut(const HalfPlane& by) {
+    std::array<Eigen::Vector2d, 16> kept;
+    std::size_t count = 0;
+    const auto put = [&](const Eigen::Vector2d& corner) {
+        if (count < kept.size()) {
+            kept[count++] = corner;
+        }
+    };
+    for (std::size_t i = 0; i < size_; ++i) {
+        const Eigen::Vector2d& from = corners_[i];
+        const Eigen::Vector2d& to = corners_[i + 1 < size_ ? i + 1 : 0];
+        const double here = by.normal.dot(from) - by.least;
+        const double there = by.normal.dot(to) - by.least;
+        if (here >= 0.0) {
+            put(from);
+        }
+        if ((here >= 0.0) != (there >= 0.0)) {
+            put(from + (to - from) * (here / (here - there)));
+        }
+    }
+    corners_ = kept;
+    size_ = count;
+}
+
 ShaftPlaces::ShaftPlaces(const FrontView& view, const PlaceLimits& limits)
     : view_(view),
       limits_(limits),
@@ -94,6 +125,194 @@ Message ShaftPlaces::reason(Obstacle obstacle, double x, double y) const {
             return CORE_TEXT("balance-shaft", "The place is outside the limits given.");
     }
     return {};
+}
+
+double ShaftPlaces::nearest_allowed() const {
+    return std::max({needed_crank_, gears_min_, limits_.centre_distance_min.value_or(0.0)});
+}
+
+double ShaftPlaces::farthest() const {
+    return std::min(gears_max_,
+                    limits_.centre_distance_max.value_or(std::numeric_limits<double>::infinity()));
+}
+
+double ShaftPlaces::extent() const {
+    double extent = nearest_allowed() + needed_rod_ + std::abs(view_.offset) +
+                    view_.cylinder_half_width() + std::abs(view_.cylinder_top) +
+                    std::abs(view_.cylinder_bottom) + view_.rod_length;
+    for (const auto& limit : {limits_.left, limits_.right, limits_.bottom, limits_.top}) {
+        extent += std::abs(limit.value_or(0.0));
+    }
+    return extent;
+}
+
+std::array<double, 4> ShaftPlaces::region(double distance) const {
+    return {std::max(-distance, limits_.left.value_or(-distance)),
+            std::max(-distance, limits_.bottom.value_or(-distance)),
+            std::min(distance, limits_.right.value_or(distance)),
+            std::min(distance, limits_.top.value_or(distance))};
+}
+
+Eigen::Vector2d ShaftPlaces::on_cylinder(const Eigen::Vector2d& place) const {
+    const double wide = view_.cylinder_half_width();
+    return {std::clamp(place.x(), view_.offset - wide, view_.offset + wide),
+            std::clamp(place.y(), std::min(view_.cylinder_bottom, view_.cylinder_top),
+                       view_.cylinder_top)};
+}
+
+void ShaftPlaces::find_cuts(const Eigen::Vector2d& middle, const Eigen::Vector2d& half,
+                            Cuts& cuts) const {
+    const double r = half.norm();
+    cuts.is_empty = false;
+    cuts.outer.clear();
+    cuts.inner.clear();
+    // Must stay away from the nearest place of an obstacle.
+    const auto keep_off = [&](const Eigen::Vector2d& nearest, double needed) {
+        const Eigen::Vector2d to = middle - nearest;
+        const double away = to.norm();
+        if (!(away > 0.0) || away - r >= needed) {
+            return;
+        }
+        const Eigen::Vector2d n = to / away;
+        const double least = n.dot(middle) + needed - away;
+        cuts.inner.push_back({n, least});
+        cuts.outer.push_back({n, least - r * r / (2.0 * away) - rounding_});
+    };
+    const double l = middle.norm();
+    const double least_l = nearest_allowed();
+    const double most_l = farthest();
+    if (l + r < least_l - rounding_ || l - r > most_l + rounding_) {
+        cuts.is_empty = true;
+        return;
+    }
+    keep_off({0.0, 0.0}, least_l);
+    if (l + r > most_l && l > 0.0) {
+        const Eigen::Vector2d n = -middle / l;
+        cuts.outer.push_back({n, -most_l - rounding_});
+        cuts.inner.push_back({n, -most_l + r * r / (2.0 * l)});
+    }
+
+    const double from_cylinder = distance_from_cylinder(view_, middle.x(), middle.y());
+    if (from_cylinder + r < needed_ - rounding_) {
+        cuts.is_empty = true;
+        return;
+    }
+    if (view_.cylinder_bottom <= view_.cylinder_top) {
+        keep_off(on_cylinder(middle), needed_);
+    }
+
+    if (limits_.shaft_angle_from || limits_.shaft_angle_to) {
+        const double from = limits_.shaft_angle_from.value_or(0.0);
+        const double span = limits_.shaft_angle_to.value_or(two_pi) - from;
+        if (span < two_pi) {
+            const std::array<HalfPlane, 2> edges{
+                HalfPlane{{std::cos(from), -std::sin(from)}, -rounding_},
+                HalfPlane{{-std::cos(from + span), std::sin(from + span)}, -rounding_}};
+            std::array<bool, 2> possible{};
+            for (std::size_t i = 0; i < 2; ++i) {
+                possible[i] = edges[i].normal.dot(middle) + edges[i].normal.cwiseAbs().dot(half) >=
+                              edges[i].least;
+            }
+            const bool needs_both = span <= pi;
+            if (needs_both ? !(possible[0] && possible[1]) : !(possible[0] || possible[1])) {
+                cuts.is_empty = true;
+                return;
+            }
+            for (std::size_t i = 0; i < 2; ++i) {
+                if (needs_both || !possible[1 - i]) {
+                    cuts.outer.push_back(edges[i]);
+                    cuts.inner.push_back({edges[i].normal, 0.0});
+                }
+            }
+        }
+    }
+
+    if (!rods_.is_clear(middle.x(), middle.y(), needed_rod_ + r)) {
+        const RodSweep::Nearest rod = rods_.nearest(middle.x(), middle.y());
+        if (rod.distance + r < needed_rod_ - rounding_) {
+            cuts.is_empty = true;
+            return;
+        }
+        keep_off({rod.x, rod.y}, needed_rod_);
+    }
+}
+
+bool ShaftPlaces::mend(Eigen::Vector2d& place) const {
+    const double nearest = nearest_allowed();
+    const double most = farthest();
+    constexpr int tries = 12;
+    for (int i = 0; i < tries; ++i) {
+        const Obstacle met = obstacle(place.x(), place.y());
+        if (met == Obstacle::none) {
+            return true;
+        }
+        const auto push = [&](const Eigen::Vector2d& from, double needed) {
+            const Eigen::Vector2d to = place - from;
+            const double away = to.norm();
+            if (away > 0.0) {
+                place = from + to * (needed / away);
+            }
+        };
+        if (met == Obstacle::rod) {
+            const RodSweep::Nearest rod = rods_.nearest(place.x(), place.y());
+            push({rod.x, rod.y}, needed_rod_);
+        } else if (met == Obstacle::cylinder) {
+            push(on_cylinder(place), needed_);
+        } else {
+            const double l = place.norm();
+            if (l < nearest) {
+                push({0.0, 0.0}, nearest);
+            } else if (l > most) {
+                push({0.0, 0.0}, most);
+            } else {
+                const std::array<double, 4> box = region(std::numeric_limits<double>::infinity());
+                place.x() = std::clamp(place.x(), box[0], std::max(box[0], box[2]));
+                place.y() = std::clamp(place.y(), box[1], std::max(box[1], box[3]));
+                const double from = limits_.shaft_angle_from.value_or(0.0);
+                const double to = limits_.shaft_angle_to.value_or(two_pi);
+                if (!is_in_limits(place.x(), place.y(), place.norm()) && to - from < two_pi) {
+                    const Eigen::Vector2d first(std::sin(from), std::cos(from));
+                    const Eigen::Vector2d last(std::sin(to), std::cos(to));
+                    const Eigen::Vector2d& edge = first.dot(place) > last.dot(place) ? first : last;
+                    place = edge * std::max(edge.dot(place), 0.0);
+                }
+            }
+        }
+    }
+    return obstacle(place.x(), place.y()) == Obstacle::none;
+}
+
+BoxSize ShaftPlaces::box(const Eigen::Vector2d& at) const {
+    const double l = at.norm();
+    const Eigen::Vector2d by_l = l > 0.0 ? Eigen::Vector2d(at / l) : Eigen::Vector2d(0.0, 0.0);
+    const double tip = view_.tip_follows_distance ? l / 2.0 : view_.gear_tip_radius;
+    const Eigen::Vector2d by_tip =
+        view_.tip_follows_distance ? Eigen::Vector2d(by_l / 2.0) : Eigen::Vector2d(0.0, 0.0);
+    struct Reach {
+        double value;
+        Eigen::Vector2d gradient;
+    };
+    const auto circle = [&](double swing) -> Reach {
+        return tip > swing ? Reach{tip + view_.wall, by_tip}
+                           : Reach{swing + view_.wall, Eigen::Vector2d(0.0, 0.0)};
+    };
+    const Reach crank = circle(view_.crank_swing_radius);
+    const Reach shaft = circle(view_.shaft_swing_radius);
+    // How far everything reaches in a direction; the cylinder not downwards.
+    const auto reach = [&](const Eigen::Vector2d& along, double cylinder) -> Reach {
+        Reach most{along.dot(at) + shaft.value, along + shaft.gradient};
+        if (crank.value > most.value) {
+            most = crank;
+        }
+        return cylinder > most.value ? Reach{cylinder, Eigen::Vector2d(0.0, 0.0)} : most;
+    };
+    const double wide = view_.cylinder_half_width() + view_.wall;
+    const Reach right = reach({1.0, 0.0}, view_.offset + wide);
+    const Reach left = reach({-1.0, 0.0}, wide - view_.offset);
+    const Reach top = reach({0.0, 1.0}, view_.cylinder_top + view_.wall);
+    const Reach bottom = reach({0.0, -1.0}, -std::numeric_limits<double>::infinity());
+    return {right.value + left.value, top.value + bottom.value, right.gradient + left.gradient,
+            top.gradient + bottom.gradient};
 }
 
 double ShaftPlaces::size(double x, double y) const {

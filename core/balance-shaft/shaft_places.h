@@ -1,5 +1,10 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <vector>
+
 #include "balance-shaft/envelope.h"
 #include "balance-shaft/rod_sweep.h"
 #include "case-file/message.h"
@@ -8,6 +13,34 @@ namespace ravnoves::balance_shaft {
 
 /// What keeps the shaft from a place; `none` where it can be built.
 enum class Obstacle { none, crank, cylinder, rod, gears, limits };
+
+/// The places v with normal · v ≥ least.
+struct HalfPlane {
+    Eigen::Vector2d normal;
+    double least = 0.0;
+};
+
+/// A convex polygon of few corners, counted round.
+class PlacePolygon {
+  public:
+    /// The rectangle about a middle.
+    PlacePolygon(const Eigen::Vector2d& middle, const Eigen::Vector2d& half);
+    void cut(const HalfPlane& by);
+    std::size_t size() const { return size_; }
+    const Eigen::Vector2d& operator[](std::size_t i) const { return corners_[i]; }
+
+  private:
+    std::array<Eigen::Vector2d, 16> corners_;
+    std::size_t size_ = 4;
+};
+
+/// Width and height of the front view's box as convex functions of the shaft's place, m, with a
+/// gradient of each.
+struct BoxSize {
+    double width = 0.0;
+    double height = 0.0;
+    Eigen::Vector2d by_width, by_height;
+};
 
 /// Where the shaft's axis can be, as BuildableAngles says of a circle, and within the limits given.
 class ShaftPlaces {
@@ -22,7 +55,32 @@ class ShaftPlaces {
 
     const FrontView& view() const { return view_; }
 
+    BoxSize box(const Eigen::Vector2d& at) const;
+
+    /// What lines leave of a rectangle for places that can be built. Obstacles are round outwards
+    /// or corners of round ones: seen from the rectangle's middle the nearest place q of each asks
+    /// for |v − q| ≥ D, and |v − q| is below its tangent plane by at most r²/(2 |middle − q|).
+    struct Cuts {
+        bool is_empty = false;         ///< nothing can be built in the rectangle
+        std::vector<HalfPlane> outer;  ///< all that can be built in it is in these
+        std::vector<HalfPlane> inner;  ///< places in these can mostly be built
+    };
+    /// @param half  half the sides
+    void find_cuts(const Eigen::Vector2d& middle, const Eigen::Vector2d& half, Cuts& cuts) const;
+    /// Moves a place that nearly can be built to one that can, where it finds one.
+    bool mend(Eigen::Vector2d& place) const;
+    /// A rectangle that holds all that can be built within a distance of the crank's axis: left,
+    /// bottom, right, top, m; empty where left > right.
+    std::array<double, 4> region(double distance) const;
+    /// The largest centre distance that gears and limits allow; infinite where they do not.
+    double farthest() const;
+    /// What the sizes and limits together span, m.
+    double extent() const;
+
   private:
+    double nearest_allowed() const;
+    /// The place of the cylinder with its wall that is nearest to one outside.
+    Eigen::Vector2d on_cylinder(const Eigen::Vector2d& place) const;
     bool is_in_limits(double x, double y, double l) const;
 
     FrontView view_;

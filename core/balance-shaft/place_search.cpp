@@ -1,0 +1,210 @@
+#include "balance-shaft/place_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace ravnoves::balance_shaft {
+
+namespace {
+
+using Place = Eigen::Vector2d;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double size_rounding = 1e-9;
+
+struct Rectangle {
+    Place middle;
+    Place half;
+    double bound;
+    /// The one of the least bound is searched first, of equals the smallest.
+    bool operator<(const Rectangle& other) const {
+        return bound != other.bound ? bound > other.bound : half.x() > other.half.x();
+    }
+};
+
+class Search {
+  public:
+    Search(const ShaftPlaces& places, const PlaceQuestion& question)
+        : places_(places), question_(question) {
+        if (question.start) {
+            offer(*question.start);
+        }
+    }
+
+    std::optional<PlaceFound> run() {
+        double distance = std::min(places_.farthest(), 4.0 * places_.extent());
+        if (best_.value < infinite) {
+            distance = std::min(places_.farthest(), enough());
+        }
+        search(distance);
+        // Where the best is not known to lie within, it does within what the best found leaves.
+        if (best_.value == infinite && distance < places_.farthest()) {
+            distance = std::min(places_.farthest(), 400.0 * places_.extent());
+            search(distance);
+        }
+        if (best_.value < infinite && std::min(places_.farthest(), enough()) > distance) {
+            search(std::min(places_.farthest(), enough()));
+        }
+        if (best_.value == infinite) {
+            return std::nullopt;
+        }
+        return best_;
+    }
+
+  private:
+    /// No place farther than this is better than the best one found.
+    double enough() const {
+        return (best_.value + question_.at_crank) / question_.growth * (1.0 + 1e-9);
+    }
+
+    bool is_small_enough(const Place& place) const {
+        if (!question_.largest_size) {
+            return true;
+        }
+        const BoxSize box = places_.box(place);
+        return box.width * box.height <= *question_.largest_size * (1.0 + size_rounding);
+    }
+
+    void offer(Place place) {
+        if (!places_.mend(place) || !is_small_enough(place)) {
+            return;
+        }
+        const double value = question_.criterion(place).value;
+        ++best_.evaluations;
+        if (value < best_.value) {
+            best_.place = place;
+            best_.value = value;
+        }
+    }
+
+    /// The line that the largest size draws; false where the whole rectangle is larger.
+    bool cut_by_size(const Place& middle, double r, ShaftPlaces::Cuts& cuts) const {
+        if (!question_.largest_size) {
+            return true;
+        }
+        const double largest = *question_.largest_size;
+        const BoxSize box = places_.box(middle);
+        const double wide = box.by_width.norm();
+        const double high = box.by_height.norm();
+        const double least_width = box.width - wide * r;
+        const double least_height = box.height - high * r;
+        if (least_width <= 0.0 || least_height <= 0.0) {
+            return true;
+        }
+        if (least_width * least_height > largest * (1.0 + size_rounding)) {
+            return false;
+        }
+        const Place gradient = box.width * box.by_height + box.height * box.by_width;
+        const double size = box.width * box.height;
+        if (size + gradient.norm() * r < largest) {
+            return true;
+        }
+        const double least = gradient.dot(middle) - (size - largest);
+        HalfPlane outer{-gradient, -least - wide * high * r * r - size_rounding * largest};
+        cuts.outer.push_back(outer);
+        cuts.inner.push_back({-gradient, -least});
+        return true;
+    }
+
+    void search(double distance) {
+        const std::array<double, 4> region = places_.region(distance);
+        best_.gap = 0.0;
+        if (!(region[0] <= region[2] && region[1] <= region[3])) {
+            return;
+        }
+        std::vector<Rectangle> open;
+        open.push_back({{(region[0] + region[2]) / 2.0, (region[1] + region[3]) / 2.0},
+                        {(region[2] - region[0]) / 2.0, (region[3] - region[1]) / 2.0},
+                        -infinite});
+        const double smallest = 1e-12 * std::max(distance, places_.extent());
+        ShaftPlaces::Cuts cuts;
+        constexpr int most_rectangles = 60'000;
+        for (int count = 0; !open.empty(); ++count) {
+            std::pop_heap(open.begin(), open.end());
+            const Rectangle rectangle = open.back();
+            open.pop_back();
+            if (rectangle.bound >= best_.value - question_.tolerance) {
+                best_.gap = std::max(best_.gap, best_.value - rectangle.bound);
+                break;  // of the others too
+            }
+            const double r = rectangle.half.norm();
+            if (count >= most_rectangles || r < smallest) {
+                best_.gap = std::max(best_.gap, best_.value - rectangle.bound);
+                if (count >= most_rectangles) {
+                    break;
+                }
+                continue;
+            }
+            places_.find_cuts(rectangle.middle, rectangle.half, cuts);
+            if (cuts.is_empty || !cut_by_size(rectangle.middle, r, cuts)) {
+                continue;
+            }
+            PlacePolygon all(rectangle.middle, rectangle.half);
+            for (const HalfPlane& line : cuts.outer) {
+                all.cut(line);
+            }
+            if (all.size() == 0) {
+                continue;
+            }
+            const PlaceValue here = question_.criterion(rectangle.middle);
+            ++best_.evaluations;
+            const auto tangent = [&](const Place& at) {
+                return here.value + here.gradient.dot(at - rectangle.middle);
+            };
+            const auto lowest = [&](const PlacePolygon& polygon) {
+                std::size_t least = 0;
+                for (std::size_t i = 1; i < polygon.size(); ++i) {
+                    if (tangent(polygon[i]) < tangent(polygon[least])) {
+                        least = i;
+                    }
+                }
+                return polygon[least];
+            };
+            const double bound =
+                std::max(rectangle.bound, tangent(lowest(all)) - here.bend * r * r);
+            if (bound >= best_.value - question_.tolerance) {
+                best_.gap = std::max(best_.gap, best_.value - bound);
+                continue;
+            }
+            PlacePolygon surely(rectangle.middle, rectangle.half);
+            for (const HalfPlane& line : cuts.inner) {
+                surely.cut(line);
+            }
+            offer(surely.size() > 0 ? lowest(surely) : lowest(all));
+            if (cuts.outer.empty()) {
+                offer(rectangle.middle);
+            }
+            // What the lines leave is halved across its longer side.
+            Place low = all[0];
+            Place high = all[0];
+            for (std::size_t i = 1; i < all.size(); ++i) {
+                low = low.cwiseMin(all[i]);
+                high = high.cwiseMax(all[i]);
+            }
+            const Place half = (high - low) / 2.0;
+            const Place middle = (high + low) / 2.0;
+            const bool across = half.x() >= half.y();
+            const Place child(across ? half.x() / 2.0 : half.x(),
+                              across ? half.y() : half.y() / 2.0);
+            const Place aside(across ? child.x() : 0.0, across ? 0.0 : child.y());
+            for (const Place& at : {Place(middle - aside), Place(middle + aside)}) {
+                open.push_back({at, child, bound});
+                std::push_heap(open.begin(), open.end());
+            }
+        }
+    }
+
+    const ShaftPlaces& places_;
+    const PlaceQuestion& question_;
+    PlaceFound best_{{0.0, 0.0}, infinite, 0.0, 0};
+};
+
+}  // namespace
+
+std::optional<PlaceFound> search_places(const ShaftPlaces& places, const PlaceQuestion& question) {
+    return Search(places, question).run();
+}
+
+}  // namespace ravnoves::balance_shaft

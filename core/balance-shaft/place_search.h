@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+
+#include "balance-shaft/shaft_places.h"
+
+namespace ravnoves::balance_shaft {
+
+/// A criterion at a place with a bound under it: value + gradient · δ − bend |δ|² everywhere. A
+/// convex criterion has no bend.
+struct PlaceValue {
+    double value = 0.0;
+    Eigen::Vector2d gradient{0.0, 0.0};
+    double bend = 0.0;
+};
+using PlaceCriterion = std::function<PlaceValue(const Eigen::Vector2d&)>;
+
+/// What a search needs besides.
+struct PlaceQuestion {
+    PlaceCriterion criterion;
+    double growth = 0.0;     ///< the criterion at a distance l of the crank's axis is at least
+    double at_crank = 0.0;   ///< growth × l − at_crank
+    double tolerance = 0.0;  ///< wanted of the gap
+    /// m², the box of the front view must not be larger; up to one part in 10⁹.
+    std::optional<double> largest_size;
+    std::optional<Eigen::Vector2d> start;  ///< a place that can be built, where known
+};
+
+/// A place with the least value among those that can be built.
+struct PlaceFound {
+    Eigen::Vector2d place;
+    double value = 0.0;
+    double gap = 0.0;  ///< none is better by more than this
+    int evaluations = 0;
+};
+
+/// By branch and bound over rectangles of the front view: what can be built in one lies between
+/// lines (ShaftPlaces::find_cuts), and so does the criterion over its tangent plane, both to the
+/// second order in the rectangle's size. Empty where nothing can be built.
+std::optional<PlaceFound> search_places(const ShaftPlaces& places, const PlaceQuestion& question);
+
+}  // namespace ravnoves::balance_shaft
