@@ -120,12 +120,19 @@ class Search {
                         -infinite});
         const double smallest = 1e-12 * std::max(distance, places_.extent());
         ShaftPlaces::Cuts cuts;
+        // Where the best is all along an obstacle, rectangles along it never end: then less is
+        // asked for, step by step.
+        double tolerance = question_.tolerance;
+        constexpr int many_rectangles = 2000;
         constexpr int most_rectangles = 60'000;
         for (int count = 0; !open.empty(); ++count) {
+            if (count >= many_rectangles && count % 250 == 0) {
+                tolerance *= 4.0;
+            }
             std::pop_heap(open.begin(), open.end());
             const Rectangle rectangle = open.back();
             open.pop_back();
-            if (rectangle.bound >= best_.value - question_.tolerance) {
+            if (rectangle.bound >= best_.value - tolerance) {
                 best_.gap = std::max(best_.gap, best_.value - rectangle.bound);
                 break;  // of the others too
             }
@@ -164,7 +171,7 @@ class Search {
             };
             const double bound =
                 std::max(rectangle.bound, tangent(lowest(all)) - here.bend * r * r);
-            if (bound >= best_.value - question_.tolerance) {
+            if (bound >= best_.value - tolerance) {
                 best_.gap = std::max(best_.gap, best_.value - bound);
                 continue;
             }

@@ -117,8 +117,12 @@ BestPosition PositionStudy::Prepared::best_range() const {
         if (best.gap <= 4.0 * rounding) {
             break;
         }
+        if (round > 0 && at == vertex.head<2>()) {
+            break;  // rounding
+        }
         at = vertex.head<2>();
         found = plane(at.x(), at.y());
+        ++best.evaluations;
         if (found.range() < best.criteria.range) {
             best.criteria.range = found.range();
             best_at = at;
@@ -191,6 +195,7 @@ BestPosition PositionStudy::Prepared::found(const PlaceFound& found) const {
     best.position = {found.place.x(), found.place.y()};
     best.criteria = criteria(best.position);
     best.gap = found.gap;
+    best.evaluations = found.evaluations;
     return best;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -45,7 +46,7 @@ class CuttingPlanes {
             for (std::size_t i = 0; i < planes_.size(); ++i) {
                 const Constraint& plane = planes_[i];
                 const Scalar missing = plane.b - plane.a.dot(vertex_);
-                if (missing > worst) {
+                if (missing > worst && !is_met(i)) {
                     worst = missing;
                     entering = i;
                 }
@@ -54,7 +55,7 @@ class CuttingPlanes {
                 break;
             }
             // v stays in the planes but one; that one leaves whose factor falls to 0 first.
-            const Vector rates = inverse_.transpose() * planes_[entering].a;
+            const Vector rates = rows_.transpose().solve(planes_[entering].a);
             int leaving = -1;
             Scalar least(0);
             for (int k = 0; k < N; ++k) {
@@ -74,7 +75,7 @@ class CuttingPlanes {
             const Vector before = vertex_;
             basis_[static_cast<std::size_t>(leaving)] = entering;
             meet();
-            if (!(cost_.dot(vertex_) >= cost_.dot(before))) {  // rounding
+            if (!(cost_.dot(vertex_) >= cost_.dot(before) - 64 * tolerance_)) {  // rounding
                 basis_[static_cast<std::size_t>(leaving)] = old;
                 meet();
                 break;
@@ -84,6 +85,11 @@ class CuttingPlanes {
     }
 
   private:
+    bool is_met(std::size_t plane) const {
+        return std::find(basis_.begin(), basis_.end(), plane) != basis_.end();
+    }
+
+    /// Planes may be nearly parallel: an LU decomposition leaves small residuals all the same.
     void meet() {
         Eigen::Matrix<Scalar, N, N> rows;
         Vector right;
@@ -92,16 +98,16 @@ class CuttingPlanes {
             rows.row(k) = plane.a.transpose();
             right[k] = plane.b;
         }
-        inverse_ = rows.inverse();
-        vertex_ = inverse_ * right;
-        factors_ = inverse_.transpose() * cost_;
+        rows_.compute(rows);
+        vertex_ = rows_.solve(right);
+        factors_ = rows_.transpose().solve(cost_);
     }
 
     Vector cost_;
     std::vector<Constraint> planes_;
     Scalar tolerance_;
     std::array<std::size_t, static_cast<std::size_t>(N)> basis_{};
-    Eigen::Matrix<Scalar, N, N> inverse_;
+    Eigen::PartialPivLU<Eigen::Matrix<Scalar, N, N>> rows_;  ///< of the planes in basis_
     Vector vertex_;
     Vector factors_;  ///< of the planes that meet in the vertex, ≥ 0
 };

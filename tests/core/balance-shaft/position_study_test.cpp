@@ -2,78 +2,559 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <cstdio>
+#include <array>
+#include <random>
 
+#include "balance-shaft/scene.h"
+#include "case-file/json.h"
 #include "test_cases.h"
 
 namespace ravnoves::balance_shaft::test {
 
 namespace {
 
+Input with_table(TorqueTable table) {
+    Input input = preset_tmz_650d();
+    input.torque.table = std::move(table);
+    input.step_deg = 90.0;
+    return input;
+}
+
+/// M_up over one turn, the higher and the lower revolution at every degree and every row.
+struct FoldedSamples {
+    std::vector<double> cos, sin, upper, lower;
+
+    explicit FoldedSamples(const Solver& solver) {
+        std::vector<double> angles;
+        for (int i = 0; i < 360; ++i) {
+            angles.push_back(i);
+        }
+        for (const double angle : solver.input().torque.table.crank_angle_deg) {
+            angles.push_back(std::fmod(angle, 360.0));
+        }
+        for (const double angle : angles) {
+            const double first = solver.M_up(angle * degree);
+            const double second = solver.M_up((angle + 360.0) * degree);
+            cos.push_back(std::cos(angle * degree));
+            sin.push_back(std::sin(angle * degree));
+            upper.push_back(std::max(first, second));
+            lower.push_back(std::min(first, second));
+        }
+    }
+    double range(double a, double b) const {
+        double most = -1e300;
+        double least = 1e300;
+        for (std::size_t i = 0; i < cos.size(); ++i) {
+            const double sine = a * cos[i] + b * sin[i];
+            most = std::max(most, upper[i] + sine);
+            least = std::min(least, lower[i] + sine);
+        }
+        return most - least;
+    }
+};
+
+/// Range and RMS of a solver that is told the place.
+PositionCriteria by_solver(Input input, const ShaftPosition& at) {
+    input.centre_distance = at.centre_distance();
+    input.shaft_angle = at.shaft_angle();
+    const Solver solver(input);
+    return {
+        solver.range(input.shaft_angle), solver.rms(input.shaft_angle),
+        solver.envelope(input.shaft_angle).width() * solver.envelope(input.shaft_angle).height()};
+}
+
 TEST(PositionStudyTest, thePapersEngineHasTheseBestPlaces) {
-    const Solver solver(preset_tmz_650d());
-    const PositionStudy study(solver);
+    const PositionStudy study{Solver(preset_tmz_650d())};
     const BestPositions best = study.best();
     ASSERT_TRUE(best.range && best.rms);
+    EXPECT_TRUE(best.reason.empty());
     EXPECT_NEAR(best.range->position.centre_distance() / units::mm, 108.20975, 5e-6);
     EXPECT_NEAR(best.range->position.shaft_angle() / degree, 53.10975, 5e-6);
     EXPECT_NEAR(best.range->criteria.range, 1063.504264, 5e-7);
     EXPECT_LE(best.range->gap, 1e-10);
     EXPECT_NEAR(best.rms->position.centre_distance() / units::mm, 36.950446, 5e-7);
     EXPECT_NEAR(best.rms->position.shaft_angle() / degree, 11.758583, 5e-7);
+    // Of the straight lines; 7200 equal nodes give 180.519883.
     EXPECT_NEAR(best.rms->criteria.rms, 180.519414517, 5e-10);
+    const Solver solver(preset_tmz_650d());
+    double square = 0.0;
+    double mean = 0.0;
+    constexpr int nodes = 7200;
+    for (int i = 0; i < nodes; ++i) {
+        const double phi = 4.0 * pi * i / nodes;
+        const double moment =
+            solver.M_up(phi) + best.rms->position.centre_distance() * solver.counterweight_force() *
+                                   std::sin(phi + best.rms->position.shaft_angle());
+        mean += moment / nodes;
+        square += moment * moment / nodes;
+    }
+    EXPECT_NEAR(std::sqrt(square - mean * mean), 180.519883, 5e-7);
 }
 
-TEST(PositionStudyTest, zzSpeed) {
-    for (const std::size_t rows : {49, 49, 721, 721}) {
-        Input input = preset_tmz_650d();
-        if (rows != 49) {
-            input.torque.table = random_table(3, rows);
+TEST(PositionStudyTest, circlesAboutTheCrankHaveTheseBestAngles) {
+    const PositionStudy study{Solver(preset_tmz_650d())};
+    const struct {
+        double distance_mm, angle_deg, range;
+    } expected[] = {{40, 0.0, 1119.02},   {50, 15.6, 1100.87}, {60, 29.15, 1091.44},
+                    {70, 37.05, 1083.72}, {80, 42.6, 1077.04}, {90, 47.0, 1071.49}};
+    for (const auto& row : expected) {
+        const BestPosition best = study.best_range_at(row.distance_mm * units::mm);
+        EXPECT_NEAR(best.position.centre_distance() / units::mm, row.distance_mm, 1e-9);
+        EXPECT_NEAR(std::remainder(best.position.shaft_angle() / degree - row.angle_deg, 360.0),
+                    0.0, 0.05);
+        // The angles are those of a grid of 0.05°, so the best is a little better.
+        EXPECT_NEAR(
+            study.at(ShaftPosition::at(row.distance_mm * units::mm, row.angle_deg * degree)).range,
+            row.range, 0.00501);
+        EXPECT_LE(best.criteria.range, row.range + 0.00501);
+        EXPECT_GE(best.criteria.range, row.range - 0.02);
+        const BestPosition rms = study.best_rms_at(row.distance_mm * units::mm);
+        EXPECT_NEAR(rms.position.shaft_angle() / degree, 11.758583, 5e-7);
+        EXPECT_LE(rms.criteria.rms, best.criteria.rms);
+    }
+}
+
+TEST(PositionStudyTest, at60MillimetresBothFall) {
+    const PositionStudy study{Solver(preset_tmz_650d())};
+    const PositionCriteria there = study.at(ShaftPosition::at(0.060, 29.15 * degree));
+    EXPECT_NEAR(study.range_without(), 1208.0, 0.005);
+    EXPECT_NEAR(study.rms_without(), 212.590, 0.0005);
+    EXPECT_NEAR(there.range, 1091.44, 0.005);
+    EXPECT_NEAR(there.rms, 198.0, 0.5);
+}
+
+TEST(PositionStudyTest, aPlaceHasWhatASolverThatIsPutThereFinds) {
+    Input offset = diesel();
+    offset.torque.cylinder.offset = 0.008;
+    Input cubic = with_table(random_table(5, 30));
+    cubic.interpolation = Interpolation::periodic_cubic;
+    std::mt19937 generator(7);
+    std::uniform_real_distribution<double> metres(-0.3, 0.3);
+    for (const Input& input : {preset_tmz_650d(), diesel(), two_stroke(), offset, cubic,
+                               with_table(random_table(6, 4)), with_table(random_table(8, 721))}) {
+        const PositionStudy study{Solver(input)};
+        const double scale = study.range_without() + study.rms_without();
+        for (int i = 0; i < 20; ++i) {
+            const ShaftPosition at{metres(generator), metres(generator)};
+            const PositionCriteria here = study.at(at);
+            const PositionCriteria solved = by_solver(input, at);
+            EXPECT_NEAR(here.range, solved.range, 2e-12 * (scale + solved.range));
+            EXPECT_NEAR(here.rms, solved.rms, 1e-11 * (scale + solved.rms));
+            EXPECT_NEAR(here.size, solved.size, 1e-12 * solved.size);
         }
-        const Solver solver(input);
-        const auto t0 = std::chrono::steady_clock::now();
-        const PositionStudy study(solver);
-        const auto t1 = std::chrono::steady_clock::now();
+        const PositionCriteria none = study.at({});
+        EXPECT_NEAR(none.range, study.range_without(), 1e-12 * scale);
+        EXPECT_NEAR(none.rms, study.rms_without(), 1e-9 * scale);
+    }
+}
+
+TEST(PositionStudyTest, theGapIsThatOfRoundingForCurvesToo) {
+    Input offset = diesel();
+    offset.torque.cylinder.offset = 0.008;
+    Input cubic = with_table(random_table(5, 30));
+    cubic.interpolation = Interpolation::periodic_cubic;
+    for (const Input& input : {preset_tmz_650d(), diesel(), two_stroke(), offset, cubic}) {
+        const PositionStudy study{Solver(input)};
         const BestPositions best = study.best();
-        const auto t2 = std::chrono::steady_clock::now();
-        const PositionMap map = study.map(-0.25, 0.25, -0.25, 0.25, 200, 200);
-        const auto t3 = std::chrono::steady_clock::now();
-        const auto us = [](auto d) { return std::chrono::duration<double, std::micro>(d).count(); };
-        double worst = 0.0;
-        for (std::size_t i = 0; i < map.range.size(); i += 7) {
-            const std::size_t row = i / 200, column = i % 200;
-            const ShaftPosition at{-0.25 + 0.5 * static_cast<double>(column) / 199,
-                                   -0.25 + 0.5 * static_cast<double>(row) / 199};
-            worst = std::max(worst, std::abs(map.range[i] - study.at(at).range));
+        ASSERT_TRUE(best.range);
+        EXPECT_LE(best.range->gap, 1e-11 * study.range_without());
+        EXPECT_LE(best.range->evaluations, 60);
+        const PositionCriteria solved = by_solver(input, best.range->position);
+        EXPECT_NEAR(solved.range, best.range->criteria.range, 1e-10 * study.range_without());
+    }
+}
+
+TEST(PositionStudyTest, rangeAndRmsAreConvex) {
+    std::mt19937 generator(11);
+    std::uniform_real_distribution<double> metres(-0.4, 0.4);
+    std::uniform_real_distribution<double> part(0.0, 1.0);
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        const PositionStudy study{Solver(with_table(random_table(seed, 20 + 5 * seed)))};
+        for (int i = 0; i < 200; ++i) {
+            const ShaftPosition p{metres(generator), metres(generator)};
+            const ShaftPosition q{metres(generator), metres(generator)};
+            const double t = part(generator);
+            const PositionCriteria between =
+                study.at({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)});
+            const PositionCriteria first = study.at(p);
+            const PositionCriteria last = study.at(q);
+            EXPECT_LE(between.range, first.range + t * (last.range - first.range) + 1e-9);
+            EXPECT_LE(between.rms, first.rms + t * (last.rms - first.rms) + 1e-9);
         }
-        const auto t4 = std::chrono::steady_clock::now();
-        const BestPositions built = study.best_buildable();
-        const auto t5 = std::chrono::steady_clock::now();
-        const auto front = study.front();
-        const auto t6 = std::chrono::steady_clock::now();
-        std::vector<int> seen(6);
-        for (int i = 0; i < 40000; ++i) {
-            ++seen[static_cast<std::size_t>(
-                study.obstacle({-0.25 + 0.0025 * (i % 200), -0.25 + 0.0025 * (i / 200)}))];
-        }
-        const auto t7 = std::chrono::steady_clock::now();
-        std::printf("buildable %.0f us: range %.9f at %.6f mm %.6f deg gap %g; rms %.9f at %.6f mm %.6f gap %g\n",
-                    us(t5 - t4), built.range->criteria.range, built.range->position.centre_distance() * 1e3,
-                    built.range->position.shaft_angle() / degree, built.range->gap,
-                    built.rms->criteria.rms, built.rms->position.centre_distance() * 1e3,
-                    built.rms->position.shaft_angle() / degree, built.rms->gap);
-        std::printf("front %zu in %.0f us; obstacles %.0f us: %d %d %d %d %d %d\n", front.size(), us(t6 - t5),
-                    us(t7 - t6), seen[0], seen[1], seen[2], seen[3], seen[4], seen[5]);
-        if (rows == 49) {
-            for (const auto& p : front) {
-                std::printf("  %.4f %.4f: %.5f %.5f %.7f\n", p.position.centre_distance() * 1e3,
-                            p.position.shaft_angle() / degree, p.criteria.range, p.criteria.rms, p.criteria.size);
+    }
+}
+
+TEST(PositionStudyTest, noPlaceOfAFineGridBeatsTheBestOf1000Torques) {
+    for (unsigned seed = 0; seed < 1000; ++seed) {
+        const Solver solver(with_table(random_table(seed, 4 + seed % 60)));
+        const PositionStudy study(solver);
+        const BestPositions best = study.best();
+        ASSERT_TRUE(best.range && best.rms);
+        const double least = best.range->criteria.range;
+        EXPECT_LE(best.range->gap, 1e-11 * study.range_without()) << seed;
+        EXPECT_LE(best.range->evaluations, 60) << seed;
+        const FoldedSamples samples(solver);
+        // The best lies within |m| ≤ the range without a shaft; the range there moves by at most
+        // 2 per N·m, and 1° of sampling misses a sine's crest by |m| (1°)²/8.
+        const double reach = study.range_without();
+        constexpr int cells = 40;
+        const double step = 2.0 * reach / cells;
+        double found = 1e300;
+        for (int i = 0; i <= cells; ++i) {
+            for (int k = 0; k <= cells; ++k) {
+                found = std::min(found, samples.range(-reach + step * i, -reach + step * k));
             }
         }
-        std::printf("%zu rows: prepare %.1f best %.1f (gap %.3g) map %.0f us, off %.3g\n", rows,
-                    us(t1 - t0), us(t2 - t1), best.range->gap, us(t3 - t2), worst);
+        const double missed = 2.0 * 1.5 * reach * degree * degree / 8.0;
+        EXPECT_GE(found, least - missed) << seed;
+        EXPECT_LE(found, least + 2.0 * step / std::numbers::sqrt2) << seed;
+        // And none of a grid about the best, as fine as you like.
+        const double force = solver.counterweight_force();
+        for (const double fine : {1e-2, 1e-4, 1e-6}) {
+            for (int i = 0; i < 8; ++i) {
+                const double dx = fine * reach * std::cos(pi * i / 4) / force;
+                const double dy = fine * reach * std::sin(pi * i / 4) / force;
+                const ShaftPosition& at = best.range->position;
+                EXPECT_GE(study.at({at.x + dx, at.y + dy}).range, least - 1e-11 * reach);
+            }
+        }
     }
+}
+
+TEST(PositionStudyTest, theRmsAtTheBestPlaceIsThatWithoutTheFirstOrder) {
+    Input offset = diesel();
+    offset.torque.cylinder.offset = 0.008;
+    for (const Input& input : {preset_tmz_650d(), diesel(), two_stroke(), offset}) {
+        const Solver solver(input);
+        const Result result = solver.result();
+        const BestPositions best = PositionStudy(solver).best();
+        ASSERT_TRUE(best.rms);
+        EXPECT_NEAR(best.rms->criteria.rms,
+                    std::sqrt(result.M_up.rms * result.M_up.rms -
+                              result.order_1_amplitude * result.order_1_amplitude / 2.0),
+                    1e-9 * result.M_up.rms);
+        Input there = input;
+        there.centre_distance = best.rms->position.centre_distance();
+        there.shaft_angle = best.rms->position.shaft_angle();
+        const Result moved = solve(there);
+        const std::size_t first = input.strokes == 2 ? 0 : 1;
+        EXPECT_NEAR(moved.spectrum_M_ups[first].amplitude, 0.0, 1e-9 * result.M_up.rms);
+        EXPECT_NEAR(moved.M_ups.rms, best.rms->criteria.rms, 1e-9 * result.M_up.rms);
+    }
+}
+
+TEST(PositionStudyTest, turningTheTorquesPhaseTurnsTheBestPlaceBack) {
+    const TorqueTable table = random_table(21, 40);
+    const BestPositions best = PositionStudy(Solver(with_table(table))).best();
+    for (const double delta : {30.0, 211.0, 333.25}) {
+        // The row at 720° less delta becomes that at 0.
+        const Solver solver(with_table(table));
+        TorqueTable turned;
+        const double first = -solver.M_up(-delta * degree);
+        turned.crank_angle_deg.push_back(0.0);
+        turned.torque.push_back(first);
+        std::vector<std::pair<double, double>> rows;
+        for (std::size_t i = 0; i + 1 < table.size(); ++i) {
+            rows.emplace_back(std::fmod(table.crank_angle_deg[i] + delta, 720.0), table.torque[i]);
+        }
+        std::sort(rows.begin(), rows.end());
+        for (const auto& [angle, torque] : rows) {
+            if (angle > 1e-6) {
+                turned.crank_angle_deg.push_back(angle);
+                turned.torque.push_back(torque);
+            }
+        }
+        turned.crank_angle_deg.push_back(720.0);
+        turned.torque.push_back(first);
+        const BestPositions there = PositionStudy(Solver(with_table(turned))).best();
+        for (const auto& [one, other] :
+             {std::pair(*best.range, *there.range), std::pair(*best.rms, *there.rms)}) {
+            EXPECT_NEAR(other.position.centre_distance(), one.position.centre_distance(), 1e-9);
+            EXPECT_NEAR(std::remainder(other.position.shaft_angle() + delta * degree -
+                                           one.position.shaft_angle(),
+                                       2.0 * pi),
+                        0.0, 1e-8);
+        }
+        EXPECT_NEAR(there.range->criteria.range, best.range->criteria.range, 1e-9);
+    }
+}
+
+TEST(PositionStudyTest, scalingTheTorqueScalesTheDistance) {
+    TorqueTable table = random_table(22, 50);
+    const BestPositions best = PositionStudy(Solver(with_table(table))).best();
+    for (double& torque : table.torque) {
+        torque *= 3.5;
+    }
+    const BestPositions scaled = PositionStudy(Solver(with_table(table))).best();
+    EXPECT_NEAR(scaled.range->position.centre_distance(),
+                3.5 * best.range->position.centre_distance(), 1e-9);
+    EXPECT_NEAR(scaled.range->position.shaft_angle(), best.range->position.shaft_angle(), 1e-8);
+    EXPECT_NEAR(scaled.rms->position.centre_distance(), 3.5 * best.rms->position.centre_distance(),
+                1e-12);
+}
+
+TEST(PositionStudyTest, theMapHoldsWhatItsPlacesHave) {
+    Input cubic = with_table(random_table(9, 12));
+    cubic.interpolation = Interpolation::periodic_cubic;
+    Input offset = two_stroke();
+    offset.torque.cylinder.offset = -0.006;
+    for (const Input& input : {preset_tmz_650d(), cubic, offset, with_table(random_table(10, 4))}) {
+        const PositionStudy study{Solver(input)};
+        const PositionMap map = study.map(-0.21, 0.3, -0.4, 0.1, 53, 29);
+        ASSERT_EQ(map.range.size(), 53u * 29u);
+        ASSERT_EQ(map.rms.size(), 53u * 29u);
+        for (std::size_t row = 0; row < 29; ++row) {
+            for (std::size_t column = 0; column < 53; ++column) {
+                const PositionCriteria here =
+                    study.at({-0.21 + 0.51 * static_cast<double>(column) / 52.0,
+                              -0.4 + 0.5 * static_cast<double>(row) / 28.0});
+                EXPECT_NEAR(map.range[row * 53 + column], here.range, 1e-9);
+                EXPECT_NEAR(map.rms[row * 53 + column], here.rms, 1e-9);
+            }
+        }
+    }
+    const PositionMap one = PositionStudy(Solver(preset_tmz_650d())).map(0.1, 0.1, 0.2, 0.2, 1, 1);
+    EXPECT_EQ(one.range.size(), 1u);
+}
+
+/// Engines and limits among which the place is looked for.
+std::vector<Input> restricted() {
+    std::vector<Input> inputs{preset_tmz_650d(), diesel(), two_stroke()};
+    Input offset = diesel();
+    offset.torque.cylinder.offset = 0.012;
+    inputs.push_back(offset);
+    Input gears = preset_tmz_650d();
+    gears.envelope.gear_tip_radius = 0.055;
+    inputs.push_back(gears);
+    Input wall = preset_tmz_650d();
+    wall.place_limits.right = 0.070;
+    wall.place_limits.bottom = -0.090;
+    inputs.push_back(wall);
+    Input sector = preset_tmz_650d();
+    sector.place_limits.shaft_angle_from = 100.0 * degree;
+    sector.place_limits.shaft_angle_to = 160.0 * degree;
+    sector.place_limits.centre_distance_min = 0.120;
+    sector.place_limits.centre_distance_max = 0.150;
+    inputs.push_back(sector);
+    Input across = preset_tmz_650d();  // the sector goes over 0 and is wider than half a turn
+    across.place_limits.shaft_angle_from = -130.0 * degree;
+    across.place_limits.shaft_angle_to = 75.0 * degree;
+    across.envelope.shaft_swing_radius = 0.04;
+    inputs.push_back(across);
+    for (unsigned seed = 0; seed < 12; ++seed) {
+        Input random = with_table(random_table(seed, 30, 400.0 + 100.0 * seed));
+        random.envelope.shaft_swing_radius = 0.02 + 0.003 * seed;
+        random.place_limits.top = 0.05;
+        inputs.push_back(random);
+    }
+    return inputs;
+}
+
+TEST(PositionStudyTest, noPlaceThatCanBeBuiltBeatsTheBestOne) {
+    for (const Input& input : restricted()) {
+        const PositionStudy study{Solver(input)};
+        const BestPositions best = study.best_buildable();
+        const BestPositions free = study.best();
+        ASSERT_TRUE(best.range && best.rms) << best.reason.english();
+        const double size = study.range_without();
+        for (const auto& found : {*best.range, *best.rms}) {
+            EXPECT_EQ(study.obstacle(found.position), Obstacle::none)
+                << study.obstacle_reason(found.position).english();
+            EXPECT_EQ(study.obstacle(ShaftPosition::at(found.position.centre_distance(),
+                                                       found.position.shaft_angle())),
+                      Obstacle::none);
+            EXPECT_LE(found.gap, 1e-9 * size);
+        }
+        EXPECT_GE(best.range->criteria.range, free.range->criteria.range - 1e-9);
+        EXPECT_GE(best.rms->criteria.rms, free.rms->criteria.rms - 1e-9);
+        // Grids: all of the front view, and about the best, finer and finer.
+        const auto look = [&](const ShaftPosition& about, double half) {
+            constexpr int cells = 60;
+            for (int i = 0; i <= cells; ++i) {
+                for (int k = 0; k <= cells; ++k) {
+                    const ShaftPosition at{about.x + half * (2.0 * i / cells - 1.0),
+                                           about.y + half * (2.0 * k / cells - 1.0)};
+                    if (study.obstacle(at) == Obstacle::none) {
+                        const PositionCriteria here = study.at(at);
+                        ASSERT_GE(here.range, best.range->criteria.range - 1e-8 * size);
+                        ASSERT_GE(here.rms, best.rms->criteria.rms - 1e-8 * size);
+                    }
+                }
+            }
+        };
+        look({}, 0.6);
+        for (const double half : {0.05, 1e-3, 1e-5}) {
+            look(best.range->position, half);
+            look(best.rms->position, half);
+        }
+    }
+}
+
+TEST(PositionStudyTest, anObstacleIsWhatTheClearancesSay) {
+    const Input input = preset_tmz_650d();
+    const PositionStudy study{Solver(input)};
+    const FrontView view = front_view(input);
+    std::array<int, 4> seen{};
+    for (int i = 0; i < 60; ++i) {
+        for (int k = 0; k < 60; ++k) {
+            const ShaftPosition at{-0.2 + 0.4 * i / 59.0, -0.2 + 0.5 * k / 59.0};
+            const ShaftClearance free =
+                shaft_clearance(view.at_distance(at.centre_distance()), at.shaft_angle());
+            const double least = view.clearance;
+            const Obstacle expected = free.crank < least      ? Obstacle::crank
+                                      : free.cylinder < least ? Obstacle::cylinder
+                                      : free.rod < least      ? Obstacle::rod
+                                                              : Obstacle::none;
+            EXPECT_EQ(study.obstacle(at), expected) << at.x << " " << at.y;
+            EXPECT_EQ(study.obstacle_reason(at).empty(), expected == Obstacle::none);
+            ++seen[static_cast<std::size_t>(expected)];
+        }
+    }
+    for (const int count : seen) {
+        EXPECT_GT(count, 0);
+    }
+    // On a circle: the stretches of angles that can be built.
+    const Solver solver(input);
+    for (int i = 0; i < 720; ++i) {
+        const double alpha = 0.5 * i * degree;
+        EXPECT_EQ(study.obstacle(ShaftPosition::at(input.centre_distance, alpha)) == Obstacle::none,
+                  solver.buildable().contains(alpha));
+    }
+}
+
+TEST(PositionStudyTest, noPlaceThatCanBeBuiltBeatsTheFrontInAllThree) {
+    for (const Input& input : restricted()) {
+        const PositionStudy study{Solver(input)};
+        const std::vector<FrontPosition> front = study.front();
+        ASSERT_GE(front.size(), 1u);
+        EXPECT_LE(front.size(), 60u);
+        std::vector<PositionCriteria> others;
+        for (int i = 0; i <= 100; ++i) {
+            for (int k = 0; k <= 100; ++k) {
+                const ShaftPosition at{-0.25 + 0.5 * i / 100.0, -0.25 + 0.5 * k / 100.0};
+                if (study.obstacle(at) == Obstacle::none) {
+                    others.push_back(study.at(at));
+                }
+            }
+        }
+        for (std::size_t i = 0; i < front.size(); ++i) {
+            const PositionCriteria& one = front[i].criteria;
+            EXPECT_EQ(study.obstacle(front[i].position), Obstacle::none);
+            if (i > 0) {
+                EXPECT_GE(one.size, front[i - 1].criteria.size);
+            }
+            constexpr double gap = 1e-5;
+            for (const PositionCriteria& other : others) {
+                EXPECT_FALSE(other.range < one.range * (1.0 - gap) &&
+                             other.rms < one.rms * (1.0 - gap) &&
+                             other.size < one.size * (1.0 - gap));
+            }
+        }
+        const BestPositions best = study.best_buildable();
+        const auto has = [&](const BestPosition& wanted) {
+            return std::any_of(front.begin(), front.end(), [&](const FrontPosition& one) {
+                return one.criteria.range <= wanted.criteria.range * (1.0 + 1e-5) &&
+                       one.criteria.rms <= wanted.criteria.rms * (1.0 + 1e-5);
+            });
+        };
+        EXPECT_TRUE(has(*best.range));
+        EXPECT_TRUE(has(*best.rms));
+    }
+}
+
+TEST(PositionStudyTest, aConstantTorqueAndAShaftWithoutMomentAreSaidInWords) {
+    TorqueTable table;
+    table.crank_angle_deg = {0.0, 300.0, 720.0};
+    table.torque = {55.0, 55.0, 55.0};
+    const PositionStudy constant{Solver(with_table(table))};
+    const BestPositions best = constant.best();
+    ASSERT_TRUE(best.range && best.rms);
+    EXPECT_FALSE(best.reason.empty());
+    EXPECT_EQ(best.range->position.centre_distance(), 0.0);
+    EXPECT_EQ(best.range->criteria.range, 0.0);
+    const BestPositions built = constant.best_buildable();
+    ASSERT_TRUE(built.range);
+    EXPECT_FALSE(built.reason.empty());
+    EXPECT_EQ(constant.obstacle(built.range->position), Obstacle::none);
+    EXPECT_TRUE(std::isfinite(built.range->criteria.range + built.rms->criteria.rms));
+    EXPECT_FALSE(constant.front().empty());
+    for (const double value : constant.map(-0.1, 0.1, -0.1, 0.1, 9, 9).range) {
+        EXPECT_TRUE(std::isfinite(value));
+    }
+
+    Input input = preset_tmz_650d();
+    input.counterweight_mass = 0.0;
+    const PositionStudy still{Solver(input)};
+    EXPECT_FALSE(still.best().range);
+    EXPECT_FALSE(still.best_buildable().rms);
+    EXPECT_FALSE(still.best_buildable().reason.empty());
+    EXPECT_TRUE(still.front().empty());
+    EXPECT_NEAR(still.at({0.1, 0.1}).range, still.range_without(), 1e-9);
+    EXPECT_NEAR(still.best_range_at(0.1).criteria.range, still.range_without(), 1e-9);
+}
+
+TEST(PositionStudyTest, limitsThatLeaveNothingGiveAReason) {
+    Input input = preset_tmz_650d();
+    input.place_limits.centre_distance_max = 0.05;
+    EXPECT_FALSE(PositionStudy(Solver(input)).best_buildable().range);
+    EXPECT_FALSE(PositionStudy(Solver(input)).best_buildable().reason.empty());
+    EXPECT_TRUE(PositionStudy(Solver(input)).front().empty());
+    input = preset_tmz_650d();
+    input.place_limits.left = -0.02;
+    input.place_limits.right = 0.02;
+    input.place_limits.bottom = 0.05;
+    input.place_limits.top = 0.20;
+    EXPECT_FALSE(PositionStudy(Solver(input)).best_buildable().reason.empty());
+}
+
+TEST(PositionStudyTest, limitsAreChecked) {
+    const auto error = [](const auto& set) {
+        Input input = preset_tmz_650d();
+        set(input.place_limits);
+        return error_of([&] { check_input(input); });
+    };
+    EXPECT_EQ(error([](PlaceLimits&) {}), "no error");
+    EXPECT_EQ(error([](PlaceLimits& to) {
+                  to.centre_distance_min = 0.1;
+                  to.centre_distance_max = 0.1;
+              }),
+              "/input/place_limits/centre_distance_max_mm: must be greater than 100 mm, got 100");
+    EXPECT_EQ(error([](PlaceLimits& to) {
+                  to.shaft_angle_from = 0.5 * pi;
+                  to.shaft_angle_to = 0.25 * pi;
+              }),
+              "/input/place_limits/shaft_angle_to_deg: must be greater than 90°, got 45");
+    EXPECT_EQ(error([](PlaceLimits& to) {
+                  to.left = 0.03;
+                  to.right = 0.02;
+              }),
+              "/input/place_limits/right_mm: must be greater than 30 mm, got 20");
+    EXPECT_EQ(error([](PlaceLimits& to) {
+                  to.bottom = 0.03;
+                  to.top = -0.02;
+              }),
+              "/input/place_limits/top_mm: must be greater than 30 mm, got -20");
+    EXPECT_EQ(error([](PlaceLimits& to) { to.shaft_angle_from = 2.0 * pi; }),
+              "/input/place_limits/shaft_angle_from_deg: must be less than 360°, got 360");
+    EXPECT_EQ(error([](PlaceLimits& to) {
+                  to.left = 0.03;
+                  to.right = 0.04;
+              }),
+              "no error");
+    EXPECT_EQ(error([](PlaceLimits& to) { to.shaft_angle_from = -0.5; }), "no error");
+}
+
+TEST(PositionStudyTest, theResultHoldsTheBestPlaces) {
+    const Solver solver(preset_tmz_650d());
+    const Json json = write_result(solver, solver.result());
+    EXPECT_NEAR(json["best_position"]["range"]["range_Nm"].get<double>(), 1063.504264, 5e-7);
+    EXPECT_NEAR(json["best_position"]["rms"]["centre_distance_mm"].get<double>(), 36.950446, 5e-7);
+    const Json& built = json["best_position_buildable"];
+    EXPECT_GE(built["range"]["range_Nm"].get<double>(), 1063.504264);
+    EXPECT_TRUE(built["rms"].contains("shaft_angle_deg"));
+    ASSERT_TRUE(built["front"].is_array());
+    EXPECT_TRUE(built["front"][0].contains("size_m2"));
+    EXPECT_EQ(write_result(solver, solver.result()), json);
 }
 
 }  // namespace
