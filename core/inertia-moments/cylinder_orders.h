@@ -18,6 +18,15 @@ struct CylinderOrders {
     std::vector<Harmonic<Scalar>> rod_torque;  ///< −ψ″ ψ′, of that couple on the crank
 };
 
+/// Of a cylinder with an articulated rod also those of a mass at its knuckle pin instead of the
+/// crankpin, in units of m_k R ω² and m_k R² ω²: what the crankpin's own would be is left out.
+struct ArticulatedOrders : CylinderOrders<double> {
+    std::vector<Harmonic<double>> knuckle_along;   ///< along the cylinder's axis
+    std::vector<Harmonic<double>> knuckle_across;  ///< across it, counter-clockwise
+    std::vector<Harmonic<double>> knuckle_roll;    ///< moment about the crank axis
+    std::vector<Harmonic<double>> knuckle_torque;  ///< on the crank
+};
+
 /// Exact orders by a discrete Fourier transform.
 ///
 /// The force is −m_j s̈; its torque on the crank follows from virtual work, F ds/dφ. For the couple

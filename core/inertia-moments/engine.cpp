@@ -23,6 +23,17 @@ std::vector<Cylinder> rounded(std::vector<Cylinder> cylinders) {
         round(cylinder.bank_angle, field::bank_angle);
         round(cylinder.offset, field::offset);
         round(cylinder.crankpin_angle, field::crankpin_angle);
+        if (cylinder.articulated) {
+            ArticulatedRod& rod = *cylinder.articulated;
+            round(rod.knuckle_radius, field::knuckle_radius);
+            round(rod.knuckle_mass, field::knuckle_mass);
+            if (rod.knuckle_angle) {
+                round(*rod.knuckle_angle, field::knuckle_angle);
+            }
+            if (rod.rod_length) {
+                round(*rod.rod_length, field::articulated_length);
+            }
+        }
     }
     return cylinders;
 }
@@ -30,6 +41,9 @@ std::vector<Cylinder> rounded(std::vector<Cylinder> cylinders) {
 std::optional<Locking> find_locking(double crank_radius, double lambda,
                                     const std::vector<Cylinder>& cylinders) {
     for (std::size_t i = 0; i < cylinders.size(); ++i) {
+        if (cylinders[i].articulated) {
+            continue;
+        }
         const SliderCrank<double> crank{1.0, 1.0 / lambda, cylinders[i].offset / crank_radius};
         if (crank.locks()) {
             return Locking{i, crank.locking_angles()};
@@ -42,6 +56,45 @@ std::optional<Locking> find_locking(double crank_radius, double lambda,
         }
     }
     return std::nullopt;
+}
+
+std::optional<Locking> find_articulated_locking(const Engine& engine) {
+    for (std::size_t i = 0; i < engine.knuckles.size(); ++i) {
+        if (engine.knuckles[i]) {
+            const ArticulatedCrank crank = engine.articulated(i);
+            if (!(crank.rod_length - crank.reach() > locking_margin * crank.rod_length)) {
+                return Locking{i, crank.locking_angles()};
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+ArticulatedCrank Engine::articulated(std::size_t cylinder) const {
+    const Cylinder& own = cylinders[cylinder];
+    const KnuckleRod& rod = *knuckles[cylinder];
+    const Cylinder& master = cylinders[rod.master];
+    const double between = own.bank_angle - master.bank_angle;
+    return {mechanism(master), std::polar(1.0, between),
+            std::polar(rod.knuckle_radius / crank_radius, rod.knuckle_angle - between),
+            rod.rod_length / crank_radius, own.offset / crank_radius};
+}
+
+double Engine::top_dead_centre(std::size_t cylinder) const {
+    return knuckles[cylinder] ? articulated(cylinder).top_dead_centre()
+                              : mechanism(cylinders[cylinder]).top_dead_centre();
+}
+
+double Engine::bottom_dead_centre(std::size_t cylinder) const {
+    return knuckles[cylinder] ? articulated(cylinder).bottom_dead_centre()
+                              : mechanism(cylinders[cylinder]).bottom_dead_centre();
+}
+
+double Engine::stroke(std::size_t cylinder) const {
+    const double relative = knuckles[cylinder] ? articulated(cylinder).stroke()
+                                               : mechanism(cylinders[cylinder]).stroke();
+    // Rods so long that their square overflows move the piston as a Scotch yoke does.
+    return crank_radius * (std::isfinite(relative) ? relative : 2.0);
 }
 
 Message describe(const Locking& locking) {
@@ -73,6 +126,14 @@ Engine reduce(const Input& input) {
         cylinder.crankpin_angle = wrap_turn(cylinder.crankpin_angle);
     }
     engine.throws = crank_throws(engine.cylinders, engine.crank_radius);
+    engine.knuckles = knuckle_rods(engine.cylinders, engine.throws, input.rod_length());
+    for (std::size_t i = 0; i < engine.cylinders.size(); ++i) {
+        if (engine.knuckles[i]) {
+            // One crankpin, whatever rounding left in the table.
+            engine.cylinders[i].crankpin_angle =
+                engine.cylinders[engine.knuckles[i]->master].crankpin_angle;
+        }
+    }
     engine.rotating_mass = input.rotating_mass;
     if (input.rotating_mass_of_throw) {
         engine.rotating_mass /= static_cast<double>(rods_per_throw(engine.throws).value_or(1));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "case-file/message.h"
+#include "inertia-moments/articulated_rods.h"
 #include "inertia-moments/input.h"
 #include "inertia-moments/throws.h"
 #include "numerics/slider_crank.h"
@@ -25,6 +26,8 @@ struct Engine {
     double reference_position = 0.0;  ///< m
     std::vector<Cylinder> cylinders;
     std::vector<Throw> throws;  ///< the crankpins with their rods
+    /// By cylinder; empty for a rod on the crankpin itself.
+    std::vector<std::optional<KnuckleRod>> knuckles;
 
     /// kg on a crankpin, at the radius R
     double mass_on(const Throw& pin) const {
@@ -34,7 +37,7 @@ struct Engine {
     double force_unit() const {
         return reciprocating_mass * crank_radius * angular_speed * angular_speed;
     }
-    /// The mechanism of one cylinder in units of R.
+    /// The mechanism of a cylinder with a rod on the crankpin, in units of R.
     SliderCrank<double> mechanism(const Cylinder& cylinder) const {
         return {1.0, 1.0 / lambda, cylinder.offset / crank_radius};
     }
@@ -42,6 +45,13 @@ struct Engine {
     double crank_phase(const Cylinder& cylinder) const {
         return cylinders.front().bank_angle + cylinder.crankpin_angle - cylinder.bank_angle;
     }
+    /// The mechanism of a cylinder with an articulated rod, in units of R.
+    /// @param cylinder  index; knuckles[cylinder] is there
+    ArticulatedCrank articulated(std::size_t cylinder) const;
+    /// θ at top and bottom dead centre, rad, and the stroke, m, of any cylinder by its index.
+    double top_dead_centre(std::size_t cylinder) const;
+    double bottom_dead_centre(std::size_t cylinder) const;
+    double stroke(std::size_t cylinder) const;
 };
 
 /// Every value of the table rounded to 12 digits in its unit, so that a case file keeps it exactly.
@@ -55,15 +65,21 @@ struct Locking {
     std::optional<LockingAngles<double>> angles;
 };
 
-/// The first cylinder whose mechanism locks, λ(1 + |K|) ≥ 1, if any does.
+/// The first cylinder with a rod on its crankpin whose mechanism locks, λ(1 + |K|) ≥ 1, if any
+/// does.
 std::optional<Locking> find_locking(double crank_radius, double lambda,
                                     const std::vector<Cylinder>& cylinders);
+
+/// The first cylinder whose articulated rod stands across before the crank is round, if any does.
+/// @param engine  whose other mechanisms do not lock
+std::optional<Locking> find_articulated_locking(const Engine& engine);
 
 /// Why the crank cannot turn, as a phrase: "the mechanism of cylinder 1 locks with the crank at
 /// 203.5° turning forward and at -23.5° turning back, measured from the cylinder's axis".
 Message describe(const Locking& locking);
 
-/// Reduces the input to the engine without any check.
+/// Reduces the input to the engine without any check but that of the master rods.
+/// @throws InputError as knuckle_rods()
 Engine reduce(const Input& input);
 
 /// The engine of a checked input.

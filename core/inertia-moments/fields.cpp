@@ -92,11 +92,20 @@ void visit_rotating_mass(FieldVisitor& visitor, Input& input) {
 
 }  // namespace
 
+void visit_fields(FieldVisitor& visitor, ArticulatedRod& rod) {
+    visitor.number(field::knuckle_radius, rod.knuckle_radius);
+    visitor.number(field::knuckle_angle, rod.knuckle_angle);
+    visitor.number(field::articulated_length, rod.rod_length);
+    visitor.integer(field::master, rod.master, 0);
+    visitor.number(field::knuckle_mass, rod.knuckle_mass, 0.0);
+}
+
 void visit_fields(FieldVisitor& visitor, Cylinder& cylinder) {
     visitor.number(field::axial_position, cylinder.axial_position);
     visitor.number(field::bank_angle, cylinder.bank_angle);
     visitor.number(field::offset, cylinder.offset);
     visitor.number(field::crankpin_angle, cylinder.crankpin_angle);
+    visitor.object(field::articulated, cylinder.articulated);
 }
 
 void visit_fields(FieldVisitor& visitor, RigidRod& rod) {

@@ -118,6 +118,52 @@ inline constexpr Field crankpin_angle{
     .symbol = "κ",
     .hint = CORE_TEXT("inertia-moments", "Crankpin, counter-clockwise from crankpin 1")};
 
+// Of the object "articulated" of a cylinder.
+inline constexpr Field articulated{
+    .key = "articulated",
+    .hint = CORE_TEXT("inertia-moments",
+                      "The cylinder's rod hangs on the master rod of its crankpin by a knuckle pin "
+                      "(radials); without it the rod runs on the crankpin itself.")};
+inline constexpr Field knuckle_radius{
+    .key = "knuckle_radius_mm",
+    .unit = units::mm,
+    .range = Range::between(0, 1e9),
+    .symbol = "r_k",
+    .hint = CORE_TEXT("inertia-moments",
+                      "Articulated rod: distance of its knuckle pin from the crankpin's centre; "
+                      "empty: the rod runs on the crankpin itself")};
+inline constexpr Field knuckle_angle{
+    .key = "knuckle_angle_deg",
+    .unit = units::degree,
+    .range = Range::between(-3600, 3600),
+    .symbol = "γ",
+    .hint = CORE_TEXT("inertia-moments",
+                      "Articulated rod: its knuckle pin about the crankpin, counter-clockwise from "
+                      "the master rod's axis; empty: the difference of the bank angles")};
+inline constexpr Field articulated_length{
+    .key = "rod_length_mm",
+    .unit = units::mm,
+    .range = Range::greater_than(0, 1e9),
+    .symbol = "l",
+    .hint = CORE_TEXT("inertia-moments",
+                      "Articulated rod: its length from knuckle pin to piston pin; empty: the "
+                      "master rod's less the knuckle radius")};
+inline constexpr Field master{
+    .key = "master",
+    .range = Range::between(0, most_cylinders),
+    .symbol = "№",
+    .hint = CORE_TEXT("inertia-moments",
+                      "Articulated rod: number of the cylinder with its master rod; empty or 0: "
+                      "the only rod that runs on the crankpin itself")};
+inline constexpr Field knuckle_mass{
+    .key = "knuckle_mass_kg",
+    .unit = units::kg,
+    .range = Range::at_least(0),
+    .symbol = "m_k",
+    .hint = CORE_TEXT("inertia-moments",
+                      "Articulated rod: part of the cylinder's rotating mass that lies at the "
+                      "knuckle pin instead of the crankpin")};
+
 // Of the object "layout".
 enum class LayoutType { vr, library };
 inline constexpr Word layout_types[] = {{"vr"}, {"library"}};

@@ -69,6 +69,47 @@ void check_locking(const Input& input, const std::vector<Cylinder>& cylinders) {
                      Number{.value = cylinders[locking->cylinder].offset / units::mm, .digits = 6});
 }
 
+/// What joins articulated rods with the rest: a rod as a rigid body, the rotating mass, locking.
+void check_articulated(const Input& input, const Engine& engine) {
+    for (std::size_t i = 0; i < engine.knuckles.size(); ++i) {
+        if (!engine.knuckles[i]) {
+            continue;
+        }
+        if (input.rod) {
+            throw InputError("/input/rod",
+                             {CORE_TEXT("inertia-moments",
+                                        "must be left out where rods are articulated (that of "
+                                        "cylinder %1): master and articulated rods differ in mass, "
+                                        "and their shares belong in the masses"),
+                              i + 1});
+        }
+        const double mass = engine.knuckles[i]->knuckle_mass;
+        if (!(mass <= engine.rotating_mass)) {
+            throw InputError(
+                "/input/cylinders/" + std::to_string(i) + "/articulated/knuckle_mass_kg",
+                {CORE_TEXT("inertia-moments",
+                           "must be at most %1, the rotating mass of one cylinder"),
+                 Number{.value = engine.rotating_mass, .digits = 6}},
+                Number{mass});
+        }
+    }
+    if (const auto locking = find_articulated_locking(engine)) {
+        const std::size_t i = locking->cylinder;
+        const double reach = engine.articulated(i).reach() * engine.crank_radius;
+        const bool given = input.cylinders[i].articulated->rod_length.has_value();
+        const Field& field = given ? field::articulated_length : field::knuckle_radius;
+        const KnuckleRod& rod = *engine.knuckles[i];
+        throw InputError(
+            "/input/cylinders/" + std::to_string(i) + "/articulated/" + std::string(field.key),
+            {CORE_TEXT("inertia-moments",
+                       "must leave the articulated rod longer than %1, which its knuckle pin goes "
+                       "from the cylinder's axis; %2"),
+             Number{.value = reach / units::mm, .digits = 6}, describe(*locking)},
+            Number{.value = from_si(field, given ? rod.rod_length : rod.knuckle_radius),
+                   .digits = 6});
+    }
+}
+
 void check_end_webs(const EndWebs& webs) {
     constexpr double least_distance = 1e-6;  // m
     const double size = std::max(std::abs(webs.front_position), std::abs(webs.rear_position));
@@ -156,6 +197,7 @@ void check_input(const Input& input) {
     }
     const Engine engine = reduce(input);
     check_throws(input, engine);
+    check_articulated(input, engine);
     check_size(input, engine);
 }
 

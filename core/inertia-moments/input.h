@@ -28,12 +28,25 @@ inline constexpr int highest_order = 12;          ///< of the results and of bal
 inline constexpr int highest_two_term_order = 4;  ///< the torque's; forces have orders 1 and 2
 inline constexpr double order_accuracy = 1e-13;   ///< asked of the orders, relative to m R ω²
 
+/// A rod that hangs on the master rod of its crankpin by a knuckle pin, instead of running on the
+/// crankpin itself (radials; master-and-articulated V engines).
+struct ArticulatedRod {
+    double knuckle_radius = 0.0;          ///< r_k, m, of the knuckle pin from the crankpin's centre
+    std::optional<double> knuckle_angle;  ///< γ, rad, counter-clockwise from the master rod's axis
+    std::optional<double> rod_length;     ///< l, m, from knuckle pin to piston pin
+    int master = 0;                       ///< number of the master's cylinder; 0: the only one
+    /// Part of the cylinder's rotating mass that lies at the knuckle pin, not at the crankpin, kg.
+    double knuckle_mass = 0.0;
+    bool operator==(const ArticulatedRod&) const = default;
+};
+
 /// One cylinder of the table.
 struct Cylinder {
     double axial_position = 0.0;  ///< z, m, positive towards cylinder 1
     double bank_angle = 0.0;      ///< β, rad; the axis points along (−sin β, cos β)
     double offset = 0.0;          ///< e, m, positive on the counter-clockwise side
     double crankpin_angle = 0.0;  ///< κ, rad, counter-clockwise from crankpin 1
+    std::optional<ArticulatedRod> articulated = std::nullopt;  ///< empty: a rod on the crankpin
     bool operator==(const Cylinder&) const = default;
 };
 
@@ -119,6 +132,7 @@ struct Input {
 };
 
 // The fields in the order of the case file; fields.h describes them.
+void visit_fields(FieldVisitor& visitor, ArticulatedRod& rod);
 void visit_fields(FieldVisitor& visitor, Cylinder& cylinder);
 void visit_fields(FieldVisitor& visitor, RigidRod& rod);
 void visit_fields(FieldVisitor& visitor, Shaft& shaft);

@@ -261,8 +261,8 @@ namespace {
 
 /// φ of a top dead centre, rad, in any turn.
 double top_dead_centre(const Engine& engine, int number) {
-    const Cylinder& cylinder = engine.cylinders[static_cast<std::size_t>(number) - 1];
-    return engine.mechanism(cylinder).top_dead_centre() - engine.crank_phase(cylinder);
+    const auto cylinder = static_cast<std::size_t>(number) - 1;
+    return engine.top_dead_centre(cylinder) - engine.crank_phase(engine.cylinders[cylinder]);
 }
 
 constexpr double at_once = 1e-9;  ///< rad, between firings that are one
@@ -278,9 +278,12 @@ double angle_forward(double from, double to) {
 std::vector<int> dead_centre_order(const Engine& engine) {
     std::vector<int> order(engine.cylinders.size());
     std::iota(order.begin(), order.end(), 1);
-    const double first = top_dead_centre(engine, 1);
+    std::vector<double> tops;
+    for (const int number : order) {
+        tops.push_back(top_dead_centre(engine, number));
+    }
     const auto after_first = [&](int number) {
-        const double way = angle_forward(first, top_dead_centre(engine, number));
+        const double way = angle_forward(tops.front(), tops[static_cast<std::size_t>(number) - 1]);
         return std::round(way / at_once);  // those that come together stay in their order
     };
     std::stable_sort(order.begin(), order.end(),

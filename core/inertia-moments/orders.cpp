@@ -1,6 +1,7 @@
 #include "inertia-moments/orders.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "inertia-moments/cylinder_orders.h"
@@ -25,6 +26,9 @@ Harmonic<double>& operator+=(Harmonic<double>& sum, const Complex& c) {
     return sum;
 }
 
+/// Samples beyond which a transform for an articulated rod does not grow.
+constexpr std::size_t longest_transform = 1U << 14U;
+
 /// The orders of one cylinder, kept with the |K| that they were made for: the cylinders of an
 /// engine share one or two.
 struct CachedOrders {
@@ -32,10 +36,107 @@ struct CachedOrders {
     CylinderOrders<double> orders;
 };
 
-/// Adds the cylinders' orders up. `orders_of` gives the orders for |K|; a negative offset is the
-/// mirror image (force and torque at −θ).
-template <typename OrdersOf>
-std::vector<EngineOrder> add_up(const Engine& engine, int max_order, OrdersOf&& orders_of) {
+/// The force of a mass at the knuckle pin instead of the crankpin, its moment about the crank axis
+/// and its torque on the crank, in units of m_k and R: −m a of the pin's own motion, less what the
+/// mass would do at the crankpin, whose force turns with the crank and has neither moment nor
+/// torque.
+struct KnuckleLoad {
+    Complex force;  ///< along the cylinder's axis + i across it
+    double roll;
+    double torque;
+};
+
+KnuckleLoad knuckle_load(const ArticulatedMotion& motion, double sin_theta, double cos_theta) {
+    const Complex place = Complex(cos_theta, sin_theta) + motion.arm;
+    const Complex rate = Complex(-sin_theta, cos_theta) + motion.darm;
+    const Complex acceleration = motion.d2arm - Complex(cos_theta, sin_theta);
+    return {-motion.d2arm, place.imag() * acceleration.real() - place.real() * acceleration.imag(),
+            -(acceleration.real() * rate.real() + acceleration.imag() * rate.imag())};
+}
+
+/// Orders of a cylinder with an articulated rod from its motion at the nodes of the transform.
+template <typename MotionAt>
+ArticulatedOrders articulated_orders(const MotionAt& motion_at, int max_order,
+                                     const UniformTransform<double>& transform) {
+    const std::size_t n = transform.size();
+    std::array<std::vector<double>, 6> values;
+    for (auto& list : values) {
+        list.resize(n);
+    }
+    for (std::size_t j = 0; j < n; ++j) {
+        const double sin_theta = transform.node_sin()[j];
+        const double cos_theta = transform.node_cos()[j];
+        const ArticulatedMotion motion = motion_at(sin_theta, cos_theta);
+        const KnuckleLoad load = knuckle_load(motion, sin_theta, cos_theta);
+        values[0][j] = -motion.piston.d2s;
+        values[1][j] = -motion.piston.d2s * motion.piston.ds;
+        values[2][j] = load.force.real();
+        values[3][j] = load.force.imag();
+        values[4][j] = load.roll;
+        values[5][j] = load.torque;
+    }
+    ArticulatedOrders result;
+    result.force = transform.orders(values[0], max_order);
+    result.torque = transform.orders(values[1], max_order);
+    result.knuckle_along = transform.orders(values[2], max_order);
+    result.knuckle_across = transform.orders(values[3], max_order);
+    result.knuckle_roll = transform.orders(values[4], max_order);
+    result.knuckle_torque = transform.orders(values[5], max_order);
+    return result;
+}
+
+/// The largest difference of any order of force and torque, over the largest order (at least 1).
+double relative_difference(const CylinderOrders<double>& a, const CylinderOrders<double>& b) {
+    double largest = 1.0;
+    double difference = 0.0;
+    const auto compare_lists = [&](const auto& left, const auto& right) {
+        for (std::size_t k = 0; k < left.size(); ++k) {
+            largest = std::max(largest, amplitude(left[k]));
+            difference = std::max(
+                difference, std::hypot(left[k].cos - right[k].cos, left[k].sin - right[k].sin));
+        }
+    };
+    compare_lists(a.force, b.force);
+    compare_lists(a.torque, b.torque);
+    return difference / largest;
+}
+
+/// Exact orders of a cylinder with an articulated rod: the transform is doubled until that changes
+/// nothing.
+/// @param transforms  of so many samples, twice, four times…; grows as needed
+/// @param result      notes the samples, and an accuracy that is not reached
+ArticulatedOrders exact_articulated_orders(const ArticulatedCrank& crank, int max_order,
+                                           double accuracy,
+                                           std::vector<UniformTransform<double>>& transforms,
+                                           EngineOrders& result) {
+    const auto motion_at = [&](double sin_theta, double cos_theta) {
+        return crank.at(sin_theta, cos_theta);
+    };
+    ArticulatedOrders orders;
+    for (std::size_t i = 0;; ++i) {
+        if (i == transforms.size()) {
+            transforms.emplace_back(i == 0 ? 2 * static_cast<std::size_t>(max_order) + 8
+                                           : 2 * transforms.back().size());
+        }
+        const std::size_t samples = transforms[i].size();
+        ArticulatedOrders finer = articulated_orders(motion_at, max_order, transforms[i]);
+        const bool settled = i > 0 && relative_difference(finer, orders) <= accuracy;
+        orders = std::move(finer);
+        if (settled || samples >= longest_transform) {
+            result.accurate = result.accurate && settled;
+            result.transform_samples = std::max(result.transform_samples, samples);
+            return orders;
+        }
+    }
+}
+
+/// Adds the cylinders' orders up.
+/// @param orders_of  gives the orders for |K| of a rod on the crankpin; a negative offset is the
+///                   mirror image (force and torque at −θ)
+/// @param articulated_of  those of a cylinder by its index, with its offset as it is
+template <typename OrdersOf, typename ArticulatedOf>
+std::vector<EngineOrder> add_up(const Engine& engine, int max_order, OrdersOf&& orders_of,
+                                ArticulatedOf&& articulated_of) {
     std::vector<EngineOrder> result(static_cast<std::size_t>(max_order));
     for (std::size_t k = 0; k < result.size(); ++k) {
         result[k].order = static_cast<int>(k) + 1;
@@ -45,9 +146,15 @@ std::vector<EngineOrder> add_up(const Engine& engine, int max_order, OrdersOf&& 
     const double torque_unit = force_unit * engine.crank_radius;
     const double couple_unit =
         engine.rod_couple_inertia * engine.angular_speed * engine.angular_speed;
-    for (const Cylinder& cylinder : engine.cylinders) {
-        const CylinderOrders<double>& own = orders_of(std::abs(cylinder.offset));
-        const bool mirror = cylinder.offset < 0.0;
+    for (std::size_t i = 0; i < engine.cylinders.size(); ++i) {
+        const Cylinder& cylinder = engine.cylinders[i];
+        std::optional<ArticulatedOrders> articulated;
+        if (engine.knuckles[i]) {
+            articulated = articulated_of(i);
+        }
+        const CylinderOrders<double>& own =
+            articulated ? *articulated : orders_of(std::abs(cylinder.offset));
+        const bool mirror = !articulated && cylinder.offset < 0.0;
         // Even functions of (θ, e) keep their cosines, odd ones their sines.
         const auto even = [&](const Harmonic<double>& h) {
             return mirror ? Complex(h.cos, h.sin) : coefficient(h);
@@ -74,6 +181,21 @@ std::vector<EngineOrder> add_up(const Engine& engine, int max_order, OrdersOf&& 
                 roll += couple_unit * odd(own.rod_roll[k]) * turn;
                 torque += couple_unit * odd(own.rod_torque[k]) * turn;
             }
+            if (articulated && engine.knuckles[i]->knuckle_mass > 0.0) {
+                const double share = engine.knuckles[i]->knuckle_mass / engine.reciprocating_mass;
+                const Complex along =
+                    share * force_unit * coefficient(articulated->knuckle_along[k]) * turn;
+                const Complex across =
+                    share * force_unit * coefficient(articulated->knuckle_across[k]) * turn;
+                RotatingPair knuckle = RotatingPair::of(u, along);
+                knuckle += RotatingPair::of(u * Complex(0.0, 1.0), across);
+                order.force += knuckle;
+                order.moment += {knuckle.forward * lever, knuckle.backward * lever};
+                order.force_scale += std::abs(along) + std::abs(across);
+                order.moment_scale += (std::abs(along) + std::abs(across)) * std::abs(lever);
+                roll += share * torque_unit * coefficient(articulated->knuckle_roll[k]) * turn;
+                torque += share * torque_unit * coefficient(articulated->knuckle_torque[k]) * turn;
+            }
             order.inertia_roll += roll;
             order.reaction_torque += -torque;
             order.roll_scale += std::max(std::abs(roll) + std::abs(torque), least * torque_unit);
@@ -93,48 +215,69 @@ const CylinderOrders<double>& cached(std::vector<CachedOrders>& kept, double off
     return kept.emplace_back(CachedOrders{offset, make()}).orders;
 }
 
+/// What the mechanisms of an engine need at every φ.
+struct Prepared {
+    std::vector<Complex> axes;
+    std::vector<SliderCrank<double>> mechanisms;
+    std::vector<std::optional<ArticulatedCrank>> articulated;
+    std::vector<Complex> phases;
+
+    explicit Prepared(const Engine& engine) : articulated(engine.cylinders.size()) {
+        for (std::size_t i = 0; i < engine.cylinders.size(); ++i) {
+            const Cylinder& cylinder = engine.cylinders[i];
+            axes.push_back(axis_direction(cylinder));
+            mechanisms.push_back(engine.mechanism(cylinder));
+            phases.push_back(std::polar(1.0, engine.crank_phase(cylinder)));
+            if (engine.knuckles[i]) {
+                articulated[i] = engine.articulated(i);
+            }
+        }
+    }
+};
+
 /// Dimensionless motion of every cylinder at one φ, added up.
-Wrench wrench_at(const Engine& engine, const std::vector<Complex>& axes,
-                 const std::vector<SliderCrank<double>>& mechanisms,
-                 const std::vector<Complex>& phases, Complex crank) {
+Wrench wrench_at(const Engine& engine, const Prepared& prepared, Complex crank) {
     const double force_unit = engine.force_unit();
     const double torque_unit = force_unit * engine.crank_radius;
     const double couple_unit =
         engine.rod_couple_inertia * engine.angular_speed * engine.angular_speed;
     Wrench sum;
-    for (std::size_t i = 0; i < axes.size(); ++i) {
+    for (std::size_t i = 0; i < prepared.axes.size(); ++i) {
         const Cylinder& cylinder = engine.cylinders[i];
+        const Complex& axis = prepared.axes[i];
+        const Complex& phase = prepared.phases[i];
+        const double lever = cylinder.axial_position - engine.reference_position;
         // e^{iθ} = e^{iφ} e^{iα}, written out: std::complex's product also checks for infinities.
-        const double cos_theta = crank.real() * phases[i].real() - crank.imag() * phases[i].imag();
-        const double sin_theta = crank.real() * phases[i].imag() + crank.imag() * phases[i].real();
-        const auto motion = mechanisms[i].at(sin_theta, cos_theta);
+        const double cos_theta = crank.real() * phase.real() - crank.imag() * phase.imag();
+        const double sin_theta = crank.real() * phase.imag() + crank.imag() * phase.real();
+        PistonMotion<double> motion{};
+        if (prepared.articulated[i]) {
+            const ArticulatedMotion hung = prepared.articulated[i]->at(sin_theta, cos_theta);
+            motion = hung.piston;
+            if (const double mass = engine.knuckles[i]->knuckle_mass; mass > 0.0) {
+                const double share = mass / engine.reciprocating_mass;
+                const KnuckleLoad load = knuckle_load(hung, sin_theta, cos_theta);
+                sum.force += share * force_unit * load.force * axis;
+                sum.moment += share * force_unit * lever * load.force * axis;
+                sum.inertia_roll += share * torque_unit * load.roll;
+                sum.reaction_torque -= share * torque_unit * load.torque;
+            }
+        } else {
+            motion = prepared.mechanisms[i].at(sin_theta, cos_theta);
+        }
         const double force = -force_unit * motion.d2s;
-        sum.force += force * axes[i];
-        sum.moment += force * (cylinder.axial_position - engine.reference_position) * axes[i];
+        sum.force += force * axis;
+        sum.moment += force * lever * axis;
         sum.inertia_roll -= cylinder.offset * force;
         sum.reaction_torque += torque_unit * motion.d2s * motion.ds;
         if (couple_unit != 0.0) {
-            const auto swing = mechanisms[i].rod_at(sin_theta, cos_theta);
+            const auto swing = prepared.mechanisms[i].rod_at(sin_theta, cos_theta);
             sum.inertia_roll -= couple_unit * swing.d2psi;
             sum.reaction_torque += couple_unit * swing.d2psi * swing.dpsi;
         }
     }
     return sum;
 }
-
-struct Prepared {
-    std::vector<Complex> axes;
-    std::vector<SliderCrank<double>> mechanisms;
-    std::vector<Complex> phases;
-
-    explicit Prepared(const Engine& engine) {
-        for (const Cylinder& cylinder : engine.cylinders) {
-            axes.push_back(axis_direction(cylinder));
-            mechanisms.push_back(engine.mechanism(cylinder));
-            phases.push_back(std::polar(1.0, engine.crank_phase(cylinder)));
-        }
-    }
-};
 
 WrenchCurves sized_curves(std::size_t intervals) {
     const std::size_t points = intervals + 1;
@@ -168,8 +311,10 @@ EngineOrders exact_orders(const Engine& engine, int max_order, double accuracy) 
     std::vector<CachedOrders> kept;
     kept.reserve(engine.cylinders.size());
     std::optional<UniformTransform<double>> transform;
+    std::vector<UniformTransform<double>> doubling;  // for articulated rods
     result.orders = add_up(
-        engine, max_order, [&](double offset) -> const auto& {
+        engine, max_order,
+        [&](double offset) -> const auto& {
             return cached(kept, offset, [&] {
                 const SliderCrank<double> crank{1.0, 1.0 / engine.lambda,
                                                 offset / engine.crank_radius};
@@ -182,28 +327,42 @@ EngineOrders exact_orders(const Engine& engine, int max_order, double accuracy) 
                 }
                 return exact_cylinder_orders(crank, max_order, *transform, rod);
             });
+        },
+        [&](std::size_t i) {
+            return exact_articulated_orders(engine.articulated(i), max_order, accuracy, doubling,
+                                            result);
         });
     return result;
 }
 
 EngineOrders two_term_orders(const Engine& engine) {
     EngineOrders result;
+    // A trigonometric polynomial: so many nodes are exact.
+    static const UniformTransform<double> four_orders(4 * highest_two_term_order);
     std::vector<CachedOrders> kept;
     kept.reserve(engine.cylinders.size());
     result.orders = add_up(
-        engine, highest_two_term_order, [&](double offset) -> const auto& {
+        engine, highest_two_term_order,
+        [&](double offset) -> const auto& {
             return cached(kept, offset, [&] {
                 return two_term_cylinder_orders(engine.lambda, offset / engine.crank_radius,
                                                 engine.rod_couple_inertia != 0.0);
             });
+        },
+        [&](std::size_t i) {
+            const ArticulatedCrank crank = engine.articulated(i);
+            return articulated_orders(
+                [&](double sin_theta, double cos_theta) {
+                    return crank.two_term_at(sin_theta, cos_theta);
+                },
+                highest_two_term_order, four_orders);
         });
     return result;
 }
 
 Wrench exact_wrench(const Engine& engine, double crank_angle) {
     const Prepared prepared(engine);
-    return wrench_at(engine, prepared.axes, prepared.mechanisms, prepared.phases,
-                     std::polar(1.0, crank_angle));
+    return wrench_at(engine, prepared, std::polar(1.0, crank_angle));
 }
 
 Wrench sum_of_orders(const EngineOrders& orders, double crank_angle) {
@@ -227,13 +386,9 @@ WrenchCurves exact_curves(const Engine& engine, std::size_t intervals) {
     WrenchCurves curves = sized_curves(intervals);
     const Prepared prepared(engine);
     for (std::size_t i = 0; i < intervals; ++i) {
-        store(curves, i,
-              wrench_at(engine, prepared.axes, prepared.mechanisms, prepared.phases,
-                        std::polar(1.0, curves.crank_angle[i])));
+        store(curves, i, wrench_at(engine, prepared, std::polar(1.0, curves.crank_angle[i])));
     }
-    store(
-        curves, intervals,
-        wrench_at(engine, prepared.axes, prepared.mechanisms, prepared.phases, Complex(1.0, 0.0)));
+    store(curves, intervals, wrench_at(engine, prepared, Complex(1.0, 0.0)));
     return curves;
 }
 

@@ -104,12 +104,15 @@ inline constexpr Text less_accurate =
     CORE_TEXT("inertia-moments",
               "a mechanism is so near locking that the exact orders are less accurate than usual");
 
-/// Exact orders 1…max_order of forces and moments.
+/// Exact orders 1…max_order of forces and moments. Where rods are articulated, the transform grows
+/// until twice its samples change nothing.
 /// @param accuracy  of the orders relative to m R ω² (sets the transform's length)
 EngineOrders exact_orders(const Engine& engine, int max_order = highest_order,
                           double accuracy = order_accuracy);
 
-/// The paper's two-term form, orders 1…4: forces and moments have 1 and 2, the torque 1…4.
+/// The paper's two-term form, orders 1…4: forces and moments have 1 and 2, the torque 1…4. For an
+/// articulated rod the paper has none; it is ArticulatedCrank::two_term_at(), which becomes the
+/// paper's as the knuckle pin goes to the crankpin.
 EngineOrders two_term_orders(const Engine& engine);
 
 /// Forces and moments at one instant.

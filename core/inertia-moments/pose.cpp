@@ -8,17 +8,28 @@ std::vector<CylinderPose> engine_pose(const Engine& engine, double crank_angle) 
     std::vector<CylinderPose> poses;
     poses.reserve(engine.cylinders.size());
     const double radius = engine.crank_radius;
-    for (const Cylinder& cylinder : engine.cylinders) {
-        const SliderCrank<double> mechanism = engine.mechanism(cylinder);
+    for (std::size_t i = 0; i < engine.cylinders.size(); ++i) {
+        const Cylinder& cylinder = engine.cylinders[i];
         const double theta = crank_angle + engine.crank_phase(cylinder);
         CylinderPose pose;
         pose.axis_direction = {-std::sin(cylinder.bank_angle), std::cos(cylinder.bank_angle)};
         // The offset's side is the axis turned by +90°.
         pose.axis_foot = pose.axis_direction * Complex(0.0, cylinder.offset);
-        pose.crankpin = pose.axis_direction * std::polar(radius, theta);
-        pose.piston_pin = pose.axis_foot + pose.axis_direction * (radius * mechanism.at(theta).s);
-        pose.top = radius * mechanism.at(mechanism.top_dead_centre()).s;
-        pose.bottom = radius * mechanism.at(mechanism.bottom_dead_centre()).s;
+        pose.crankpin = pose.rod_foot = pose.axis_direction * std::polar(radius, theta);
+        pose.articulated = engine.knuckles[i].has_value();
+        const auto place = [&](double angle) {
+            return radius *
+                   (pose.articulated
+                        ? engine.articulated(i).at(std::sin(angle), std::cos(angle)).piston.s
+                        : engine.mechanism(cylinder).at(angle).s);
+        };
+        if (pose.articulated) {
+            pose.rod_foot += pose.axis_direction * radius *
+                             engine.articulated(i).at(std::sin(theta), std::cos(theta)).arm;
+        }
+        pose.piston_pin = pose.axis_foot + pose.axis_direction * place(theta);
+        pose.top = place(engine.top_dead_centre(i));
+        pose.bottom = place(engine.bottom_dead_centre(i));
         poses.push_back(pose);
     }
     return poses;

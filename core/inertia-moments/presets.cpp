@@ -75,4 +75,36 @@ Input preset_vw_vr5() {
     return input;
 }
 
+Input preset_radial_9() {
+    constexpr int count = 9;
+    Input input;
+    input.crank_radius = 87.3 * units::mm;
+    input.lambda = 0.25;
+    input.angular_speed = 2200.0 * units::rpm;
+    input.reciprocating_mass = 2.8;
+    input.rotating_mass = 1.6;
+    for (int i = 0; i < count; ++i) {
+        // Numbered with the rotation of the crank: cylinder i + 1 comes to the top after i.
+        Cylinder& cylinder = input.cylinders.emplace_back();
+        cylinder.bank_angle = (360.0 / count) * i * units::degree;
+        if (i > 0) {
+            cylinder.articulated.emplace().knuckle_radius = 67.0 * units::mm;
+            cylinder.articulated->knuckle_mass = 0.8;
+        }
+    }
+    input.firing_order = {1, 3, 5, 7, 9, 2, 4, 6, 8};
+    input.end_webs = usual_end_webs(input.cylinders, input.crank_radius);
+    input.end_webs->first_order_share = 1.0;
+    for (const Direction direction : {Direction::forward, Direction::backward}) {
+        Shaft shaft;
+        shaft.order = 2;
+        shaft.direction = direction;
+        shaft.balances = Balances::force;
+        shaft.weight_radius = tidy(input.crank_radius / 2.0);
+        shaft.enabled = false;
+        input.shafts.push_back(shaft);
+    }
+    return input;
+}
+
 }  // namespace ravnoves::inertia_moments

@@ -10,6 +10,12 @@ namespace ravnoves::inertia_moments {
 /// shafts of its Figs. 7 and 8 are there, switched off.
 Input preset_vw_vr5();
 
+/// A nine-cylinder radial of a size that many aircraft engines had (stroke 174.6 mm, λ 0.25), with
+/// articulated rods at knuckle pins 67 mm from the crankpin, firing 1-3-5-7-9-2-4-6-8. The masses
+/// are usual ones, not of a certain engine; its end webs balance the rotating masses and the first
+/// order, one shaft each way of the second order is there, switched off.
+Input preset_radial_9();
+
 /// End webs half a spacing beyond the outer crankpins of these cylinders, at the crank's radius.
 EndWebs usual_end_webs(const std::vector<Cylinder>& cylinders, double crank_radius);
 

@@ -72,6 +72,21 @@ Json write_throws(const Engine& engine) {
     return throws;
 }
 
+/// The articulated rods with what their input leaves out filled in.
+Json write_articulated(const Engine& engine) {
+    Json rods = Json::array();
+    for (std::size_t i = 0; i < engine.knuckles.size(); ++i) {
+        if (const auto& rod = engine.knuckles[i]) {
+            rods.push_back({{"cylinder", i + 1},
+                            {"master", rod->master + 1},
+                            {"knuckle_radius_mm", rod->knuckle_radius / units::mm},
+                            {"knuckle_angle_deg", rod->knuckle_angle / degree},
+                            {"rod_length_mm", rod->rod_length / units::mm}});
+        }
+    }
+    return rods;
+}
+
 Json write_rotating(const RotatingMasses& rotating) {
     // A counterweight lies opposite; its lag is measured against the rotation.
     const auto lag = [](Complex vector, double scale) -> Json {
@@ -183,15 +198,21 @@ Json write_result(const Input& input, const Result& result) {
     Json json;
     Json pins = Json::array();
     Json tops = Json::array();
-    for (const Cylinder& cylinder : result.engine.cylinders) {
-        pins.push_back(turn_degrees(cylinder.crankpin_angle));
-        tops.push_back(result.engine.mechanism(cylinder).top_dead_centre() / degree);
+    Json strokes = Json::array();
+    for (std::size_t i = 0; i < result.engine.cylinders.size(); ++i) {
+        pins.push_back(turn_degrees(result.engine.cylinders[i].crankpin_angle));
+        tops.push_back(result.engine.top_dead_centre(i) / degree);
+        strokes.push_back(result.engine.stroke(i) / units::mm);
     }
     json["crankpin_angle_deg"] = std::move(pins);
     if (result.tdc_angle) {
         json["tdc_angle_deg"] = *result.tdc_angle / degree;
     }
     json["cylinder_tdc_angle_deg"] = std::move(tops);
+    json["cylinder_stroke_mm"] = std::move(strokes);
+    if (Json rods = write_articulated(result.engine); !rods.empty()) {
+        json["articulated_rods"] = std::move(rods);
+    }
     json["two_term"] = write_orders(result.two_term);
     json["exact"] = write_orders(result.exact);
     json["rotating"] = write_rotating(result.rotating);

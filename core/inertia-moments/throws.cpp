@@ -90,6 +90,9 @@ std::vector<Message> articulated_rod_notes(std::span<const Throw> throws,
         std::size_t most = 0;
         double last = 0.0;
         for (const std::size_t i : each.cylinders) {
+            if (cylinders[i].articulated) {
+                continue;
+            }
             const double position = cylinders[i].axial_position;
             if (count == 0 || std::abs(position - last) > same_plane * crank_radius) {
                 plane.clear();
@@ -108,8 +111,9 @@ std::vector<Message> articulated_rod_notes(std::span<const Throw> throws,
                 CORE_TEXT("inertia-moments",
                           "Cylinders %1 share a crankpin in one plane: there one rod is the master "
                           "and the others hang on it. All are computed as plain rods on the pin; "
-                          "articulated ones add a second order to the force, of some hundredths of "
-                          "the first, and uneven dead centres."),
+                          "articulated ones add a second order to the force, of 5 to 12 % of "
+                          "the first, and uneven dead centres. \"Articulated rods\" above the "
+                          "table of cylinders computes them (articulated in the case file)."),
                 widest);
         }
     }

@@ -29,7 +29,8 @@ std::optional<std::size_t> rods_per_throw(std::span<const Throw> throws);
 Message describe_difference(std::span<const Throw> throws);
 
 /// What the model leaves out of a radial: three rods or more cannot run on one pin in one plane, so
-/// all but one of them hang on the master rod. One sentence for each such throw.
+/// all but one of them hang on the master rod. One sentence for each throw where none of them is
+/// given as articulated.
 std::vector<Message> articulated_rod_notes(std::span<const Throw> throws,
                                            std::span<const Cylinder> cylinders,
                                            double crank_radius);

@@ -234,9 +234,8 @@ void FiringWheel::paintEvent(QPaintEvent* /*event*/) {
     }
     // φ counts from crankpin 1 on its cylinder's axis, the wheel from the first one's firing.
     const auto& engine = result.engine;
-    const auto& first =
-        engine.cylinders[static_cast<std::size_t>(result.firing.front().cylinder) - 1];
-    const double zero = engine.mechanism(first).top_dead_centre() - engine.crank_phase(first);
+    const auto first = static_cast<std::size_t>(result.firing.front().cylinder) - 1;
+    const double zero = engine.top_dead_centre(first) - engine.crank_phase(engine.cylinders[first]);
     const double now = model_->crankAngleDeg() * degree - zero;
     painter.setPen(QPen(theme.accent(), 2.0));
     painter.drawLine(centre, place(now, radius - 30.0));

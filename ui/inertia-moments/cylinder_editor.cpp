@@ -1,8 +1,11 @@
 #include "inertia-moments/cylinder_editor.h"
 
+#include <QCheckBox>
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QTableView>
 
 #include "inertia-moments/model/cylinder_table_model.h"
 #include "inertia-moments/model/inertia_moments_model.h"
@@ -31,6 +34,16 @@ CylinderEditor::CylinderEditor(InertiaMomentsModel* model, CylinderTableModel* t
         model_->finishDrag();
     });
     tools()->addWidget(evenFiring_);
+    articulated_ = new QCheckBox(tr("A&rticulated rods"), this);
+    articulated_->setObjectName(QStringLiteral("articulated"));
+    articulated_->setToolTip(
+        tr("Where rods share a crankpin: one is the master, the others hang on it by knuckle pins, "
+           "as in radials. Off: all run on the crankpin itself."));
+    qobject_cast<QBoxLayout*>(layout())->insertWidget(2, articulated_);
+    connect(articulated_, &QCheckBox::clicked, this, [this](bool on) {
+        say(model_->setArticulatedRods(on), true);
+        showState();  // where refused
+    });
 
     connect(table_, &EditableTable::troubleChanged, this,
             [this](const QString& trouble) { say(trouble, true); });
@@ -39,14 +52,21 @@ CylinderEditor::CylinderEditor(InertiaMomentsModel* model, CylinderTableModel* t
 }
 
 void CylinderEditor::showState() {
+    const bool articulated = model_->hasArticulatedRods();
+    articulated_->setChecked(articulated);
+    articulated_->setVisible(articulated || model_->hasSharedPins());
+    view()->horizontalHeader()->setSectionResizeMode(articulated ? QHeaderView::ResizeToContents
+                                                                 : QHeaderView::Stretch);
     caption()->setText(
-        model_->input().layout
+        articulated ? tr("A knuckle radius makes a rod articulated, an empty one puts it back on "
+                         "the crankpin. Values in italics follow from the others.")
+        : model_->input().layout
             ? tr("The cylinders of the layout chosen. Editing one makes this a table "
                  "of your own; Ctrl+V pastes from a spreadsheet.")
             : tr("Your own table. Double-click a cell to edit; Ctrl+V pastes from a "
                  "spreadsheet."));
     const bool ordered = !model_->firingOrderText().isEmpty();
-    evenFiring_->setEnabled(ordered);
+    evenFiring_->setEnabled(ordered && !articulated);
 }
 
 }  // namespace ravnoves

@@ -2,6 +2,7 @@
 
 #include "widgets/table_editor.h"
 
+class QCheckBox;
 class QPushButton;
 
 namespace ravnoves {
@@ -9,7 +10,8 @@ namespace ravnoves {
 class CylinderTableModel;
 class InertiaMomentsModel;
 
-/// The cylinder table with its tools: edit, add, remove, copy, paste, even firing.
+/// The cylinder table with its tools: edit, add, remove, copy, paste, even firing, articulated
+/// rods.
 class CylinderEditor : public TableEditor {
     Q_OBJECT
 
@@ -27,6 +29,7 @@ class CylinderEditor : public TableEditor {
     InertiaMomentsModel* model_;
     CylinderTableModel* table_;
     QPushButton* evenFiring_;
+    QCheckBox* articulated_;
 };
 
 }  // namespace ravnoves

@@ -84,10 +84,8 @@ EngineForm::EngineForm(InertiaMomentsModel* model) : Form(model), model_(model) 
         rodLength->setText(fixedNumber(model_->input().rod_length() / units::mm, 2, locale) +
                            tr(" mm"));
         const auto& engine = model_->result().engine;
-        deadCentre->setText(
-            fixedNumber(engine.mechanism(engine.cylinders.front()).top_dead_centre() / degree, 3,
-                        locale) +
-            QStringLiteral("°"));
+        deadCentre->setText(fixedNumber(engine.top_dead_centre(0) / degree, 3, locale) +
+                            QStringLiteral("°"));
     });
 }
 
@@ -173,7 +171,7 @@ void EngineForm::addRod() {
         tr("Off: the rod's two shares are in the masses above. On: mass, centre and inertia are "
            "given; its shares are added, and what its inertia differs from two masses acts on "
            "roll moment and torque."));
-    connect(rigid, &QCheckBox::clicked, this, [this](bool on) {
+    connect(rigid, &QCheckBox::clicked, this, [this, rigid](bool on) {
         model_->edit(tr("Rigid rod"), [on](Input& input) {
             input.rod.reset();
             if (on) {
@@ -185,6 +183,7 @@ void EngineForm::addRod() {
             }
         });
         model_->finishDrag();
+        rigid->setChecked(model_->input().rod.has_value());  // where refused
     });
     FormSection* rod = section({});
     for (const char* pointer :

@@ -195,13 +195,23 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
                       frame.at(pose.piston_pin + axial * head - across * 0.95 * half),
                       frame.at(pose.piston_pin - axial * skirt - across * 0.95 * half),
                       frame.at(pose.piston_pin - axial * skirt + across * 0.95 * half)});
-        const QPointF pin = frame.at(pose.crankpin);
+        const QPointF pin = frame.at(pose.rod_foot);
         const QPointF piston = frame.at(pose.piston_pin);
         drawing::drawBar(painter, pin, piston, thick, body, theme.text());
         painter.drawEllipse(piston, 0.5 * thick, 0.5 * thick);
         painter.setPen(theme.text());
         drawing::drawCentred(painter, frame.at(pose.piston_pin + axial * 0.3 * radius),
                              QString::number(i + 1));
+    }
+    // The big ends of master rods reach to the knuckle pins.
+    for (const CylinderPose& pose : poses) {
+        if (pose.articulated) {
+            drawing::drawBar(painter, frame.at(pose.crankpin), frame.at(pose.rod_foot), thick,
+                             drawing::metal(), theme.text());
+            painter.setPen(QPen(theme.text(), 1.0));
+            painter.setBrush(theme.panel());
+            painter.drawEllipse(frame.at(pose.rod_foot), 0.35 * thick, 0.35 * thick);
+        }
     }
     // The crank star over all.
     for (const CylinderPose& pose : poses) {

@@ -225,7 +225,28 @@ TEST(CaseIo, ExtremeNumbersGiveFiniteResultsOrAWordedRefusal) {
             ++refused;
         }
     };
-    for (const Json& base : {flat, vr}) {
+    // Three rods of a radial, one given whole.
+    Json hung = full;
+    for (const char* other : {"rod", "balance_shafts", "counterweights", "firing_order"}) {
+        hung.erase(other);
+    }
+    hung["cylinders"] = Json::array();
+    for (const int bank : {0, 120, 240}) {
+        hung["cylinders"].push_back({{"axial_position_mm", 0},
+                                     {"bank_angle_deg", bank},
+                                     {"offset_mm", 2},
+                                     {"crankpin_angle_deg", 0}});
+    }
+    hung["cylinders"][1]["articulated"] = {{"knuckle_radius_mm", 30},
+                                           {"knuckle_angle_deg", 118},
+                                           {"rod_length_mm", 130},
+                                           {"master", 1},
+                                           {"knuckle_mass_kg", 0.2}};
+    hung["cylinders"][2]["articulated"] = {{"knuckle_radius_mm", 30}};
+    attempt(hung);
+    ASSERT_EQ(solved, 1);
+    hung = hung.flatten();
+    for (const Json& base : {flat, vr, hung}) {
         for (const auto& item : base.items()) {
             if (!item.value().is_number()) {
                 continue;

@@ -193,7 +193,7 @@ std::pair<double, double> articulated_order(int count, double lambda, double knu
     return {std::abs(forward), std::abs(backward)};
 }
 
-// What the note says: the second order that plain rods do not have.
+// What the note says: the second order that plain rods do not have. The scene finds the same.
 TEST(Radials, ArticulatedRodsAddASecondOrder) {
     const double lambda = 0.27;
     for (const int count : {5, 7, 9}) {
@@ -206,6 +206,18 @@ TEST(Radials, ArticulatedRodsAddASecondOrder) {
             const auto [forward, backward] = articulated_order(count, lambda, 0.0, order);
             EXPECT_NEAR(std::abs(plain.forward) / unit, forward, 1e-10);
             EXPECT_NEAR(std::abs(plain.backward) / unit, backward, 1e-10);
+        }
+        Input hung = input;
+        for (std::size_t i = 1; i < hung.cylinders.size(); ++i) {
+            hung.cylinders[i].articulated.emplace().knuckle_radius = 0.35 * hung.crank_radius;
+        }
+        const Result articulated = solve(hung);
+        EXPECT_TRUE(articulated.notes.empty());
+        for (int order = 1; order <= highest_order; ++order) {
+            const RotatingPair& found = articulated.exact.order(order).force;
+            const auto [forward, backward] = articulated_order(count, lambda, 0.35, order);
+            EXPECT_NEAR(std::abs(found.forward) / unit, forward, 1e-10) << order;
+            EXPECT_NEAR(std::abs(found.backward) / unit, backward, 1e-10) << order;
         }
         EXPECT_NEAR(articulated_order(count, lambda, 0.35, 1).first, count / 2.0, 1e-3);
         const double second = articulated_order(count, lambda, 0.35, 2).first / (count / 2.0);

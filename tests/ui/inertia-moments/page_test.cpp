@@ -263,6 +263,128 @@ TEST_F(InertiaMomentsPageTest, ARadialIsSaidToHavePlainRods) {
     EXPECT_FALSE(page.grab().isNull());
 }
 
+// The table from the keyboard: a radial, its rods hung on masters, one of them changed and put
+// back.
+TEST_F(InertiaMomentsPageTest, ArticulatedRodsAreEditedInTheTable) {
+    tab(Tabs::Inputs, "cylinders");
+    auto* box = page.findChild<QCheckBox*>(QStringLiteral("articulated"));
+    ASSERT_NE(box, nullptr);
+    EXPECT_FALSE(box->isVisible());  // every pin of the VR5 has one rod
+    model->edit(QStringLiteral("radial"), [](inertia_moments::Input& input) {
+        input.layout.reset();
+        input.firing_order.clear();
+        for (int i = 0; i < 5; ++i) {
+            input.cylinders.push_back({0.0, i * 72.0 * degree, 0.0, 0.0});
+        }
+    });
+    model->finishDrag();
+    EXPECT_TRUE(box->isVisible());
+    EXPECT_FALSE(box->isChecked());
+    QTableView* view = page.cylinderEditor()->view();
+    EXPECT_EQ(view->model()->columnCount(), CylinderTableModel::KnuckleRadius);
+    const double plain = model->result().exact.order(2).force.max();
+    EXPECT_TRUE(model->warningText().contains(QStringLiteral("Articulated rods")));
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Space);
+    EXPECT_TRUE(box->isChecked());
+    EXPECT_FALSE(model->warningText().contains(QStringLiteral("plain rods")));
+    EXPECT_GT(model->result().exact.order(2).force.max(), plain + 100.0);
+    ASSERT_EQ(view->model()->columnCount(), CylinderTableModel::Columns);
+    const auto cell = [&](int row, int column) { return view->model()->index(row, column); };
+    const auto typeInto = [&](int row, int column, const char* text) {
+        view->setFocus();
+        view->setCurrentIndex(cell(row, column));
+        QTest::keyClick(view, text[0]);
+        auto* editor = view->findChild<QLineEdit*>();
+        if (editor != nullptr) {
+            QTest::keyClicks(editor, QString::fromLatin1(text + 1));
+            QTest::keyClick(editor, Qt::Key_Return);
+        }
+        QApplication::processEvents();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // the editor
+        return editor != nullptr;
+    };
+    // The master has nothing to type in but a knuckle radius; the others show what follows.
+    EXPECT_TRUE(cell(0, CylinderTableModel::KnuckleAngle).data().toString().isEmpty());
+    EXPECT_FALSE(typeInto(0, CylinderTableModel::RodLength, "99"));
+    EXPECT_EQ(cell(2, CylinderTableModel::KnuckleAngle).data().toString(), QStringLiteral("144"));
+    EXPECT_EQ(cell(2, CylinderTableModel::Master).data().toString(), QStringLiteral("1"));
+    EXPECT_TRUE(cell(2, CylinderTableModel::Master).data(Qt::FontRole).value<QFont>().italic());
+    EXPECT_TRUE(cell(2, CylinderTableModel::Master).data(Qt::EditRole).toString().isEmpty());
+    // A radius, an angle, a length, a mass.
+    EXPECT_TRUE(typeInto(2, CylinderTableModel::KnuckleRadius, "36,5"));
+    EXPECT_TRUE(typeInto(2, CylinderTableModel::KnuckleAngle, "143"));
+    EXPECT_TRUE(typeInto(2, CylinderTableModel::RodLength, "133"));
+    EXPECT_TRUE(typeInto(2, CylinderTableModel::KnuckleMass, "0.2"));
+    const auto& rod = model->input().cylinders.at(2).articulated;
+    ASSERT_TRUE(rod.has_value());
+    EXPECT_NEAR(rod->knuckle_radius, 0.0365, 1e-15);
+    EXPECT_NEAR(*rod->knuckle_angle, 143.0 * degree, 1e-15);
+    EXPECT_NEAR(*rod->rod_length, 0.133, 1e-15);
+    EXPECT_NEAR(rod->knuckle_mass, 0.2, 1e-15);
+    EXPECT_FALSE(cell(2, CylinderTableModel::RodLength).data(Qt::FontRole).value<QFont>().italic());
+    // What cannot be stays red in its cell, with the reason below.
+    QSignalSpy trouble(page.cylinderEditor()->tableModel(), &EditableTable::troubleChanged);
+    EXPECT_TRUE(typeInto(2, CylinderTableModel::RodLength, "40"));
+    EXPECT_NEAR(*rod->rod_length, 0.133, 1e-15);
+    EXPECT_TRUE(cell(2, CylinderTableModel::RodLength).data(EditableTable::TroubleRole).toBool());
+    EXPECT_TRUE(trouble.last().at(0).toString().contains(QStringLiteral("must leave")));
+    EXPECT_TRUE(typeInto(3, CylinderTableModel::Master, "3"));
+    EXPECT_TRUE(trouble.last().at(0).toString().contains(QStringLiteral("articulated too")));
+    // The picture has the knuckle pins.
+    const QImage hung = page.answer()->picture()->grab().toImage();
+    EXPECT_TRUE(typeInto(1, CylinderTableModel::KnuckleRadius, "20"));
+    EXPECT_NE(page.answer()->picture()->grab().toImage(), hung);
+    // A row copied from an articulated one has a plain rod; masters keep their cylinders.
+    page.cylinderEditor()->tableModel()->removeRowRange(2, 1);
+    EXPECT_EQ(model->input().cylinders.size(), 4U);
+    EXPECT_EQ(model->result().engine.knuckles[3]->master, 0U);
+    // An emptied knuckle radius puts the rod back on the crankpin: then there are two masters.
+    view->setCurrentIndex(cell(1, CylinderTableModel::KnuckleRadius));
+    view->edit(view->currentIndex());
+    auto* editor = view->findChild<QLineEdit*>();
+    ASSERT_NE(editor, nullptr);
+    editor->selectAll();
+    QTest::keyClick(editor, Qt::Key_Delete);
+    QTest::keyClick(editor, Qt::Key_Return);
+    QApplication::processEvents();
+    EXPECT_TRUE(model->input().cylinders.at(1).articulated.has_value());
+    EXPECT_TRUE(trouble.last().at(0).toString().contains(QStringLiteral("could be the master")));
+    // Off, and everything undone.
+    QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+    EXPECT_FALSE(model->hasArticulatedRods());
+    EXPECT_EQ(view->model()->columnCount(), CylinderTableModel::KnuckleRadius);
+    model->history()->undo();
+    EXPECT_TRUE(model->hasArticulatedRods());
+    EXPECT_EQ(view->model()->columnCount(), CylinderTableModel::Columns);
+    while (model->history()->canUndo()) {
+        model->history()->undo();
+    }
+    EXPECT_EQ(model->layoutName(), QStringLiteral("vw-vr5"));
+    EXPECT_FALSE(box->isVisible());
+}
+
+TEST_F(InertiaMomentsPageTest, ARadialOfTheListHasArticulatedRods) {
+    model->chooseLayout(QStringLiteral("radial-9"));
+    EXPECT_TRUE(model->hasArticulatedRods());
+    EXPECT_FALSE(model->setEvenFiring().isEmpty());
+    EXPECT_FALSE(page.findChild<QPushButton*>(QStringLiteral("even_firing"))->isEnabled());
+    ASSERT_EQ(model->result().firing.size(), 9U);
+    tab(Tabs::Charts, "firing");
+    EXPECT_FALSE(page.grab().isNull());
+    // A rigid rod for all is refused in words.
+    auto* rigid = page.findChild<QCheckBox*>(QStringLiteral("rigid_rod"));
+    QSignalSpy status(&page, &ScenePage::status);
+    rigid->click();
+    EXPECT_FALSE(model->input().rod.has_value());
+    EXPECT_FALSE(rigid->isChecked());
+    ASSERT_GE(status.size(), 1);
+    EXPECT_TRUE(status.last().at(0).toString().contains(QStringLiteral("articulated")));
+    // The sizes of a preset that are changed make it a table of one's own.
+    model->setSpeedRpm(1800.0);
+    EXPECT_EQ(model->layoutName(), QStringLiteral("table"));
+}
+
 TEST_F(InertiaMomentsPageTest, ClickOnAShaftShowsWhatItCancels) {
     tab(Tabs::Charts, "shafts");
     ShaftView* view = page.charts()->shaftView();

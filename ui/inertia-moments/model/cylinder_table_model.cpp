@@ -1,5 +1,6 @@
 #include "inertia-moments/model/cylinder_table_model.h"
 
+#include <QFont>
 #include <QLocale>
 #include <algorithm>
 #include <array>
@@ -11,28 +12,117 @@
 
 namespace ravnoves {
 
+using inertia_moments::ArticulatedRod;
 using inertia_moments::Cylinder;
 using inertia_moments::Input;
 namespace field = inertia_moments::field;
 
 namespace {
 
-struct ColumnInfo {
-    const Field* field;
-    double Cylinder::*member;
-};
+using Table = CylinderTableModel;
 
-const std::array<ColumnInfo, CylinderTableModel::Columns>& columns() {
-    static const std::array<ColumnInfo, CylinderTableModel::Columns> list{
-        {{&field::axial_position, &Cylinder::axial_position},
-         {&field::bank_angle, &Cylinder::bank_angle},
-         {&field::offset, &Cylinder::offset},
-         {&field::crankpin_angle, &Cylinder::crankpin_angle}}};
-    return list;
+const Field& fieldOf(int column) {
+    static constexpr std::array<const Field*, Table::Columns> list{
+        &field::axial_position,     &field::bank_angle,     &field::offset,
+        &field::crankpin_angle,     &field::knuckle_radius, &field::knuckle_angle,
+        &field::articulated_length, &field::master,         &field::knuckle_mass};
+    return *list.at(static_cast<std::size_t>(column));
 }
 
-const ColumnInfo& infoOf(int index) {
-    return columns().at(static_cast<std::size_t>(index));
+/// What a cylinder is given in a column, in SI; empty where it is left out.
+std::optional<double> given(const Cylinder& cylinder, int column) {
+    switch (column) {
+        case Table::Position:
+            return cylinder.axial_position;
+        case Table::BankAngle:
+            return cylinder.bank_angle;
+        case Table::Offset:
+            return cylinder.offset;
+        case Table::CrankpinAngle:
+            return cylinder.crankpin_angle;
+        default:
+            break;
+    }
+    if (!cylinder.articulated) {
+        return std::nullopt;
+    }
+    const ArticulatedRod& rod = *cylinder.articulated;
+    switch (column) {
+        case Table::KnuckleRadius:
+            return rod.knuckle_radius;
+        case Table::KnuckleAngle:
+            return rod.knuckle_angle;
+        case Table::RodLength:
+            return rod.rod_length;
+        case Table::Master:
+            return rod.master == 0 ? std::nullopt : std::optional<double>(rod.master);
+        default:
+            return rod.knuckle_mass == 0.0 ? std::nullopt : std::optional(rod.knuckle_mass);
+    }
+}
+
+/// Writes a cell's text into a cylinder.
+/// @return false for a text that is no value for the column
+bool setCell(Cylinder& cylinder, int column, const QString& text) {
+    const Field& field = fieldOf(column);
+    const bool optional = column >= Table::KnuckleRadius;
+    const bool isEmpty = optional && text.isEmpty();
+    const auto number = readFormNumber(text);
+    if (!isEmpty && (!number || !field.range.contains(*number))) {
+        return false;
+    }
+    const double value = isEmpty ? 0.0 : *number * field.unit;
+    if (!optional) {
+        (column == Table::Position    ? cylinder.axial_position
+         : column == Table::BankAngle ? cylinder.bank_angle
+         : column == Table::Offset    ? cylinder.offset
+                                      : cylinder.crankpin_angle) = value;
+        return true;
+    }
+    if (column == Table::KnuckleRadius && isEmpty) {
+        cylinder.articulated.reset();
+        return true;
+    }
+    if (!cylinder.articulated) {
+        if (column != Table::KnuckleRadius) {
+            return isEmpty;
+        }
+        cylinder.articulated.emplace();
+    }
+    ArticulatedRod& rod = *cylinder.articulated;
+    const std::optional<double> choice = isEmpty ? std::nullopt : std::optional(value);
+    switch (column) {
+        case Table::KnuckleRadius:
+            rod.knuckle_radius = value;
+            return true;
+        case Table::KnuckleAngle:
+            rod.knuckle_angle = choice;
+            return true;
+        case Table::RodLength:
+            rod.rod_length = choice;
+            return true;
+        case Table::Master:
+            rod.master = static_cast<int>(value);
+            return rod.master == value;
+        default:
+            rod.knuckle_mass = value;
+            return true;
+    }
+}
+
+/// The rows as they are given; those of a layout have no articulated rods.
+const std::vector<Cylinder>& rowsOf(const InertiaMomentsModel& model) {
+    return model.input().layout ? model.result().engine.cylinders : model.input().cylinders;
+}
+
+/// Masters keep their cylinders when rows come or go.
+/// @param from  number of the first cylinder that moves by so many rows
+void renumberMasters(std::vector<Cylinder>& cylinders, int from, int by) {
+    for (Cylinder& cylinder : cylinders) {
+        if (cylinder.articulated && cylinder.articulated->master >= from) {
+            cylinder.articulated->master += by;
+        }
+    }
 }
 
 }  // namespace
@@ -40,26 +130,55 @@ const ColumnInfo& infoOf(int index) {
 CylinderTableModel::CylinderTableModel(InertiaMomentsModel* model, QObject* parent)
     : EditableTable(parent), model_(model) {
     rows_ = rowCount();
+    columns_ = columnCount();
     connect(model_, &SceneModel::changed, this, &CylinderTableModel::refresh);
 }
 
-double CylinderTableModel::valueAt(int row, int column) const {
-    return model_->result().engine.cylinders[static_cast<std::size_t>(row)].*infoOf(column).member;
+std::optional<double> CylinderTableModel::valueAt(int row, int column) const {
+    const auto i = static_cast<std::size_t>(row);
+    const auto& engine = model_->result().engine;
+    const Cylinder& cylinder = engine.cylinders[i];
+    std::optional<double> value = given(cylinder, column);
+    if (!value && cylinder.articulated) {
+        const auto& rod = *engine.knuckles[i];
+        switch (column) {
+            case KnuckleAngle:
+                value = rod.knuckle_angle;
+                break;
+            case RodLength:
+                value = rod.rod_length;
+                break;
+            case Master:
+                value = static_cast<double>(rod.master) + 1.0;
+                break;
+            default:
+                value = 0.0;
+                break;
+        }
+    }
+    return value ? std::optional(from_si(fieldOf(column), *value)) : std::nullopt;
+}
+
+bool CylinderTableModel::isUsual(int row, int column) const {
+    const Cylinder& cylinder = model_->result().engine.cylinders[static_cast<std::size_t>(row)];
+    return cylinder.articulated && !given(cylinder, column);
 }
 
 void CylinderTableModel::refresh() {
-    const int now = static_cast<int>(model_->result().engine.cylinders.size());
+    const int now = rowCount();
+    const int wide = columnCount();
     std::erase_if(refused_, [&](const auto& cell) {
         const auto [row, column] = cell.first;
-        return row >= now || valueAt(row, column) != cell.second.below;
+        return row >= now || column >= wide || valueAt(row, column) != cell.second.below;
     });
-    if (now != rows_) {
+    if (now != rows_ || wide != columns_) {
         beginResetModel();
         rows_ = now;
+        columns_ = wide;
         endResetModel();
         return;
     }
-    Q_EMIT dataChanged(index(0, 0), index(rows_ - 1, Columns - 1));
+    Q_EMIT dataChanged(index(0, 0), index(rows_ - 1, columns_ - 1));
 }
 
 int CylinderTableModel::rowCount(const QModelIndex& parent) const {
@@ -67,15 +186,25 @@ int CylinderTableModel::rowCount(const QModelIndex& parent) const {
 }
 
 int CylinderTableModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : Columns;
+    if (parent.isValid()) {
+        return 0;
+    }
+    return model_->hasArticulatedRods() ? Columns : KnuckleRadius;
+}
+
+Qt::ItemFlags CylinderTableModel::flags(const QModelIndex& index) const {
+    Qt::ItemFlags flags = EditableTable::flags(index);
+    if (index.isValid() && index.column() > KnuckleRadius &&
+        !valueAt(index.row(), index.column())) {
+        flags &= ~Qt::ItemFlags(Qt::ItemIsEditable);
+    }
+    return flags;
 }
 
 QVariant CylinderTableModel::data(const QModelIndex& index, int role) const {
-    if (!index.isValid() || index.row() >= rowCount()) {
+    if (!index.isValid() || index.row() >= rowCount() || index.column() >= columnCount()) {
         return {};
     }
-    const ColumnInfo& info = infoOf(index.column());
-    const double value = valueAt(index.row(), index.column());
     const auto refused = refused_.find({index.row(), index.column()});
     if (refused != refused_.end()) {
         if (role == Qt::DisplayRole || role == Qt::EditRole) {
@@ -85,11 +214,21 @@ QVariant CylinderTableModel::data(const QModelIndex& index, int role) const {
             return true;
         }
     }
+    const bool usual = isUsual(index.row(), index.column());
+    const std::optional<double> value = valueAt(index.row(), index.column());
     switch (role) {
         case Qt::DisplayRole:
-            return formNumber(from_si(*info.field, value), QLocale(), 6);
+            return value ? formNumber(*value, QLocale(), 6) : QString();
         case Qt::EditRole:
-            return formNumber(from_si(*info.field, value), QLocale(), 15);
+            return value && !usual ? formNumber(*value, QLocale(), 15) : QString();
+        case Qt::FontRole: {
+            if (!usual) {
+                return {};
+            }
+            QFont font;
+            font.setItalic(true);
+            return font;
+        }
         case Qt::TextAlignmentRole:
             return QVariant(Qt::AlignRight | Qt::AlignVCenter);
         default:
@@ -101,28 +240,30 @@ bool CylinderTableModel::setData(const QModelIndex& index, const QVariant& value
     if (role != Qt::EditRole || !index.isValid()) {
         return false;
     }
-    const ColumnInfo& info = infoOf(index.column());
+    const Field& field = fieldOf(index.column());
+    const auto row = static_cast<std::size_t>(index.row());
     const QString text = value.toString().trimmed();
-    const auto number = readFormNumber(text);
     const std::pair cell(index.row(), index.column());
     const bool wasRefused = refused_.erase(cell) > 0;
     QString why;
-    if (!number || !info.field->range.contains(*number)) {
+    Cylinder cylinder = rowsOf(*model_).at(row);
+    if (!setCell(cylinder, index.column(), text)) {
         why = tr("Cylinder %1: %2")
                   .arg(QString::number(index.row() + 1),
-                       rangeText(info.field->range, unitText(info.field->unit.name), QLocale()));
+                       rangeText(field.range, unitText(field.unit.name), QLocale()));
     } else {
+        // A cell of the table changes columns too: it must not look at the index afterwards.
         why = model_->edit(tr("Cylinder %1").arg(index.row() + 1), [&](Input& input) {
-            model_->tableOf(input).at(static_cast<std::size_t>(index.row())).*info.member =
-                *number * info.field->unit;
+            setCell(model_->tableOf(input).at(row), cell.second, text);
         });
         model_->finishDrag();
     }
     if (!why.isEmpty()) {
-        refused_[cell] = {text, valueAt(index.row(), index.column())};
+        refused_[cell] = {text, valueAt(cell.first, cell.second)};
     }
-    if (wasRefused || !why.isEmpty()) {
-        Q_EMIT dataChanged(index, index);
+    if ((wasRefused || !why.isEmpty()) && cell.second < columnCount()) {
+        const QModelIndex at = this->index(cell.first, cell.second);
+        Q_EMIT dataChanged(at, at);
     }
     Q_EMIT troubleChanged(why);
     return why.isEmpty();
@@ -132,12 +273,14 @@ QVariant CylinderTableModel::headerData(int section, Qt::Orientation orientation
     if (orientation == Qt::Vertical) {
         return role == Qt::DisplayRole ? QVariant(section + 1) : QVariant();
     }
-    const Field& field = *infoOf(section).field;
+    const Field& field = fieldOf(section);
     switch (role) {
-        case Qt::DisplayRole:
-            return QString::fromUtf8(field.symbol.data(),
-                                     static_cast<qsizetype>(field.symbol.size())) +
-                   QStringLiteral(", ") + unitText(field.unit.name);
+        case Qt::DisplayRole: {
+            const QString symbol =
+                QString::fromUtf8(field.symbol.data(), static_cast<qsizetype>(field.symbol.size()));
+            const QString unit = unitText(field.unit.name);
+            return unit.isEmpty() ? symbol : symbol + QStringLiteral(", ") + unit;
+        }
         case Qt::ToolTipRole:
             return shownText(field.hint);
         default:
@@ -150,6 +293,8 @@ void CylinderTableModel::insertRowBelow(int row) {
         auto& cylinders = model_->tableOf(input);
         const int at = row < 0 ? static_cast<int>(cylinders.size()) - 1 : row;
         Cylinder copy = cylinders.at(static_cast<std::size_t>(at));
+        copy.articulated.reset();  // it would hang on a pin that its direction cannot share
+        renumberMasters(cylinders, at + 2, 1);
         copy.axial_position -= 2.0 * input.crank_radius;
         cylinders.insert(cylinders.begin() + at + 1, copy);
         input.firing_order.clear();  // it no longer names every cylinder
@@ -170,6 +315,13 @@ void CylinderTableModel::removeRowRange(int first, int count) {
         auto& cylinders = model_->tableOf(input);
         const auto from = cylinders.begin() + first;
         cylinders.erase(from, from + std::min(count, static_cast<int>(cylinders.size()) - first));
+        for (Cylinder& cylinder : cylinders) {
+            if (cylinder.articulated && cylinder.articulated->master > first &&
+                cylinder.articulated->master <= first + count) {
+                cylinder.articulated->master = 0;  // gone; another may be the only one left
+            }
+        }
+        renumberMasters(cylinders, first + count + 1, -count);
         input.firing_order.clear();
     });
     model_->finishDrag();
@@ -181,18 +333,16 @@ QString CylinderTableModel::pasteBlock(int row, int column, const std::vector<QS
     if (first + cells.size() > static_cast<std::size_t>(inertia_moments::most_cylinders)) {
         return tr("At most %1 cylinders.").arg(inertia_moments::most_cylinders);
     }
-    std::vector<Cylinder> cylinders = model_->result().engine.cylinders;
+    std::vector<Cylinder> cylinders = rowsOf(*model_);
+    const int wide = columnCount();
     cylinders.resize(std::max(cylinders.size(), first + cells.size()));
     for (std::size_t line = 0; line < cells.size(); ++line) {
-        for (int cell = 0; cell < cells[line].size() && column + cell < Columns; ++cell) {
-            const ColumnInfo& info = infoOf(column + cell);
-            const auto number = readFormNumber(cells[line][cell]);
-            if (!number || !info.field->range.contains(*number)) {
+        for (int cell = 0; cell < cells[line].size() && column + cell < wide; ++cell) {
+            if (!setCell(cylinders[first + line], column + cell, cells[line][cell])) {
                 return tr("Line %1, column %2: %3 is no number that fits here.")
                     .arg(QString::number(line + 1), QString::number(cell + 1),
                          cells[line][cell].left(20));
             }
-            cylinders[first + line].*info.member = *number * info.field->unit;
         }
     }
     QString why = model_->edit(tr("Paste cylinders"), [&](Input& input) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "model/editable_table.h"
@@ -9,13 +10,26 @@ namespace ravnoves {
 
 class InertiaMomentsModel;
 
-/// The cylinders as a table to edit: axial position, bank angle, offset, crankpin angle. Editing a
-/// cell of a layout turns it into a table of its own.
+/// The cylinders as a table to edit: axial position, bank angle, offset, crankpin angle, and where
+/// rods are articulated their knuckle pins, lengths and masters. Editing a cell of a layout turns
+/// it into a table of its own. A knuckle radius makes a rod articulated, an empty one puts it back
+/// on the crankpin; what else is empty follows from the other values and is shown in italics.
 class CylinderTableModel final : public EditableTable {
     Q_OBJECT
 
   public:
-    enum Column { Position, BankAngle, Offset, CrankpinAngle, Columns };
+    enum Column {
+        Position,
+        BankAngle,
+        Offset,
+        CrankpinAngle,
+        KnuckleRadius,  ///< this and the next only where rods are articulated
+        KnuckleAngle,
+        RodLength,
+        Master,
+        KnuckleMass,
+        Columns
+    };
 
     explicit CylinderTableModel(InertiaMomentsModel* model, QObject* parent = nullptr);
 
@@ -30,19 +44,25 @@ class CylinderTableModel final : public EditableTable {
     QVariant data(const QModelIndex& index, int role) const override;
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    /// Only the knuckle radius makes a rod articulated.
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
 
   private:
     /// A text that is no value for its cell: it stays, in red, while the value below it holds.
     struct Refused {
         QString text;
-        double below;
+        std::optional<double> below;
     };
 
     void refresh();
-    double valueAt(int row, int column) const;
+    /// In the unit; empty where the cell has none.
+    std::optional<double> valueAt(int row, int column) const;
+    /// True where the value is not given but follows from others.
+    bool isUsual(int row, int column) const;
 
     InertiaMomentsModel* model_;
     int rows_ = 0;
+    int columns_ = 0;
     std::map<std::pair<int, int>, Refused> refused_;  ///< by row and column
 };
 

@@ -34,6 +34,7 @@ namespace field = inertia_moments::field;
 namespace {
 
 const QString paperEngine = QStringLiteral("vw-vr5");
+const QString radialEngine = QStringLiteral("radial-9");
 const QString ownTable = QStringLiteral("table");
 const QString dash = QStringLiteral("–");
 
@@ -114,7 +115,7 @@ bool InertiaMomentsModel::setViewOption(const QString& key, const QString& value
 // -------------------------------------------------------------------------------------- layout
 
 QStringList InertiaMomentsModel::layoutNames() {
-    QStringList names{paperEngine};
+    QStringList names{paperEngine, radialEngine};
     for (const inertia_moments::LayoutSpec& spec : inertia_moments::layout_library()) {
         names << QString::fromUtf8(spec.name.data(), static_cast<qsizetype>(spec.name.size()));
     }
@@ -124,6 +125,9 @@ QStringList InertiaMomentsModel::layoutNames() {
 QString InertiaMomentsModel::layoutTitle(const QString& name) const {
     if (name == paperEngine) {
         return tr("VW VR5 (paper)");
+    }
+    if (name == radialEngine) {
+        return tr("Radial 9, articulated rods");
     }
     if (name == ownTable) {
         return tr("Own table");
@@ -136,18 +140,22 @@ QString InertiaMomentsModel::layoutTitle(const QString& name) const {
 }
 
 QString InertiaMomentsModel::layoutName() const {
+    const auto isSizedAs = [this](const Input& other) {
+        return input().crank_radius == other.crank_radius && input().lambda == other.lambda &&
+               input().reciprocating_mass == other.reciprocating_mass &&
+               input().angular_speed == other.angular_speed &&
+               input().reference_position == other.reference_position;
+    };
     if (!input().layout) {
-        return ownTable;
+        static const Input radial = inertia_moments::preset_radial_9();
+        return input().cylinders == radial.cylinders && isSizedAs(radial) ? radialEngine : ownTable;
     }
     QString name = QString::fromStdString(input().layout->name);
     if (name != QLatin1String("vr")) {
         return name;
     }
     static const Input paper = inertia_moments::preset_vw_vr5();
-    if (input().layout == paper.layout && input().crank_radius == paper.crank_radius &&
-        input().lambda == paper.lambda && input().reciprocating_mass == paper.reciprocating_mass &&
-        input().angular_speed == paper.angular_speed &&
-        input().reference_position == paper.reference_position) {
+    if (input().layout == paper.layout && isSizedAs(paper)) {
         return paperEngine;
     }
     for (const int cylinders : {5, 6}) {
@@ -163,6 +171,12 @@ void InertiaMomentsModel::chooseLayout(const QString& name) {
         edit(
             tr("Layout"), [](Input& input) { input = inertia_moments::preset_vw_vr5(); },
             QStringLiteral("Volkswagen VR5"));
+        return;
+    }
+    if (name == radialEngine) {
+        edit(
+            tr("Layout"), [](Input& input) { input = inertia_moments::preset_radial_9(); },
+            layoutTitle(name));
         return;
     }
     if (name == ownTable) {
@@ -207,11 +221,35 @@ QString InertiaMomentsModel::setEvenFiring() {
     if (!inertia_moments::is_firing_order(order, count)) {
         return tr("Even firing needs a firing order.");
     }
+    if (hasArticulatedRods()) {
+        return tr("Articulated rods run on their master's crankpin: they cannot be set apart.");
+    }
     return edit(tr("Even firing"), [&](Input& input) {
         inertia_moments::set_even_firing(tableOf(input), order, input.crank_radius, input.lambda,
                                          input.cycle());
         input.cylinders = inertia_moments::rounded(std::move(input.cylinders));
     });
+}
+
+bool InertiaMomentsModel::hasArticulatedRods() const {
+    const auto& cylinders = result().engine.cylinders;
+    return std::any_of(cylinders.begin(), cylinders.end(),
+                       [](const Cylinder& cylinder) { return cylinder.articulated.has_value(); });
+}
+
+QString InertiaMomentsModel::setArticulatedRods(bool on) {
+    const QString trouble = edit(tr("Articulated rods"), [&](Input& input) {
+        auto& cylinders = tableOf(input);
+        if (on) {
+            inertia_moments::hang_on_masters(cylinders, input.crank_radius);
+        } else {
+            for (Cylinder& cylinder : cylinders) {
+                cylinder.articulated.reset();
+            }
+        }
+    });
+    finishDrag();
+    return trouble;
 }
 
 const std::vector<int>& InertiaMomentsModel::firingOrder() const {

@@ -42,7 +42,8 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
 
     // ---------------------------------------------------------------- layout
 
-    /// What the list of layouts offers: "vw-vr5" (the paper's engine), the library, "table".
+    /// What the list of layouts offers: "vw-vr5" (the paper's engine), "radial-9" (with articulated
+    /// rods), the library, "table".
     static QStringList layoutNames();
     /// A layout's name in words; "vr" with another number of cylinders has its own.
     QString layoutTitle(const QString& name) const;
@@ -54,6 +55,11 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     /// Sets the crankpins of the table for even firing in its firing order.
     /// @return an empty string, or why it cannot be done
     QString setEvenFiring();
+    bool hasArticulatedRods() const;
+    /// Hangs the rods of each crankpin on that of its first cylinder, with the usual knuckle
+    /// radius, or puts them all back on their crankpins.
+    /// @return an empty string, or why it cannot be done
+    QString setArticulatedRods(bool on);
     /// Makes an input's own table the one that is edited: that of its layout, where it has one.
     std::vector<inertia_moments::Cylinder>& tableOf(Input& input) const;
     const std::vector<int>& firingOrder() const;

@@ -1,0 +1,278 @@
+#include "inertia-moments/articulated_rods.h"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <string>
+
+#include "case-file/input_error.h"
+#include "inertia-moments/fields.h"
+
+namespace ravnoves::inertia_moments {
+
+namespace {
+
+using Vector = std::complex<double>;
+
+constexpr int scan_samples = 90;  ///< of a turn, when an extremum is looked for
+
+/// Written out: std::complex's product also checks for infinities.
+Vector times(const Vector& a, const Vector& b) {
+    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
+/// The root of f between two places where it has different signs.
+template <typename Function>
+double root_between(const Function& f, double low, double high) {
+    std::uintmax_t steps = 100;
+    const auto [before, after] = boost::math::tools::toms748_solve(
+        f, low, high, boost::math::tools::eps_tolerance<double>(), steps);
+    return 0.5 * (before + after);
+}
+
+/// The angle in −π…π where a periodic function is greatest: the best of a scan, then the root of
+/// the slope between its neighbours.
+template <typename Function, typename Slope>
+double angle_of_greatest(const Function& f, const Slope& slope) {
+    constexpr double step = two_pi / scan_samples;
+    double best = -pi;
+    double greatest = f(best);
+    for (int i = 1; i < scan_samples; ++i) {
+        const double angle = step * i - pi;
+        if (const double value = f(angle); value > greatest) {
+            greatest = value;
+            best = angle;
+        }
+    }
+    const bool bracketed = slope(best - step) > 0.0 && slope(best + step) < 0.0;
+    return bracketed ? root_between(slope, best - step, best + step) : best;
+}
+
+std::string rod_pointer(std::size_t cylinder, const Field& field) {
+    return "/input/cylinders/" + std::to_string(cylinder) + "/" +
+           std::string(field::articulated.key) + "/" + std::string(field.key);
+}
+
+/// "1, 4" of indices.
+std::string numbers_of(const std::vector<std::size_t>& cylinders) {
+    std::string text;
+    for (const std::size_t i : cylinders) {
+        text += (text.empty() ? "" : ", ") + std::to_string(i + 1);
+    }
+    return text;
+}
+
+/// The throw of a cylinder.
+const Throw& throw_of(std::span<const Throw> throws, std::size_t cylinder) {
+    return *std::find_if(throws.begin(), throws.end(), [&](const Throw& pin) {
+        return std::find(pin.cylinders.begin(), pin.cylinders.end(), cylinder) !=
+               pin.cylinders.end();
+    });
+}
+
+/// The cylinder on whose rod an articulated one hangs.
+std::size_t master_of(std::span<const Cylinder> cylinders, const Throw& pin, std::size_t own) {
+    std::vector<std::size_t> plain;  // on the same pin
+    for (const std::size_t i : pin.cylinders) {
+        if (!cylinders[i].articulated) {
+            plain.push_back(i);
+        }
+    }
+    const int number = cylinders[own].articulated->master;
+    const std::string pointer = rod_pointer(own, field::master);
+    if (number == 0) {
+        if (plain.size() != 1) {
+            throw InputError(
+                pointer,
+                plain.empty()
+                    ? Message(CORE_TEXT("inertia-moments",
+                                        "must have a master rod: none of the rods on the crankpin "
+                                        "of cylinder %1 is without articulated"),
+                              own + 1)
+                    : Message(CORE_TEXT("inertia-moments",
+                                        "must be given: the rods of cylinders %1 run on this "
+                                        "crankpin, and each could be the master"),
+                              numbers_of(plain)));
+        }
+        return plain.front();
+    }
+    const auto master = static_cast<std::size_t>(number) - 1;
+    const auto refuse = [&](const Message& why) {
+        throw InputError(pointer, why, Number{static_cast<double>(number)});
+    };
+    if (master >= cylinders.size()) {
+        refuse({CORE_TEXT("inertia-moments", "must be a cylinder of the table, 1 to %1"),
+                cylinders.size()});
+    }
+    if (cylinders[master].articulated) {
+        refuse({CORE_TEXT("inertia-moments",
+                          "must be a rod on the crankpin itself; that of cylinder %1 is "
+                          "articulated too"),
+                number});
+    }
+    if (std::find(plain.begin(), plain.end(), master) == plain.end()) {
+        refuse({CORE_TEXT("inertia-moments",
+                          "must run on the same crankpin (same angle, another direction, less than "
+                          "the crank radius away); cylinder %1 runs on that of cylinders %2"),
+                own + 1, numbers_of(pin.cylinders)});
+    }
+    return master;
+}
+
+}  // namespace
+
+RodSwing<double> ArticulatedCrank::master_swing(double sin_theta, double cos_theta) const {
+    return master.rod_at(sin_theta * master_lead.real() + cos_theta * master_lead.imag(),
+                         cos_theta * master_lead.real() - sin_theta * master_lead.imag());
+}
+
+ArticulatedMotion ArticulatedCrank::at(double sin_theta, double cos_theta) const {
+    const RodSwing<double> swing = master_swing(sin_theta, cos_theta);
+    ArticulatedMotion motion;
+    motion.arm = times(knuckle, std::polar(1.0, swing.psi));
+    const Vector turned(-motion.arm.imag(), motion.arm.real());
+    motion.darm = swing.dpsi * turned;
+    motion.d2arm = swing.d2psi * turned - swing.dpsi * swing.dpsi * motion.arm;
+    // The knuckle pin across the axis, and the articulated rod's length along it.
+    const double y = sin_theta + motion.arm.imag() - offset;
+    const double dy = cos_theta + motion.darm.imag();
+    const double d2y = -sin_theta + motion.d2arm.imag();
+    // Two roots: the product of two long rods could overflow.
+    const double root = std::sqrt(rod_length - y) * std::sqrt(rod_length + y);
+    const double t = y / root;
+    motion.piston = {cos_theta + motion.arm.real() + root, -sin_theta + motion.darm.real() - t * dy,
+                     -cos_theta + motion.d2arm.real() - dy * dy * (1.0 + t * t) / root - t * d2y};
+    return motion;
+}
+
+ArticulatedMotion ArticulatedCrank::two_term_at(double sin_theta, double cos_theta) const {
+    const double lambda = master.lambda();
+    const double sin_master = sin_theta * master_lead.real() + cos_theta * master_lead.imag();
+    const double cos_master = cos_theta * master_lead.real() - sin_theta * master_lead.imag();
+    const double psi = lambda * (master.offset - sin_master);
+    const double dpsi = -lambda * cos_master;
+    const double d2psi = lambda * sin_master;
+    ArticulatedMotion motion;
+    motion.arm = times(knuckle, {1.0 - 0.5 * psi * psi, psi});
+    motion.darm = times(knuckle, {-psi * dpsi, dpsi});
+    motion.d2arm = times(knuckle, {-dpsi * dpsi - psi * d2psi, d2psi});
+    // Across the axis the square of ψ would be of the third order.
+    const double y = sin_theta + knuckle.imag() + knuckle.real() * psi - offset;
+    const double dy = cos_theta + knuckle.real() * dpsi;
+    const double d2y = -sin_theta + knuckle.real() * d2psi;
+    motion.piston = {cos_theta + motion.arm.real() + rod_length - 0.5 * y * y / rod_length,
+                     -sin_theta + motion.darm.real() - y * dy / rod_length,
+                     -cos_theta + motion.d2arm.real() - (dy * dy + y * d2y) / rod_length};
+    return motion;
+}
+
+double ArticulatedCrank::top_dead_centre() const {
+    return angle_of_greatest(
+        [&](double theta) { return at(std::sin(theta), std::cos(theta)).piston.s; },
+        [&](double theta) { return at(std::sin(theta), std::cos(theta)).piston.ds; });
+}
+
+double ArticulatedCrank::bottom_dead_centre() const {
+    const double angle = angle_of_greatest(
+        [&](double theta) { return -at(std::sin(theta), std::cos(theta)).piston.s; },
+        [&](double theta) { return -at(std::sin(theta), std::cos(theta)).piston.ds; });
+    return angle < 0.0 ? angle + two_pi : angle;
+}
+
+double ArticulatedCrank::stroke() const {
+    const auto s = [&](double theta) { return at(std::sin(theta), std::cos(theta)).piston.s; };
+    return s(top_dead_centre()) - s(bottom_dead_centre());
+}
+
+double ArticulatedCrank::across(double theta) const {
+    const double psi = master_swing(std::sin(theta), std::cos(theta)).psi;
+    return std::sin(theta) + times(knuckle, std::polar(1.0, psi)).imag() - offset;
+}
+
+double ArticulatedCrank::across_slope(double theta) const {
+    const RodSwing<double> swing = master_swing(std::sin(theta), std::cos(theta));
+    return std::cos(theta) + swing.dpsi * times(knuckle, std::polar(1.0, swing.psi)).real();
+}
+
+double ArticulatedCrank::reach() const {
+    double most = 0.0;
+    for (const double sign : {1.0, -1.0}) {
+        const double angle =
+            angle_of_greatest([&](double theta) { return sign * across(theta); },
+                              [&](double theta) { return sign * across_slope(theta); });
+        most = std::max(most, std::abs(across(angle)));
+    }
+    return most;
+}
+
+std::optional<LockingAngles<double>> ArticulatedCrank::locking_angles() const {
+    const auto room = [&](double theta) { return rod_length - std::abs(across(theta)); };
+    // From the place nearest to the top at which the rod can be fitted, both ways.
+    constexpr double step = two_pi / (4.0 * scan_samples);
+    std::optional<double> start;
+    for (int i = 0; i <= 2 * scan_samples && !start; ++i) {
+        for (const double angle : {i * step, -i * step}) {
+            if (!start && room(angle) > 0.0) {
+                start = angle;
+            }
+        }
+    }
+    const auto stop = [&](double way) -> std::optional<double> {
+        for (int i = 1; start && i <= 4 * scan_samples; ++i) {
+            const double angle = *start + way * step * i;
+            if (!(room(angle) > 0.0)) {
+                const double before = angle - way * step;
+                return root_between(room, std::min(angle, before), std::max(angle, before));
+            }
+        }
+        return std::nullopt;
+    };
+    const std::optional<double> forward = stop(1.0);
+    const std::optional<double> backward = stop(-1.0);
+    if (!forward || !backward) {
+        return std::nullopt;
+    }
+    return LockingAngles<double>{*forward, *backward};
+}
+
+std::vector<std::optional<KnuckleRod>> knuckle_rods(std::span<const Cylinder> cylinders,
+                                                    std::span<const Throw> throws,
+                                                    double rod_length) {
+    std::vector<std::optional<KnuckleRod>> rods(cylinders.size());
+    for (std::size_t i = 0; i < cylinders.size(); ++i) {
+        if (!cylinders[i].articulated) {
+            continue;
+        }
+        const ArticulatedRod& given = *cylinders[i].articulated;
+        KnuckleRod& rod = rods[i].emplace();
+        rod.master = master_of(cylinders, throw_of(throws, i), i);
+        rod.knuckle_radius = given.knuckle_radius;
+        if (!(rod.knuckle_radius < rod_length)) {
+            throw InputError(
+                rod_pointer(i, field::knuckle_radius),
+                {CORE_TEXT("inertia-moments", "must be less than %1, the length of the master rod"),
+                 Number{.value = rod_length / units::mm, .digits = 6}},
+                Number{from_si(field::knuckle_radius, given.knuckle_radius)});
+        }
+        const double between = cylinders[i].bank_angle - cylinders[rod.master].bank_angle;
+        rod.knuckle_angle = given.knuckle_angle.value_or(between);
+        rod.rod_length = given.rod_length.value_or(rod_length - given.knuckle_radius);
+        rod.knuckle_mass = given.knuckle_mass;
+    }
+    return rods;
+}
+
+void hang_on_masters(std::vector<Cylinder>& cylinders, double crank_radius) {
+    for (const Throw& pin : crank_throws(cylinders, crank_radius)) {
+        const std::size_t master = *std::min_element(pin.cylinders.begin(), pin.cylinders.end());
+        for (const std::size_t i : pin.cylinders) {
+            cylinders[i].articulated.reset();
+            if (i != master) {
+                cylinders[i].articulated.emplace().knuckle_radius =
+                    rounded(usual_knuckle_share * crank_radius, field::knuckle_radius, 3);
+            }
+        }
+    }
+}
+
+}  // namespace ravnoves::inertia_moments

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "inertia-moments/input.h"
+#include "inertia-moments/throws.h"
+#include "numerics/slider_crank.h"
+
+namespace ravnoves::inertia_moments {
+
+/// The motion of a cylinder whose rod hangs on a master rod, by its own crank angle θ, in units of
+/// R. Vectors are complex: along the cylinder's axis + i across it, counter-clockwise.
+struct ArticulatedMotion {
+    PistonMotion<double> piston;  ///< s, s′, s″ of its piston pin
+    std::complex<double> arm;     ///< from the crankpin to the knuckle pin
+    std::complex<double> darm;    ///< d/dθ
+    std::complex<double> d2arm;   ///< d²/dθ²
+};
+
+/// The mechanism of a cylinder whose rod hangs on a master rod, in units of R.
+///
+/// The crankpin stands at e^{iθ} from the cylinder's axis; the master rod swings by its own
+/// slider-crank, sin ψ = λ(K_m − sin θ_m) with θ_m = θ + β − β_m, and carries the knuckle pin:
+/// q = e^{iθ} + ρ e^{i(ψ + c)}, ρ = r_k/R, c = γ − (β − β_m). The piston pin closes the loop on
+/// its axis, s = Re q + √(l² − (Im q − K)²). Derived from the geometry alone; with ρ = 0 and l = L
+/// it is the plain slider-crank. The tests derive it a second way, by Newton's method in 50 digits.
+struct ArticulatedCrank {
+    SliderCrank<double> master;        ///< {1, 1/λ, K_m}; must not lock
+    std::complex<double> master_lead;  ///< e^{i(θ_m − θ)} = e^{i(β − β_m)}
+    std::complex<double> knuckle;      ///< ρ e^{ic}: the pin from the crankpin while ψ = 0
+    double rod_length = 0.0;           ///< l/R
+    double offset = 0.0;               ///< K = e/R
+
+    /// Exact, from sin θ and cos θ. Neither mechanism may lock.
+    ArticulatedMotion at(double sin_theta, double cos_theta) const;
+    /// With the cosines of both rods' angles as 1 − half the square, as in the paper's two-term
+    /// form, which this is for ρ = 0: the force has orders 1 and 2 only. The error of s″ is of the
+    /// third order in λ and R/l.
+    ArticulatedMotion two_term_at(double sin_theta, double cos_theta) const;
+
+    double top_dead_centre() const;     ///< θ where s is greatest, rad in −π…π
+    double bottom_dead_centre() const;  ///< θ where s is least, rad in 0…2π
+    double stroke() const;              ///< greatest less least s
+
+    /// How far the knuckle pin goes from the cylinder's axis, |Im q − K|: the rod must be longer.
+    double reach() const;
+    /// Where the crank stops on both sides of top dead centre, θ in rad, where reach() ≥ l; nothing
+    /// where the rod reaches the piston at no crank angle, or does so at all.
+    std::optional<LockingAngles<double>> locking_angles() const;
+
+  private:
+    RodSwing<double> master_swing(double sin_theta, double cos_theta) const;
+    double across(double theta) const;        ///< Im q − K
+    double across_slope(double theta) const;  ///< d/dθ
+};
+
+/// An articulated rod with all that its input leaves out filled in.
+struct KnuckleRod {
+    std::size_t master = 0;       ///< index of the cylinder whose rod carries it
+    double knuckle_radius = 0.0;  ///< r_k, m
+    double knuckle_angle = 0.0;   ///< γ, rad, counter-clockwise from the master rod's axis
+    double rod_length = 0.0;      ///< l, m
+    double knuckle_mass = 0.0;    ///< kg
+};
+
+/// The articulated rods by cylinder; empty for rods on the crankpin itself. Left out are: the
+/// master, where one plain rod alone runs on the same pin; γ, the difference of the bank angles;
+/// l, the master rod's length less r_k.
+/// @throws InputError at the cylinder's field: a master that is not there, is itself articulated or
+/// runs on another pin, or that must be named; a knuckle radius of a rod's length
+std::vector<std::optional<KnuckleRod>> knuckle_rods(std::span<const Cylinder> cylinders,
+                                                    std::span<const Throw> throws,
+                                                    double rod_length);
+
+/// The usual knuckle radius of a radial: the pins stand close round the crankpin's bearing.
+inline constexpr double usual_knuckle_share = 0.75;  ///< of the crank radius
+
+/// Hangs the rods of each throw on that of its first cylinder, as in a radial; throws with one rod
+/// stay.
+void hang_on_masters(std::vector<Cylinder>& cylinders, double crank_radius);
+
+}  // namespace ravnoves::inertia_moments

@@ -1,0 +1,577 @@
+// Master and articulated rods against the closure of the loop in 50 digits, momentum and energy by
+// differences of positions, and the second order that follows by hand.
+#include "inertia-moments/articulated_rods.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "engines.h"
+#include "inertia-moments/pose.h"
+#include "inertia-moments/presets.h"
+#include "inertia-moments/scene.h"
+#include "numerics/real50.h"
+
+namespace ravnoves::inertia_moments {
+namespace {
+
+/// A table on one crankpin: no symmetry hides a mistake, every value of the rods is given.
+Input irregular_star() {
+    Input input;
+    input.crank_radius = 0.08;
+    input.lambda = 0.27;
+    input.angular_speed = 220.0;
+    input.reciprocating_mass = 1.4;
+    input.rotating_mass = 1.0;
+    input.reference_position = 0.013;
+    input.cylinders = {{0.02, 0.4, 0.006, 0.0},     {0.02, 0.4 + 1.3, -0.009, 0.0},
+                       {0.01, 0.4 - 1.1, 0.0, 0.0}, {0.03, 0.4 + 2.9, 0.011, 0.0},
+                       {-0.2, 0.9, 0.004, 2.2},     {-0.2, -0.3, 0.002, 2.2}};
+    input.cylinders[0].articulated = ArticulatedRod{0.055, 1.2, 0.22, 3, 0.3};
+    input.cylinders[1].articulated = ArticulatedRod{0.06, {}, {}, 3, 0.0};
+    input.cylinders[3].articulated = ArticulatedRod{0.05, 2.2, 0.26, 0, 0.45};
+    input.cylinders[5].articulated = ArticulatedRod{0.04, {}, {}, 0, 0.2};
+    return input;
+}
+
+/// A radial on one pin, its rods hung on that of cylinder 1.
+Input star(int count, double lambda, double knuckle_share) {
+    Input input;
+    input.crank_radius = 0.0873;
+    input.lambda = lambda;
+    input.angular_speed = 230.0;
+    input.reciprocating_mass = 2.5;
+    for (int i = 0; i < count; ++i) {
+        input.cylinders.push_back({0.0, two_pi * i / count, 0.0, 0.0});
+        if (i > 0) {
+            input.cylinders.back().articulated.emplace().knuckle_radius =
+                knuckle_share * input.crank_radius;
+        }
+    }
+    return input;
+}
+
+Input without_articulated(Input input) {
+    for (Cylinder& cylinder : input.cylinders) {
+        cylinder.articulated.reset();
+    }
+    return input;
+}
+
+std::string articulated_refusal(const Json& json) {
+    try {
+        solve_scene(json, {});
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+// ------------------------------------------------------------- the closure, written here anew
+
+using Point = std::array<Real50, 2>;
+
+Point operator+(const Point& a, const Point& b) {
+    return {a[0] + b[0], a[1] + b[1]};
+}
+Point operator-(const Point& a, const Point& b) {
+    return {a[0] - b[0], a[1] - b[1]};
+}
+Point operator*(const Real50& k, const Point& a) {
+    return {k * a[0], k * a[1]};
+}
+Real50 dot(const Point& a, const Point& b) {
+    return a[0] * b[0] + a[1] * b[1];
+}
+Real50 cross(const Point& a, const Point& b) {
+    return a[0] * b[1] - a[1] * b[0];
+}
+Point turned(const Point& a, const Real50& angle) {
+    return {cos(angle) * a[0] - sin(angle) * a[1], sin(angle) * a[0] + cos(angle) * a[1]};
+}
+
+/// The piston pin on its axis at a distance from a point: Newton's method from far outside.
+Point piston_pin(const Cylinder& cylinder, const Point& foot, const Real50& length) {
+    const Real50 beta(cylinder.bank_angle);
+    const Point axis{-sin(beta), cos(beta)};
+    const Point origin = Real50(cylinder.offset) * Point{-axis[1], axis[0]};
+    Real50 s = Real50(3) * (length + sqrt(dot(foot, foot)));
+    for (int step = 0; step < 100; ++step) {
+        const Point rod = origin + s * axis - foot;
+        s -= (dot(rod, rod) - length * length) / (Real50(2) * dot(rod, axis));
+    }
+    return origin + s * axis;
+}
+
+struct PinPlaces {
+    std::vector<Point> pistons;
+    std::vector<Point> feet;  ///< of the rods
+    std::vector<Point> pins;  ///< crankpins
+};
+
+/// All pins at φ, in metres. Angles of knuckle pins and lengths as the input gives them.
+PinPlaces places_at(const Input& input, const std::vector<std::size_t>& masters,
+                    const Real50& phi) {
+    const Real50 radius(input.crank_radius);
+    const Real50 length = radius / Real50(input.lambda);
+    PinPlaces places;
+    for (std::size_t i = 0; i < input.cylinders.size(); ++i) {
+        const Cylinder& cylinder = input.cylinders[i];
+        const Real50 angle =
+            phi + Real50(input.cylinders[0].bank_angle) + Real50(cylinder.crankpin_angle);
+        const Point pin{-radius * sin(angle), radius * cos(angle)};
+        places.pins.push_back(pin);
+        places.feet.push_back(pin);
+        if (!cylinder.articulated) {
+            places.pistons.push_back(piston_pin(cylinder, pin, length));
+            continue;
+        }
+        const ArticulatedRod& rod = *cylinder.articulated;
+        const Cylinder& master = input.cylinders[masters[i]];
+        const Point along = piston_pin(master, pin, length) - pin;
+        const Real50 gamma = rod.knuckle_angle
+                                 ? Real50(*rod.knuckle_angle)
+                                 : Real50(cylinder.bank_angle) - Real50(master.bank_angle);
+        places.feet.back() = pin + Real50(rod.knuckle_radius) / length * turned(along, gamma);
+        const Real50 own_length =
+            rod.rod_length ? Real50(*rod.rod_length) : length - Real50(rod.knuckle_radius);
+        places.pistons.push_back(piston_pin(cylinder, places.feet.back(), own_length));
+    }
+    return places;
+}
+
+const std::vector<std::size_t> star_masters{2, 2, 2, 2, 4, 4};
+
+TEST(ArticulatedRods, PlacesCloseTheLoop) {
+    const Input input = irregular_star();
+    const Engine engine = make_engine(input);
+    for (int k = 0; k < 24; ++k) {
+        const double phi = 0.27 * k;
+        const auto poses = engine_pose(engine, phi);
+        const PinPlaces places = places_at(input, star_masters, Real50(phi));
+        for (std::size_t i = 0; i < poses.size(); ++i) {
+            const auto expect_at = [&](const Complex& found, const Point& truth) {
+                EXPECT_NEAR(found.real(), static_cast<double>(truth[0]), 2e-16) << i << " " << phi;
+                EXPECT_NEAR(found.imag(), static_cast<double>(truth[1]), 2e-16) << i << " " << phi;
+            };
+            expect_at(poses[i].piston_pin, places.pistons[i]);
+            expect_at(poses[i].rod_foot, places.feet[i]);
+            expect_at(poses[i].crankpin, places.pins[i]);
+            EXPECT_EQ(poses[i].articulated, input.cylinders[i].articulated.has_value());
+        }
+    }
+}
+
+// Newton on the whole: force and moments are −d/dt of momentum and angular momentum, the reaction
+// to the crank's torque is d/dφ of the kinetic energy; all by differences of positions alone.
+TEST(ArticulatedRods, ForcesAreThoseOfMomentumAndEnergy) {
+    const Input input = irregular_star();
+    const Engine engine = make_engine(input);
+    const Real50 h("1e-9");
+    const Real50 omega(input.angular_speed);
+    const double unit = engine.force_unit();
+    for (int k = 0; k < 24; ++k) {
+        const double phi = 0.27 * k + 0.1;
+        std::array<PinPlaces, 5> at;  // φ − 2h … φ + 2h
+        for (int j = 0; j < 5; ++j) {
+            at[static_cast<std::size_t>(j)] =
+                places_at(input, star_masters, Real50(phi) + Real50(j - 2) * h);
+        }
+        Point force{0, 0};
+        Point moment{0, 0};
+        Real50 roll(0);
+        Real50 energy_rate(0);
+        const auto add = [&](const Real50& mass, auto&& list, std::size_t i, const Real50& z) {
+            const auto place = [&](std::size_t j) { return list(at.at(j))[i]; };
+            const auto speed = [&](std::size_t j) {
+                return Real50(1) / (Real50(2) * h) * (place(j + 1) - place(j - 1));
+            };
+            const Point acceleration =
+                Real50(1) / (h * h) * (place(3) - Real50(2) * place(2) + place(1));
+            const Real50 factor = -mass * omega * omega;
+            force = force + factor * acceleration;
+            moment = moment + factor * z * acceleration;
+            roll += factor * cross(place(2), acceleration);
+            energy_rate -=
+                factor * (dot(speed(3), speed(3)) - dot(speed(1), speed(1))) / (Real50(4) * h);
+        };
+        for (std::size_t i = 0; i < input.cylinders.size(); ++i) {
+            const Cylinder& cylinder = input.cylinders[i];
+            const Real50 z(cylinder.axial_position - input.reference_position);
+            add(
+                Real50(input.reciprocating_mass),
+                [](const PinPlaces& all) -> const auto& { return all.pistons; }, i, z);
+            if (cylinder.articulated) {
+                const Real50 mass(cylinder.articulated->knuckle_mass);
+                add(
+                    mass, [](const PinPlaces& all) -> const auto& { return all.feet; }, i, z);
+                add(
+                    -mass, [](const PinPlaces& all) -> const auto& { return all.pins; }, i, z);
+            }
+        }
+        const Wrench wrench = exact_wrench(engine, phi);
+        EXPECT_NEAR(wrench.force.real(), static_cast<double>(force[0]), 1e-13 * unit);
+        EXPECT_NEAR(wrench.force.imag(), static_cast<double>(force[1]), 1e-13 * unit);
+        EXPECT_NEAR(wrench.moment.real(), static_cast<double>(moment[0]), 1e-13 * unit);
+        EXPECT_NEAR(wrench.moment.imag(), static_cast<double>(moment[1]), 1e-13 * unit);
+        EXPECT_NEAR(wrench.inertia_roll, static_cast<double>(roll), 1e-13 * unit);
+        EXPECT_NEAR(wrench.reaction_torque, static_cast<double>(energy_rate), 1e-13 * unit);
+    }
+}
+
+TEST(ArticulatedRods, OrdersAddUpToTheForces) {
+    const Engine engine = make_engine(irregular_star());
+    const EngineOrders orders = exact_orders(engine, 40);
+    EXPECT_TRUE(orders.accurate);
+    const double unit = engine.force_unit();
+    double mean_roll = 0.0;  // the orders have none
+    for (int k = 0; k < 64; ++k) {
+        mean_roll += exact_wrench(engine, two_pi * k / 64).inertia_roll / 64.0;
+    }
+    for (int k = 0; k < 40; ++k) {
+        const double phi = 0.16 * k;
+        const Wrench sum = sum_of_orders(orders, phi);
+        const Wrench exact = exact_wrench(engine, phi);
+        EXPECT_NEAR(std::abs(sum.force - exact.force), 0.0, 1e-12 * unit);
+        EXPECT_NEAR(std::abs(sum.moment - exact.moment), 0.0, 1e-12 * unit);
+        EXPECT_NEAR(sum.inertia_roll + mean_roll, exact.inertia_roll, 1e-12 * unit);
+        EXPECT_NEAR(sum.reaction_torque, exact.reaction_torque, 1e-12 * unit);
+    }
+}
+
+TEST(ArticulatedRods, AKnuckleAtTheCrankpinIsAPlainRod) {
+    Input input = irregular_star();
+    for (Cylinder& cylinder : input.cylinders) {
+        if (cylinder.articulated) {
+            cylinder.articulated->knuckle_radius = 0.0;
+            cylinder.articulated->rod_length.reset();
+        }
+    }
+    const Result hung = solve(input);
+    const Result plain = solve(without_articulated(input));
+    const double unit = plain.engine.force_unit();
+    for (const auto& [a, b] :
+         {std::pair(&hung.exact, &plain.exact), std::pair(&hung.two_term, &plain.two_term)}) {
+        for (std::size_t k = 0; k < a->orders.size(); ++k) {
+            const EngineOrder& left = a->orders[k];
+            const EngineOrder& right = b->orders[k];
+            EXPECT_NEAR((left.force - right.force).max(), 0.0, 1e-13 * unit);
+            EXPECT_NEAR((left.moment - right.moment).max(), 0.0, 1e-13 * unit);
+            EXPECT_NEAR(left.roll().cos, right.roll().cos, 1e-13 * unit);
+            EXPECT_NEAR(left.roll().sin, right.roll().sin, 1e-13 * unit);
+        }
+    }
+    for (std::size_t i = 0; i < input.cylinders.size(); ++i) {
+        EXPECT_NEAR(hung.engine.top_dead_centre(i), plain.engine.top_dead_centre(i), 1e-14);
+        EXPECT_NEAR(hung.engine.bottom_dead_centre(i), plain.engine.bottom_dead_centre(i), 1e-14);
+        EXPECT_NEAR(hung.engine.stroke(i), plain.engine.stroke(i), 1e-15);
+    }
+}
+
+// Long rods do not swing: the knuckle pins go round as the crankpin does.
+TEST(ArticulatedRods, LongRodsAreHarmonic) {
+    const Result result = solve(star(7, 1e-8, 0.75));
+    const double unit = result.engine.force_unit();
+    EXPECT_NEAR(std::abs(result.exact.order(1).force.forward), 3.5 * unit, 1e-6 * unit);
+    for (int k = 2; k <= highest_order; ++k) {
+        EXPECT_LT(result.exact.order(k).force.max(), 1e-7 * unit) << k;
+    }
+}
+
+// By hand, with a = ρλ/l, b = ρλ²/2 + ρ²λ²/(2l) and lengths in R: an articulated piston stands at
+// cos θ − sin²θ/(2l) + a sin θ sin φ − b sin²φ but for a constant. Round the star the second term
+// adds up to nothing and the third to (N/2) a (e^{2iφ} − 1)/(2i); the master's cylinder has none of
+// them, but λ/4 cos 2φ, which leaves c cos 2φ on its axis, c = λ/4 − 1/(4l) + (a − b)/2.
+TEST(ArticulatedRods, SecondOrderOfARadial) {
+    for (const int count : {5, 7, 9, 63}) {
+        for (const double rho : {0.35, 0.75}) {
+            const double lambda = 0.25;
+            const double l = 1.0 / lambda - rho;
+            const double a = rho * lambda / l;
+            const double b = rho * lambda * lambda / 2.0 + rho * rho * lambda * lambda / (2.0 * l);
+            const double c = lambda / 4.0 - 1.0 / (4.0 * l) + (a - b) / 2.0;
+            const Result result = solve(star(count, lambda, rho));
+            const double unit = result.engine.force_unit();
+            const RotatingPair& second = result.two_term.order(2).force;
+            EXPECT_NEAR(std::abs(second.forward) / unit, count * a - 2.0 * c, 1e-12) << count;
+            EXPECT_NEAR(std::abs(second.backward) / unit, 2.0 * std::abs(c), 1e-12) << count;
+            for (const int k : {3, 4}) {
+                EXPECT_LT(result.two_term.order(k).force.max(), 1e-12 * unit);
+            }
+            // The exact one is not far, and plain rods have none.
+            const double exact = std::abs(result.exact.order(2).force.forward) / unit;
+            EXPECT_NEAR(exact, count * a, 0.06 * count * a) << count;
+            // Without offsets the first order stays as it is: what the rods add is even in φ + π.
+            EXPECT_NEAR(std::abs(result.exact.order(1).force.forward) / unit, 0.5 * count, 1e-11);
+            const Result plain = solve(without_articulated(star(count, lambda, rho)));
+            EXPECT_LT(plain.exact.order(2).force.max(), 1e-12 * unit) << count;
+            EXPECT_NEAR(std::abs(plain.exact.order(1).force.forward) / unit, 0.5 * count, 1e-11);
+        }
+    }
+}
+
+// What the two-term form leaves out is of the third order: half as long a crank, an eighth.
+TEST(ArticulatedRods, TwoTermFormIsRightToTheSecondOrder) {
+    const auto error_at = [](double lambda) {
+        ArticulatedCrank crank{{1.0, 1.0 / lambda, 0.2},
+                               std::polar(1.0, 1.1),
+                               std::polar(0.7, 0.15),
+                               1.0 / lambda - 0.5,
+                               -0.15};
+        double most = 0.0;
+        for (int k = 0; k < 200; ++k) {
+            const double theta = two_pi * k / 200;
+            const auto exact = crank.at(std::sin(theta), std::cos(theta)).piston;
+            const auto two_term = crank.two_term_at(std::sin(theta), std::cos(theta)).piston;
+            most = std::max(most, std::abs(exact.d2s - two_term.d2s));
+        }
+        return most;
+    };
+    EXPECT_LT(error_at(0.01), 1e-5);
+    EXPECT_NEAR(error_at(0.04) / error_at(0.02), 8.0, 0.8);
+    EXPECT_NEAR(error_at(0.02) / error_at(0.01), 8.0, 0.4);
+}
+
+TEST(ArticulatedRods, DeadCentresAreThoseOfThePiston) {
+    const Input input = irregular_star();
+    const Engine engine = make_engine(input);
+    for (std::size_t i = 0; i < engine.cylinders.size(); ++i) {
+        if (!engine.knuckles[i]) {
+            continue;
+        }
+        const ArticulatedCrank crank = engine.articulated(i);
+        const auto s = [&](double theta) {
+            return crank.at(std::sin(theta), std::cos(theta)).piston.s;
+        };
+        double highest = -1e9;
+        double lowest = 1e9;
+        for (int k = 0; k < 3600; ++k) {
+            highest = std::max(highest, s(two_pi * k / 3600));
+            lowest = std::min(lowest, s(two_pi * k / 3600));
+        }
+        const double top = crank.top_dead_centre();
+        const double bottom = crank.bottom_dead_centre();
+        EXPECT_NEAR(s(top), highest, 2e-6);
+        EXPECT_GE(s(top), highest);
+        EXPECT_NEAR(s(bottom), lowest, 2e-6);
+        EXPECT_LE(s(bottom), lowest);
+        EXPECT_NEAR(crank.at(std::sin(top), std::cos(top)).piston.ds, 0.0, 1e-14);
+        EXPECT_NEAR(engine.stroke(i), engine.crank_radius * (highest - lowest), 1e-6);
+    }
+    // A radial is its own mirror image about the master's axis.
+    const Result radial = solve(star(9, 0.25, 0.75));
+    EXPECT_NEAR(radial.engine.stroke(0), 2.0 * radial.engine.crank_radius, 1e-15);
+    for (std::size_t i = 1; i < 9; ++i) {
+        EXPECT_NEAR(radial.engine.top_dead_centre(i), -radial.engine.top_dead_centre(9 - i), 1e-12);
+        EXPECT_NEAR(radial.engine.stroke(i), radial.engine.stroke(9 - i), 1e-14);
+        EXPECT_GT(radial.engine.stroke(i), radial.engine.stroke(0));
+    }
+}
+
+TEST(ArticulatedRods, APresetRadialFiresUnevenly) {
+    const Input input = preset_radial_9();
+    const Json json = solve_scene(write_input(input), {});
+    EXPECT_TRUE(read_input(write_input(input)) == input);
+    EXPECT_TRUE(json.at("notes").empty());
+    EXPECT_EQ(json.at("throws").size(), 1U);
+    ASSERT_EQ(json.at("articulated_rods").size(), 8U);
+    const Json& third = json.at("articulated_rods").at(1);
+    EXPECT_EQ(third.at("cylinder"), 3);
+    EXPECT_EQ(third.at("master"), 1);
+    EXPECT_NEAR(third.at("knuckle_angle_deg").get<double>(), 80.0, 1e-12);
+    EXPECT_NEAR(third.at("rod_length_mm").get<double>(), 87.3 / 0.25 - 67.0, 1e-12);
+    EXPECT_NEAR(json.at("cylinder_tdc_angle_deg").at(0).get<double>(), 0.0, 1e-12);
+    EXPECT_GT(json.at("cylinder_tdc_angle_deg").at(3).get<double>(), 3.0);
+    EXPECT_NEAR(json.at("cylinder_stroke_mm").at(0).get<double>(), 174.6, 1e-9);
+    EXPECT_GT(json.at("cylinder_stroke_mm").at(3).get<double>(), 175.1);
+    EXPECT_FALSE(json.at("fires_evenly").get<bool>());
+    ASSERT_EQ(json.at("firing").size(), 9U);
+    double cycle = 0.0;
+    for (const Json& event : json.at("firing")) {
+        cycle += event.at("interval_deg").get<double>();
+        EXPECT_NEAR(event.at("interval_deg").get<double>(), 80.0, 5.0);
+    }
+    EXPECT_NEAR(cycle, 720.0, 1e-9);
+    // With its counterweights and both shafts little is left of the first two orders.
+    Input balanced = input;
+    for (Shaft& shaft : balanced.shafts) {
+        shaft.enabled = true;
+    }
+    const Result result = solve(balanced);
+    const double unit = result.engine.force_unit();
+    EXPECT_LT(std::abs(result.remaining.order(1).force.forward), 1e-9 * unit);
+    EXPECT_LT(result.remaining.order(2).force.max(), 1e-9 * unit);
+    EXPECT_GT(result.exact.order(2).force.max(), 0.3 * unit);
+}
+
+// A mass at the knuckle pins: with one at each of N evenly spaced ones it would swing round its own
+// centre, the crankpin; the master's has none, so that N − 1 of them miss one.
+TEST(ArticulatedRods, KnuckleMassesMissThatOfTheMaster) {
+    Input input = star(9, 0.25, 0.75);
+    input.rotating_mass = 1.0;
+    const Result without = solve(input);
+    for (std::size_t i = 1; i < 9; ++i) {
+        input.cylinders[i].articulated->knuckle_mass = 0.6;
+    }
+    const Result with = solve(input);
+    const ArticulatedCrank crank = with.engine.articulated(1);
+    const double factor = 0.6 * with.engine.crank_radius * std::pow(with.engine.angular_speed, 2);
+    for (std::size_t i = 0; i < with.curves.crank_angle.size(); i += 20) {
+        const auto swing = crank.master.rod_at(with.curves.crank_angle[i]);
+        // −m ρ d²/dφ² of −e^{iψ} on the master's axis, up.
+        const Complex arm = 0.75 * std::polar(1.0, swing.psi);
+        const Complex expected = factor * Complex(0.0, 1.0) *
+                                 (Complex(0.0, swing.d2psi) - swing.dpsi * swing.dpsi) * arm;
+        EXPECT_NEAR(with.curves.force_x[i] - without.curves.force_x[i], expected.real(),
+                    1e-11 * factor);
+        EXPECT_NEAR(with.curves.force_y[i] - without.curves.force_y[i], expected.imag(),
+                    1e-11 * factor);
+    }
+}
+
+TEST(ArticulatedRods, BadInputIsNamedByItsField) {
+    const Json good = write_input(star(5, 0.25, 0.75));
+    EXPECT_EQ(articulated_refusal(good), "no error");
+    const std::string third = "/input/cylinders/2/articulated/";
+    const auto refusal = [&](auto&& change) {
+        Json json = good;
+        change(json);
+        return articulated_refusal(json);
+    };
+    const auto rod = [](Json& json, int cylinder) -> Json& {
+        return json["cylinders"][static_cast<std::size_t>(cylinder)]["articulated"];
+    };
+    EXPECT_EQ(refusal([&](Json& json) {
+                  rod(json, 2)["knuckle_radius_mm"] = -1;
+              }).find(third + "knuckle_radius_mm: must be "),
+              0U);
+    EXPECT_EQ(refusal([&](Json& json) {
+                  rod(json, 2).erase("knuckle_radius_mm");
+              }).find(third + "knuckle_radius_mm: "),
+              0U);
+    EXPECT_EQ(refusal([&](Json& json) { rod(json, 2)["knuckle_radius_mm"] = 400; }),
+              third +
+                  "knuckle_radius_mm: must be less than 349.2, the length of the master rod, "
+                  "got 400");
+    EXPECT_EQ(refusal([&](Json& json) {
+                  rod(json, 2)["rod_length_mm"] = 0;
+              }).find(third + "rod_length_mm: must be greater than 0"),
+              0U);
+    EXPECT_EQ(refusal([&](Json& json) { rod(json, 2)["master"] = 6; }),
+              third + "master: must be a cylinder of the table, 1 to 5, got 6");
+    EXPECT_EQ(refusal([&](Json& json) { rod(json, 2)["master"] = -1; }).find(third + "master: "),
+              0U);
+    EXPECT_EQ(refusal([&](Json& json) { rod(json, 2)["master"] = 2; }),
+              third +
+                  "master: must be a rod on the crankpin itself; that of cylinder 2 is "
+                  "articulated too, got 2");
+    EXPECT_EQ(refusal([&](Json& json) { rod(json, 2)["master"] = 3; }),
+              third +
+                  "master: must be a rod on the crankpin itself; that of cylinder 3 is "
+                  "articulated too, got 3");
+    EXPECT_EQ(refusal([&](Json& json) { rod(json, 2)["masters"] = 1; }).find(third + "masters"),
+              0U);
+    // On a crankpin of its own: without a master named, and with it.
+    const auto elsewhere = [&](Json& json) { json["cylinders"][2]["crankpin_angle_deg"] = 30; };
+    EXPECT_EQ(refusal(elsewhere),
+              third +
+                  "master: must have a master rod: none of the rods on the crankpin of "
+                  "cylinder 3 is without articulated");
+    EXPECT_EQ(refusal([&](Json& json) {
+                  elsewhere(json);
+                  rod(json, 2)["master"] = 1;
+              }),
+              third +
+                  "master: must run on the same crankpin (same angle, another direction, less "
+                  "than the crank radius away); cylinder 3 runs on that of cylinders 3, got 1");
+    // Two plain rods on the pin: which is the master must be said.
+    const auto two_plain = [](Json& json) { json["cylinders"][1].erase("articulated"); };
+    EXPECT_EQ(refusal(two_plain),
+              third +
+                  "master: must be given: the rods of cylinders 1, 2 run on this crankpin, and "
+                  "each could be the master");
+    EXPECT_EQ(refusal([&](Json& json) {
+                  two_plain(json);
+                  for (const int i : {2, 3, 4}) {
+                      rod(json, i)["master"] = 2;
+                  }
+              }),
+              "no error");
+    // Masses.
+    EXPECT_EQ(refusal([&](Json& json) {
+                  json["rod"] = {
+                      {"mass_kg", 0.5}, {"centre_from_big_end_mm", 100}, {"inertia_kg_m2", 0.01}};
+              }),
+              "/input/rod: must be left out where rods are articulated (that of cylinder 2): "
+              "master and articulated rods differ in mass, and their shares belong in the masses");
+    EXPECT_EQ(refusal([&](Json& json) { rod(json, 2)["knuckle_mass_kg"] = 0.1; }),
+              third +
+                  "knuckle_mass_kg: must be at most 0, the rotating mass of one cylinder, got "
+                  "0.1");
+}
+
+TEST(ArticulatedRods, LockingIsRefusedInWords) {
+    Input input = star(5, 0.25, 0.75);
+    input.cylinders[1].articulated->rod_length = 0.2;
+    const double reach =
+        make_engine(input).articulated(1).reach() * input.crank_radius;  // of the knuckle pin
+    EXPECT_GT(reach, 0.9 * input.crank_radius);
+    input.cylinders[1].articulated->rod_length = reach * (1.0 + 1e-6);
+    EXPECT_NO_THROW(check_input(input));
+    input.cylinders[1].articulated->rod_length = 0.9 * reach;
+    Json json = write_input(input);
+    const std::string why = articulated_refusal(json);
+    EXPECT_EQ(why.find("/input/cylinders/1/articulated/rod_length_mm: must leave the articulated "
+                       "rod longer than "),
+              0U)
+        << why;
+    EXPECT_NE(why.find("; the mechanism of cylinder 2 locks with the crank at "), std::string::npos)
+        << why;
+    // Where it locks, the rod stands across the cylinder's axis.
+    const Engine engine = reduce(input);
+    const auto locking = find_articulated_locking(engine);
+    ASSERT_TRUE(locking && locking->angles);
+    EXPECT_GT(locking->angles->forward, 0.0);
+    EXPECT_LT(locking->angles->backward, 0.0);
+    for (const double theta : {locking->angles->forward, locking->angles->backward}) {
+        const Complex pin = std::polar(1.0, theta);
+        const auto swing = engine.mechanism(engine.cylinders[0]).rod_at(theta + two_pi / 5.0);
+        const Complex knuckle = pin + 0.75 * std::polar(1.0, swing.psi);
+        EXPECT_NEAR(std::abs(knuckle.imag()), 0.9 * reach / input.crank_radius, 1e-12);
+    }
+    // A rod that reaches its piston nowhere, and one whose length is not given.
+    input.cylinders[1].articulated->rod_length.reset();
+    input.cylinders[1].articulated->knuckle_radius = 0.27;
+    EXPECT_EQ(articulated_refusal(write_input(input))
+                  .find("/input/cylinders/1/articulated/knuckle_radius_mm: must leave"),
+              0U);
+    input.cylinders[1].articulated->knuckle_radius = 0.06;
+    input.cylinders[1].articulated->knuckle_angle = 3.0;
+    input.cylinders[1].offset = 1.0;
+    EXPECT_NE(articulated_refusal(write_input(input)).find("cannot be joined"), std::string::npos);
+}
+
+TEST(ArticulatedRods, HangOnTheFirstCylinderOfEachThrow) {
+    Input input = test::unit_engine("v8-cross-plane");
+    input.cylinders = make_engine(input).cylinders;
+    input.layout.reset();
+    hang_on_masters(input.cylinders, input.crank_radius);
+    for (std::size_t i = 0; i < 8; ++i) {
+        EXPECT_EQ(input.cylinders[i].articulated.has_value(), i % 2 == 1);
+    }
+    const Result result = solve(input);
+    EXPECT_EQ(result.engine.knuckles[5]->master, 4U);
+    EXPECT_NEAR(result.engine.knuckles[5]->knuckle_angle, -pi / 2.0, 1e-12);
+    // Its crank balances the second order all the same, and the first is that of plain rods; what
+    // changes is the fourth.
+    const double unit = result.engine.force_unit();
+    const Result plain = solve(without_articulated(input));
+    EXPECT_LT(result.exact.order(2).moment.max(), 1e-11 * unit);
+    EXPECT_LT((result.exact.order(1).moment - plain.exact.order(1).moment).max(), 1e-11 * unit);
+    EXPECT_GT((result.exact.order(4).force - plain.exact.order(4).force).max(), 1e-3 * unit);
+}
+
+}  // namespace
+}  // namespace ravnoves::inertia_moments
