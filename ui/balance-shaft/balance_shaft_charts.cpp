@@ -19,6 +19,7 @@
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/orders_view.h"
 #include "balance-shaft/relieved_shaft_view.h"
+#include "balance-shaft/shaft_map_view.h"
 #include "balance-shaft/speed_view.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
@@ -74,6 +75,7 @@ QWidget* BalanceShaftPage::buildPlots() {
         views_->addTab(view, title);
     };
     addView(buildMoments(), "moments", tr("Moments"));
+    addView(new ShaftMapView(model_, views_), "map", tr("Map"));
     addView(cycle_, "cycle", tr("Cycle"));
     addView(new SpeedView(model_, views_), "speed", tr("Speed"));
     addView(new EnvelopeView(model_, views_), "envelope", tr("Size"));

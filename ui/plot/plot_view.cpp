@@ -248,6 +248,7 @@ void PlotView::layoutHeader() {
     if (legendWidth == 0.0 && data_.title.isEmpty()) {
         data_.headerHeight = Theme::gap;
     }
+    data_.headerHeight += keyHeight();
 }
 
 void PlotView::layoutChart() {
@@ -272,6 +273,7 @@ void PlotView::paintEvent(QPaintEvent* /*event*/) {
             axesPicture_.fill(Theme::instance().panel());
             QPainter painter(&axesPicture_);
             painter_->paintAxes(painter);
+            paintGround(painter);
             axesStale_ = false;
         }
         QPainter painter(&picture_);
@@ -282,6 +284,7 @@ void PlotView::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.drawPixmap(0, 0, picture_);
     painter_->paintOverlay(painter);
+    paintTop(painter);
     if (hasFocus()) {
         painter.setPen(QPen(Theme::instance().accent(), 1.0));
         painter.setBrush(Qt::NoBrush);
@@ -296,8 +299,10 @@ void PlotView::renderTo(QPainter& painter, const QRectF& target) {
     painter.scale(target.width() / width(), target.height() / height());
     painter.fillRect(QRectF(rect()), Theme::instance().panel());
     painter_->paintAxes(painter);
+    paintGround(painter);
     painter_->paintCurves(painter);
     painter_->paintOverlay(painter);
+    paintTop(painter);
     for (const LegendItem* item : legend_) {
         if (item != nullptr && item->isChecked() && !item->isHidden()) {
             item->draw(painter, QRectF(item->geometry()));

@@ -6,6 +6,8 @@
 
 #include "plot/model/plot_data.h"
 
+class QMenu;
+
 namespace ravnoves {
 
 class LegendItem;
@@ -145,6 +147,18 @@ class PlotView : public QWidget {
     void curveToggled(int curve, bool shown);
 
   protected:
+    // For a chart that is a drawing, too: what rests is painted over grid and axes into their
+    // picture, what moves on top of all; both also into exported pictures.
+    virtual void paintGround(QPainter& /*painter*/) {}
+    virtual void paintTop(QPainter& /*painter*/) {}
+    /// What the ground paints is new.
+    void groundChanged() { chartChanged(); }
+    /// Height of a key of its own between title and chart, pixels.
+    virtual double keyHeight() const { return 0.0; }
+    double keyTop() const { return data_.headerHeight - keyHeight(); }
+    /// Adds to the context menu.
+    virtual void fillMenu(QMenu& /*menu*/) {}
+
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;

@@ -181,6 +181,7 @@ void PlotView::contextMenuEvent(QContextMenuEvent* event) {
             QMessageBox::warning(this, tr("Save picture"), trouble);
         }
     });
+    fillMenu(menu);
     menu.exec(event->globalPos());
 }
 

@@ -1,0 +1,554 @@
+#include "balance-shaft/model/shaft_map_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/background_job.h"
+#include "numerics/constants.h"
+#include "numerics/units.h"
+#include "plot/model/contour_lines.h"
+#include "plot/model/ticks.h"
+#include "text/csv_format.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
+
+namespace ravnoves {
+
+using balance_shaft::BestPosition;
+using balance_shaft::Input;
+using balance_shaft::Obstacle;
+using balance_shaft::PositionStudy;
+
+namespace {
+
+constexpr std::size_t fieldPoints = 241;     ///< along a side of the field
+constexpr std::size_t obstaclePoints = 121;  ///< every second of them
+constexpr std::size_t distances = 120;
+/// The field reaches further than the square shown first: the picture may be wider than high.
+constexpr double margin = 1.6;
+constexpr double roomAround = 1.25;
+
+QString mm(double metres, int decimals = 1) {
+    return fixedNumber(metres / units::mm, decimals, QLocale());
+}
+
+QString degrees(double radians, int decimals = 1) {
+    return fixedNumber(radians / degree, decimals, QLocale());
+}
+
+QString signedPercent(double fraction) {
+    const double percent = 100.0 * fraction;
+    return (percent >= 0.05 ? QStringLiteral("+") : QString()) +
+           fixedNumber(percent, 1, QLocale()) + QStringLiteral("\u00A0%");
+}
+
+/// The input without the shaft's place, which the map does not depend on.
+Input withoutPlace(Input input) {
+    input.centre_distance = 0.0;
+    input.shaft_angle = 0.0;
+    return input;
+}
+
+void findObstacles(ShaftMap& map, const std::function<bool(double)>& progress) {
+    const balance_shaft::PositionMap& field = map.field;
+    map.obstacleColumns = obstaclePoints;
+    map.obstacles.reserve(obstaclePoints * obstaclePoints);
+    std::vector<double> blocked;
+    const double stepX = (field.right - field.left) / (obstaclePoints - 1);
+    const double stepY = (field.top - field.bottom) / (obstaclePoints - 1);
+    const auto place = [&](double column, double row) {
+        return ShaftMap::Position{field.left + stepX * column, field.bottom + stepY * row};
+    };
+    for (std::size_t row = 0; row < obstaclePoints; ++row) {
+        if (!progress(static_cast<double>(row) / obstaclePoints)) {
+            return;
+        }
+        for (std::size_t column = 0; column < obstaclePoints; ++column) {
+            const Obstacle found =
+                map.study.obstacle(place(static_cast<double>(column), static_cast<double>(row)));
+            map.obstacles.push_back(found);
+            blocked.push_back(found == Obstacle::none ? 0.0 : 1.0);
+        }
+    }
+    // The boundary between two places by bisection: the lines are as smooth as what they follow.
+    const auto crossing = [&](std::size_t from, std::size_t to) {
+        const auto at = [&](std::size_t element, double part) {
+            const bool upwards = to - from > 1;
+            return place(static_cast<double>(element % obstaclePoints) + (upwards ? 0.0 : part),
+                         static_cast<double>(element / obstaclePoints) + (upwards ? part : 0.0));
+        };
+        double low = 0.0;
+        double high = 1.0;
+        for (int i = 0; i < 6; ++i) {
+            const double middle = 0.5 * (low + high);
+            const bool isBlocked = map.study.obstacle(at(from, middle)) != Obstacle::none;
+            (isBlocked == (blocked[from] > 0.5) ? low : high) = middle;
+        }
+        return 0.5 * (low + high);
+    };
+    map.blocked = contourRegion({blocked, obstaclePoints, obstaclePoints}, 0.5, crossing);
+    for (QPolygonF& line : map.blocked) {
+        for (QPointF& point : line) {
+            const ShaftMap::Position at = place(point.x(), point.y());
+            point = QPointF(at.x, at.y);
+        }
+    }
+}
+
+ShaftMap::Distances bestOfDistances(const PositionStudy& study, double reach) {
+    ShaftMap::Distances found;
+    for (std::size_t i = 1; i <= distances; ++i) {
+        const double distance = reach * static_cast<double>(i) / distances;
+        found.distance.push_back(distance);
+        const BestPosition range = study.best_range_at(distance);
+        const BestPosition rms = study.best_rms_at(distance);
+        found.rangePlace.push_back(range.position);
+        found.range.push_back(study.at(range.position));
+        found.rangeBuildable.push_back(study.obstacle(range.position) == Obstacle::none);
+        found.rmsPlace.push_back(rms.position);
+        found.rms.push_back(study.at(rms.position));
+        found.rmsBuildable.push_back(study.obstacle(rms.position) == Obstacle::none);
+    }
+    return found;
+}
+
+/// Half of the square to show: it holds what is best and the present place, with room around.
+double viewOf(const ShaftMap& map, double present) {
+    double farthest = present;
+    for (const auto* best : {&map.best, &map.buildable}) {
+        for (const auto& each : {best->range, best->rms}) {
+            farthest = std::max(farthest, each ? each->position.centre_distance() : 0.0);
+        }
+    }
+    if (!(farthest > 0.0)) {
+        return 0.1;
+    }
+    const double step = niceStep(roomAround * farthest, 8);
+    return step * std::ceil(roomAround * farthest / step - 1e-9);
+}
+
+/// The least value of a convex function of one variable between two, by the golden section.
+template <typename Function>
+double leastBetween(double low, double high, const Function& value) {
+    constexpr double golden = 0.6180339887498949;
+    double left = high - golden * (high - low);
+    double right = low + golden * (high - low);
+    double leftValue = value(left);
+    double rightValue = value(right);
+    for (int i = 0; i < 40; ++i) {
+        if (leftValue <= rightValue) {
+            high = right;
+            right = left;
+            rightValue = leftValue;
+            left = high - golden * (high - low);
+            leftValue = value(left);
+        } else {
+            low = left;
+            left = right;
+            leftValue = rightValue;
+            right = low + golden * (high - low);
+            rightValue = value(right);
+        }
+    }
+    return 0.5 * (low + high);
+}
+
+}  // namespace
+
+ShaftMapModel::ShaftMapModel(BalanceShaftModel* model, QObject* parent)
+    : QObject(parent), model_(model), job_(new BackgroundJob(this)) {
+    job_->setPatience(500, 30);
+    connect(model_, &SceneModel::changed, this, &ShaftMapModel::follow);
+    connect(model_, &BalanceShaftModel::shaftMoved, this, &ShaftMapModel::moved);
+    connect(job_, &BackgroundJob::runningChanged, this, &ShaftMapModel::staleChanged);
+    connect(job_, &BackgroundJob::failed, this, [this](const QString& why) {
+        map_.reset();
+        trouble_ = why;
+        showMap();
+    });
+}
+
+bool ShaftMapModel::isStale() const {
+    return job_->isRunning();
+}
+
+void ShaftMapModel::setWatched(bool watched) {
+    watched_ = watched;
+    follow();
+}
+
+void ShaftMapModel::follow() {
+    if (!watched_) {
+        return;
+    }
+    const Input& input = model_->input();
+    const bool same = mapped_ && *mapped_ == withoutPlace(input);
+    // A shaft outside of what is shown needs a larger map.
+    if (!same || (map_ && !job_->isRunning() && input.centre_distance > map_->view)) {
+        mapped_ = withoutPlace(input);
+        start();
+    }
+}
+
+void ShaftMapModel::start() {
+    job_->start([this, solver = model_->solver(), present = model_->input().centre_distance](
+                    const BackgroundJob::Progress& progress) -> std::function<void()> {
+        auto map = std::make_shared<ShaftMap>(ShaftMap{.study = PositionStudy(solver)});
+        map->best = map->study.best();
+        map->buildable = map->study.best_buildable();
+        map->view = viewOf(*map, present);
+        const double reach = margin * map->view;
+        map->field = map->study.map(-reach, reach, -reach, reach, fieldPoints, fieldPoints);
+        findObstacles(*map, progress);
+        if (!progress(0.6)) {
+            return {};
+        }
+        map->distances = bestOfDistances(map->study, map->view);
+        if (!progress(0.7)) {
+            return {};
+        }
+        map->front = map->study.front();
+        return [this, map] {
+            map_ = map;
+            trouble_.clear();
+            showMap();
+        };
+    });
+}
+
+void ShaftMapModel::showMap() {
+    markers_.clear();
+    if (map_) {
+        addMarker(Criterion::Range, true, map_->buildable.range);
+        addMarker(Criterion::Range, false, map_->best.range);
+        addMarker(Criterion::Rms, true, map_->buildable.rms);
+        addMarker(Criterion::Rms, false, map_->best.rms);
+    }
+    showCriterion();
+}
+
+void ShaftMapModel::addMarker(Criterion criterion, bool isBuildable,
+                              const std::optional<BestPosition>& best) {
+    // What is best of all is named once where it can be built.
+    if (!best || (!isBuildable && this->isBuildable(best->position))) {
+        return;
+    }
+    QString name;
+    switch (criterion) {
+        case Criterion::Range:
+            name = isBuildable ? tr("least range") : tr("least range, cannot be built");
+            break;
+        case Criterion::Rms:
+            name = isBuildable ? tr("least RMS") : tr("least RMS, cannot be built");
+            break;
+        case Criterion::Both:
+            name = isBuildable ? tr("least sum") : tr("least sum, cannot be built");
+            break;
+    }
+    markers_.push_back({criterion, isBuildable, best->position, best->criteria, name});
+}
+
+double ShaftMapModel::weighted(double range, double rms) const {
+    const double share = criterion_ == Criterion::Range ? 1.0
+                         : criterion_ == Criterion::Rms ? 0.0
+                                                        : weight_;
+    const PositionStudy& study = map_->study;
+    double sum = 0.0;
+    if (share > 0.0) {
+        sum += share * range / study.range_without();
+    }
+    if (share < 1.0) {
+        sum += (1.0 - share) * rms / study.rms_without();
+    }
+    return sum - 1.0;
+}
+
+std::optional<double> ShaftMapModel::change(const Criteria& criteria) const {
+    if (!map_ || !(map_->study.range_without() > 0.0) || !(map_->study.rms_without() > 0.0)) {
+        return std::nullopt;
+    }
+    return weighted(criteria.range, criteria.rms);
+}
+
+/// The sum is convex as its parts are; its best place that can be built is on the front.
+std::optional<BestPosition> ShaftMapModel::bestOfBoth(bool isBuildable) const {
+    if (!map_ || !change({})) {
+        return std::nullopt;
+    }
+    if (isBuildable) {
+        const auto value = [this](const balance_shaft::FrontPosition& place) {
+            return weighted(place.criteria.range, place.criteria.rms);
+        };
+        const auto least =
+            std::min_element(map_->front.begin(), map_->front.end(),
+                             [&](const auto& a, const auto& b) { return value(a) < value(b); });
+        if (least == map_->front.end()) {
+            return std::nullopt;
+        }
+        return BestPosition{least->position, least->criteria, 0.0};
+    }
+    const double reach = map_->view;
+    const auto at = [this](double x, double y) {
+        const Criteria criteria = map_->study.at({x, y});
+        return weighted(criteria.range, criteria.rms);
+    };
+    const auto bestY = [&](double x) {
+        return leastBetween(-reach, reach, [&](double y) { return at(x, y); });
+    };
+    const double x =
+        leastBetween(-reach, reach, [&](double each) { return at(each, bestY(each)); });
+    const Position position{x, bestY(x)};
+    return BestPosition{position, map_->study.at(position), 0.0};
+}
+
+void ShaftMapModel::setCriterion(Criterion criterion) {
+    if (criterion != criterion_) {
+        criterion_ = criterion;
+        showCriterion();
+    }
+}
+
+void ShaftMapModel::setWeight(double weight) {
+    weight = std::clamp(weight, 0.0, 1.0);
+    if (weight != weight_) {
+        weight_ = weight;
+        showCriterion();
+    }
+}
+
+QString ShaftMapModel::criterionName() const {
+    return criterion_ == Criterion::Range ? tr("range")
+           : criterion_ == Criterion::Rms ? tr("RMS")
+                                          : tr("weighted sum");
+}
+
+void ShaftMapModel::showCriterion() {
+    std::erase_if(markers_, [](const Marker& each) { return each.criterion == Criterion::Both; });
+    changes_.clear();
+    levels_.clear();
+    contours_.clear();
+    if (change({})) {
+        if (criterion_ == Criterion::Both) {
+            addMarker(Criterion::Both, true, bestOfBoth(true));
+            addMarker(Criterion::Both, false, bestOfBoth(false));
+        }
+        const balance_shaft::PositionMap& field = map_->field;
+        changes_.resize(field.range.size());
+        for (std::size_t i = 0; i < changes_.size(); ++i) {
+            changes_[i] = weighted(field.range[i], field.rms[i]);
+        }
+        levels_ = chooseLevels();
+        const QPointF corner(field.left, field.bottom);
+        const double stepX = (field.right - field.left) / static_cast<double>(field.columns - 1);
+        const double stepY = (field.top - field.bottom) / static_cast<double>(field.rows - 1);
+        for (const double level : levels_) {
+            Contour contour{level, contourLines({changes_, field.columns, field.rows}, level)};
+            for (QPolygonF& line : contour.lines) {
+                for (QPointF& point : line) {
+                    point = corner + QPointF(point.x() * stepX, point.y() * stepY);
+                }
+            }
+            contours_.push_back(std::move(contour));
+        }
+    }
+    Q_EMIT mapChanged();
+}
+
+/// Equal steps where the shaft helps; where it harms 1, 2, 5, 10 … times as much, for there the
+/// field has no end.
+std::vector<double> ShaftMapModel::chooseLevels() const {
+    const auto [least, most] = std::minmax_element(changes_.begin(), changes_.end());
+    std::vector<double> found{0.0};
+    constexpr double smallest = 1e-4;  // less is nothing
+    double step = 0.0;
+    if (*least < -smallest) {
+        step = niceStep(-*least, 5);
+        for (int i = 1; - step * i > *least; ++i) {
+            found.insert(found.begin(), -step * i);
+        }
+    }
+    constexpr int mostSteps = 6;
+    std::vector<double> above;
+    const double first = std::max(step, 1e-3 * *most);
+    for (double power = std::pow(10.0, std::floor(std::log10(std::max(first, smallest))));
+         power < *most; power *= 10.0) {
+        for (const double factor : {1.0, 2.0, 5.0}) {
+            if (factor * power >= 0.999 * first && factor * power < *most) {
+                above.push_back(factor * power);
+            }
+        }
+    }
+    const auto kept = std::min<std::ptrdiff_t>(mostSteps, std::ssize(above));
+    found.insert(found.end(), above.end() - kept, above.end());
+    return found;
+}
+
+const ShaftMapModel::Marker* ShaftMapModel::best() const {
+    const Marker* found = nullptr;
+    for (const Marker& marker : markers_) {
+        if (marker.criterion == criterion_ && (found == nullptr || marker.isBuildable)) {
+            found = &marker;
+        }
+    }
+    return found;
+}
+
+QString ShaftMapModel::bestText() const {
+    if (!trouble_.isEmpty()) {
+        return trouble_;
+    }
+    if (!map_) {
+        return tr("The map is being computed …");
+    }
+    const Marker* best = this->best();
+    if (best == nullptr) {
+        return tr("The torque has no range: every shaft only adds to it.");
+    }
+    const auto where = [](const Position& position) {
+        return tr("l %1 mm, α %2°")
+            .arg(mm(position.centre_distance()), degrees(position.shaft_angle()));
+    };
+    const auto value = [this](const Criteria& criteria) {
+        const QString change = signedPercent(this->change(criteria).value_or(0.0));
+        return criterion_ == Criterion::Both
+                   ? change
+                   : tr("%1 N·m (%2)")
+                         .arg(fixedNumber(
+                                  criterion_ == Criterion::Range ? criteria.range : criteria.rms, 1,
+                                  QLocale()),
+                              change);
+    };
+    QString text = tr("Best place by the %1: %2 at %3.")
+                       .arg(criterionName(), value(best->criteria), where(best->position));
+    if (!best->isBuildable) {
+        text += QLatin1Char(' ') + (map_->buildable.reason.empty()
+                                        ? reason(best->position)
+                                        : messageText(map_->buildable.reason));
+        return text;
+    }
+    for (const Marker& other : markers_) {
+        if (other.criterion == criterion_ && !other.isBuildable) {
+            text +=
+                QLatin1Char(' ') +
+                tr("%1 at %2 cannot be built.").arg(value(other.criteria), where(other.position));
+        }
+    }
+    return text;
+}
+
+QString ShaftMapModel::reason(const Position& position) const {
+    return map_ ? messageText(map_->study.obstacle_reason(position)) : QString();
+}
+
+QString ShaftMapModel::placeText(const Position& position) const {
+    if (!map_) {
+        return {};
+    }
+    const Criteria criteria = map_->study.at(position);
+    const PositionStudy& study = map_->study;
+    const auto relative = [](double with, double without) {
+        return without > 0.0
+                   ? QStringLiteral(" (") + signedPercent(with / without - 1.0) + QLatin1Char(')')
+                   : QString();
+    };
+    constexpr double cm2 = 1e-4;
+    QString text = tr("l %1 mm, α %2°: range %3 N·m%4, RMS %5 N·m%6, box %7 cm².")
+                       .arg(mm(position.centre_distance()), degrees(position.shaft_angle()),
+                            fixedNumber(criteria.range, 1, QLocale()),
+                            relative(criteria.range, study.range_without()),
+                            fixedNumber(criteria.rms, 1, QLocale()),
+                            relative(criteria.rms, study.rms_without()),
+                            fixedNumber(criteria.size / cm2, 0, QLocale()));
+    if (const QString why = reason(position); !why.isEmpty()) {
+        text += QLatin1Char(' ') + why;
+    }
+    return text;
+}
+
+ShaftMapModel::Position ShaftMapModel::present() const {
+    return Position::at(model_->input().centre_distance, model_->input().shaft_angle);
+}
+
+bool ShaftMapModel::isBuildable(const Position& position) const {
+    return map_ && map_->study.obstacle(position) == Obstacle::none;
+}
+
+void ShaftMapModel::moveTo(const Position& position) {
+    model_->drag(tr("Move shaft"), [&](Input& input) {
+        input.centre_distance = position.centre_distance();
+        if (input.centre_distance > 0.0) {
+            input.shaft_angle = position.shaft_angle();
+        }
+    });
+}
+
+void ShaftMapModel::dragTo(const Position& position) {
+    const auto rounded = [](double value, double step) { return std::round(value / step) * step; };
+    moveTo(Position::at(rounded(position.centre_distance() / units::mm, 1e-4) * units::mm,
+                        rounded(position.shaft_angle() / degree, 1e-4) * degree));
+}
+
+void ShaftMapModel::goTo(const Position& position) {
+    model_->finishDrag();
+    moveTo(position);
+    model_->finishDrag();
+}
+
+void ShaftMapModel::goToBest() {
+    if (const Marker* marker = best()) {
+        goTo(marker->position);
+    }
+}
+
+void ShaftMapModel::setDistance(double metres) {
+    model_->drag(tr("Move shaft"), [&](Input& input) { input.centre_distance = metres; });
+}
+
+void ShaftMapModel::goToDistance(double metres) {
+    if (!map_ || !(metres > 0.0)) {
+        return;
+    }
+    const BestPosition best = criterion_ == Criterion::Rms ? map_->study.best_rms_at(metres)
+                                                           : map_->study.best_range_at(metres);
+    moveTo(Position::at(metres, best.position.shaft_angle()));
+}
+
+double ShaftMapModel::largestDistance() const {
+    const double present = model_->input().centre_distance;
+    return std::max(map_ ? map_->view : 0.0, present * (map_ ? 1.0 : 2.0));
+}
+
+QString ShaftMapModel::fieldCsv() const {
+    if (!map_ || map_->obstacles.empty()) {
+        return {};
+    }
+    const CsvFormat csv;
+    const balance_shaft::PositionMap& field = map_->field;
+    QString text =
+        QStringList{csv.field(tr("x, mm")), csv.field(tr("y, mm")), csv.field(tr("ΔMᵤₚₛ, N·m")),
+                    csv.field(tr("RMS, N·m")), csv.field(tr("can be built"))}
+            .join(csv.separator) +
+        QLatin1Char('\n');
+    const std::size_t stride = (field.columns - 1) / (map_->obstacleColumns - 1);
+    for (std::size_t row = 0; row < map_->obstacleColumns; ++row) {
+        for (std::size_t column = 0; column < map_->obstacleColumns; ++column) {
+            const std::size_t element = stride * (row * field.columns + column);
+            const auto along = [&](double from, double to, std::size_t i) {
+                return (from + (to - from) * static_cast<double>(i) /
+                                   static_cast<double>(map_->obstacleColumns - 1)) /
+                       units::mm;
+            };
+            const bool built =
+                map_->obstacles[row * map_->obstacleColumns + column] == Obstacle::none;
+            text += QStringList{csv.number(along(field.left, field.right, column)),
+                                csv.number(along(field.bottom, field.top, row)),
+                                csv.number(field.range[element]), csv.number(field.rms[element]),
+                                QString::number(built ? 1 : 0)}
+                        .join(csv.separator) +
+                    QLatin1Char('\n');
+        }
+    }
+    return text;
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,755 @@
+#include "balance-shaft/shaft_map_plot.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHelpEvent>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QPainterPath>
+#include <QToolTip>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "balance-shaft/mechanism.h"
+#include "numerics/constants.h"
+#include "numerics/units.h"
+#include "text/number_text.h"
+#include "theme/theme.h"
+#include "widgets/drawing.h"
+
+namespace ravnoves {
+
+using balance_shaft::FrontView;
+
+namespace {
+
+constexpr double handleRadius = 6.5;
+constexpr double reach = 13.0;  ///< of the pointer, pixels
+constexpr double glyphRadius = 5.5;
+constexpr int imageScale = 3;  ///< pixels of the picture to one step of the field
+constexpr double barHeight = 10.0;
+constexpr double longestBar = 460.0;
+constexpr double swatch = 20.0;
+
+QColor mixed(const QColor& a, const QColor& b, double part) {
+    const auto channel = [&](int from, int to) {
+        return static_cast<int>(std::lround(from + (to - from) * part));
+    };
+    return {channel(a.red(), b.red()), channel(a.green(), b.green()), channel(a.blue(), b.blue())};
+}
+
+QColor faint(QColor colour, double alpha) {
+    colour.setAlphaF(static_cast<float>(alpha));
+    return colour;
+}
+
+/// Colours of the stretches between the levels: blue where the shaft helps, orange where it harms,
+/// the more the stronger; the eye that sees no red tells them apart, and so does grey from either.
+std::vector<QRgb> bandColours(const std::vector<double>& levels) {
+    const bool dark = Theme::instance().isDark();
+    const QColor neutral = dark ? QColor(0x2b3036) : QColor(0xf7f7f5);
+    const std::array help = dark ? std::array{QColor(0x24557f), QColor(0x6cc0ff)}
+                                 : std::array{QColor(0x92c5de), QColor(0x15508f)};
+    const std::array harm = dark ? std::array{QColor(0x7a4a1c), QColor(0xffb35c)}
+                                 : std::array{QColor(0xfdbf7a), QColor(0x9c4a04)};
+    const auto below = std::count_if(levels.begin(), levels.end(), [](double l) { return l < 0; });
+    const auto above = std::ssize(levels) - below;
+    std::vector<QRgb> colours;
+    const auto of = [&](const std::array<QColor, 2>& ends, std::ptrdiff_t i, std::ptrdiff_t count) {
+        // i from 1, next to no change, to count.
+        const double part = static_cast<double>(i) / static_cast<double>(count);
+        colours.push_back((part <= 0.5 ? mixed(neutral, ends[0], 0.25 + 1.5 * part)
+                                       : mixed(ends[0], ends[1], 2.0 * part - 1.0))
+                              .rgb());
+    };
+    for (std::ptrdiff_t i = below + 1; i >= 1; --i) {
+        of(help, i, below + 1);
+    }
+    for (std::ptrdiff_t i = 1; i <= above; ++i) {
+        of(harm, i, above);
+    }
+    return colours;
+}
+
+/// The field as bands of colour, each step of the grid drawn several pixels wide.
+QImage fieldImage(const balance_shaft::PositionMap& field, const std::vector<double>& values,
+                  const std::vector<double>& levels) {
+    const std::vector<QRgb> colours = bandColours(levels);
+    const int width = static_cast<int>(field.columns - 1) * imageScale + 1;
+    const int height = static_cast<int>(field.rows - 1) * imageScale + 1;
+    QImage image(width, height, QImage::Format_RGB32);
+    std::vector<double> row(field.columns);
+    for (int y = 0; y < height; ++y) {
+        const int up = height - 1 - y;
+        const auto lower = std::min(static_cast<std::size_t>(up / imageScale), field.rows - 2);
+        const double t = static_cast<double>(up) / imageScale - static_cast<double>(lower);
+        const double* at = values.data() + lower * field.columns;
+        for (std::size_t i = 0; i < field.columns; ++i) {
+            row[i] = at[i] + t * (at[i + field.columns] - at[i]);
+        }
+        auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+        std::size_t band = 0;
+        for (int x = 0; x < width; ++x) {
+            const auto left = std::min(static_cast<std::size_t>(x / imageScale), field.columns - 2);
+            const double s = static_cast<double>(x) / imageScale - static_cast<double>(left);
+            const double value = row[left] + s * (row[left + 1] - row[left]);
+            while (band > 0 && value < levels[band - 1]) {
+                --band;
+            }
+            while (band < levels.size() && value >= levels[band]) {
+                ++band;
+            }
+            line[x] = colours[band];
+        }
+    }
+    return image;
+}
+
+/// A marker's sign: what is best in the range is a diamond, in the RMS a disc, in the sum a
+/// triangle; hollow where it cannot be built.
+void drawGlyph(QPainter& painter, const QPointF& at, const ShaftMapModel::Marker& marker) {
+    const Theme& theme = Theme::instance();
+    QPainterPath shape;
+    const double r = glyphRadius;
+    switch (marker.criterion) {
+        case ShaftMapModel::Criterion::Range:
+            shape.addPolygon(QPolygonF{at + QPointF(0, -1.25 * r), at + QPointF(1.25 * r, 0),
+                                       at + QPointF(0, 1.25 * r), at + QPointF(-1.25 * r, 0),
+                                       at + QPointF(0, -1.25 * r)});
+            break;
+        case ShaftMapModel::Criterion::Rms:
+            shape.addEllipse(at, r, r);
+            break;
+        case ShaftMapModel::Criterion::Both:
+            shape.addPolygon(QPolygonF{at + QPointF(0, -1.2 * r), at + QPointF(1.15 * r, 0.9 * r),
+                                       at + QPointF(-1.15 * r, 0.9 * r),
+                                       at + QPointF(0, -1.2 * r)});
+            break;
+    }
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme.panel(), 4.5));
+    painter.drawPath(shape);
+    painter.setPen(QPen(theme.text(), 1.8));
+    painter.setBrush(marker.isBuildable ? theme.text() : theme.panel());
+    painter.drawPath(shape);
+}
+
+void drawHatch(QPainter& painter, const QRectF& box) {
+    constexpr double apart = 7.0;
+    painter.setPen(QPen(faint(Theme::instance().text(), 0.42), 1.0));
+    const double first = std::floor((box.left() - box.bottom()) / apart) * apart;
+    for (double c = first; c < box.right() - box.top(); c += apart) {
+        painter.drawLine(QPointF(box.top() + c, box.top()),
+                         QPointF(box.bottom() + c, box.bottom()));
+    }
+}
+
+QString percentText(double fraction) {
+    const double percent = 100.0 * fraction;
+    // Levels are round numbers: as many digits as they have.
+    QString text = QLocale().toString(std::abs(percent), 'g', 4);
+    if (percent < 0.0) {
+        text.prepend(QChar(0x2212));
+    } else if (percent > 0.0) {
+        text.prepend(QLatin1Char('+'));
+    }
+    return text;
+}
+
+}  // namespace
+
+ShaftMapPlot::ShaftMapPlot(BalanceShaftModel* model, ShaftMapModel* map, QWidget* parent)
+    : PlotView(QString(), parent), model_(model), map_(map) {
+    setObjectName(QStringLiteral("shaft_map"));
+    setEqualScale(true);
+    setYAxis(Side::Left, {tr("y, mm")});
+    setToolTip(
+        tr("The engine from the front, to scale. Drag the shaft's axis, or move it by the arrow "
+           "keys: 0.1 mm, with Shift 1 mm. A double click goes to a place; Page up and Page down "
+           "choose a marker, Enter goes there. Where it is hatched the shaft cannot be built."));
+    connect(map_, &ShaftMapModel::mapChanged, this, &ShaftMapPlot::showMap);
+    connect(map_, &ShaftMapModel::staleChanged, this,
+            [this] { setFaded(map_->isStale(), tr("computing …")); });
+    connect(map_, &ShaftMapModel::moved, this, qOverload<>(&QWidget::update));
+    connect(model_, &BalanceShaftModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
+    connect(&Theme::instance(), &Theme::changed, this, &ShaftMapPlot::showImage);
+    showMap();
+}
+
+QPointF ShaftMapPlot::pixelOf(const ShaftMapModel::Position& position) const {
+    return toPixel(position.x / units::mm, position.y / units::mm);
+}
+
+ShaftMapModel::Position ShaftMapPlot::placeAt(const QPointF& pixel) const {
+    return {xAt(pixel.x()) * units::mm, yAt(pixel.y()) * units::mm};
+}
+
+QPolygonF ShaftMapPlot::pixels(const QPolygonF& metres) const {
+    QPolygonF line;
+    line.reserve(metres.size());
+    for (const QPointF& point : metres) {
+        line << pixelOf({point.x(), point.y()});
+    }
+    return line;
+}
+
+void ShaftMapPlot::showMap() {
+    switch (map_->criterion()) {
+        case ShaftMapModel::Criterion::Range:
+            setTitle(tr("Range against no shaft, %"));
+            break;
+        case ShaftMapModel::Criterion::Rms:
+            setTitle(tr("RMS against no shaft, %"));
+            break;
+        case ShaftMapModel::Criterion::Both:
+            setTitle(tr("Weighted sum against no shaft, %"));
+            break;
+    }
+    chosen_.reset();
+    const ShaftMap* map = map_->map();
+    const double view = map != nullptr ? map->view / units::mm : 100.0;
+    if (view != view_) {
+        view_ = view;
+        setXAxis({tr("x, mm"), -view, view});
+        setYRange(Side::Left, -view, view);
+    }
+    showImage();
+}
+
+void ShaftMapPlot::showImage() {
+    const ShaftMap* map = map_->map();
+    if (map == nullptr || map_->changes().empty()) {
+        setImage({}, {});
+        return;
+    }
+    const balance_shaft::PositionMap& field = map->field;
+    setImage(
+        fieldImage(field, map_->changes(), map_->levels()),
+        QRectF(field.left / units::mm, field.bottom / units::mm,
+               (field.right - field.left) / units::mm, (field.top - field.bottom) / units::mm));
+}
+
+// The key.
+
+std::vector<ShaftMapPlot::KeyEntry> ShaftMapPlot::keyEntries() const {
+    std::vector<KeyEntry> entries;
+    const Theme& theme = Theme::instance();
+    if (!map_->levels().empty()) {
+        entries.push_back({tr("0 %: neither helps nor harms"),
+                           [&theme](QPainter& painter, const QPointF& middle) {
+                               painter.setPen(QPen(theme.text(), 2.4));
+                               painter.drawLine(middle - QPointF(9, 0), middle + QPointF(9, 0));
+                           }});
+    }
+    entries.push_back({tr("shaft, and its l"), [&theme](QPainter& painter, const QPointF& middle) {
+                           painter.setPen(QPen(theme.accent(), 1.4, Qt::DashLine));
+                           painter.drawLine(middle - QPointF(9, 0), middle + QPointF(9, 0));
+                           painter.setPen(QPen(theme.panel(), 1.0));
+                           painter.setBrush(theme.accent());
+                           painter.drawEllipse(middle, 4.0, 4.0);
+                       }});
+    if (map_->map() != nullptr && !map_->map()->blocked.empty()) {
+        entries.push_back(
+            {tr("cannot be built"), [&theme](QPainter& painter, const QPointF& middle) {
+                 const QRectF box(middle - QPointF(8, 5), QSizeF(16, 10));
+                 painter.save();
+                 painter.setClipRect(box);
+                 drawHatch(painter, box);
+                 painter.restore();
+                 painter.setPen(QPen(faint(theme.text(), 0.6), 1.0));
+                 painter.setBrush(Qt::NoBrush);
+                 painter.drawRect(box);
+             }});
+    }
+    for (const ShaftMapModel::Marker& marker : map_->markers()) {
+        entries.push_back({marker.name, [marker](QPainter& painter, const QPointF& middle) {
+                               drawGlyph(painter, middle, marker);
+                           }});
+    }
+    const QFontMetricsF metrics(Theme::font(Theme::smallSize));
+    const double row = std::ceil(metrics.height()) + 3.0;
+    double x = Theme::margin;
+    double y = map_->levels().empty() ? 0.0 : barHeight + row + 2.0;
+    for (KeyEntry& entry : entries) {
+        const double wide = swatch + 4.0 + metrics.horizontalAdvance(entry.text) + 12.0;
+        if (x + wide > width() - Theme::space && x > Theme::margin) {
+            x = Theme::margin;
+            y += row;
+        }
+        entry.rect = QRectF(x, y, wide, row);
+        x += wide;
+    }
+    return entries;
+}
+
+double ShaftMapPlot::keyHeight() const {
+    const std::vector<KeyEntry> entries = keyEntries();
+    return entries.empty() ? 0.0 : entries.back().rect.bottom() + 2.0;
+}
+
+void ShaftMapPlot::paintKey(QPainter& painter) const {
+    const Theme& theme = Theme::instance();
+    const double top = keyTop();
+    const std::vector<double>& levels = map_->levels();
+    painter.setFont(Theme::font(Theme::smallSize));
+    if (!levels.empty()) {
+        const std::vector<QRgb> colours = bandColours(levels);
+        const double whole = std::min(width() - 2.0 * Theme::margin, longestBar);
+        const double each = whole / static_cast<double>(colours.size());
+        const QRectF bar(Theme::margin, top, whole, barHeight);
+        for (std::size_t i = 0; i < colours.size(); ++i) {
+            painter.fillRect(
+                QRectF(bar.left() + each * static_cast<double>(i), top, each + 0.5, barHeight),
+                QColor(colours[i]));
+        }
+        painter.setPen(QPen(theme.border(), 1.0));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(bar);
+        const QFontMetricsF metrics(painter.font());
+        const double row = std::ceil(metrics.height()) + 1.0;
+        std::vector<QRectF> taken;
+        // No change first: its number stands in any case.
+        std::vector<std::size_t> order;
+        for (std::size_t i = 0; i < levels.size(); ++i) {
+            levels[i] == 0.0 ? order.insert(order.begin(), i) : order.insert(order.end(), i);
+        }
+        for (const std::size_t i : order) {
+            const double x = bar.left() + each * static_cast<double>(i + 1);
+            const bool zero = levels[i] == 0.0;
+            painter.setPen(QPen(theme.text(), zero ? 2.4 : 1.0));
+            painter.drawLine(QPointF(x, zero ? top - 1.0 : bar.bottom() - 3.0),
+                             QPointF(x, bar.bottom() + (zero ? 2.0 : 1.0)));
+            const QString text = percentText(levels[i]);
+            const double wide = metrics.horizontalAdvance(text) + 6.0;
+            const QRectF box(x - wide / 2.0, bar.bottom() + 1.0, wide, row);
+            if (std::none_of(taken.begin(), taken.end(),
+                             [&](const QRectF& other) { return other.intersects(box); })) {
+                taken.push_back(box);
+                painter.drawText(box, Qt::AlignCenter, text);
+            }
+        }
+    }
+    for (const KeyEntry& entry : keyEntries()) {
+        const QRectF rect = entry.rect.translated(0.0, top);
+        entry.draw(painter, QPointF(rect.left() + swatch / 2.0, rect.center().y()));
+        painter.setPen(theme.text());
+        painter.drawText(rect.adjusted(swatch + 4.0, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                         entry.text);
+    }
+}
+
+// What rests.
+
+void ShaftMapPlot::paintGround(QPainter& painter) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintKey(painter);
+    labels_.clear();
+    if (map_->map() == nullptr) {
+        return;
+    }
+    painter.save();
+    painter.setClipRect(plotArea());
+    paintBlocked(painter);
+    paintMarkers(painter);  // first: the contours' labels give way to theirs
+    paintContours(painter);
+    for (const ShaftMapModel::Marker& marker : map_->markers()) {
+        drawGlyph(painter, pixelOf(marker.position), marker);
+    }
+    painter.restore();
+}
+
+void ShaftMapPlot::paintBlocked(QPainter& painter) const {
+    const Theme& theme = Theme::instance();
+    QPainterPath path;
+    for (const QPolygonF& line : map_->map()->blocked) {
+        path.addPolygon(pixels(line));
+        path.closeSubpath();
+    }
+    if (path.isEmpty()) {
+        return;
+    }
+    painter.save();
+    painter.fillPath(path, faint(theme.panel(), 0.38));
+    painter.setClipPath(path, Qt::IntersectClip);
+    drawHatch(painter, plotArea());
+    painter.restore();
+    painter.setPen(QPen(faint(theme.text(), 0.7), 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPath(path);
+}
+
+bool ShaftMapPlot::paintLabel(QPainter& painter, const QRectF& box, const QString& text) {
+    const bool free = std::none_of(labels_.begin(), labels_.end(),
+                                   [&](const QRectF& other) { return other.intersects(box); });
+    if (!free || !plotArea().adjusted(2, 2, -2, -2).contains(box)) {
+        return false;
+    }
+    labels_.push_back(box);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(faint(Theme::instance().panel(), 0.82));
+    painter.drawRoundedRect(box, 3, 3);
+    painter.setPen(Theme::instance().text());
+    painter.drawText(box, Qt::AlignCenter, text);
+    return true;
+}
+
+void ShaftMapPlot::paintMarkers(QPainter& painter) {
+    painter.setFont(Theme::font(Theme::smallSize, true));
+    const QFontMetricsF metrics(painter.font());
+    for (const ShaftMapModel::Marker& marker : map_->markers()) {
+        const QPointF at = pixelOf(marker.position);
+        labels_.emplace_back(at - QPointF(9, 9), QSizeF(18, 18));
+    }
+    for (const ShaftMapModel::Marker& marker : map_->markers()) {
+        const auto change = map_->change(marker.criteria);
+        if (!change) {
+            continue;
+        }
+        const QPointF at = pixelOf(marker.position);
+        const QString text = (*change > 0.0 ? QStringLiteral("+") : QString()) +
+                             fixedNumber(100.0 * *change, 1, QLocale()) + QStringLiteral(" %");
+        const QSizeF size(metrics.horizontalAdvance(text) + 6.0, metrics.height());
+        const double away = 2.0 * glyphRadius;
+        const std::array corners{
+            QPointF(away, -size.height() / 2),
+            QPointF(-away - size.width(), -size.height() / 2),
+            QPointF(-size.width() / 2, -away - size.height()),
+            QPointF(-size.width() / 2, away),
+            QPointF(away, -size.height() - 2),
+            QPointF(away, 2),
+        };
+        // Any that fits does.
+        static_cast<void>(std::any_of(corners.begin(), corners.end(), [&](const QPointF& corner) {
+            return paintLabel(painter, QRectF(at + corner, size), text);
+        }));
+    }
+}
+
+void ShaftMapPlot::paintContours(QPainter& painter) {
+    const Theme& theme = Theme::instance();
+    const auto& contours = map_->contours();
+    std::vector<QPolygonF> longest(contours.size());
+    painter.setBrush(Qt::NoBrush);
+    for (std::size_t i = 0; i < contours.size(); ++i) {
+        const bool zero = contours[i].level == 0.0;
+        painter.setPen(zero ? QPen(theme.text(), 2.4) : QPen(faint(theme.text(), 0.38), 1.0));
+        for (const QPolygonF& metres : contours[i].lines) {
+            const QPolygonF line = pixels(metres);
+            painter.drawPolyline(line);
+            if (line.size() > longest[i].size()) {
+                longest[i] = line;
+            }
+        }
+    }
+    // Each line's number where the line is nearest to a ray from the best place, so that the
+    // numbers stand in a row; the ray turns on where that has no room.
+    painter.setFont(Theme::font(Theme::smallSize));
+    const QFontMetricsF metrics(painter.font());
+    const ShaftMapModel::Marker* best = nullptr;
+    for (const ShaftMapModel::Marker& marker : map_->markers()) {
+        if (marker.criterion == map_->criterion()) {
+            best = &marker;  // the last is the one of all places
+        }
+    }
+    const QPointF centre = best != nullptr ? pixelOf(best->position) : plotArea().center();
+    constexpr std::array turns{40.0, 140.0, 0.0, 180.0, 90.0, 220.0, 320.0, 270.0, 20.0, 160.0};
+    for (std::size_t i = 0; i < contours.size(); ++i) {
+        const QString text = percentText(contours[i].level) + QStringLiteral(" %");
+        const QSizeF size(metrics.horizontalAdvance(text) + 6.0, metrics.height() - 1.0);
+        static_cast<void>(std::any_of(turns.begin(), turns.end(), [&](double turn) {
+            const QPointF ray(std::cos(turn * degree), std::sin(turn * degree));
+            double nearest = 0.98;  // cosine to the ray
+            std::optional<QPointF> at;
+            for (const QPointF& point : longest[i]) {
+                const QPointF to = point - centre;
+                const double along = QPointF::dotProduct(to, ray) / std::hypot(to.x(), to.y());
+                if (along > nearest) {
+                    nearest = along;
+                    at = point;
+                }
+            }
+            return at &&
+                   paintLabel(painter,
+                              QRectF(*at - QPointF(size.width(), size.height()) / 2.0, size), text);
+        }));
+    }
+}
+
+// What moves.
+
+void ShaftMapPlot::paintTop(QPainter& painter) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.save();
+    painter.setClipRect(plotArea());
+    paintMechanism(painter);
+    paintShaft(painter);
+    if (chosen_ && *chosen_ < map_->markers().size()) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(Theme::instance().accent(), 2.0));
+        painter.drawEllipse(pixelOf(map_->markers()[*chosen_].position), 12.0, 12.0);
+    }
+    painter.restore();
+}
+
+void ShaftMapPlot::paintMechanism(QPainter& painter) const {
+    const Theme& theme = Theme::instance();
+    const FrontView& sizes = model_->solver().front_view();
+    const auto pose = balance_shaft::mechanism_pose(
+        model_->solver(), model_->crankAngleDeg() * degree, model_->input().shaft_angle);
+    const double k = (toPixel(1.0, 0.0).x() - toPixel(0.0, 0.0).x()) / units::mm.to_si;
+    const auto at = [this](double x, double y) { return pixelOf({x, y}); };
+    const QColor line = faint(theme.text(), 0.75);
+    const QColor metal = faint(drawing::metal(), 0.72);
+    const QPointF crank = at(0, 0);
+    const QPointF pin = at(pose.crankpin.x, pose.crankpin.y);
+    const QPointF piston = at(pose.piston_pin.x, pose.piston_pin.y);
+
+    const double e = sizes.offset;
+    const double bore = sizes.cylinder_bore;
+    const double wall = std::max(sizes.cylinder_wall, 2.0 / k);
+    painter.setPen(QPen(line, 1.1));
+    painter.setBrush(metal);
+    for (const double side : {-1.0, 1.0}) {
+        painter.drawRect(QRectF(at(e + side * bore / 2, sizes.cylinder_top),
+                                at(e + side * (bore / 2 + wall), sizes.cylinder_bottom))
+                             .normalized());
+    }
+    const double height = 0.75 * bore;
+    const double top = std::min(pose.piston_pin.y + 0.45 * height, sizes.cylinder_top);
+    painter.setBrush(faint(drawing::brightMetal(), 0.72));
+    painter.drawRoundedRect(QRectF(at(e - bore / 2, top), at(e + bore / 2, top - height)), 3, 3);
+    painter.setPen(QPen(line, 1.0, Qt::DotLine));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(crank, sizes.crank_swing_radius * k, sizes.crank_swing_radius * k);
+    const double thick = std::clamp(0.3 * sizes.crank_radius * k, 4.0, 14.0);
+    drawing::drawBar(painter, pin, piston, 0.6 * thick, metal, line);
+    drawing::drawBar(painter, crank, pin, thick, metal, line);
+    painter.setPen(QPen(line, 1.1));
+    painter.setBrush(theme.panel());
+    for (const QPointF& joint : {crank, pin, piston}) {
+        painter.drawEllipse(joint, 0.24 * thick + 1.5, 0.24 * thick + 1.5);
+    }
+}
+
+void ShaftMapPlot::paintShaft(QPainter& painter) const {
+    const Theme& theme = Theme::instance();
+    const FrontView& sizes = model_->solver().front_view();
+    const auto present = map_->present();
+    const double k = (toPixel(1.0, 0.0).x() - toPixel(0.0, 0.0).x()) / units::mm.to_si;
+    const QPointF crank = pixelOf({0.0, 0.0});
+    const QPointF axis = pixelOf(present);
+    const QColor colour = model_->result().is_buildable ? theme.accent() : theme.error();
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme.accent(), 1.4, Qt::DashLine));
+    const double l = present.centre_distance() * k;
+    painter.drawEllipse(crank, l, l);
+    painter.setPen(QPen(faint(theme.text(), 0.6), 1.0, Qt::DashDotLine));
+    painter.drawLine(crank, axis);
+    const double swing = sizes.shaft_swing_radius * k;
+    painter.setPen(QPen(colour, 1.2));
+    painter.setBrush(faint(colour, 0.16));
+    painter.drawEllipse(axis, swing, swing);
+    painter.setPen(QPen(theme.panel(), 1.6));
+    painter.setBrush(colour);
+    painter.drawEllipse(axis, handleRadius, handleRadius);
+    if (!dragging_) {
+        return;
+    }
+    painter.setFont(Theme::font(Theme::smallSize, true));
+    const ShaftMap* map = map_->map();
+    const auto change = map != nullptr ? map_->change(map->study.at(present)) : std::nullopt;
+    if (change) {
+        const QString text = (*change > 0.0 ? QStringLiteral("+") : QString()) +
+                             fixedNumber(100.0 * *change, 2, QLocale()) + QStringLiteral(" %");
+        const QFontMetricsF metrics(painter.font());
+        QRectF box(axis + QPointF(12, -26), QSizeF(metrics.horizontalAdvance(text) + 12.0, 18.0));
+        if (box.right() > plotArea().right()) {
+            box.moveRight(axis.x() - 12.0);
+        }
+        box.moveTop(std::max(box.top(), plotArea().top() + 2.0));
+        painter.setPen(QPen(theme.border(), 1.0));
+        painter.setBrush(faint(theme.panel(), 0.93));
+        painter.drawRoundedRect(box, 4, 4);
+        painter.setPen(theme.text());
+        painter.drawText(box, Qt::AlignCenter, text);
+    }
+}
+
+// Mouse and keys.
+
+bool ShaftMapPlot::isHandle(const QPointF& pixel) const {
+    const QPointF away = pixel - pixelOf(map_->present());
+    return std::hypot(away.x(), away.y()) <= reach;
+}
+
+const ShaftMapModel::Marker* ShaftMapPlot::markerAt(const QPointF& pixel) const {
+    const ShaftMapModel::Marker* found = nullptr;
+    double nearest = reach;
+    for (const ShaftMapModel::Marker& marker : map_->markers()) {
+        const QPointF away = pixel - pixelOf(marker.position);
+        if (const double distance = std::hypot(away.x(), away.y()); distance < nearest) {
+            nearest = distance;
+            found = &marker;
+        }
+    }
+    return found;
+}
+
+void ShaftMapPlot::mousePressEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && isHandle(event->position())) {
+        dragging_ = true;
+        grip_ = pixelOf(map_->present()) - event->position();
+        model_->beginEditing();
+        update();
+        event->accept();
+        return;
+    }
+    PlotView::mousePressEvent(event);
+}
+
+void ShaftMapPlot::mouseMoveEvent(QMouseEvent* event) {
+    if (dragging_) {
+        const QRectF area = plotArea();
+        const QPointF to = event->position() + grip_;
+        map_->dragTo(placeAt({std::clamp(to.x(), area.left(), area.right()),
+                              std::clamp(to.y(), area.top(), area.bottom())}));
+        return;
+    }
+    if (event->buttons() != Qt::NoButton) {
+        PlotView::mouseMoveEvent(event);
+        return;
+    }
+    setCursor(isHandle(event->position()) ? Qt::OpenHandCursor : Qt::ArrowCursor);
+    const bool inside = plotArea().contains(event->position());
+    const ShaftMapModel::Marker* marker = inside ? markerAt(event->position()) : nullptr;
+    Q_EMIT hovered(!inside ? QString()
+                           : map_->placeText(marker != nullptr ? marker->position
+                                                               : placeAt(event->position())));
+}
+
+void ShaftMapPlot::mouseReleaseEvent(QMouseEvent* event) {
+    endDrag();
+    PlotView::mouseReleaseEvent(event);
+}
+
+void ShaftMapPlot::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton || !plotArea().contains(event->position())) {
+        return;
+    }
+    endDrag();
+    const ShaftMapModel::Marker* marker = markerAt(event->position());
+    if (marker != nullptr) {
+        map_->goTo(marker->position);
+    } else {
+        model_->finishDrag();
+        map_->dragTo(placeAt(event->position()));
+        model_->finishDrag();
+    }
+}
+
+void ShaftMapPlot::endDrag() {
+    if (dragging_) {
+        dragging_ = false;
+        model_->endEditing();
+        update();
+    }
+}
+
+void ShaftMapPlot::keyPressEvent(QKeyEvent* event) {
+    const double step =
+        (event->modifiers().testFlag(Qt::ShiftModifier) ? 1.0 : 0.1) * units::mm.to_si;
+    const auto move = [&](double x, double y) {
+        const auto present = map_->present();
+        map_->dragTo({present.x + x * step, present.y + y * step});
+    };
+    const auto choose = [&](std::size_t by) {
+        const std::size_t count = map_->markers().size();
+        if (count > 0) {
+            chosen_ = chosen_ ? (*chosen_ + by) % count : (by == 1 ? 0 : count - 1);
+            Q_EMIT hovered(map_->placeText(map_->markers()[*chosen_].position));
+            update();
+        }
+    };
+    switch (event->key()) {
+        case Qt::Key_Left:
+            move(-1.0, 0.0);
+            return;
+        case Qt::Key_Right:
+            move(1.0, 0.0);
+            return;
+        case Qt::Key_Up:
+            move(0.0, 1.0);
+            return;
+        case Qt::Key_Down:
+            move(0.0, -1.0);
+            return;
+        case Qt::Key_PageDown:
+            choose(1);
+            return;
+        case Qt::Key_PageUp:
+            choose(std::max<std::size_t>(map_->markers().size(), 1) - 1);
+            return;
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            if (chosen_ && *chosen_ < map_->markers().size()) {
+                map_->goTo(map_->markers()[*chosen_].position);
+            }
+            return;
+        case Qt::Key_Escape:
+            if (dragging_) {
+                model_->takeBack();
+                endDrag();
+                return;
+            }
+            if (chosen_) {
+                chosen_.reset();
+                Q_EMIT hovered({});
+                update();
+                return;
+            }
+            break;
+        default:
+            break;
+    }
+    PlotView::keyPressEvent(event);
+}
+
+bool ShaftMapPlot::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        const QPointF at = help->pos();
+        const QString why = plotArea().contains(at) && map_->map() != nullptr
+                                ? map_->reason(placeAt(at))
+                                : QString();
+        if (!why.isEmpty()) {
+            QToolTip::showText(help->globalPos(), why, this);
+            return true;
+        }
+    }
+    return PlotView::event(event);
+}
+
+void ShaftMapPlot::leaveEvent(QEvent* event) {
+    Q_EMIT hovered({});
+    PlotView::leaveEvent(event);
+}
+
+void ShaftMapPlot::focusOutEvent(QFocusEvent* event) {
+    endDrag();
+    model_->finishDrag();
+    PlotView::focusOutEvent(event);
+}
+
+void ShaftMapPlot::hideEvent(QHideEvent* event) {
+    endDrag();
+    PlotView::hideEvent(event);
+}
+
+void ShaftMapPlot::fillMenu(QMenu& menu) {
+    menu.addAction(tr("Copy field as CSV"), this,
+                   [this] { QApplication::clipboard()->setText(map_->fieldCsv()); })
+        ->setEnabled(map_->map() != nullptr);
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "balance-shaft/model/shaft_map_model.h"
+#include "plot/plot_view.h"
+
+namespace ravnoves {
+
+/// The front view of the engine over the map of the places of its balance shaft: the criterion as
+/// filled contours with their key, what cannot be built hatched, the best places, and the shaft's
+/// axis as a handle.
+///
+/// Mouse: the handle is dragged, Escape brings it back; a double click goes to the place or the
+/// marker under it; all else as in any plot. Keys: arrows move the shaft by 0.1 mm, with Shift by
+/// 1 mm; Page up and down go through the markers, Enter goes to the one chosen.
+class ShaftMapPlot : public PlotView {
+    Q_OBJECT
+
+  public:
+    ShaftMapPlot(BalanceShaftModel* model, ShaftMapModel* map, QWidget* parent = nullptr);
+
+    /// Where a place (m) is drawn.
+    QPointF pixelOf(const ShaftMapModel::Position& position) const;
+    ShaftMapModel::Position placeAt(const QPointF& pixel) const;
+    bool isDragging() const { return dragging_; }
+    /// Labels as they were drawn last: of contours and markers.
+    const std::vector<QRectF>& labels() const { return labels_; }
+
+  Q_SIGNALS:
+    /// What is under the pointer, in words; empty where it left.
+    void hovered(const QString& text);
+
+  protected:
+    void paintGround(QPainter& painter) override;
+    void paintTop(QPainter& painter) override;
+    double keyHeight() const override;
+    void fillMenu(QMenu& menu) override;
+    bool event(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+  private:
+    struct KeyEntry {
+        QString text;
+        std::function<void(QPainter&, const QPointF& middle)> draw;
+        QRectF rect = {};
+    };
+
+    void showMap();
+    void showImage();
+    void endDrag();
+    bool isHandle(const QPointF& pixel) const;
+    const ShaftMapModel::Marker* markerAt(const QPointF& pixel) const;
+    std::vector<KeyEntry> keyEntries() const;
+    void paintKey(QPainter& painter) const;
+    void paintBlocked(QPainter& painter) const;
+    void paintContours(QPainter& painter);
+    void paintMarkers(QPainter& painter);
+    void paintMechanism(QPainter& painter) const;
+    void paintShaft(QPainter& painter) const;
+    bool paintLabel(QPainter& painter, const QRectF& box, const QString& text);
+    QPolygonF pixels(const QPolygonF& metres) const;
+
+    BalanceShaftModel* model_;
+    ShaftMapModel* map_;
+    double view_ = 0.0;
+    bool dragging_ = false;
+    QPointF grip_;  ///< from the pointer to the axis
+    std::optional<std::size_t> chosen_;
+    std::vector<QRectF> labels_;
+};
+
+}  // namespace ravnoves

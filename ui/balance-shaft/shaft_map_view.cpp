@@ -1,0 +1,377 @@
+#include "balance-shaft/shaft_map_view.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "balance-shaft/model/balance_shaft_model.h"
+#include "balance-shaft/model/shaft_map_model.h"
+#include "balance-shaft/shaft_map_plot.h"
+#include "numerics/units.h"
+#include "plot/plot_view.h"
+#include "text/number_text.h"
+#include "theme/theme.h"
+#include "widgets/form_section.h"
+#include "widgets/panel.h"
+#include "widgets/value_slider.h"
+
+namespace ravnoves {
+
+namespace {
+
+constexpr double boxUnit = 1e-4;  ///< cm² in m²
+constexpr int wideFrom = 860;     ///< pixels that map and charts need beside each other
+constexpr int sideWidth = 340;
+
+std::vector<double> inUnits(const std::vector<ShaftMap::Criteria>& places,
+                            double ShaftMap::Criteria::*value, double unit) {
+    std::vector<double> values;
+    values.reserve(places.size());
+    for (const ShaftMap::Criteria& place : places) {
+        values.push_back(place.*value / unit);
+    }
+    return values;
+}
+
+/// The values where the flag stands, gaps elsewhere.
+std::vector<double> only(std::vector<double> values, const std::vector<bool>& shown) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!shown[i]) {
+            values[i] = std::numeric_limits<double>::quiet_NaN();
+        }
+    }
+    return values;
+}
+
+}  // namespace
+
+ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
+    : QWidget(parent), model_(model), map_(new ShaftMapModel(model, this)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, Theme::space, 0, 0);
+    column->setSpacing(Theme::space);
+    column->addWidget(buildBar());
+
+    auto* body = new QHBoxLayout;
+    body->setSpacing(Theme::space);
+    tabs_ = new QTabWidget(this);
+    tabs_->setDocumentMode(true);
+    tabs_->setTabBarAutoHide(true);
+    auto* front = new QWidget(tabs_);
+    front->setObjectName(QStringLiteral("front"));
+    auto* frontColumn = new QVBoxLayout(front);
+    frontColumn->setContentsMargins(0, 0, 0, 0);
+    frontColumn->setSpacing(Theme::gap);
+    plot_ = new ShaftMapPlot(model_, map_, front);
+    frontColumn->addWidget(plot_, 1);
+    words_ = captionLabel({}, front);
+    words_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    words_->setObjectName(QStringLiteral("shaft_map_words"));
+    words_->setAccessibleName(tr("The place under the pointer, or the best one"));
+    frontColumn->addWidget(words_);
+    tabs_->addTab(front, tr("Front view"));
+    body->addWidget(tabs_, 1);
+    side_ = new QWidget(this);
+    side_->setFixedWidth(sideWidth);
+    sideColumn_ = new QVBoxLayout(side_);
+    sideColumn_->setContentsMargins(0, 0, 0, 0);
+    sideColumn_->setSpacing(Theme::space);
+    side_->hide();
+    body->addWidget(side_);
+    column->addLayout(body, 1);
+    buildCharts();
+
+    connect(plot_, &ShaftMapPlot::hovered, this, &ShaftMapView::showWords);
+    connect(map_, &ShaftMapModel::mapChanged, this, &ShaftMapView::showMap);
+    connect(map_, &ShaftMapModel::staleChanged, this, [this] {
+        for (PlotView* chart : {distances_, sizes_}) {
+            chart->setFaded(map_->isStale(), tr("computing …"));
+        }
+    });
+    connect(map_, &ShaftMapModel::moved, this, [this] {
+        if (isVisible()) {
+            showPresent();
+        }
+    });
+    arrange();
+    showMap();
+}
+
+QWidget* ShaftMapView::buildBar() {
+    auto* bar = new Panel(this);
+    auto* column = new QVBoxLayout(bar);
+    column->setContentsMargins(Theme::margin, Theme::gap, Theme::margin, Theme::gap);
+    column->setSpacing(Theme::gap);
+    distance_ = new ValueSlider(tr("Centre distance &l"), 0.0, 200.0, 0.1, 10.0, 2,
+                                unitText(units::mm.name), bar);
+    distance_->setHint(tr("From the crank's axis to the shaft's; α stays. Steps of 0.1 mm."));
+    distance_->slider()->setObjectName(QStringLiteral("centre_distance_slider"));
+    distance_->box()->setObjectName(QStringLiteral("centre_distance_box"));
+    connect(distance_, &ValueSlider::valueEdited, this,
+            [this](double value) { map_->setDistance(value * units::mm); });
+    connect(distance_, &ValueSlider::released, model_, &SceneModel::finishDrag);
+    column->addWidget(distance_);
+
+    auto* row = new QHBoxLayout;
+    row->setSpacing(Theme::space);
+    auto* label = new QLabel(tr("&Criterion"), bar);
+    criterion_ = new QComboBox(bar);
+    criterion_->addItems({tr("range"), tr("RMS"), tr("weighted sum")});
+    criterion_->setObjectName(QStringLiteral("map_criterion"));
+    criterion_->setAccessibleName(tr("Criterion of the places of the shaft"));
+    criterion_->setToolTip(
+        tr("What the map shows and the best place makes least, against the engine without a shaft: "
+           "the range of Mᵤₚₛ, its RMS, or a weighted sum of both"));
+    label->setBuddy(criterion_);
+    connect(criterion_, &QComboBox::activated, this, [this](int index) {
+        map_->setCriterion(static_cast<ShaftMapModel::Criterion>(index));
+    });
+    row->addWidget(label);
+    row->addWidget(criterion_);
+    row->addStretch(1);
+    best_ = new QPushButton(tr("&Best place"), bar);
+    best_->setObjectName(QStringLiteral("go_best_place"));
+    connect(best_, &QPushButton::clicked, map_, &ShaftMapModel::goToBest);
+    row->addWidget(best_);
+    column->addLayout(row);
+
+    weight_ = new ValueSlider(tr("&Weight of the range"), 0.0, 100.0, 1.0, 10.0, 0,
+                              QStringLiteral("%"), bar);
+    weight_->setHint(
+        tr("Share of the range in the weighted sum; the RMS has the rest. Both count "
+           "relative to the engine without a shaft."));
+    weight_->setValue(100.0 * map_->weight());
+    connect(weight_, &ValueSlider::valueEdited, this,
+            [this](double value) { map_->setWeight(value / 100.0); });
+    column->addWidget(weight_);
+    return bar;
+}
+
+void ShaftMapView::buildCharts() {
+    using Shape = PlotView::Shape;
+    distances_ = new PlotView(tr("Best α of each l"), tabs_);
+    distances_->setObjectName(QStringLiteral("distances"));
+    distances_->setXAxis({tr("l, mm"), 0.0, 200.0});
+    distances_->setYAxis(PlotView::Side::Left, {tr("N·m")});
+    distances_->setYAxis(PlotView::Side::Right, {tr("width × height, cm²")});
+    distances_->setPickable(true);
+    distances_->setToolTip(
+        tr("Least range and least RMS of each centre distance, each at its best α, and the box at "
+           "the α of the criterion chosen; thick where that can be built. Click to go to that l "
+           "at its best α."));
+    range_ = distances_->addCurve(
+        {.name = tr("least range"), .colour = 2, .width = 1.2, .toolTip = tr("At its best α")});
+    rms_ = distances_->addCurve(
+        {.name = tr("least RMS"), .colour = 3, .width = 1.2, .toolTip = tr("At its best α")});
+    size_ = distances_->addCurve({.name = tr("size"),
+                                  .colour = 4,
+                                  .side = PlotView::Side::Right,
+                                  .width = 1.2,
+                                  .pen = Qt::DashLine,
+                                  .toolTip = tr("Width × height of the box, right axis")});
+    rangeBuilt_ = distances_->addCurve(
+        {.name = {}, .colour = 2, .width = 3.4, .inLegend = false, .gaps = true});
+    rmsBuilt_ = distances_->addCurve(
+        {.name = {}, .colour = 3, .width = 3.4, .inLegend = false, .gaps = true});
+    connect(distances_, &PlotView::picked, this,
+            [this](double x) { map_->goToDistance(x * units::mm); });
+
+    sizes_ = new PlotView(QString(), tabs_);
+    sizes_->setObjectName(QStringLiteral("sizes"));
+    sizes_->setXAxis({tr("width × height, cm²"), 0.0, 1.0});
+    sizes_->setPickable(true);
+    sizes_->setToolTip(
+        tr("Places that can be built and that no other beats in range, RMS and size at once. "
+           "Click to go to one."));
+    front_ = sizes_->addCurve({.name = tr("nothing better"),
+                               .colour = 0,
+                               .shape = Shape::Rings,
+                               .toolTip = tr("In range, RMS and size at once")});
+    efficient_ = sizes_->addCurve({.name = tr("by this criterion"),
+                                   .colour = 3,
+                                   .shape = Shape::Points,
+                                   .toolTip = tr("Nothing better in this criterion and in size")});
+    present_ = sizes_->addCurve({.name = tr("present place"), .colour = 7, .shape = Shape::Points});
+    connect(sizes_, &PlotView::pickedAt, this, &ShaftMapView::pickSize);
+    for (PlotView* chart : {distances_, sizes_}) {
+        chart->installEventFilter(this);
+    }
+}
+
+/// A click or a drag in a chart is one step of the history.
+bool ShaftMapView::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::MouseButtonRelease) {
+        model_->finishDrag();
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void ShaftMapView::arrange() {
+    const bool wide = width() >= wideFrom;
+    if (wide_ == wide) {
+        return;
+    }
+    wide_ = wide;
+    if (wide) {
+        for (PlotView* chart : {distances_, sizes_}) {
+            sideColumn_->addWidget(chart, 1);  // takes it out of the tabs
+            chart->show();
+        }
+    } else {
+        tabs_->addTab(distances_, tr("Over l"));
+        tabs_->addTab(sizes_, tr("Trade-off"));
+    }
+    side_->setVisible(wide);
+}
+
+void ShaftMapView::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    map_->setWatched(true);
+    showPresent();
+}
+
+void ShaftMapView::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    map_->setWatched(false);
+}
+
+void ShaftMapView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    arrange();
+    // Room for the words, so that the map rests while they change.
+    const int rows = width() < 500 ? 4 : 2;
+    words_->setFixedHeight(rows * words_->fontMetrics().lineSpacing() + 2);
+}
+
+void ShaftMapView::showMap() {
+    criterion_->setCurrentIndex(static_cast<int>(map_->criterion()));
+    weight_->setVisible(map_->criterion() == ShaftMapModel::Criterion::Both);
+    const ShaftMapModel::Marker* best = map_->best();
+    best_->setEnabled(best != nullptr);
+    best_->setToolTip(map_->bestText());
+    best_->setAccessibleDescription(map_->bestText());
+    showWords();
+    showDistances();
+    showSizes();
+    showPresent();
+}
+
+void ShaftMapView::showWords(const QString& hovered) {
+    const QString text = hovered.isEmpty() ? map_->bestText() : hovered;
+    words_->setText(text);
+    words_->setToolTip(text);
+}
+
+void ShaftMapView::showDistances() {
+    const ShaftMap* map = map_->map();
+    if (map == nullptr) {
+        return;
+    }
+    const ShaftMap::Distances& of = map->distances;
+    std::vector<double> x;
+    for (const double distance : of.distance) {
+        x.push_back(distance / units::mm);
+    }
+    const std::vector<double> range = inUnits(of.range, &ShaftMap::Criteria::range, 1.0);
+    const std::vector<double> rms = inUnits(of.rms, &ShaftMap::Criteria::rms, 1.0);
+    const bool byRms = map_->criterion() == ShaftMapModel::Criterion::Rms;
+    if (distances_->xInterval().second != map->view / units::mm && !distances_->isZoomed()) {
+        distances_->setXAxis({tr("l, mm"), 0.0, map->view / units::mm});
+    }
+    distances_->setCurve(range_, x, range);
+    distances_->setCurve(rms_, x, rms);
+    distances_->setCurve(size_, x,
+                         inUnits(byRms ? of.rms : of.range, &ShaftMap::Criteria::size, boxUnit));
+    distances_->setCurve(rangeBuilt_, x, only(range, of.rangeBuildable));
+    distances_->setCurve(rmsBuilt_, x, only(rms, of.rmsBuildable));
+    const QLocale locale;
+    std::vector<PlotView::Mark> marks;
+    const auto mark = [&](const std::vector<double>& values, int colour) {
+        const auto least = std::min_element(values.begin(), values.end());
+        const double at = x[static_cast<std::size_t>(least - values.begin())];
+        marks.push_back(
+            {at, *least, fixedNumber(at, 0, locale), colour, PlotView::Side::Left, true});
+    };
+    mark(range, 2);
+    mark(rms, 3);
+    distances_->setMarks(std::move(marks));
+}
+
+void ShaftMapView::showSizes() {
+    const bool byRms = map_->criterion() == ShaftMapModel::Criterion::Rms;
+    const bool both = map_->criterion() == ShaftMapModel::Criterion::Both;
+    sizes_->setTitle(byRms  ? tr("RMS against size")
+                     : both ? tr("Weighted sum against size")
+                            : tr("Range against size"));
+    sizes_->setYAxis(PlotView::Side::Left, {tr("change, %")});
+    const ShaftMap* map = map_->map();
+    std::vector<double> x;
+    std::vector<double> y;
+    std::vector<double> bestX;
+    std::vector<double> bestY;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; map != nullptr && i < map->front.size(); ++i) {
+        const balance_shaft::FrontPosition& place = map->front[i];
+        const auto change = map_->change(place.criteria);
+        if (!change) {
+            continue;
+        }
+        x.push_back(place.criteria.size / boxUnit);
+        y.push_back(100.0 * *change);
+        if (*change < least) {  // sizes ascend
+            least = *change;
+            bestX.push_back(x.back());
+            bestY.push_back(y.back());
+        }
+    }
+    if (!x.empty()) {
+        const auto [low, high] = std::minmax_element(x.begin(), x.end());
+        const double pad = std::max(0.04 * (*high - *low), 1e-3 * *high);
+        sizes_->setXAxis({tr("width × height, cm²"), *low - pad, *high + pad});
+    }
+    sizes_->setCurve(front_, std::move(x), std::move(y));
+    sizes_->setCurve(efficient_, std::move(bestX), std::move(bestY));
+}
+
+void ShaftMapView::showPresent() {
+    const double present = model_->input().centre_distance / units::mm;
+    distance_->setRange(0.0, std::ceil(map_->largestDistance() / units::mm));
+    distance_->setValue(present);
+    distances_->setPresentX(present);
+    const balance_shaft::Envelope& box = model_->result().envelope;
+    const auto change = map_->change(
+        {model_->result().M_ups.range, model_->result().M_ups.rms, box.width() * box.height()});
+    if (change) {
+        sizes_->setCurve(present_, {box.width() * box.height() / boxUnit}, {100.0 * *change});
+    } else {
+        sizes_->setCurve(present_, {}, {});
+    }
+}
+
+/// Goes to the place whose point lies nearest on the screen.
+void ShaftMapView::pickSize(double size, double change) {
+    const ShaftMap* map = map_->map();
+    if (map == nullptr || map->front.empty()) {
+        return;
+    }
+    const QPointF clicked = sizes_->toPixel(size, change);
+    const auto distance = [&](const balance_shaft::FrontPosition& place) {
+        const QPointF away = sizes_->toPixel(place.criteria.size / boxUnit,
+                                             100.0 * map_->change(place.criteria).value_or(0.0)) -
+                             clicked;
+        return std::hypot(away.x(), away.y());
+    };
+    map_->moveTo(
+        std::min_element(map->front.begin(), map->front.end(), [&](const auto& a, const auto& b) {
+            return distance(a) < distance(b);
+        })->position);
+}
+
+}  // namespace ravnoves

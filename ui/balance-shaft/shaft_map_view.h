@@ -1,0 +1,75 @@
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTabWidget;
+class QVBoxLayout;
+
+namespace ravnoves {
+
+class BalanceShaftModel;
+class PlotView;
+class ShaftMapModel;
+class ShaftMapPlot;
+class ValueSlider;
+
+/// Where the shaft goes: the map of its places over the front view, the criteria over the centre
+/// distance, and what they cost in size. The charts stand beside the map where there is room, else
+/// on tabs of their own.
+class ShaftMapView : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit ShaftMapView(BalanceShaftModel* model, QWidget* parent = nullptr);
+
+    ShaftMapModel* mapModel() const { return map_; }
+    ShaftMapPlot* plot() const { return plot_; }
+    PlotView* distancePlot() const { return distances_; }
+    PlotView* sizePlot() const { return sizes_; }
+    ValueSlider* distanceSlider() const { return distance_; }
+    QComboBox* criterionChoice() const { return criterion_; }
+    ValueSlider* weightSlider() const { return weight_; }
+    QPushButton* bestButton() const { return best_; }
+    QLabel* words() const { return words_; }
+    QTabWidget* charts() const { return tabs_; }
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    QWidget* buildBar();
+    void buildCharts();
+    void arrange();
+    void showMap();
+    void showDistances();
+    void showSizes();
+    void showPresent();
+    void showWords(const QString& hovered = {});
+    void pickSize(double size, double change);
+
+    BalanceShaftModel* model_;
+    ShaftMapModel* map_;
+    ValueSlider* distance_;
+    QComboBox* criterion_;
+    ValueSlider* weight_;
+    QPushButton* best_;
+    QLabel* words_;
+    QTabWidget* tabs_;
+    QWidget* side_;
+    QVBoxLayout* sideColumn_;
+    ShaftMapPlot* plot_;
+    PlotView* distances_;
+    PlotView* sizes_;
+    int rangeBuilt_ = 0, rmsBuilt_ = 0, range_ = 0, rms_ = 0, size_ = 0;
+    int front_ = 0, efficient_ = 0, present_ = 0;
+    std::optional<bool> wide_;  ///< the charts stand beside the map
+};
+
+}  // namespace ravnoves
