@@ -51,8 +51,8 @@ std::vector<QRgb> bandColours(const std::vector<double>& levels) {
     const QColor neutral = dark ? QColor(0x2b3036) : QColor(0xf7f7f5);
     const std::array help = dark ? std::array{QColor(0x24557f), QColor(0x6cc0ff)}
                                  : std::array{QColor(0x92c5de), QColor(0x15508f)};
-    const std::array harm = dark ? std::array{QColor(0x7a4a1c), QColor(0xffb35c)}
-                                 : std::array{QColor(0xfdbf7a), QColor(0x9c4a04)};
+    const std::array harm = dark ? std::array{QColor(0x7a4a1c), QColor(0xe09a48)}
+                                 : std::array{QColor(0xfccf9c), QColor(0xc2650f)};
     const auto below = std::count_if(levels.begin(), levels.end(), [](double l) { return l < 0; });
     const auto above = std::ssize(levels) - below;
     std::vector<QRgb> colours;
@@ -236,11 +236,11 @@ std::vector<ShaftMapPlot::KeyEntry> ShaftMapPlot::keyEntries() const {
     std::vector<KeyEntry> entries;
     const Theme& theme = Theme::instance();
     if (!map_->levels().empty()) {
-        entries.push_back({tr("0 %: neither helps nor harms"),
-                           [&theme](QPainter& painter, const QPointF& middle) {
-                               painter.setPen(QPen(theme.text(), 2.4));
-                               painter.drawLine(middle - QPointF(9, 0), middle + QPointF(9, 0));
-                           }});
+        entries.push_back(
+            {tr("0 %: no change"), [&theme](QPainter& painter, const QPointF& middle) {
+                 painter.setPen(QPen(theme.text(), 2.4));
+                 painter.drawLine(middle - QPointF(9, 0), middle + QPointF(9, 0));
+             }});
     }
     entries.push_back({tr("shaft, and its l"), [&theme](QPainter& painter, const QPointF& middle) {
                            painter.setPen(QPen(theme.accent(), 1.4, Qt::DashLine));
@@ -262,10 +262,23 @@ std::vector<ShaftMapPlot::KeyEntry> ShaftMapPlot::keyEntries() const {
                  painter.drawRect(box);
              }});
     }
-    for (const ShaftMapModel::Marker& marker : map_->markers()) {
-        entries.push_back({marker.name, [marker](QPainter& painter, const QPointF& middle) {
+    // One sign for each criterion, and one for what cannot be built.
+    const auto& markers = map_->markers();
+    const auto addSign = [&](const QString& text, const ShaftMapModel::Marker& marker) {
+        entries.push_back({text, [marker](QPainter& painter, const QPointF& middle) {
                                drawGlyph(painter, middle, marker);
                            }});
+    };
+    const ShaftMapModel::Marker* hollow = nullptr;
+    for (auto marker = markers.begin(); marker != markers.end(); ++marker) {
+        if (marker == markers.begin() || std::prev(marker)->criterion != marker->criterion) {
+            addSign(marker->name, *marker);
+        } else if (hollow == nullptr) {
+            hollow = &*marker;
+        }
+    }
+    if (hollow != nullptr) {
+        addSign(tr("best of all, cannot be built"), *hollow);
     }
     const QFontMetricsF metrics(Theme::font(Theme::smallSize));
     const double row = std::ceil(metrics.height()) + 3.0;
@@ -351,7 +364,7 @@ void ShaftMapPlot::paintGround(QPainter& painter) {
     painter.save();
     painter.setClipRect(plotArea());
     paintBlocked(painter);
-    paintMarkers(painter);  // first: the contours' labels give way to theirs
+    labelMarkers();  // first: the contours' numbers give way to theirs
     paintContours(painter);
     for (const ShaftMapModel::Marker& marker : map_->markers()) {
         drawGlyph(painter, pixelOf(marker.position), marker);
@@ -379,27 +392,35 @@ void ShaftMapPlot::paintBlocked(QPainter& painter) const {
     painter.drawPath(path);
 }
 
-bool ShaftMapPlot::paintLabel(QPainter& painter, const QRectF& box, const QString& text) {
+bool ShaftMapPlot::addLabel(const QRectF& box, const QString& text, bool isBold) {
     const bool free = std::none_of(labels_.begin(), labels_.end(),
-                                   [&](const QRectF& other) { return other.intersects(box); });
+                                   [&](const Label& other) { return other.box.intersects(box); });
     if (!free || !plotArea().adjusted(2, 2, -2, -2).contains(box)) {
         return false;
     }
-    labels_.push_back(box);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(faint(Theme::instance().panel(), 0.82));
-    painter.drawRoundedRect(box, 3, 3);
-    painter.setPen(Theme::instance().text());
-    painter.drawText(box, Qt::AlignCenter, text);
+    labels_.push_back({box, text, isBold});
     return true;
 }
 
-void ShaftMapPlot::paintMarkers(QPainter& painter) {
-    painter.setFont(Theme::font(Theme::smallSize, true));
-    const QFontMetricsF metrics(painter.font());
+void ShaftMapPlot::paintLabels(QPainter& painter) const {
+    const Theme& theme = Theme::instance();
+    for (const Label& label : labels_) {
+        if (label.text.isEmpty()) {
+            continue;  // a marker's own place
+        }
+        painter.setFont(Theme::font(Theme::smallSize, label.isBold));
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(faint(theme.panel(), 0.8));
+        painter.drawRoundedRect(label.box, 3, 3);
+        painter.setPen(theme.text());
+        painter.drawText(label.box, Qt::AlignCenter, label.text);
+    }
+}
+
+void ShaftMapPlot::labelMarkers() {
+    const QFontMetricsF metrics(Theme::font(Theme::smallSize, true));
     for (const ShaftMapModel::Marker& marker : map_->markers()) {
-        const QPointF at = pixelOf(marker.position);
-        labels_.emplace_back(at - QPointF(9, 9), QSizeF(18, 18));
+        labels_.push_back({QRectF(pixelOf(marker.position) - QPointF(9, 9), QSizeF(18, 18)), {}});
     }
     for (const ShaftMapModel::Marker& marker : map_->markers()) {
         const auto change = map_->change(marker.criteria);
@@ -421,7 +442,7 @@ void ShaftMapPlot::paintMarkers(QPainter& painter) {
         };
         // Any that fits does.
         static_cast<void>(std::any_of(corners.begin(), corners.end(), [&](const QPointF& corner) {
-            return paintLabel(painter, QRectF(at + corner, size), text);
+            return addLabel(QRectF(at + corner, size), text, true);
         }));
     }
 }
@@ -442,10 +463,14 @@ void ShaftMapPlot::paintContours(QPainter& painter) {
             }
         }
     }
-    // Each line's number where the line is nearest to a ray from the best place, so that the
-    // numbers stand in a row; the ray turns on where that has no room.
-    painter.setFont(Theme::font(Theme::smallSize));
-    const QFontMetricsF metrics(painter.font());
+    labelContours(longest);
+}
+
+/// Each line's number where the line is nearest to a ray from the best place, so that the numbers
+/// stand in a row; the ray turns on where that has no room.
+void ShaftMapPlot::labelContours(const std::vector<QPolygonF>& lines) {
+    const auto& contours = map_->contours();
+    const QFontMetricsF metrics(Theme::font(Theme::smallSize));
     const ShaftMapModel::Marker* best = nullptr;
     for (const ShaftMapModel::Marker& marker : map_->markers()) {
         if (marker.criterion == map_->criterion()) {
@@ -461,7 +486,7 @@ void ShaftMapPlot::paintContours(QPainter& painter) {
             const QPointF ray(std::cos(turn * degree), std::sin(turn * degree));
             double nearest = 0.98;  // cosine to the ray
             std::optional<QPointF> at;
-            for (const QPointF& point : longest[i]) {
+            for (const QPointF& point : lines[i]) {
                 const QPointF to = point - centre;
                 const double along = QPointF::dotProduct(to, ray) / std::hypot(to.x(), to.y());
                 if (along > nearest) {
@@ -469,9 +494,8 @@ void ShaftMapPlot::paintContours(QPainter& painter) {
                     at = point;
                 }
             }
-            return at &&
-                   paintLabel(painter,
-                              QRectF(*at - QPointF(size.width(), size.height()) / 2.0, size), text);
+            return at && addLabel(QRectF(*at - QPointF(size.width(), size.height()) / 2.0, size),
+                                  text, contours[i].level == 0.0);
         }));
     }
 }
@@ -483,6 +507,7 @@ void ShaftMapPlot::paintTop(QPainter& painter) {
     painter.save();
     painter.setClipRect(plotArea());
     paintMechanism(painter);
+    paintLabels(painter);
     paintShaft(painter);
     if (chosen_ && *chosen_ < map_->markers().size()) {
         painter.setBrush(Qt::NoBrush);
@@ -548,7 +573,7 @@ void ShaftMapPlot::paintShaft(QPainter& painter) const {
     painter.drawLine(crank, axis);
     const double swing = sizes.shaft_swing_radius * k;
     painter.setPen(QPen(colour, 1.2));
-    painter.setBrush(faint(colour, 0.16));
+    painter.setBrush(faint(colour, 0.1));
     painter.drawEllipse(axis, swing, swing);
     painter.setPen(QPen(theme.panel(), 1.6));
     painter.setBrush(colour);
@@ -719,11 +744,9 @@ bool ShaftMapPlot::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         const QPointF at = help->pos();
-        const QString why = plotArea().contains(at) && map_->map() != nullptr
-                                ? map_->reason(placeAt(at))
-                                : QString();
-        if (!why.isEmpty()) {
-            QToolTip::showText(help->globalPos(), why, this);
+        if (plotArea().contains(at)) {
+            // Over the map only what there is to say of the place: how to use it stands beside.
+            QToolTip::showText(help->globalPos(), map_->reason(placeAt(at)), this);
             return true;
         }
     }

@@ -22,8 +22,13 @@ class ShaftMapPlot : public PlotView {
     QPointF pixelOf(const ShaftMapModel::Position& position) const;
     ShaftMapModel::Position placeAt(const QPointF& pixel) const;
     bool isDragging() const { return dragging_; }
-    /// Labels as they were drawn last: of contours and markers.
-    const std::vector<QRectF>& labels() const { return labels_; }
+    /// A number at a contour or a marker.
+    struct Label {
+        QRectF box;
+        QString text;
+        bool isBold = false;
+    };
+    const std::vector<Label>& labels() const { return labels_; }
 
   Q_SIGNALS:
     /// What is under the pointer, in words; empty where it left.
@@ -60,10 +65,13 @@ class ShaftMapPlot : public PlotView {
     void paintKey(QPainter& painter) const;
     void paintBlocked(QPainter& painter) const;
     void paintContours(QPainter& painter);
-    void paintMarkers(QPainter& painter);
+    void labelMarkers();
+    void labelContours(const std::vector<QPolygonF>& lines);
+    void paintLabels(QPainter& painter) const;
     void paintMechanism(QPainter& painter) const;
     void paintShaft(QPainter& painter) const;
-    bool paintLabel(QPainter& painter, const QRectF& box, const QString& text);
+    /// @return whether there is room for it
+    bool addLabel(const QRectF& box, const QString& text, bool isBold);
     QPolygonF pixels(const QPolygonF& metres) const;
 
     BalanceShaftModel* model_;
@@ -72,7 +80,7 @@ class ShaftMapPlot : public PlotView {
     bool dragging_ = false;
     QPointF grip_;  ///< from the pointer to the axis
     std::optional<std::size_t> chosen_;
-    std::vector<QRectF> labels_;
+    std::vector<Label> labels_;
 };
 
 }  // namespace ravnoves

@@ -17,7 +17,7 @@
 #include "plot/plot_view.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/form_section.h"
+#include "widgets/form.h"
 #include "widgets/panel.h"
 #include "widgets/value_slider.h"
 
@@ -62,7 +62,6 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
     body->setSpacing(Theme::space);
     tabs_ = new QTabWidget(this);
     tabs_->setDocumentMode(true);
-    tabs_->setTabBarAutoHide(true);
     auto* front = new QWidget(tabs_);
     front->setObjectName(QStringLiteral("front"));
     auto* frontColumn = new QVBoxLayout(front);
@@ -77,6 +76,7 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
     words_->setAccessibleName(tr("The place under the pointer, or the best one"));
     frontColumn->addWidget(words_);
     tabs_->addTab(front, tr("Front view"));
+    tabs_->addTab(buildLimits(), tr("Limits"));
     body->addWidget(tabs_, 1);
     side_ = new QWidget(this);
     side_->setFixedWidth(sideWidth);
@@ -152,6 +152,26 @@ QWidget* ShaftMapView::buildBar() {
             [this](double value) { map_->setWeight(value / 100.0); });
     column->addWidget(weight_);
     return bar;
+}
+
+QWidget* ShaftMapView::buildLimits() {
+    auto* form = new Form(model_);
+    FormSection* section = form->section(tr("Limits on the shaft's axis"));
+    for (const char* place :
+         {"/place_limits/centre_distance_min_mm", "/place_limits/centre_distance_max_mm",
+          "/place_limits/shaft_angle_from_deg", "/place_limits/shaft_angle_to_deg",
+          "/place_limits/left_mm", "/place_limits/right_mm", "/place_limits/bottom_mm",
+          "/place_limits/top_mm"}) {
+        form->number(place);
+    }
+    section->addWide(captionLabel(
+        tr("Beside what the shaft must clear: for example a wall of the crankcase. What is empty "
+           "does not limit. The sizes of the engine are on the Inputs tab."),
+        section));
+    static_cast<QVBoxLayout*>(form->layout())->addStretch();
+    QScrollArea* limits = scrolled(form, tabs_);
+    limits->setObjectName(QStringLiteral("limits"));
+    return limits;
 }
 
 void ShaftMapView::buildCharts() {

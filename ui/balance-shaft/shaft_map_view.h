@@ -45,6 +45,7 @@ class ShaftMapView : public QWidget {
 
   private:
     QWidget* buildBar();
+    QWidget* buildLimits();
     void buildCharts();
     void arrange();
     void showMap();

@@ -117,7 +117,9 @@ void PlotPainter::layoutAxes() {
         axis->setLabelsBrush(theme.mutedText());
         axis->setTitleBrush(theme.mutedText());
         axis->setLinePen(QPen(theme.border(), 1));
-        axis->setGridLinePen(QPen(theme.grid(), 1));
+        // Over a picture the grid gives way.
+        axis->setGridLinePen(
+            QPen(data_.image.isNull() ? theme.grid() : veil(theme.text(), 0.09F), 1));
         axis->setTitleText(scale.spec.title);
         scale.chooseStep(pixels, pixelsPerTick);
         if (!scale.isOwn()) {

@@ -1,0 +1,397 @@
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QLabel>
+#include <QPainterPath>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTabWidget>
+#include <cmath>
+#include <random>
+
+#include "balance-shaft/balance_shaft_page.h"
+#include "balance-shaft/model/balance_shaft_model.h"
+#include "balance-shaft/model/shaft_map_model.h"
+#include "balance-shaft/shaft_map_plot.h"
+#include "balance-shaft/shaft_map_view.h"
+#include "events.h"
+#include "model/background_job.h"
+#include "widgets/decimal_spin_box.h"
+#include "widgets/number_field.h"
+#include "widgets/value_slider.h"
+
+namespace ravnoves {
+namespace {
+
+using balance_shaft::Obstacle;
+using balance_shaft::PositionStudy;
+using Position = ShaftMapModel::Position;
+using Criterion = ShaftMapModel::Criterion;
+
+constexpr double mm = 1e-3;
+
+class ShaftMapTest : public ::testing::Test {
+  protected:
+    ShaftMapTest() {
+        // A shaft small enough to have a choice of places.
+        model = page.viewModel();
+        model->edit(QStringLiteral("Sizes"), [](balance_shaft::Input& input) {
+            input.envelope.shaft_swing_radius = 12 * mm;
+        });
+        model->history()->clear();
+        test::showAt(page, {1280, 800});
+        page.activateWindow();
+        view = page.findChild<ShaftMapView*>();
+        page.views()->setCurrentWidget(view);
+        map = view->mapModel();
+        plot = view->plot();
+        wait();
+        plot->setFocus();
+    }
+
+    void wait() {
+        QTRY_VERIFY_WITH_TIMEOUT(!map->job()->isRunning(), 30000);
+        QApplication::processEvents();
+    }
+    void move(const QPointF& to, Qt::MouseButtons buttons = Qt::LeftButton) {
+        QMouseEvent event(QEvent::MouseMove, to, plot->mapToGlobal(to), Qt::NoButton, buttons,
+                          Qt::NoModifier);
+        QApplication::sendEvent(plot, &event);
+    }
+    QPointF handle() const { return plot->pixelOf(map->present()); }
+    double length() const { return model->input().centre_distance; }
+    double angle() const { return model->input().shaft_angle; }
+
+    BalanceShaftPage page;
+    BalanceShaftModel* model = nullptr;
+    ShaftMapView* view = nullptr;
+    ShaftMapModel* map = nullptr;
+    ShaftMapPlot* plot = nullptr;
+};
+
+TEST_F(ShaftMapTest, ShowsTheNumbersOfTheStudy) {
+    ASSERT_NE(map->map(), nullptr);
+    const PositionStudy study(model->solver());
+    const balance_shaft::PositionMap& field = map->map()->field;
+    ASSERT_EQ(map->changes().size(), field.columns * field.rows);
+    const auto place = [&](std::size_t element) {
+        const auto along = [](double from, double to, std::size_t i, std::size_t count) {
+            return from + (to - from) * static_cast<double>(i) / static_cast<double>(count - 1);
+        };
+        return Position{along(field.left, field.right, element % field.columns, field.columns),
+                        along(field.bottom, field.top, element / field.columns, field.rows)};
+    };
+    for (std::size_t i = 0; i < map->changes().size(); i += 977) {
+        EXPECT_NEAR(map->changes()[i], study.at(place(i)).range / study.range_without() - 1.0,
+                    1e-9);
+    }
+    map->setCriterion(Criterion::Rms);
+    for (std::size_t i = 0; i < map->changes().size(); i += 977) {
+        EXPECT_NEAR(map->changes()[i], study.at(place(i)).rms / study.rms_without() - 1.0, 1e-9);
+    }
+    map->setCriterion(Criterion::Both);
+    map->setWeight(0.25);
+    for (std::size_t i = 0; i < map->changes().size(); i += 977) {
+        const auto at = study.at(place(i));
+        EXPECT_NEAR(
+            map->changes()[i],
+            0.25 * at.range / study.range_without() + 0.75 * at.rms / study.rms_without() - 1.0,
+            1e-9);
+    }
+    // The lines are where the field has their levels; 0 is among them.
+    const auto& levels = map->levels();
+    EXPECT_EQ(std::count(levels.begin(), levels.end(), 0.0), 1);
+    EXPECT_TRUE(std::is_sorted(levels.begin(), levels.end()));
+    for (const ShaftMapModel::Contour& contour : map->contours()) {
+        for (const QPolygonF& line : contour.lines) {
+            for (qsizetype i = 0; i < line.size(); i += 37) {
+                EXPECT_NEAR(*map->change(study.at({line[i].x(), line[i].y()})), contour.level,
+                            0.004);
+            }
+        }
+    }
+}
+
+TEST_F(ShaftMapTest, ADragMovesTheAxisInOneStep) {
+    const ShaftMap* before = map->map();
+    const double l = length();
+    const double alpha = angle();
+    const QPoint from = handle().toPoint();
+    const QPointF away(-37.0, 21.0);
+    const Position there = plot->placeAt(handle() + away);
+    QSignalSpy computed(map, &ShaftMapModel::mapChanged);
+    QTest::mousePress(plot, Qt::LeftButton, {}, from);
+    EXPECT_TRUE(plot->isDragging());
+    for (int step = 1; step <= 20; ++step) {
+        move(from + away * step / 20.0);
+        EXPECT_FALSE(map->job()->isRunning());
+    }
+    EXPECT_NEAR(map->present().x, there.x, 0.02 * mm);
+    EXPECT_NEAR(map->present().y, there.y, 0.02 * mm);
+    EXPECT_EQ(model->history()->count(), 0);  // not before the hand lets go
+    QTest::mouseRelease(plot, Qt::LeftButton, {}, (from + away).toPoint());
+    EXPECT_EQ(model->history()->count(), 1);
+    // All follows: the sliders, the moments, the field of the form.
+    EXPECT_NEAR(view->distanceSlider()->value(), length() / mm, 1e-9);
+    EXPECT_NEAR(page.angleSlider()->value(), model->shaftAngleDeg(), 1e-9);
+    const auto& result = model->result();
+    EXPECT_NEAR(result.M_ups.range, map->map()->study.at(map->present()).range, 1e-6);
+    EXPECT_NEAR(*test::named<NumberField>(page, "centre_distance_mm")->value(), length() / mm,
+                1e-9);
+    // The map is the one that was there.
+    QApplication::processEvents();
+    EXPECT_EQ(map->map(), before);
+    EXPECT_EQ(computed.count(), 0);
+    model->undo();
+    EXPECT_EQ(length(), l);
+    EXPECT_EQ(angle(), alpha);
+    model->redo();
+    EXPECT_NEAR(map->present().x, there.x, 0.02 * mm);
+}
+
+TEST_F(ShaftMapTest, EscapeBringsTheAxisBackAndLeavesNoStep) {
+    model->setShaftAngleDeg(70.0);
+    model->finishDrag();
+    model->undo();
+    ASSERT_TRUE(model->history()->canRedo());
+    const double l = length();
+    const double alpha = angle();
+    QTest::mousePress(plot, Qt::LeftButton, {}, handle().toPoint());
+    move(handle() + QPointF(40.0, 40.0));
+    EXPECT_NE(length(), l);
+    QTest::keyClick(plot, Qt::Key_Escape);
+    EXPECT_EQ(length(), l);
+    EXPECT_EQ(angle(), alpha);
+    EXPECT_FALSE(plot->isDragging());
+    QTest::mouseRelease(plot, Qt::LeftButton, {}, handle().toPoint() + QPoint(40, 40));
+    EXPECT_EQ(length(), l);
+    EXPECT_EQ(model->history()->index(), 0);
+    EXPECT_TRUE(model->history()->canRedo());
+}
+
+TEST_F(ShaftMapTest, KeysMoveTheAxis) {
+    const Position before = map->present();
+    QTest::keyClick(plot, Qt::Key_Right);
+    QTest::keyClick(plot, Qt::Key_Right);
+    QTest::keyClick(plot, Qt::Key_Down, Qt::ShiftModifier);
+    EXPECT_NEAR(map->present().x, before.x + 0.2 * mm, 1e-3 * mm);
+    EXPECT_NEAR(map->present().y, before.y - 1.0 * mm, 1e-3 * mm);
+    EXPECT_EQ(model->history()->count(), 1);
+    QTest::keyClick(plot, Qt::Key_Left, Qt::ShiftModifier);
+    QTest::keyClick(plot, Qt::Key_Up);
+    EXPECT_NEAR(map->present().x, before.x - 0.8 * mm, 1e-3 * mm);
+    EXPECT_NEAR(map->present().y, before.y - 0.9 * mm, 1e-3 * mm);
+    model->undo();
+    EXPECT_NEAR(map->present().x, before.x, 1e-12);
+}
+
+TEST_F(ShaftMapTest, GoesToMarkersAndPlaces) {
+    ASSERT_FALSE(map->markers().empty());
+    const ShaftMapModel::Marker marker = map->markers().front();
+    QTest::mouseDClick(plot, Qt::LeftButton, {}, plot->pixelOf(marker.position).toPoint());
+    EXPECT_NEAR(map->present().x, marker.position.x, 1e-12);
+    EXPECT_NEAR(model->result().M_ups.range, marker.criteria.range, 1e-6);
+    EXPECT_EQ(model->history()->count(), 1);
+    const QPoint free = plot->pixelOf({-60 * mm, -90 * mm}).toPoint();
+    QTest::mouseDClick(plot, Qt::LeftButton, {}, free);
+    EXPECT_NEAR(map->present().x, -60 * mm, 0.5 * mm);
+    EXPECT_NEAR(map->present().y, -90 * mm, 0.5 * mm);
+    EXPECT_EQ(model->history()->count(), 2);
+    // The same by keys.
+    QTest::keyClick(plot, Qt::Key_PageDown);
+    QTest::keyClick(plot, Qt::Key_Return);
+    EXPECT_NEAR(map->present().y, marker.position.y, 1e-12);
+    QTest::keyClick(plot, Qt::Key_PageUp);
+    QTest::keyClick(plot, Qt::Key_PageUp);
+    QTest::keyClick(plot, Qt::Key_Return);
+    EXPECT_NEAR(map->present().y, map->markers().back().position.y, 1e-12);
+}
+
+TEST_F(ShaftMapTest, TheButtonGoesToTheBestPlaceThatCanBeBuilt) {
+    for (const int choice : {0, 1, 2}) {
+        view->criterionChoice()->setCurrentIndex(choice);
+        Q_EMIT view->criterionChoice()->activated(choice);
+        EXPECT_EQ(view->weightSlider()->isVisible(), choice == 2);
+        ASSERT_NE(map->best(), nullptr);
+        QTest::mouseClick(view->bestButton(), Qt::LeftButton);
+        EXPECT_NEAR(map->present().x, map->best()->position.x, 1e-12);
+        EXPECT_TRUE(map->best()->isBuildable);
+        EXPECT_TRUE(model->result().is_buildable);
+        // No place of the field that can be built is better.
+        const ShaftMap& all = *map->map();
+        const std::size_t stride = (all.field.columns - 1) / (all.obstacleColumns - 1);
+        const double best = *map->change(map->best()->criteria);
+        for (std::size_t i = 0; i < all.obstacles.size(); ++i) {
+            const std::size_t element =
+                stride * (i / all.obstacleColumns * all.field.columns + i % all.obstacleColumns);
+            if (all.obstacles[i] == Obstacle::none) {
+                EXPECT_GE(map->changes()[element], best - 2e-4);
+            }
+        }
+    }
+    // What another place would gain stands beside.
+    EXPECT_TRUE(view->words()->text().contains(QStringLiteral("Best place by the weighted sum")))
+        << view->words()->text().toStdString();
+}
+
+TEST_F(ShaftMapTest, HatchesWhatCannotBeBuiltAndSaysWhy) {
+    const ShaftMap& all = *map->map();
+    QPainterPath hatched;
+    for (const QPolygonF& line : all.blocked) {
+        hatched.addPolygon(line);
+    }
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> within(-all.view, all.view);
+    int blocked = 0;
+    int wrong = 0;
+    for (int i = 0; i < 500; ++i) {
+        const Position place{within(random), within(random)};
+        const bool is = all.study.obstacle(place) != Obstacle::none;
+        blocked += is ? 1 : 0;
+        wrong += hatched.contains(QPointF(place.x, place.y)) != is ? 1 : 0;
+        EXPECT_EQ(map->reason(place).isEmpty(), !is);
+    }
+    EXPECT_GT(blocked, 50);
+    EXPECT_LT(blocked, 450);
+    EXPECT_LE(wrong, 2);  // at the very edge
+    // In pictures: the cylinder's middle differs from a place that can be built by its hatch.
+    move(plot->pixelOf({0.0, 20 * mm}), Qt::NoButton);
+    const QString over = view->words()->text();
+    EXPECT_TRUE(over.contains(QStringLiteral("20.0 mm"))) << over.toStdString();
+    EXPECT_TRUE(over.contains(QStringLiteral("N·m"))) << over.toStdString();
+    EXPECT_TRUE(over.contains(map->reason({0.0, 20 * mm}))) << over.toStdString();
+    EXPECT_FALSE(map->reason({0.0, 20 * mm}).isEmpty());
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(plot, &leave);
+    EXPECT_EQ(view->words()->text(), map->bestText());
+}
+
+TEST_F(ShaftMapTest, AnotherInputMakesANewMapAndPalesTheOldOne) {
+    const ShaftMap* before = map->map();
+    model->edit(QStringLiteral("Speed"),
+                [](balance_shaft::Input& input) { input.angular_speed *= 0.8; });
+    EXPECT_TRUE(map->isStale());
+    EXPECT_TRUE(plot->isFaded());
+    EXPECT_EQ(map->map(), before);  // still shown
+    wait();
+    EXPECT_FALSE(plot->isFaded());
+    EXPECT_NE(map->map(), before);
+    // A tab that nobody sees computes nothing.
+    page.views()->setCurrentIndex(0);
+    model->edit(QStringLiteral("Speed"),
+                [](balance_shaft::Input& input) { input.angular_speed *= 0.8; });
+    EXPECT_FALSE(map->job()->isRunning());
+    page.views()->setCurrentWidget(view);
+    EXPECT_TRUE(map->job()->isRunning());
+    wait();
+    // A shaft outside of the picture makes a larger one.
+    const double seen = map->map()->view;
+    model->edit(QStringLiteral("l"),
+                [&](balance_shaft::Input& input) { input.centre_distance = 1.5 * seen; });
+    wait();
+    EXPECT_GT(map->map()->view, 1.5 * seen);
+    EXPECT_NEAR(view->distanceSlider()->value(), 1.5 * seen / mm, 0.01);
+}
+
+TEST_F(ShaftMapTest, ASecondSliderSetsTheDistance) {
+    const double alpha = angle();
+    QSlider* slider = view->distanceSlider()->slider();
+    slider->setFocus();
+    const double before = length();
+    QTest::keyClick(slider, Qt::Key_Right);
+    EXPECT_NEAR(length(), before + 0.1 * mm, 0.051 * mm);
+    QTest::keyClick(slider, Qt::Key_PageUp);
+    EXPECT_GT(length(), before + 9 * mm);
+    EXPECT_EQ(angle(), alpha);
+    QTest::keyClick(slider, Qt::Key_Home);
+    EXPECT_EQ(length(), 0.0);
+    EXPECT_EQ(angle(), alpha);
+    EXPECT_NEAR(model->result().M_ups.range, map->map()->study.range_without(), 1e-6);
+    model->undo();
+    EXPECT_EQ(length(), before);
+}
+
+TEST_F(ShaftMapTest, ChartsGoToTheirPlaces) {
+    view->charts()->setCurrentWidget(view->distancePlot());
+    QApplication::processEvents();
+    PlotView* chart = view->distancePlot();
+    EXPECT_NEAR(*chart->valueAt(0, 60.0), map->map()->study.best_range_at(60 * mm).criteria.range,
+                3.0);
+    QTest::mouseClick(
+        chart, Qt::LeftButton, {},
+        QPoint(chart->toPixel(60.0, 0.0).toPoint().x(), chart->plotArea().center().toPoint().y()));
+    EXPECT_NEAR(length(), 60 * mm, 1 * mm);
+    EXPECT_NEAR(model->result().M_ups.range,
+                map->map()->study.best_range_at(length()).criteria.range, 1e-6);
+    EXPECT_EQ(model->history()->count(), 1);
+
+    view->charts()->setCurrentWidget(view->sizePlot());
+    QApplication::processEvents();
+    const auto& front = map->map()->front;
+    ASSERT_GT(front.size(), 3U);
+    const balance_shaft::FrontPosition& place = front[front.size() / 2];
+    QTest::mouseClick(
+        view->sizePlot(), Qt::LeftButton, {},
+        view->sizePlot()
+            ->toPixel(place.criteria.size / 1e-4, 100.0 * *map->change(place.criteria))
+            .toPoint());
+    EXPECT_NEAR(*map->change(map->map()->study.at(map->present())), *map->change(place.criteria),
+                0.02);
+    EXPECT_TRUE(model->result().is_buildable);
+    EXPECT_EQ(model->history()->count(), 2);
+}
+
+TEST_F(ShaftMapTest, NumbersOfTheMapOverlapNowhere) {
+    for (const QSize size : {QSize(1024, 700), QSize(1280, 800), QSize(1920, 1080)}) {
+        page.resize(size);
+        QApplication::processEvents();
+        for (const Criterion criterion : {Criterion::Range, Criterion::Rms, Criterion::Both}) {
+            map->setCriterion(criterion);
+            plot->grab();
+            const auto& labels = plot->labels();
+            EXPECT_GT(labels.size(), 4U);
+            for (std::size_t i = 0; i < labels.size(); ++i) {
+                EXPECT_TRUE(labels[i].text.isEmpty() || plot->plotArea().contains(labels[i].box));
+                for (std::size_t j = i + 1; j < labels.size(); ++j) {
+                    EXPECT_FALSE(labels[i].box.intersects(labels[j].box) &&
+                                 !(labels[i].text.isEmpty() && labels[j].text.isEmpty()))
+                        << labels[i].text.toStdString() << " " << labels[j].text.toStdString();
+                }
+            }
+            EXPECT_GT(plot->plotArea().height(), 100.0);
+        }
+        // Where there is room the charts stand beside the map.
+        EXPECT_EQ(view->charts()->count(), size.width() > 1500 ? 2 : 4);
+        EXPECT_EQ(view->sizePlot()->isVisible(), size.width() > 1500);
+    }
+}
+
+TEST_F(ShaftMapTest, TheFieldIsACsv) {
+    const QStringList lines = map->fieldCsv().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    const std::size_t side = map->map()->obstacleColumns;
+    ASSERT_EQ(lines.size(), static_cast<qsizetype>(side * side + 1));
+    const QStringList row = lines[1234].split(QLatin1Char(','));
+    ASSERT_EQ(row.size(), 5);
+    const Position place{row[0].toDouble() * mm, row[1].toDouble() * mm};
+    EXPECT_NEAR(row[2].toDouble(), map->map()->study.at(place).range, 1e-6);
+    EXPECT_NEAR(row[3].toDouble(), map->map()->study.at(place).rms, 1e-6);
+    EXPECT_EQ(row[4].toInt(), map->isBuildable(place) ? 1 : 0);
+}
+
+TEST_F(ShaftMapTest, ATorqueWithoutARangeSaysSo) {
+    model->edit(QStringLiteral("Table"), [](balance_shaft::Input& input) {
+        input.torque.table = {{0, 180, 360, 540, 720}, {0, 0, 0, 0, 0}};
+    });
+    wait();
+    EXPECT_TRUE(map->levels().empty());
+    EXPECT_FALSE(view->words()->text().isEmpty());
+    EXPECT_FALSE(page.grab().isNull());
+    map->setCriterion(Criterion::Both);
+    EXPECT_FALSE(page.grab().isNull());
+}
+
+}  // namespace
+}  // namespace ravnoves
