@@ -172,7 +172,10 @@ ShaftMapPlot::ShaftMapPlot(BalanceShaftModel* model, ShaftMapModel* map, QWidget
     connect(map_, &ShaftMapModel::staleChanged, this,
             [this] { setFaded(map_->isStale(), tr("computing …")); });
     connect(map_, &ShaftMapModel::moved, this, qOverload<>(&QWidget::update));
-    connect(model_, &BalanceShaftModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
+    connect(model_, &BalanceShaftModel::crankAngleChanged, this, [this] {
+        standingStale_ = true;
+        update();
+    });
     connect(&Theme::instance(), &Theme::changed, this, &ShaftMapPlot::showImage);
     showMap();
 }
@@ -358,6 +361,7 @@ void ShaftMapPlot::paintGround(QPainter& painter) {
     painter.setRenderHint(QPainter::Antialiasing);
     paintKey(painter);
     labels_.clear();
+    standingStale_ = true;
     if (map_->map() == nullptr) {
         return;
     }
@@ -504,10 +508,27 @@ void ShaftMapPlot::labelContours(const std::vector<QPolygonF>& lines) {
 
 void ShaftMapPlot::paintTop(QPainter& painter) {
     painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF area = plotArea();
     painter.save();
-    painter.setClipRect(plotArea());
-    paintMechanism(painter);
-    paintLabels(painter);
+    painter.setClipRect(area);
+    if (painter.device() != this) {  // an exported picture has pixels of its own
+        paintMechanism(painter);
+        paintLabels(painter);
+    } else {
+        if (const QSizeF pixels = area.size() * devicePixelRatioF();
+            standingStale_ || standing_.size() != pixels.toSize()) {
+            standing_ = QPixmap(pixels.toSize());
+            standing_.setDevicePixelRatio(devicePixelRatioF());
+            standing_.fill(Qt::transparent);
+            QPainter standing(&standing_);
+            standing.setRenderHint(QPainter::Antialiasing);
+            standing.translate(-area.topLeft());
+            paintMechanism(standing);
+            paintLabels(standing);
+            standingStale_ = false;
+        }
+        painter.drawPixmap(area.topLeft(), standing_);
+    }
     paintShaft(painter);
     if (chosen_ && *chosen_ < map_->markers().size()) {
         painter.setBrush(Qt::NoBrush);

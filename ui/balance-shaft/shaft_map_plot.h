@@ -81,6 +81,8 @@ class ShaftMapPlot : public PlotView {
     QPointF grip_;  ///< from the pointer to the axis
     std::optional<std::size_t> chosen_;
     std::vector<Label> labels_;
+    QPixmap standing_;  ///< what lies over the map and rests while the shaft moves
+    bool standingStale_ = true;
 };
 
 }  // namespace ravnoves

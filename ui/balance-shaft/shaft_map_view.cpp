@@ -1,6 +1,7 @@
 #include "balance-shaft/shaft_map_view.h"
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -362,7 +363,11 @@ void ShaftMapView::showSizes() {
 
 void ShaftMapView::showPresent() {
     const double present = model_->input().centre_distance / units::mm;
-    distance_->setRange(0.0, std::ceil(map_->largestDistance() / units::mm));
+    // A new range is a new layout of the page: not at every step.
+    const double reach = std::ceil(map_->largestDistance() / units::mm);
+    if (distance_->box()->maximum() != reach) {
+        distance_->setRange(0.0, reach);
+    }
     distance_->setValue(present);
     distances_->setPresentX(present);
     const balance_shaft::Envelope& box = model_->result().envelope;

@@ -205,7 +205,6 @@ TEST_F(ShaftMapTest, GoesToMarkersAndPlaces) {
     QTest::keyClick(plot, Qt::Key_Return);
     EXPECT_NEAR(map->present().y, marker.position.y, 1e-12);
     QTest::keyClick(plot, Qt::Key_PageUp);
-    QTest::keyClick(plot, Qt::Key_PageUp);
     QTest::keyClick(plot, Qt::Key_Return);
     EXPECT_NEAR(map->present().y, map->markers().back().position.y, 1e-12);
 }
