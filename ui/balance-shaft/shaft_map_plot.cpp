@@ -428,7 +428,7 @@ void ShaftMapPlot::labelMarkers() {
     }
     for (const ShaftMapModel::Marker& marker : map_->markers()) {
         const auto change = map_->change(marker.criteria);
-        if (!change) {
+        if (!change || marker.criterion != map_->criterion()) {
             continue;
         }
         const QPointF at = pixelOf(marker.position);

@@ -30,22 +30,23 @@ constexpr double boxUnit = 1e-4;  ///< cm² in m²
 constexpr int wideFrom = 860;     ///< pixels that map and charts need beside each other
 constexpr int sideWidth = 340;
 
-std::vector<double> inUnits(const std::vector<ShaftMap::Criteria>& places,
-                            double ShaftMap::Criteria::*value, double unit) {
+using Measure = double ShaftMap::Criteria::*;
+
+std::vector<double> valuesOf(const std::vector<ShaftMap::Place>& places, Measure measure) {
     std::vector<double> values;
-    values.reserve(places.size());
-    for (const ShaftMap::Criteria& place : places) {
-        values.push_back(place.*value / unit);
+    for (const ShaftMap::Place& place : places) {
+        values.push_back(place.criteria.*measure);
     }
     return values;
 }
 
-/// The values where the flag stands, gaps elsewhere.
-std::vector<double> only(std::vector<double> values, const std::vector<bool>& shown) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (!shown[i]) {
-            values[i] = std::numeric_limits<double>::quiet_NaN();
-        }
+/// With gaps where there is no place.
+std::vector<double> valuesOf(const std::vector<std::optional<ShaftMap::Place>>& places,
+                             Measure measure) {
+    std::vector<double> values;
+    for (const auto& place : places) {
+        values.push_back(place ? place->criteria.*measure
+                               : std::numeric_limits<double>::quiet_NaN());
     }
     return values;
 }
@@ -170,6 +171,8 @@ QWidget* ShaftMapView::buildLimits() {
            "does not limit. The sizes of the engine are on the Inputs tab."),
         section));
     static_cast<QVBoxLayout*>(form->layout())->addStretch();
+    constexpr int enough = 340;  // no field stands far from its name
+    form->setMaximumWidth(enough);
     QScrollArea* limits = scrolled(form, tabs_);
     limits->setObjectName(QStringLiteral("limits"));
     return limits;
@@ -177,16 +180,16 @@ QWidget* ShaftMapView::buildLimits() {
 
 void ShaftMapView::buildCharts() {
     using Shape = PlotView::Shape;
-    distances_ = new PlotView(tr("Best α of each l"), tabs_);
+    distances_ = new PlotView(tr("Best α of each l; thick: can be built"), tabs_);
     distances_->setObjectName(QStringLiteral("distances"));
     distances_->setXAxis({tr("l, mm"), 0.0, 200.0});
     distances_->setYAxis(PlotView::Side::Left, {tr("N·m")});
     distances_->setYAxis(PlotView::Side::Right, {tr("width × height, cm²")});
     distances_->setPickable(true);
     distances_->setToolTip(
-        tr("Least range and least RMS of each centre distance, each at its best α, and the box at "
-           "the α of the criterion chosen; thick where that can be built. Click to go to that l "
-           "at its best α."));
+        tr("Least range and least RMS of each centre distance, each at its best α: thin of all, "
+           "thick of those that can be built. Size is that of the box at the α of the criterion "
+           "chosen. Click to go to an l at its best α."));
     range_ = distances_->addCurve(
         {.name = tr("least range"), .colour = 2, .width = 1.2, .toolTip = tr("At its best α")});
     rms_ = distances_->addCurve(
@@ -300,28 +303,35 @@ void ShaftMapView::showDistances() {
     for (const double distance : of.distance) {
         x.push_back(distance / units::mm);
     }
-    const std::vector<double> range = inUnits(of.range, &ShaftMap::Criteria::range, 1.0);
-    const std::vector<double> rms = inUnits(of.rms, &ShaftMap::Criteria::rms, 1.0);
     const bool byRms = map_->criterion() == ShaftMapModel::Criterion::Rms;
     if (distances_->xInterval().second != map->view / units::mm && !distances_->isZoomed()) {
         distances_->setXAxis({tr("l, mm"), 0.0, map->view / units::mm});
     }
-    distances_->setCurve(range_, x, range);
-    distances_->setCurve(rms_, x, rms);
-    distances_->setCurve(size_, x,
-                         inUnits(byRms ? of.rms : of.range, &ShaftMap::Criteria::size, boxUnit));
-    distances_->setCurve(rangeBuilt_, x, only(range, of.rangeBuildable));
-    distances_->setCurve(rmsBuilt_, x, only(rms, of.rmsBuildable));
+    constexpr Measure range = &ShaftMap::Criteria::range;
+    constexpr Measure rms = &ShaftMap::Criteria::rms;
+    distances_->setCurve(range_, x, valuesOf(of.range, range));
+    distances_->setCurve(rms_, x, valuesOf(of.rms, rms));
+    distances_->setCurve(rangeBuilt_, x, valuesOf(of.rangeBuilt, range));
+    distances_->setCurve(rmsBuilt_, x, valuesOf(of.rmsBuilt, rms));
+    // The size of where a click goes.
+    std::vector<double> size;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const auto& built = byRms ? of.rmsBuilt[i] : of.rangeBuilt[i];
+        size.push_back((built ? *built : byRms ? of.rms[i] : of.range[i]).criteria.size / boxUnit);
+    }
+    distances_->setCurve(size_, x, std::move(size));
     const QLocale locale;
     std::vector<PlotView::Mark> marks;
-    const auto mark = [&](const std::vector<double>& values, int colour) {
-        const auto least = std::min_element(values.begin(), values.end());
-        const double at = x[static_cast<std::size_t>(least - values.begin())];
-        marks.push_back(
-            {at, *least, fixedNumber(at, 0, locale), colour, PlotView::Side::Left, true});
+    const auto mark = [&](const auto& built, const auto& all, Measure measure, int colour) {
+        const auto& best = built ? built : all;
+        if (best) {
+            const double at = best->position.centre_distance() / units::mm;
+            marks.push_back({at, best->criteria.*measure, fixedNumber(at, 1, locale), colour,
+                             PlotView::Side::Left, true});
+        }
     };
-    mark(range, 2);
-    mark(rms, 3);
+    mark(map->buildable.range, map->best.range, range, 2);
+    mark(map->buildable.rms, map->best.rms, rms, 3);
     distances_->setMarks(std::move(marks));
 }
 
@@ -335,6 +345,7 @@ void ShaftMapView::showSizes() {
     const ShaftMap* map = map_->map();
     std::vector<double> x;
     std::vector<double> y;
+    QStringList texts;
     std::vector<double> bestX;
     std::vector<double> bestY;
     double least = std::numeric_limits<double>::infinity();
@@ -346,6 +357,7 @@ void ShaftMapView::showSizes() {
         }
         x.push_back(place.criteria.size / boxUnit);
         y.push_back(100.0 * *change);
+        texts << map_->placeLines(place.position).join(QLatin1Char('\n'));
         if (*change < least) {  // sizes ascend
             least = *change;
             bestX.push_back(x.back());
@@ -358,6 +370,7 @@ void ShaftMapView::showSizes() {
         sizes_->setXAxis({tr("width × height, cm²"), *low - pad, *high + pad});
     }
     sizes_->setCurve(front_, std::move(x), std::move(y));
+    sizes_->setPointTexts(front_, texts);
     sizes_->setCurve(efficient_, std::move(bestX), std::move(bestY));
 }
 

@@ -95,39 +95,7 @@ void findObstacles(ShaftMap& map, const std::function<bool(double)>& progress) {
     }
 }
 
-ShaftMap::Distances bestOfDistances(const PositionStudy& study, double reach) {
-    ShaftMap::Distances found;
-    for (std::size_t i = 1; i <= distances; ++i) {
-        const double distance = reach * static_cast<double>(i) / distances;
-        found.distance.push_back(distance);
-        const BestPosition range = study.best_range_at(distance);
-        const BestPosition rms = study.best_rms_at(distance);
-        found.rangePlace.push_back(range.position);
-        found.range.push_back(study.at(range.position));
-        found.rangeBuildable.push_back(study.obstacle(range.position) == Obstacle::none);
-        found.rmsPlace.push_back(rms.position);
-        found.rms.push_back(study.at(rms.position));
-        found.rmsBuildable.push_back(study.obstacle(rms.position) == Obstacle::none);
-    }
-    return found;
-}
-
-/// Half of the square to show: it holds what is best and the present place, with room around.
-double viewOf(const ShaftMap& map, double present) {
-    double farthest = present;
-    for (const auto* best : {&map.best, &map.buildable}) {
-        for (const auto& each : {best->range, best->rms}) {
-            farthest = std::max(farthest, each ? each->position.centre_distance() : 0.0);
-        }
-    }
-    if (!(farthest > 0.0)) {
-        return 0.1;
-    }
-    const double step = niceStep(roomAround * farthest, 8);
-    return step * std::ceil(roomAround * farthest / step - 1e-9);
-}
-
-/// The least value of a convex function of one variable between two, by the golden section.
+/// The least value of a function with one valley between two places, by the golden section.
 template <typename Function>
 double leastBetween(double low, double high, const Function& value) {
     constexpr double golden = 0.6180339887498949;
@@ -151,6 +119,90 @@ double leastBetween(double low, double high, const Function& value) {
         }
     }
     return 0.5 * (low + high);
+}
+
+using Measure = double ShaftMap::Criteria::*;
+
+/// The best α of a centre distance among those that can be built: the circle is looked at every
+/// degree, the ends of what can be built are bisected, and the best place found is refined.
+std::optional<ShaftMap::Place> bestBuilt(const PositionStudy& study, double distance,
+                                         Measure measure) {
+    constexpr int parts = 360;
+    constexpr double step = two_pi / parts;
+    const auto place = [&](double angle) { return ShaftMap::Position::at(distance, angle); };
+    const auto value = [&](double angle) { return study.at(place(angle)).*measure; };
+    const auto isFree = [&](double angle) {
+        return study.obstacle(place(angle)) == Obstacle::none;
+    };
+    std::optional<double> best;
+    double least = 0.0;
+    double from = 0.0;  // what can be built next to the best angle
+    double to = 0.0;
+    const auto take = [&](double angle, double low, double high) {
+        if (const double found = value(angle); !best || found < least) {
+            best = angle;
+            least = found;
+            from = low;
+            to = high;
+        }
+    };
+    bool before = isFree(-step);
+    for (int i = 0; i < parts; ++i) {
+        const double angle = step * i;
+        const bool now = isFree(angle);
+        if (now != before) {
+            double free = now ? angle : angle - step;
+            double blocked = now ? angle - step : angle;
+            for (int turn = 0; turn < 30; ++turn) {
+                const double middle = 0.5 * (free + blocked);
+                (isFree(middle) ? free : blocked) = middle;
+            }
+            take(free, std::min(free, now ? angle : angle - step),
+                 std::max(free, now ? angle : angle - step));
+        }
+        if (now) {
+            take(angle, before ? angle - step : angle, angle + step);
+        }
+        before = now;
+    }
+    if (!best) {
+        return std::nullopt;
+    }
+    if (const double angle = leastBetween(from, to, value); value(angle) < least && isFree(angle)) {
+        best = angle;
+    }
+    return ShaftMap::Place{place(*best), study.at(place(*best))};
+}
+
+ShaftMap::Distances bestOfDistances(const PositionStudy& study, double reach) {
+    ShaftMap::Distances found;
+    const auto placeOf = [&](const BestPosition& best) {
+        return ShaftMap::Place{best.position, study.at(best.position)};
+    };
+    for (std::size_t i = 1; i <= distances; ++i) {
+        const double distance = reach * static_cast<double>(i) / distances;
+        found.distance.push_back(distance);
+        found.range.push_back(placeOf(study.best_range_at(distance)));
+        found.rms.push_back(placeOf(study.best_rms_at(distance)));
+        found.rangeBuilt.push_back(bestBuilt(study, distance, &ShaftMap::Criteria::range));
+        found.rmsBuilt.push_back(bestBuilt(study, distance, &ShaftMap::Criteria::rms));
+    }
+    return found;
+}
+
+/// Half of the square to show: it holds what is best and the present place, with room around.
+double viewOf(const ShaftMap& map, double present) {
+    double farthest = present;
+    for (const auto* best : {&map.best, &map.buildable}) {
+        for (const auto& each : {best->range, best->rms}) {
+            farthest = std::max(farthest, each ? each->position.centre_distance() : 0.0);
+        }
+    }
+    if (!(farthest > 0.0)) {
+        return 0.1;
+    }
+    const double step = niceStep(roomAround * farthest, 8);
+    return step * std::ceil(roomAround * farthest / step - 1e-9);
 }
 
 }  // namespace
@@ -207,7 +259,7 @@ void ShaftMapModel::start() {
         if (!progress(0.7)) {
             return {};
         }
-        map->front = map->study.front();
+        map->front = map->study.front(map->buildable);
         return [this, map] {
             map_ = map;
             trouble_.clear();
@@ -440,27 +492,31 @@ QString ShaftMapModel::reason(const Position& position) const {
     return map_ ? messageText(map_->study.obstacle_reason(position)) : QString();
 }
 
-QString ShaftMapModel::placeText(const Position& position) const {
+QStringList ShaftMapModel::placeLines(const Position& position) const {
     if (!map_) {
         return {};
     }
-    const Criteria criteria = map_->study.at(position);
     const PositionStudy& study = map_->study;
-    const auto relative = [](double with, double without) {
-        return without > 0.0
-                   ? QStringLiteral(" (") + signedPercent(with / without - 1.0) + QLatin1Char(')')
-                   : QString();
+    const Criteria criteria = study.at(position);
+    const QLocale locale;
+    const auto withChange = [&](const QString& text, double with, double without) {
+        const QString value = text.arg(fixedNumber(with, 1, locale));
+        return without > 0.0 ? value + QStringLiteral(" (") + signedPercent(with / without - 1.0) +
+                                   QLatin1Char(')')
+                             : value;
     };
     constexpr double cm2 = 1e-4;
-    QString text = tr("l %1 mm, α %2°: range %3 N·m%4, RMS %5 N·m%6, box %7 cm².")
-                       .arg(mm(position.centre_distance()), degrees(position.shaft_angle()),
-                            fixedNumber(criteria.range, 1, QLocale()),
-                            relative(criteria.range, study.range_without()),
-                            fixedNumber(criteria.rms, 1, QLocale()),
-                            relative(criteria.rms, study.rms_without()),
-                            fixedNumber(criteria.size / cm2, 0, QLocale()));
+    return {
+        tr("l %1 mm, α %2°").arg(mm(position.centre_distance()), degrees(position.shaft_angle())),
+        withChange(tr("range %1 N·m"), criteria.range, study.range_without()),
+        withChange(tr("RMS %1 N·m"), criteria.rms, study.rms_without()),
+        tr("box %1 cm²").arg(fixedNumber(criteria.size / cm2, 0, locale))};
+}
+
+QString ShaftMapModel::placeText(const Position& position) const {
+    QString text = placeLines(position).join(QStringLiteral("; "));
     if (const QString why = reason(position); !why.isEmpty()) {
-        text += QLatin1Char(' ') + why;
+        text += QStringLiteral(". ") + why;
     }
     return text;
 }
@@ -508,9 +564,12 @@ void ShaftMapModel::goToDistance(double metres) {
     if (!map_ || !(metres > 0.0)) {
         return;
     }
-    const BestPosition best = criterion_ == Criterion::Rms ? map_->study.best_rms_at(metres)
-                                                           : map_->study.best_range_at(metres);
-    moveTo(Position::at(metres, best.position.shaft_angle()));
+    const bool byRms = criterion_ == Criterion::Rms;
+    const auto built = bestBuilt(map_->study, metres, byRms ? &Criteria::rms : &Criteria::range);
+    const Position best = built   ? built->position
+                          : byRms ? map_->study.best_rms_at(metres).position
+                                  : map_->study.best_range_at(metres).position;
+    moveTo(Position::at(metres, best.shaft_angle()));
 }
 
 double ShaftMapModel::largestDistance() const {

@@ -20,12 +20,16 @@ struct ShaftMap {
     using Position = balance_shaft::ShaftPosition;
     using Criteria = balance_shaft::PositionCriteria;
 
-    /// The best α of each centre distance.
+    /// A place and its criteria; where there is none, neither is.
+    struct Place {
+        Position position;
+        Criteria criteria;
+    };
+    /// The best α of each centre distance, of all and of those that can be built.
     struct Distances {
         std::vector<double> distance;
-        std::vector<Position> rangePlace, rmsPlace;
-        std::vector<Criteria> range, rms;  ///< all the criteria at those places
-        std::vector<bool> rangeBuildable, rmsBuildable;
+        std::vector<Place> range, rms;
+        std::vector<std::optional<Place>> rangeBuilt, rmsBuilt;
     };
 
     balance_shaft::PositionStudy study;
@@ -104,6 +108,8 @@ class ShaftMapModel : public QObject {
     QString bestText() const;
     /// One place in words: l, α, range, RMS, change, size, and why it cannot be built.
     QString placeText(const Position& position) const;
+    /// The same but for the reason, a line each.
+    QStringList placeLines(const Position& position) const;
     QString reason(const Position& position) const;
 
     Position present() const;
@@ -116,7 +122,8 @@ class ShaftMapModel : public QObject {
     void goTo(const Position& position);
     void goToBest();
     void setDistance(double metres);
-    /// Goes to this centre distance, at the best α of the criterion there.
+    /// Goes to this centre distance, at the best α of the criterion there: of those that can be
+    /// built where there are any.
     void goToDistance(double metres);
     double largestDistance() const;  ///< that a slider should reach, m
 
