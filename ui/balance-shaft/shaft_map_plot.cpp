@@ -370,8 +370,13 @@ void ShaftMapPlot::paintGround(QPainter& painter) {
     paintBlocked(painter);
     labelMarkers();  // first: the contours' numbers give way to theirs
     paintContours(painter);
-    for (const ShaftMapModel::Marker& marker : map_->markers()) {
-        drawGlyph(painter, pixelOf(marker.position), marker);
+    // Those of the criterion shown lie on top.
+    for (const bool shown : {false, true}) {
+        for (const ShaftMapModel::Marker& marker : map_->markers()) {
+            if ((marker.criterion == map_->criterion()) == shown) {
+                drawGlyph(painter, pixelOf(marker.position), marker);
+            }
+        }
     }
     painter.restore();
 }
@@ -482,7 +487,8 @@ void ShaftMapPlot::labelContours(const std::vector<QPolygonF>& lines) {
         }
     }
     const QPointF centre = best != nullptr ? pixelOf(best->position) : plotArea().center();
-    constexpr std::array turns{40.0, 140.0, 0.0, 180.0, 90.0, 220.0, 320.0, 270.0, 20.0, 160.0};
+    constexpr std::array turns{90.0, 110.0, 70.0, 130.0, 150.0, 180.0,
+                               50.0, 20.0,  0.0,  220.0, 320.0, 270.0};
     for (std::size_t i = 0; i < contours.size(); ++i) {
         const QString text = percentText(contours[i].level) + QStringLiteral(" %");
         const QSizeF size(metrics.horizontalAdvance(text) + 6.0, metrics.height() - 1.0);
