@@ -591,7 +591,9 @@ void ShaftMapPlot::paintShaft(QPainter& painter) const {
     const double k = (toPixel(1.0, 0.0).x() - toPixel(0.0, 0.0).x()) / units::mm.to_si;
     const QPointF crank = pixelOf({0.0, 0.0});
     const QPointF axis = pixelOf(present);
-    const QColor colour = model_->result().is_buildable ? theme.accent() : theme.error();
+    const bool canBeBuilt =
+        map_->map() != nullptr ? map_->isBuildable(present) : model_->result().is_buildable;
+    const QColor colour = canBeBuilt ? theme.accent() : theme.error();
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(theme.accent(), 1.4, Qt::DashLine));
     const double l = present.centre_distance() * k;
@@ -666,6 +668,7 @@ void ShaftMapPlot::mouseMoveEvent(QMouseEvent* event) {
         const QPointF to = event->position() + grip_;
         map_->dragTo(placeAt({std::clamp(to.x(), area.left(), area.right()),
                               std::clamp(to.y(), area.top(), area.bottom())}));
+        Q_EMIT hovered(map_->placeText(map_->present()));
         return;
     }
     if (event->buttons() != Qt::NoButton) {
@@ -714,6 +717,7 @@ void ShaftMapPlot::keyPressEvent(QKeyEvent* event) {
     const auto move = [&](double x, double y) {
         const auto present = map_->present();
         map_->dragTo({present.x + x * step, present.y + y * step});
+        Q_EMIT hovered(map_->placeText(map_->present()));
     };
     const auto choose = [&](std::size_t by) {
         const std::size_t count = map_->markers().size();

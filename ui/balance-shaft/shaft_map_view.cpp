@@ -383,6 +383,7 @@ void ShaftMapView::showPresent() {
     }
     distance_->setValue(present);
     distances_->setPresentX(present);
+    plot_->setAccessibleDescription(map_->placeText(map_->present()));
     const balance_shaft::Envelope& box = model_->result().envelope;
     const auto change = map_->change(
         {model_->result().M_ups.range, model_->result().M_ups.rms, box.width() * box.height()});

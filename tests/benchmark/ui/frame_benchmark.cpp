@@ -6,6 +6,7 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QTabWidget>
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
@@ -16,11 +17,14 @@
 
 #include "balance-shaft/balance_shaft_page.h"
 #include "balance-shaft/model/balance_shaft_model.h"
+#include "balance-shaft/model/shaft_map_model.h"
+#include "balance-shaft/shaft_map_view.h"
 #include "elastic-hinge/elastic_hinge_page.h"
 #include "elastic-hinge/model/elastic_hinge_model.h"
 #include "inertia-moments/inertia_moments_page.h"
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "methods/methods_page.h"
+#include "model/background_job.h"
 #include "text/language.h"
 #include "theme/theme.h"
 
@@ -41,6 +45,20 @@ std::map<std::string, std::function<Drag()>> drags() {
              auto* page = new BalanceShaftPage;
              return Drag{page, [page](int step, int steps) {
                              page->viewModel()->setShaftAngleDeg(360.0 * step / steps);
+                         }};
+         }},
+        {"balance-shaft, axis",
+         [] {
+             auto* page = new BalanceShaftPage;
+             auto* view = page->findChild<ShaftMapView*>();
+             page->views()->setCurrentWidget(view);
+             page->show();
+             while (view->mapModel()->job()->isRunning()) {
+                 QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+             }
+             return Drag{page, [view](int step, int steps) {
+                             const double way = static_cast<double>(step) / steps;
+                             view->mapModel()->dragTo({0.12 * way - 0.02, 0.09 - 0.15 * way});
                          }};
          }},
         {"elastic-hinge, speed",

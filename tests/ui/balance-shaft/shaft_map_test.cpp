@@ -132,6 +132,7 @@ TEST_F(ShaftMapTest, ADragMovesTheAxisInOneStep) {
     EXPECT_NEAR(map->present().x, there.x, 0.02 * mm);
     EXPECT_NEAR(map->present().y, there.y, 0.02 * mm);
     EXPECT_EQ(model->history()->count(), 0);  // not before the hand lets go
+    EXPECT_EQ(view->words()->text(), map->placeText(map->present()));
     QTest::mouseRelease(plot, Qt::LeftButton, {}, (from + away).toPoint());
     EXPECT_EQ(model->history()->count(), 1);
     // All follows: the sliders, the moments, the field of the form.
@@ -227,7 +228,7 @@ TEST_F(ShaftMapTest, TheButtonGoesToTheBestPlaceThatCanBeBuilt) {
             const std::size_t element =
                 stride * (i / all.obstacleColumns * all.field.columns + i % all.obstacleColumns);
             if (all.obstacles[i] == Obstacle::none) {
-                EXPECT_GE(map->changes()[element], best - 2e-4);
+                EXPECT_GE(map->changes()[element], best - 1e-9);
             }
         }
     }
@@ -378,6 +379,28 @@ TEST_F(ShaftMapTest, NumbersOfTheMapOverlapNowhere) {
         EXPECT_EQ(view->charts()->count(), size.width() > 1500 ? 2 : 4);
         EXPECT_EQ(view->sizePlot()->isVisible(), size.width() > 1500);
     }
+}
+
+TEST_F(ShaftMapTest, LimitsAreHatchedAndSaid) {
+    view->charts()->setCurrentIndex(1);
+    QApplication::processEvents();
+    auto* left = test::named<NumberField>(*view, "left_mm");
+    left->setFocus();
+    QTest::keyClicks(left, QStringLiteral("80"));
+    QTest::keyClick(left, Qt::Key_Return);
+    EXPECT_NEAR(*model->input().place_limits.left, 80 * mm, 1e-12);
+    wait();
+    const Position beyond{75 * mm, -80 * mm};
+    EXPECT_EQ(map->map()->study.obstacle(beyond), Obstacle::limits);
+    EXPECT_FALSE(map->reason(beyond).isEmpty());
+    for (const Criterion criterion : {Criterion::Range, Criterion::Rms, Criterion::Both}) {
+        map->setCriterion(criterion);
+        ASSERT_NE(map->best(), nullptr);
+        EXPECT_TRUE(map->best()->isBuildable);
+        EXPECT_GE(map->best()->position.x, 80 * mm - 1e-9);
+    }
+    model->undo();
+    EXPECT_FALSE(model->input().place_limits.left);
 }
 
 TEST_F(ShaftMapTest, TheFieldIsACsv) {

@@ -174,12 +174,14 @@ std::optional<ShaftMap::Place> bestBuilt(const PositionStudy& study, double dist
     return ShaftMap::Place{place(*best), study.at(place(*best))};
 }
 
-ShaftMap::Distances bestOfDistances(const PositionStudy& study, double reach) {
+/// @param goesOn  false stops it
+ShaftMap::Distances bestOfDistances(const PositionStudy& study, double reach,
+                                    const std::function<bool()>& goesOn) {
     ShaftMap::Distances found;
     const auto placeOf = [&](const BestPosition& best) {
         return ShaftMap::Place{best.position, study.at(best.position)};
     };
-    for (std::size_t i = 1; i <= distances; ++i) {
+    for (std::size_t i = 1; i <= distances && goesOn(); ++i) {
         const double distance = reach * static_cast<double>(i) / distances;
         found.distance.push_back(distance);
         found.range.push_back(placeOf(study.best_range_at(distance)));
@@ -255,11 +257,14 @@ void ShaftMapModel::start() {
         if (!progress(0.6)) {
             return {};
         }
-        map->distances = bestOfDistances(map->study, map->view);
-        if (!progress(0.7)) {
-            return {};
+        // Against a torque without a range no place is better than another.
+        if (map->study.range_without() > 0.0) {
+            map->distances = bestOfDistances(map->study, map->view, [&] { return progress(0.6); });
+            if (!progress(0.8)) {
+                return {};
+            }
+            map->front = map->study.front(map->buildable);
         }
-        map->front = map->study.front(map->buildable);
         return [this, map] {
             map_ = map;
             trouble_.clear();
@@ -327,6 +332,10 @@ std::optional<BestPosition> ShaftMapModel::bestOfBoth(bool isBuildable) const {
     if (!map_ || !change({})) {
         return std::nullopt;
     }
+    const auto at = [this](const Position& place) {
+        const Criteria criteria = map_->study.at(place);
+        return weighted(criteria.range, criteria.rms);
+    };
     if (isBuildable) {
         const auto value = [this](const balance_shaft::FrontPosition& place) {
             return weighted(place.criteria.range, place.criteria.rms);
@@ -337,18 +346,32 @@ std::optional<BestPosition> ShaftMapModel::bestOfBoth(bool isBuildable) const {
         if (least == map_->front.end()) {
             return std::nullopt;
         }
-        return BestPosition{least->position, least->criteria, 0.0};
+        // The front has some weights: from its place on to the nearest that is best by this one.
+        Position best = least->position;
+        double lowest = at(best);
+        constexpr int directions = 32;
+        for (double step = 0.05 * map_->view; step > 1e-7 * map_->view;) {
+            bool better = false;
+            for (int i = 0; i < directions; ++i) {
+                const double turn = two_pi * i / directions;
+                const Position next{best.x + step * std::cos(turn), best.y + step * std::sin(turn)};
+                if (const double found = at(next); found < lowest && this->isBuildable(next)) {
+                    lowest = found;
+                    best = next;
+                    better = true;
+                }
+            }
+            step *= better ? 1.0 : 0.5;
+        }
+        return BestPosition{best, map_->study.at(best), 0.0};
     }
     const double reach = map_->view;
-    const auto at = [this](double x, double y) {
-        const Criteria criteria = map_->study.at({x, y});
-        return weighted(criteria.range, criteria.rms);
-    };
     const auto bestY = [&](double x) {
-        return leastBetween(-reach, reach, [&](double y) { return at(x, y); });
+        return leastBetween(-reach, reach, [&](double y) { return at({x, y}); });
     };
-    const double x =
-        leastBetween(-reach, reach, [&](double each) { return at(each, bestY(each)); });
+    const double x = leastBetween(-reach, reach, [&](double each) {
+        return at({each, bestY(each)});
+    });
     const Position position{x, bestY(x)};
     return BestPosition{position, map_->study.at(position), 0.0};
 }
