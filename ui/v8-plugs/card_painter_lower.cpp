@@ -68,7 +68,14 @@ double CardPainter::weighIn(double y) {
         }
     };
     say(v8_text::assignmentText(words_, solution_), CardPage::ink);
-    say(v8_text::notCounted(words_, input_).join(QLatin1Char(' ')), CardPage::amber);
+    const QString notCounted = v8_text::notCounted(words_, input_).join(QLatin1Char(' '));
+    if (sheet_.textWidth(notCounted, 7.5) < 0.6 * full) {
+        // Beside the heading: a full card has no line to spare.
+        sheet_.text(left + 0.4 * full, y + 0.6, 0.6 * full, notCounted, 7.5, Qt::AlignRight, false,
+                    CardPage::amber);
+    } else {
+        say(notCounted, CardPage::amber);
+    }
     return y + height;
 }
 

@@ -94,7 +94,7 @@ class JobCardTest : public ::testing::Test {
                     u"Передняя (шкив)"_s,
                     u"Задняя (маховик)"_s,
                     u"Поступательная масса mⱼ"_s,
-                    u"Рем. вкладыши Δm_шр"_s};
+                    u"Рем. вкладыши"_s};
         }
         return {{u"Machine today's steel plugs"_s, u"Aluminium plugs"_s,
                  u"New crankshaft, today's steel plugs"_s, u"New crankshaft, aluminium plugs"_s},
@@ -294,6 +294,7 @@ TEST_F(JobCardTest, NothingIsLeftOutWhenThereIsMuchToSay) {
     EXPECT_TRUE(text.contains(u"Ближе всего «Алюминиевые пробки»"_s));
     EXPECT_FALSE(text.contains(u'…') && text.contains(u"вместо допус…"_s));
     EXPECT_TRUE(text.contains(u"Массы деталей по цилиндрам"_s));
+    EXPECT_TRUE(text.contains(u"Массы деталей не учитываются"_s)) << "typed changes count";
     EXPECT_TRUE(text.contains(u"M22×1,5"_s));
     EXPECT_TRUE(text.contains(u"Исполнитель, подпись"_s));
     // Nothing is cut off: an ellipsis stands only where there is room to write by hand.
