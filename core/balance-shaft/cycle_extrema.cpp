@@ -8,7 +8,6 @@
 #include "numerics/angle.h"
 #include "numerics/extrema.h"
 #include "numerics/real50.h"
-#include "numerics/wrap.h"
 
 namespace ravnoves::balance_shaft {
 
