@@ -268,8 +268,10 @@ void hang_on_masters(std::vector<Cylinder>& cylinders, double crank_radius) {
         for (const std::size_t i : pin.cylinders) {
             cylinders[i].articulated.reset();
             if (i != master) {
-                cylinders[i].articulated.emplace().knuckle_radius =
+                ArticulatedRod& rod = cylinders[i].articulated.emplace();
+                rod.knuckle_radius =
                     rounded(usual_knuckle_share * crank_radius, field::knuckle_radius, 3);
+                rod.master = static_cast<int>(master) + 1;
             }
         }
     }

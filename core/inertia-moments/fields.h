@@ -127,7 +127,7 @@ inline constexpr Field articulated{
 inline constexpr Field knuckle_radius{
     .key = "knuckle_radius_mm",
     .unit = units::mm,
-    .range = Range::between(0, 1e9),
+    .range = Range::between(0, 1e6),
     .symbol = "r_k",
     .hint = CORE_TEXT("inertia-moments",
                       "Articulated rod: distance of its knuckle pin from the crankpin's centre; "
@@ -143,7 +143,7 @@ inline constexpr Field knuckle_angle{
 inline constexpr Field articulated_length{
     .key = "rod_length_mm",
     .unit = units::mm,
-    .range = Range::greater_than(0, 1e9),
+    .range = Range::greater_than(0, 1e6),
     .symbol = "l",
     .hint = CORE_TEXT("inertia-moments",
                       "Articulated rod: its length from knuckle pin to piston pin; empty: the "

@@ -88,8 +88,10 @@ Input preset_radial_9() {
         Cylinder& cylinder = input.cylinders.emplace_back();
         cylinder.bank_angle = (360.0 / count) * i * units::degree;
         if (i > 0) {
-            cylinder.articulated.emplace().knuckle_radius = 67.0 * units::mm;
-            cylinder.articulated->knuckle_mass = 0.8;
+            ArticulatedRod& rod = cylinder.articulated.emplace();
+            rod.knuckle_radius = 67.0 * units::mm;
+            rod.master = 1;
+            rod.knuckle_mass = 0.8;
         }
     }
     input.firing_order = {1, 3, 5, 7, 9, 2, 4, 6, 8};

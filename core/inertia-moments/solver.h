@@ -8,7 +8,8 @@
 
 namespace ravnoves::inertia_moments {
 
-/// Solves the scene. Costs some tens of microseconds, so that every slider may call it.
+/// Solves the scene. Costs some tens of microseconds, a millisecond where rods are articulated, so
+/// that every slider may call it.
 /// @throws InputError as check_input()
 Result solve(const Input& input);
 

@@ -39,27 +39,61 @@ bool shares_pin(const Throw& pin, const Cylinder& cylinder, std::span<const Cyli
 std::vector<Throw> crank_throws(std::span<const Cylinder> cylinders, double crank_radius) {
     std::vector<std::size_t> order(cylinders.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const auto front_first = [&](std::size_t a, std::size_t b) {
         return cylinders[a].axial_position > cylinders[b].axial_position;
-    });
+    };
+    std::stable_sort(order.begin(), order.end(), front_first);
+    // Masters that are named first, then the rods that name them: what else stands in the direction
+    // of one of these has a crankpin of its own.
+    const auto names = [&](const Cylinder& rod, std::size_t i) {
+        return rod.articulated && static_cast<std::size_t>(rod.articulated->master) == i + 1;
+    };
+    const auto rank = [&](std::size_t i) {
+        if (cylinders[i].articulated) {
+            return cylinders[i].articulated->master > 0 ? 1 : 2;
+        }
+        return std::any_of(cylinders.begin(), cylinders.end(),
+                           [&](const Cylinder& rod) { return names(rod, i); })
+                   ? 0
+                   : 2;
+    };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
     std::vector<Throw> throws;
     for (const std::size_t i : order) {
         const Cylinder& cylinder = cylinders[i];
-        // The throw behind the others is the nearest.
-        const auto pin = std::find_if(throws.rbegin(), throws.rend(), [&](const Throw& each) {
+        const auto is_own = [&](const Throw& each) {
             return shares_pin(each, cylinder, cylinders, crank_radius);
-        });
+        };
+        const auto is_masters = [&](const Throw& each) {
+            return is_own(each) &&
+                   std::any_of(each.cylinders.begin(), each.cylinders.end(),
+                               [&](std::size_t other) { return names(cylinder, other); });
+        };
+        auto pin = throws.rend();
+        if (rank(i) == 1) {
+            pin = std::find_if(throws.rbegin(), throws.rend(), is_masters);
+        }
+        if (pin == throws.rend()) {
+            // The throw behind the others is the nearest.
+            pin = std::find_if(throws.rbegin(), throws.rend(), is_own);
+        }
         Throw& own = pin != throws.rend()
                          ? *pin
                          : throws.emplace_back(Throw{{}, 0.0, cylinder.crankpin_angle});
         own.cylinders.push_back(i);
     }
     for (Throw& each : throws) {
+        std::sort(each.cylinders.begin(), each.cylinders.end());
+        std::stable_sort(each.cylinders.begin(), each.cylinders.end(), front_first);
         for (const std::size_t i : each.cylinders) {
             each.position +=
                 cylinders[i].axial_position / static_cast<double>(each.cylinders.size());
         }
     }
+    std::stable_sort(throws.begin(), throws.end(), [&](const Throw& a, const Throw& b) {
+        return front_first(a.cylinders.front(), b.cylinders.front());
+    });
     return throws;
 }
 

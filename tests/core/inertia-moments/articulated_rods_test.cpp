@@ -9,6 +9,7 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "engines.h"
+#include "example_check.h"
 #include "inertia-moments/pose.h"
 #include "inertia-moments/presets.h"
 #include "inertia-moments/scene.h"
@@ -370,6 +371,11 @@ TEST(ArticulatedRods, DeadCentresAreThoseOfThePiston) {
     }
 }
 
+// The numbers were made by another program: circles cut with lines, 720 positions a turn.
+TEST(ArticulatedRods, AnExampleHasTheExpectedNumbers) {
+    ravnoves::test::check_example("radial-9");
+}
+
 TEST(ArticulatedRods, APresetRadialFiresUnevenly) {
     const Input input = preset_radial_9();
     const Json json = solve_scene(write_input(input), {});
@@ -551,6 +557,20 @@ TEST(ArticulatedRods, LockingIsRefusedInWords) {
     input.cylinders[1].articulated->knuckle_angle = 3.0;
     input.cylinders[1].offset = 1.0;
     EXPECT_NE(articulated_refusal(write_input(input)).find("cannot be joined"), std::string::npos);
+}
+
+// A second cylinder in the direction of another is on a crankpin of its own; the rods that follow
+// in the table stay on that of their master.
+TEST(ArticulatedRods, RunOnTheCrankpinOfTheirMaster) {
+    Input input = star(5, 0.25, 0.75);
+    for (std::size_t i = 1; i < 5; ++i) {
+        input.cylinders[i].articulated->master = 1;
+    }
+    input.cylinders.insert(input.cylinders.begin() + 2, {0.0, input.cylinders[1].bank_angle});
+    const Engine engine = make_engine(input);
+    ASSERT_EQ(engine.throws.size(), 2U);
+    EXPECT_EQ(engine.throws[0].cylinders, (std::vector<std::size_t>{0, 1, 3, 4, 5}));
+    EXPECT_EQ(engine.throws[1].cylinders, (std::vector<std::size_t>{2}));
 }
 
 TEST(ArticulatedRods, HangOnTheFirstCylinderOfEachThrow) {

@@ -309,8 +309,10 @@ TEST_F(InertiaMomentsPageTest, ArticulatedRodsAreEditedInTheTable) {
     EXPECT_FALSE(typeInto(0, CylinderTableModel::RodLength, "99"));
     EXPECT_EQ(cell(2, CylinderTableModel::KnuckleAngle).data().toString(), QStringLiteral("144"));
     EXPECT_EQ(cell(2, CylinderTableModel::Master).data().toString(), QStringLiteral("1"));
-    EXPECT_TRUE(cell(2, CylinderTableModel::Master).data(Qt::FontRole).value<QFont>().italic());
-    EXPECT_TRUE(cell(2, CylinderTableModel::Master).data(Qt::EditRole).toString().isEmpty());
+    EXPECT_FALSE(cell(2, CylinderTableModel::Master).data(Qt::FontRole).value<QFont>().italic());
+    const auto angle = cell(2, CylinderTableModel::KnuckleAngle);
+    EXPECT_TRUE(angle.data(Qt::FontRole).value<QFont>().italic());
+    EXPECT_TRUE(angle.data(Qt::EditRole).toString().isEmpty());
     // A radius, an angle, a length, a mass.
     EXPECT_TRUE(typeInto(2, CylinderTableModel::KnuckleRadius, "36,5"));
     EXPECT_TRUE(typeInto(2, CylinderTableModel::KnuckleAngle, "143"));
@@ -335,11 +337,19 @@ TEST_F(InertiaMomentsPageTest, ArticulatedRodsAreEditedInTheTable) {
     const QImage hung = page.answer()->picture()->grab().toImage();
     EXPECT_TRUE(typeInto(1, CylinderTableModel::KnuckleRadius, "20"));
     EXPECT_NE(page.answer()->picture()->grab().toImage(), hung);
-    // A row copied from an articulated one has a plain rod; masters keep their cylinders.
-    page.cylinderEditor()->tableModel()->removeRowRange(2, 1);
-    EXPECT_EQ(model->input().cylinders.size(), 4U);
+    // Masters keep their cylinders; without one the others cannot run.
+    CylinderTableModel* table = page.cylinderEditor()->tableModel();
+    table->removeRowRange(2, 1);
+    ASSERT_EQ(model->input().cylinders.size(), 4U);
     EXPECT_EQ(model->result().engine.knuckles[3]->master, 0U);
-    // An emptied knuckle radius puts the rod back on the crankpin: then there are two masters.
+    table->removeRowRange(0, 1);
+    EXPECT_EQ(model->input().cylinders.size(), 4U);
+    EXPECT_TRUE(trouble.last().at(0).toString().contains(QStringLiteral("master rod")));
+    // A row copied from an articulated one has a plain rod.
+    table->insertRowBelow(1);
+    ASSERT_EQ(model->input().cylinders.size(), 5U);
+    EXPECT_FALSE(model->input().cylinders.at(2).articulated.has_value());
+    // An emptied knuckle radius puts the rod back on the crankpin.
     view->setCurrentIndex(cell(1, CylinderTableModel::KnuckleRadius));
     view->edit(view->currentIndex());
     auto* editor = view->findChild<QLineEdit*>();
@@ -348,8 +358,16 @@ TEST_F(InertiaMomentsPageTest, ArticulatedRodsAreEditedInTheTable) {
     QTest::keyClick(editor, Qt::Key_Delete);
     QTest::keyClick(editor, Qt::Key_Return);
     QApplication::processEvents();
-    EXPECT_TRUE(model->input().cylinders.at(1).articulated.has_value());
-    EXPECT_TRUE(trouble.last().at(0).toString().contains(QStringLiteral("could be the master")));
+    EXPECT_FALSE(model->input().cylinders.at(1).articulated.has_value());
+    EXPECT_TRUE(cell(1, CylinderTableModel::RodLength).data().toString().isEmpty());
+    // A block from a spreadsheet, with an empty cell for what follows.
+    view->setCurrentIndex(cell(1, CylinderTableModel::KnuckleRadius));
+    QApplication::clipboard()->setText(QStringLiteral("35\t\t140\t1\n"));
+    QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
+    const auto& pasted = model->input().cylinders.at(1).articulated;
+    ASSERT_TRUE(pasted.has_value());
+    EXPECT_FALSE(pasted->knuckle_angle.has_value());
+    EXPECT_NEAR(*pasted->rod_length, 0.14, 1e-15);
     // Off, and everything undone.
     QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
     EXPECT_FALSE(model->hasArticulatedRods());
@@ -372,6 +390,12 @@ TEST_F(InertiaMomentsPageTest, ARadialOfTheListHasArticulatedRods) {
     ASSERT_EQ(model->result().firing.size(), 9U);
     tab(Tabs::Charts, "firing");
     EXPECT_FALSE(page.grab().isNull());
+    // Dead centres and strokes are read at the numbers of the cylinders.
+    EXPECT_EQ(page.cylinderEditor()
+                  ->tableModel()
+                  ->headerData(3, Qt::Vertical, Qt::ToolTipRole)
+                  .toString(),
+              QStringLiteral("Top dead centre 3.303° from its axis, stroke 175.19 mm"));
     // A rigid rod for all is refused in words.
     auto* rigid = page.findChild<QCheckBox*>(QStringLiteral("rigid_rod"));
     QSignalSpy status(&page, &ScenePage::status);
