@@ -351,11 +351,16 @@ EngineOrders two_term_orders(const Engine& engine) {
         },
         [&](std::size_t i) {
             const ArticulatedCrank crank = engine.articulated(i);
-            return articulated_orders(
+            ArticulatedOrders orders = articulated_orders(
                 [&](double sin_theta, double cos_theta) {
                     return crank.two_term_at(sin_theta, cos_theta);
                 },
                 highest_two_term_order, four_orders);
+            // Forces have two orders; what rounding leaves of the others is nothing.
+            for (auto* list : {&orders.force, &orders.knuckle_along, &orders.knuckle_across}) {
+                std::fill(list->begin() + 3, list->end(), Harmonic<double>{});
+            }
+            return orders;
         });
     return result;
 }
