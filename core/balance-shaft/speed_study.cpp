@@ -5,6 +5,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "balance-shaft/best_range.h"
@@ -13,6 +14,7 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "numerics/angle.h"
+#include "numerics/cutting_planes.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -87,10 +89,12 @@ SpeedStudy::SpeedStudy(const Input& input, const SpeedBand& band, const Progress
     inertia_ = with_offset_term(parts->unit_inertia.negated(), crank, input.reciprocating_mass());
     gas_order_ = gas_.fourier(degree);
     inertia_order_ = inertia_.fourier(degree);
-    unit_amplitude_ =
+    unit_force_ =
         input.counterweight_mass.value_or(input.reciprocating_mass() * input.crank_radius /
                                           (2.0 * input.counterweight_radius)) *
-        input.counterweight_radius * input.centre_distance;
+        input.counterweight_radius;
+    unit_amplitude_ = unit_force_ * input.centre_distance;
+    places_.emplace(front_view(input), input.place_limits);
     points_.reserve(static_cast<std::size_t>(band.speeds));
     speeds_.reserve(static_cast<std::size_t>(band.speeds));
     for (int k = 0; k < band.speeds; ++k) {
@@ -237,18 +241,16 @@ SpeedStudy::AtSpeeds SpeedStudy::least_bad_of(const std::vector<const Speed*>& s
     return {best.alpha, best.value, best.gap, speeds[worst]->angular_speed};
 }
 
-/// The speed of the band at which the RMS over that without a shaft is largest at α: a quotient of
+/// The speed of the band at which the RMS over that without a shaft is largest: a quotient of
 /// squares, both quadratic in ω².
-double SpeedStudy::worst_rms_speed(double alpha) const {
+double SpeedStudy::worst_rms_speed(double a_cos, double b_sin) const {
     const double gas = gas_.variance();
     const double inertia = inertia_.variance();
     const double both = PeriodicPiecewise::sum(gas_, inertia_, 1.0).variance() - gas - inertia;
-    const auto first = [&](const FourierPair& order) {
-        return std::sin(alpha) * order.a + std::cos(alpha) * order.b;
-    };
+    const auto first = [&](const FourierPair& order) { return a_cos * order.a + b_sin * order.b; };
     const std::array<double, 3> with{
-        gas, both + unit_amplitude_ * first(gas_order_),
-        inertia + unit_amplitude_ * (unit_amplitude_ / 2.0 + first(inertia_order_))};
+        gas, both + first(gas_order_),
+        inertia + (a_cos * a_cos + b_sin * b_sin) / 2.0 + first(inertia_order_)};
     const std::array<double, 3> without{gas, both, inertia};
     const auto ratio = [&](double q) {
         return (with[0] + q * (with[1] + q * with[2])) /
@@ -273,12 +275,13 @@ double SpeedStudy::worst_rms_speed(double alpha) const {
     return std::sqrt(worst);
 }
 
-/// The speed of the band at which the range over that without a shaft is largest at α, by branch
+/// The speed of the band at which the range over that without a shaft is largest, by branch
 /// and bound over q = ω²: both ranges are convex in q (the largest of differences that are linear
 /// in it), so between two speeds the one with the shaft lies under its chord, the one without over
 /// its tangents.
 std::optional<SpeedStudy::Speed> SpeedStudy::worst_range_speed(
-    const std::vector<const Speed*>& speeds, double alpha) const {
+    const std::vector<const Speed*>& speeds,
+    const std::function<double(const Speed&)>& range) const {
     struct End {
         double q = 0.0;  ///< ω²
         double with = 0.0;
@@ -287,7 +290,7 @@ std::optional<SpeedStudy::Speed> SpeedStudy::worst_range_speed(
         double ratio() const { return with / divisor_of(without, true); }
     };
     const auto end_of = [&](const Speed& speed) -> End {
-        return {squared(speed.angular_speed), speed.extrema.range(alpha),
+        return {squared(speed.angular_speed), range(speed),
                 speed.without.max.value - speed.without.min.value,
                 inertia_(speed.without.max.angle_deg) - inertia_(speed.without.min.angle_deg)};
     };
@@ -368,8 +371,12 @@ SpeedStudy::LeastBad SpeedStudy::least_bad_angle(Criterion criterion, Measure me
         if (measure == Measure::absolute) {
             break;
         }
-        std::optional<Speed> other = by_range ? worst_range_speed(speeds, best.alpha)
-                                              : speed_at(worst_rms_speed(best.alpha));
+        std::optional<Speed> other =
+            by_range
+                ? worst_range_speed(
+                      speeds, [&](const Speed& speed) { return speed.extrema.range(best.alpha); })
+                : speed_at(worst_rms_speed(unit_amplitude_ * std::sin(best.alpha),
+                                           unit_amplitude_ * std::cos(best.alpha)));
         if (!other) {
             break;
         }
@@ -390,6 +397,207 @@ SpeedStudy::LeastBad SpeedStudy::least_bad_angle(Criterion criterion, Measure me
     answer.gap = answer.value - (by_range ? bound : rms_of(bound));
     answer.worst_speed = worst_speed;
     return answer;
+}
+
+SpeedStudy::SpeedPlane SpeedStudy::speed_plane(double angular_speed, Criterion criterion,
+                                               Measure measure) const {
+    const double square = squared(angular_speed);
+    const auto moment = PeriodicPiecewise::sum(gas_, inertia_, square);
+    SpeedPlane speed{
+        square,
+        1.0,
+        0.0,
+        MomentPlane(moment),
+        moment.variance(),
+        {gas_order_.a + square * inertia_order_.a, gas_order_.b + square * inertia_order_.b}};
+    speed.without =
+        criterion == Criterion::range ? speed.plane(0.0, 0.0).range() : rms_of(speed.variance);
+    speed.over = divisor_of(speed.without, measure == Measure::relative);
+    return speed;
+}
+
+SpeedStudy::Worst SpeedStudy::worst_of(const std::vector<SpeedPlane>& planes, Criterion criterion,
+                                       const Eigen::Vector2d& unit) {
+    Worst worst;
+    worst.value = -1.0;
+    for (const SpeedPlane& speed : planes) {
+        const Eigen::Vector2d m = speed.square * unit;
+        if (criterion == Criterion::range) {
+            const MomentPlane::Extrema found = speed.plane(m.x(), m.y());
+            if (found.range() / speed.over > worst.value) {
+                worst = {found.range() / speed.over,
+                         speed.square / speed.over *
+                             Eigen::Vector2d(found.max.cos - found.min.cos,
+                                             found.max.sin - found.min.sin),
+                         speed.square};
+            }
+            continue;
+        }
+        const Eigen::Vector2d order(speed.order_1.a, speed.order_1.b);
+        const double rms =
+            rms_of(speed.variance - order.squaredNorm() / 2.0 + (m + order).squaredNorm() / 2.0);
+        if (rms / speed.over > worst.value) {
+            worst = {rms / speed.over,
+                     rms > 0.0
+                         ? Eigen::Vector2d(speed.square / (2.0 * rms * speed.over) * (m + order))
+                         : Eigen::Vector2d(0.0, 0.0),
+                     speed.square};
+        }
+    }
+    return worst;
+}
+
+Eigen::Vector2d SpeedStudy::unit_moment(const Eigen::Vector2d& place) const {
+    const double c = std::cos(phase_);
+    const double s = std::sin(phase_);
+    return unit_force_ *
+           Eigen::Vector2d(place.x() * c + place.y() * s, place.y() * c - place.x() * s);
+}
+
+/// The best place for some speeds, the worst speed there, which joins them, as least_bad_angle().
+std::optional<SpeedStudy::LeastBadPlace> SpeedStudy::least_bad_place(
+    Criterion criterion, Measure measure, const PlaceOfPlanes& find) const {
+    if (speeds_.empty() || unit_force_ == 0.0) {
+        return std::nullopt;
+    }
+    std::vector<SpeedPlane> planes;
+    std::vector<const Speed*> speeds;
+    for (const Speed& speed : speeds_) {
+        planes.push_back(speed_plane(speed.angular_speed, criterion, measure));
+        speeds.push_back(&speed);
+    }
+    std::deque<Speed> added;
+    LeastBadPlace answer;
+    constexpr int most_rounds = 20;
+    for (int round = 0; round < most_rounds; ++round) {
+        const std::optional<PlaceFound> best = find(planes);
+        if (!best) {
+            return std::nullopt;
+        }
+        const Eigen::Vector2d unit = unit_moment(best->place);
+        Worst worst = worst_of(planes, criterion, unit);
+        answer = {best->place.x(), best->place.y(), worst.value, std::sqrt(worst.square),
+                  worst.value - (best->value - best->gap)};
+        // In N·m the criterion is convex in ω²: the worst speed is an end of the band.
+        if (measure == Measure::absolute) {
+            break;
+        }
+        std::optional<Speed> other;
+        if (criterion == Criterion::range) {
+            other = worst_range_speed(speeds, [&](const Speed& speed) {
+                const double square = squared(speed.angular_speed);
+                const MomentPlane plane(PeriodicPiecewise::sum(gas_, inertia_, square));
+                return plane(square * unit.x(), square * unit.y()).range();
+            });
+        } else {
+            other = speed_at(worst_rms_speed(unit.x(), unit.y()));
+        }
+        if (!other) {
+            break;
+        }
+        planes.push_back(speed_plane(other->angular_speed, criterion, measure));
+        worst = worst_of({planes.back()}, criterion, unit);
+        speeds.push_back(&added.emplace_back(*std::move(other)));
+        if (worst.value > answer.value) {
+            answer.gap += worst.value - answer.value;
+            answer.value = worst.value;
+            answer.worst_speed = std::sqrt(worst.square);
+        }
+        if (worst.value <= best->value * (1.0 + exact)) {
+            break;
+        }
+    }
+    return answer;
+}
+
+std::optional<SpeedStudy::LeastBadPlace> SpeedStudy::least_bad_place(Criterion criterion,
+                                                                     Measure measure) const {
+    const auto find = [&](const std::vector<SpeedPlane>& planes) -> std::optional<PlaceFound> {
+        // In N·m of the highest speed; the box holds every place no worse than the crank's axis.
+        const double scale = squared(speeds_.back().angular_speed);
+        const Worst without = worst_of(planes, criterion, {0.0, 0.0});
+        const double growth = criterion == Criterion::range ? 2.0 : std::numbers::sqrt2 / 2.0;
+        double reach = std::numeric_limits<double>::infinity();
+        for (const SpeedPlane& speed : planes) {
+            reach = std::min(reach, (without.value * speed.over + speed.without) /
+                                        (growth * speed.square) * scale);
+        }
+        reach *= 1.0 + 1e-9;
+        if (!(reach > 0.0)) {  // nothing moves: the crank's axis is best
+            return PlaceFound{{0.0, 0.0}, without.value, 0.0, 1};
+        }
+        using Planes = CuttingPlanes<double, 3>;
+        const auto cut = [&](const Worst& worst, const Eigen::Vector2d& at) {
+            const Eigen::Vector2d gradient = worst.gradient / scale;
+            return Planes::Constraint{{-gradient.x(), -gradient.y(), 1.0},
+                                      worst.value - gradient.dot(at)};
+        };
+        const double x = without.gradient.x() < 0.0 ? -1.0 : 1.0;
+        const double y = without.gradient.y() < 0.0 ? -1.0 : 1.0;
+        const double rounding =
+            16.0 * std::numeric_limits<double>::epsilon() * std::max(without.value, 1e-300);
+        Planes master({0.0, 0.0, 1.0},
+                      {cut(without, {0.0, 0.0}), {{x, 0.0, 0.0}, -reach}, {{0.0, y, 0.0}, -reach}},
+                      rounding);
+        master.add({-x, 0.0, 0.0}, -reach);
+        master.add({0.0, -y, 0.0}, -reach);
+        PlaceFound best{{0.0, 0.0}, without.value, 0.0, 1};
+        constexpr int most_rounds = 500;
+        for (int round = 0; round < most_rounds; ++round) {
+            const Planes::Vector vertex = master.solve();
+            best.gap = std::max(0.0, best.value - vertex.z());
+            if (best.gap <= exact * best.value) {
+                break;
+            }
+            const Eigen::Vector2d at = vertex.head<2>();
+            const Worst here = worst_of(planes, criterion, at / scale);
+            ++best.evaluations;
+            if (here.value < best.value) {
+                best.value = here.value;
+                best.place = at;
+            }
+            const Planes::Constraint plane = cut(here, at);
+            master.add(plane.a, plane.b);
+        }
+        const Eigen::Vector2d unit = best.place / (scale * unit_force_);
+        const double c = std::cos(phase_);
+        const double s = std::sin(phase_);
+        best.place = {unit.x() * c - unit.y() * s, unit.x() * s + unit.y() * c};
+        return best;
+    };
+    return least_bad_place(criterion, measure, find);
+}
+
+std::optional<SpeedStudy::LeastBadPlace> SpeedStudy::least_bad_place_buildable(
+    Criterion criterion, Measure measure) const {
+    const std::optional<LeastBadPlace> free = least_bad_place(criterion, measure);
+    if (!free || places_->obstacle(free->x, free->y) == Obstacle::none) {
+        return free;
+    }
+    std::optional<Eigen::Vector2d> start;
+    const auto find = [&](const std::vector<SpeedPlane>& planes) {
+        PlaceQuestion question;
+        question.criterion = [&](const Eigen::Vector2d& at) -> PlaceValue {
+            const Worst here = worst_of(planes, criterion, unit_moment(at));
+            const double c = std::cos(phase_);
+            const double s = std::sin(phase_);
+            const Eigen::Vector2d& g = here.gradient;
+            return {here.value,
+                    unit_force_ * Eigen::Vector2d(g.x() * c - g.y() * s, g.x() * s + g.y() * c)};
+        };
+        const double growth = criterion == Criterion::range ? 2.0 : std::numbers::sqrt2 / 2.0;
+        const SpeedPlane& speed = planes.back();
+        question.growth = growth * unit_force_ * speed.square / speed.over;
+        question.at_crank = speed.without / speed.over;
+        question.tolerance = 1e-11 * (question.at_crank + question.growth * places_->extent());
+        question.start = start;
+        const auto found = search_places(*places_, question);
+        if (found) {
+            start = found->place;
+        }
+        return found;
+    };
+    return least_bad_place(criterion, measure, find);
 }
 
 Json write_speed_study(const SpeedStudy& study, const std::optional<SpeedStudy::Map>& map) {
@@ -431,6 +639,33 @@ Json write_speed_study(const SpeedStudy& study, const std::optional<SpeedStudy::
     json["least_bad_buildable"] = buildable.stretches.empty()
                                       ? Json{{"reason", buildable.reason.english()}}
                                       : least_bad(buildable.stretches);
+    const auto least_bad_places = [&](const auto& find) -> Json {
+        Json places = Json::object();
+        const auto put_one = [&](const char* name, Criterion criterion, Measure measure,
+                                 const char* key) {
+            const std::optional<SpeedStudy::LeastBadPlace> found = find(criterion, measure);
+            places[name] = nullptr;
+            if (found) {
+                const double angle = std::atan2(found->x, found->y);
+                places[name] = {{"centre_distance_mm", std::hypot(found->x, found->y) / units::mm},
+                                {"shaft_angle_deg", wrapped(angle) / degree},
+                                {key, found->value},
+                                {"worst_speed_rpm", found->worst_speed / rpm},
+                                {"gap", found->gap}};
+            }
+        };
+        put_one("range", Criterion::range, Measure::absolute, "range_Nm");
+        put_one("range_relative", Criterion::range, Measure::relative, "ratio");
+        put_one("rms", Criterion::rms, Measure::absolute, "rms_Nm");
+        put_one("rms_relative", Criterion::rms, Measure::relative, "ratio");
+        return places;
+    };
+    json["least_bad_place"] = least_bad_places([&](Criterion criterion, Measure measure) {
+        return study.least_bad_place(criterion, measure);
+    });
+    json["least_bad_place_buildable"] = least_bad_places([&](Criterion criterion, Measure measure) {
+        return study.least_bad_place_buildable(criterion, measure);
+    });
     if (map) {
         const std::size_t angles = map->shaft_angle_deg.size();
         Json ranges = Json::array();
