@@ -42,4 +42,16 @@ inline constexpr MethodChoice best_angle_choice{
         "them. Sinusoids that bound it from below tell where no better angle can be, so the best "
         "one is found and not just a good one, with fewer evaluations than a scan of 5°.")};
 
+/// The place with the least range: minimise_range() of a MomentPlane.
+inline constexpr MethodChoice best_position_choice{
+    "balance-shaft",
+    "best-position",
+    "cutting-planes",
+    "exact",
+    1e-9,
+    CORE_TEXT("methods",
+              "Over the plane of places the range is convex: the largest of linear functions less "
+              "the smallest. Planes under it find its kinks, where methods without slopes stop "
+              "short and methods with slopes jump, and prove that no place is better.")};
+
 }  // namespace ravnoves::balance_shaft

@@ -5,11 +5,11 @@
 #include <limits>
 #include <numbers>
 
+#include "balance-shaft/best_moment.h"
 #include "balance-shaft/best_range.h"
 #include "balance-shaft/moment_plane.h"
 #include "balance-shaft/place_search.h"
 #include "numerics/constants.h"
-#include "numerics/cutting_planes.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -85,55 +85,13 @@ PositionStudy::Prepared::Prepared(const Solver& of)
     rms_without = std::sqrt(std::max(0.0, of.tipping_variance()));
 }
 
-/// min u + w over x, y, u, w: u ≥ M(φ) + x cos φ + y sin φ at the maxima met, w the same of −M at
-/// the minima. Each is a plane under the range's convex halves, so u + w is a lower bound.
 BestPosition PositionStudy::Prepared::best_range() const {
-    using Planes = CuttingPlanes<double, 4>;
-    using Vector = Planes::Vector;
-    // The range is at least 2 |m| less that without a shaft, so the best |m| is at most the latter.
-    const double reach = range_without * (1.0 + 1e-9);
-    Moment at = rms_centre.norm() < reach ? rms_centre : Moment(0.0, 0.0);
-    MomentPlane::Extrema found = plane(at.x(), at.y());
-    const auto upper = [](const MomentPlane::Place& p) -> Vector { return {-p.cos, -p.sin, 1, 0}; };
-    const auto lower = [](const MomentPlane::Place& p) -> Vector { return {p.cos, p.sin, 0, 1}; };
-    const double x = found.max.cos < found.min.cos ? -1.0 : 1.0;
-    const double y = found.max.sin < found.min.sin ? -1.0 : 1.0;
-    const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * size;
-    Planes planes({0, 0, 1, 1},
-                  {{upper(found.max), found.max.moment},
-                   {lower(found.min), -found.min.moment},
-                   {{x, 0, 0, 0}, -reach},
-                   {{0, y, 0, 0}, -reach}},
-                  rounding);
-    planes.add({-x, 0, 0, 0}, -reach);
-    planes.add({0, -y, 0, 0}, -reach);
+    const BestMoment found = minimise_range(plane, rms_centre);
     BestPosition best;
-    Moment best_at = at;
-    best.criteria.range = found.range();
-    constexpr int most_rounds = 400;
-    for (int round = 0; round < most_rounds; ++round) {
-        const Vector& vertex = planes.solve();
-        best.gap = std::max(0.0, best.criteria.range - vertex[2] - vertex[3]);
-        if (best.gap <= 4.0 * rounding) {
-            break;
-        }
-        if (round > 0 && at == vertex.head<2>()) {
-            break;  // rounding
-        }
-        at = vertex.head<2>();
-        found = plane(at.x(), at.y());
-        ++best.evaluations;
-        if (found.range() < best.criteria.range) {
-            best.criteria.range = found.range();
-            best_at = at;
-        }
-        planes.add(upper(found.max), found.max.moment);
-        planes.add(lower(found.min), -found.min.moment);
-    }
-    best.position = position(best_at);
-    best.criteria.rms = rms(best_at);
-    best.criteria.size = places.size(best.position.x, best.position.y);
-    best.gap = std::max(best.gap, rounding);
+    best.position = position(found.moment);
+    best.criteria = {found.range, rms(found.moment), places.size(best.position.x, best.position.y)};
+    best.gap = found.gap;
+    best.evaluations = found.evaluations;
     return best;
 }
 
@@ -322,7 +280,10 @@ std::vector<FrontPosition> PositionStudy::front(const BestPositions& best) const
     }
     const auto add = [&](const PlaceFound& found) {
         const ShaftPosition at{found.place.x(), found.place.y()};
-        front.push_back({at, prepared.criteria(at)});
+        const PositionCriteria there = prepared.criteria(at);
+        if (std::isfinite(there.range + there.rms + there.size)) {
+            front.push_back({at, there});
+        }
     };
     // Range and RMS as parts of what they are without a shaft.
     const double by_range = 1.0 / std::max(prepared.range_without, constant_torque);

@@ -120,6 +120,7 @@ Kernel slider_crank_kernel();
 Kernel cycle_mean_kernel();
 Kernel moment_range_kernel();
 Kernel best_angle_kernel();
+Kernel best_position_kernel();
 Kernel guide_kernel();
 Kernel inertia_orders_kernel();
 Kernel hinge_motion_kernel();

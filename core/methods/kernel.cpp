@@ -117,6 +117,7 @@ const std::vector<Kernel>& kernels() {
         kernels.push_back(cycle_mean_kernel());
         kernels.push_back(moment_range_kernel());
         kernels.push_back(best_angle_kernel());
+        kernels.push_back(best_position_kernel());
         kernels.push_back(guide_kernel());
         kernels.push_back(inertia_orders_kernel());
         kernels.push_back(hinge_motion_kernel());

@@ -1,6 +1,9 @@
 #include "methods/torque_reference.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
+#include <bit>
+#include <boost/multiprecision/eigen.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -179,8 +182,8 @@ void TorqueReference::look_within(const Cell& cell, double alpha, double sign, d
     found.push_back({cell.piece, true, from, height(cell, from, alpha, sign)});
 }
 
-std::vector<TorqueReference::Candidate> TorqueReference::candidates(double alpha,
-                                                                    double sign) const {
+std::vector<TorqueReference::Candidate> TorqueReference::candidates(double alpha, double sign,
+                                                                    double part) const {
     const double x = amplitude_ * std::sin(alpha);
     const double y = amplitude_ * std::cos(alpha);
     std::vector<double> node(cells_.size() + 1);
@@ -189,7 +192,7 @@ std::vector<TorqueReference::Candidate> TorqueReference::candidates(double alpha
     }
     node.back() = node.front();
     const double best = *std::max_element(node.begin(), node.end());
-    const double margin = 1e-9 * size_;
+    const double margin = part * size_;
     std::vector<Candidate> found;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
         const Cell& cell = cells_[i];
@@ -413,6 +416,239 @@ Real50 TorqueReference::least_range() const {
         begin = end;
     }
     return least;
+}
+
+// -------------------------------------------------------------------------------- best place
+
+void TorqueReference::set_amplitude(double amplitude) {
+    const double change = (std::abs(amplitude) - std::abs(amplitude_)) * degree * degree;
+    for (Cell& cell : cells_) {
+        cell.curvature += change;
+    }
+    size_ += std::abs(amplitude) - std::abs(amplitude_);
+    amplitude_ = amplitude;
+}
+
+Real50 TorqueReference::range(const Real50& a, const Real50& b) const {
+    // The places in double, their values in 50 digits: a place off by 1e-9 is as good as the place.
+    TorqueReference there = *this;
+    const double x = static_cast<double>(a);
+    const double y = static_cast<double>(b);
+    there.set_amplitude(std::hypot(x, y));
+    const Real50& degree = exact_degree();
+    Real50 range(0);
+    for (const double sign : {1.0, -1.0}) {
+        bool first = true;
+        Real50 best(0);
+        for (const Candidate& candidate : there.candidates(std::atan2(x, y), sign)) {
+            const Piece<Real50>& piece = exact_[candidate.piece];
+            Real50 t(candidate.t);
+            for (int i = 0; candidate.interior && i < 8; ++i) {
+                const Real50 angle = (piece.start + t) * degree;
+                const Real50 bend =
+                    piece.bend(t) - degree * degree * (a * cos(angle) + b * sin(angle));
+                if (bend == 0) {
+                    break;
+                }
+                t -= (piece.slope(t) + degree * (b * cos(angle) - a * sin(angle))) / bend;
+            }
+            const Real50 angle = (piece.start + t) * degree;
+            const Real50 value = sign * (piece.value(t) + a * cos(angle) + b * sin(angle));
+            if (first || value > best) {
+                best = value;
+                first = false;
+            }
+        }
+        range += best;
+    }
+    return range;
+}
+
+std::optional<Real50> TorqueReference::range_at_rest(const std::vector<Candidate>& high,
+                                                     const std::vector<Candidate>& low, double a,
+                                                     double b) const {
+    using Matrix = Eigen::Matrix<Real50, Eigen::Dynamic, Eigen::Dynamic>;
+    using Column = Eigen::Matrix<Real50, Eigen::Dynamic, 1>;
+    std::vector<Candidate> all = high;
+    all.insert(all.end(), low.begin(), low.end());
+    const auto count = static_cast<Eigen::Index>(all.size());
+    const auto highs = static_cast<Eigen::Index>(high.size());
+    std::vector<Eigen::Index> moving;  // extrema within pieces, whose places are unknowns too
+    for (Eigen::Index i = 0; i < count; ++i) {
+        if (all[static_cast<std::size_t>(i)].interior) {
+            moving.push_back(i);
+        }
+    }
+    // a, b, highest, lowest, the weights, the moving places.
+    const Eigen::Index size = 4 + count + static_cast<Eigen::Index>(moving.size());
+    Column x = Column::Zero(size);
+    x[0] = Real50(a);
+    x[1] = Real50(b);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        x[4 + i] = Real50(1) / (i < highs ? highs : count - highs);
+    }
+    for (std::size_t k = 0; k < moving.size(); ++k) {
+        x[4 + count + static_cast<Eigen::Index>(k)] =
+            Real50(all[static_cast<std::size_t>(moving[k])].t);
+    }
+    const Real50& degree = exact_degree();
+    const Real50 scale(size_);
+    constexpr int most = 14;
+    Real50 change(1);
+    for (int step = 0; step < most && change > Real50("1e-46"); ++step) {
+        Matrix rates = Matrix::Zero(size, size);
+        Column rest = Column::Zero(size);
+        Eigen::Index place = 4 + count;
+        for (Eigen::Index i = 0; i < count; ++i) {
+            const Candidate& one = all[static_cast<std::size_t>(i)];
+            const Piece<Real50>& piece = exact_[one.piece];
+            const Real50 t = one.interior ? x[place] : Real50(one.t);
+            const Real50 angle = (piece.start + t) * degree;
+            const Real50 c = cos(angle);
+            const Real50 s = sin(angle);
+            const bool is_high = i < highs;
+            const Real50 sign(is_high ? 1 : -1);
+            // Row i: of one height. Rows count…: the weights add up to 1 and hold each other.
+            rest[i] = piece.value(t) + x[0] * c + x[1] * s - x[is_high ? 2 : 3];
+            rates(i, 0) = c;
+            rates(i, 1) = s;
+            rates(i, is_high ? 2 : 3) = Real50(-1);
+            rest[count + (is_high ? 0 : 1)] += x[4 + i];
+            rates(count + (is_high ? 0 : 1), 4 + i) = Real50(1);
+            rest[count + 2] += sign * x[4 + i] * c;
+            rest[count + 3] += sign * x[4 + i] * s;
+            rates(count + 2, 4 + i) = sign * c;
+            rates(count + 3, 4 + i) = sign * s;
+            if (one.interior) {
+                const Real50 slope = piece.slope(t) + degree * (x[1] * c - x[0] * s);
+                rates(i, place) = slope;
+                rates(count + 2, place) = -sign * x[4 + i] * s * degree;
+                rates(count + 3, place) = sign * x[4 + i] * c * degree;
+                rest[place] = slope;
+                rates(place, 0) = -degree * s;
+                rates(place, 1) = degree * c;
+                rates(place, place) = piece.bend(t) - degree * degree * (x[0] * c + x[1] * s);
+                ++place;
+            }
+        }
+        rest[count] -= 1;
+        rest[count + 1] -= 1;
+        const Eigen::FullPivLU<Matrix> lu(rates);
+        if (!lu.isInvertible()) {
+            return std::nullopt;
+        }
+        const Column moved = lu.solve(rest);
+        x -= moved;
+        change = Real50(0);
+        for (Eigen::Index i = 0; i < size; ++i) {
+            change = std::max(change, Real50(abs(moved[i]) / (i < 4 ? scale : Real50(1))));
+        }
+    }
+    if (!(change <= Real50("1e-40"))) {
+        return std::nullopt;
+    }
+    for (Eigen::Index i = 0; i < count; ++i) {
+        if (x[4 + i] < Real50("-1e-30")) {
+            return std::nullopt;
+        }
+    }
+    // No other extremum is beyond them.
+    const Real50 range_there = x[2] - x[3];
+    if (abs(Real50(range(x[0], x[1]) - range_there)) > Real50("1e-38") * scale) {
+        return std::nullopt;
+    }
+    return range_there;
+}
+
+Real50 TorqueReference::least_range_of_all() const {
+    TorqueReference here = *this;
+    here.set_amplitude(0.0);
+    const double reach = here.plain_range(0.0);
+    Eigen::Vector2d at(0.0, 0.0);
+    Eigen::Vector2d best_at = at;
+    double best = std::numeric_limits<double>::infinity();
+    Eigen::Matrix2d ellipse = reach * reach * Eigen::Matrix2d::Identity();
+    constexpr int most = 420;
+    for (int i = 0; i < most; ++i) {
+        here.set_amplitude(at.norm());
+        const double alpha = std::atan2(at.x(), at.y());
+        Eigen::Vector2d slope(0.0, 0.0);
+        double range = 0.0;
+        for (const double sign : {1.0, -1.0}) {
+            const auto found = here.candidates(alpha, sign, 0.0);
+            const auto top =
+                std::max_element(found.begin(), found.end(),
+                                 [](const auto& a, const auto& b) { return a.height < b.height; });
+            const double angle = (pieces_[top->piece].start + top->t) * degree;
+            slope += sign * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+            range += top->height;
+        }
+        if (range < best) {
+            best = range;
+            best_at = at;
+        }
+        const double along = std::sqrt(slope.dot(ellipse * slope));
+        if (!(along > 1e-17 * reach)) {
+            break;
+        }
+        const Eigen::Vector2d step = ellipse * slope / along;
+        at -= step / 3.0;
+        ellipse = 4.0 / 3.0 * (ellipse - 2.0 / 3.0 * step * step.transpose());
+        ellipse(1, 0) = ellipse(0, 1);
+    }
+    const double alpha = std::atan2(best_at.x(), best_at.y());
+    here.set_amplitude(best_at.norm());
+    // Rows that are no extrema of their own, and one place found from two cells, are left out.
+    const auto extrema_of = [&](double sign, double part) {
+        std::vector<Candidate> found;
+        for (const Candidate& one : here.candidates(alpha, sign, part)) {
+            const auto place = [&](const Candidate& of) { return pieces_[of.piece].start + of.t; };
+            const auto slope = [&](std::size_t piece, double t) {
+                return sign * (pieces_[piece].slope(t) +
+                               here.amplitude_ * degree * std::cos(place(one) * degree + alpha));
+            };
+            const std::size_t before = (one.piece == 0 ? pieces_.size() : one.piece) - 1;
+            constexpr double flat = 1e-9;
+            const bool is_kink = one.interior || (slope(before, pieces_[before].width) > flat &&
+                                                  slope(one.piece, 0.0) < -flat);
+            if (is_kink && std::none_of(found.begin(), found.end(), [&](const Candidate& other) {
+                    return std::abs(place(other) - place(one)) < 1e-6;
+                })) {
+                found.push_back(one);
+            }
+        }
+        return found;
+    };
+    constexpr std::size_t most_extrema = 6;
+    for (const double part : {1e-11, 1e-9, 1e-7, 1e-5, 1e-4}) {
+        const std::vector<Candidate> high = extrema_of(1.0, part);
+        const std::vector<Candidate> low = extrema_of(-1.0, part);
+        if (high.size() > most_extrema || low.size() > most_extrema) {
+            break;
+        }
+        // All choices of them with at most four together.
+        for (unsigned i = 1; i < 1u << high.size(); ++i) {
+            for (unsigned k = 1; k < 1u << low.size(); ++k) {
+                if (std::popcount(i) + std::popcount(k) > 4) {
+                    continue;
+                }
+                const auto chosen = [](const std::vector<Candidate>& from, unsigned which) {
+                    std::vector<Candidate> some;
+                    for (std::size_t n = 0; n < from.size(); ++n) {
+                        if ((which >> n & 1u) != 0) {
+                            some.push_back(from[n]);
+                        }
+                    }
+                    return some;
+                };
+                if (const auto found = here.range_at_rest(chosen(high, i), chosen(low, k),
+                                                          best_at.x(), best_at.y())) {
+                    return *found;
+                }
+            }
+        }
+    }
+    return range(Real50(best_at.x()), Real50(best_at.y()));
 }
 
 }  // namespace ravnoves::methods

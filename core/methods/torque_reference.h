@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "methods/torque_cycle.h"
@@ -24,6 +25,11 @@ class TorqueReference {
     BasicFourierPair<Real50> first_order() const;  ///< of M_up, by cos φ and sin φ
     Real50 range(const Real50& alpha) const;       ///< of M_ups
     Real50 least_range() const;                    ///< over all α
+    /// Over all α and all amplitudes. In double by the method of ellipses; then the extrema that
+    /// are of one height there and their weights, which hold each other at rest, in 50 digits.
+    Real50 least_range_of_all() const;
+    /// Of M + a cos φ + b sin φ.
+    Real50 range(const Real50& a, const Real50& b) const;
 
   private:
     /// The curve between two rows, by the distance t from the left one in degrees.
@@ -69,7 +75,8 @@ class TorqueReference {
         Real50 slope() const { return high.slope - low.slope; }
     };
 
-    std::vector<Candidate> candidates(double alpha, double sign) const;
+    /// @param margin  how much below the highest one they may be, part of the size
+    std::vector<Candidate> candidates(double alpha, double sign, double margin = 1e-9) const;
     void look_within(const Cell& cell, double alpha, double sign, double enough,
                      std::vector<Candidate>& found) const;
     double height(const Cell& cell, double t, double alpha, double sign) const;
@@ -83,6 +90,14 @@ class TorqueReference {
     /// Where the branches of two angles meet, or where a common one is flat.
     Real50 lowest(const At& left, const At& right) const;
     Real50 least_between(double from, double to) const;
+
+    /// The same torque with another shaft.
+    void set_amplitude(double amplitude);
+    /// Where the maxima and minima at rest with one another, these, have their range: nothing where
+    /// they do not hold each other.
+    std::optional<Real50> range_at_rest(const std::vector<Candidate>& high,
+                                        const std::vector<Candidate>& low, double a,
+                                        double b) const;
 
     bool cubic_;
     double amplitude_;
