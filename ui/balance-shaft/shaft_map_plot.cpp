@@ -281,7 +281,7 @@ std::vector<ShaftMapPlot::KeyEntry> ShaftMapPlot::keyEntries() const {
         }
     }
     if (hollow != nullptr) {
-        addSign(tr("best of all, cannot be built"), *hollow);
+        addSign(tr("best of all"), *hollow);
     }
     const QFontMetricsF metrics(Theme::font(Theme::smallSize));
     const double row = std::ceil(metrics.height()) + 3.0;

@@ -111,8 +111,8 @@ QWidget* ShaftMapView::buildBar() {
     auto* column = new QVBoxLayout(bar);
     column->setContentsMargins(Theme::margin, Theme::gap, Theme::margin, Theme::gap);
     column->setSpacing(Theme::gap);
-    distance_ = new ValueSlider(tr("Centre distance &l"), 0.0, 200.0, 0.1, 10.0, 2,
-                                unitText(units::mm.name), bar);
+    distance_ =
+        new ValueSlider(tr("Distance &l"), 0.0, 200.0, 0.1, 10.0, 2, unitText(units::mm.name), bar);
     distance_->setHint(tr("From the crank's axis to the shaft's; α stays. Steps of 0.1 mm."));
     distance_->slider()->setObjectName(QStringLiteral("centre_distance_slider"));
     distance_->box()->setObjectName(QStringLiteral("centre_distance_box"));
@@ -126,6 +126,10 @@ QWidget* ShaftMapView::buildBar() {
     auto* label = new QLabel(tr("&Criterion"), bar);
     criterion_ = new QComboBox(bar);
     criterion_->addItems({tr("range"), tr("RMS"), tr("weighted sum")});
+    // As wide as there is room: a narrow window keeps the button whole.
+    criterion_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    criterion_->setMinimumContentsLength(4);
+    criterion_->setMaximumWidth(180);
     criterion_->setObjectName(QStringLiteral("map_criterion"));
     criterion_->setAccessibleName(tr("Criterion of the places of the shaft"));
     criterion_->setToolTip(
@@ -136,8 +140,8 @@ QWidget* ShaftMapView::buildBar() {
         map_->setCriterion(static_cast<ShaftMapModel::Criterion>(index));
     });
     row->addWidget(label);
-    row->addWidget(criterion_);
-    row->addStretch(1);
+    row->addWidget(criterion_, 1);
+    row->addStretch();
     best_ = new QPushButton(tr("&Best place"), bar);
     best_->setObjectName(QStringLiteral("go_best_place"));
     connect(best_, &QPushButton::clicked, map_, &ShaftMapModel::goToBest);
@@ -250,7 +254,7 @@ void ShaftMapView::arrange() {
         }
     } else {
         tabs_->addTab(distances_, tr("Over l"));
-        tabs_->addTab(sizes_, tr("Trade-off"));
+        tabs_->addTab(sizes_, tr("Pareto"));
     }
     side_->setVisible(wide);
 }
