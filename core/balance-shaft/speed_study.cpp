@@ -648,7 +648,7 @@ Json write_speed_study(const SpeedStudy& study, const std::optional<SpeedStudy::
             if (found) {
                 const double angle = std::atan2(found->x, found->y);
                 places[name] = {{"centre_distance_mm", std::hypot(found->x, found->y) / units::mm},
-                                {"shaft_angle_deg", wrapped(angle) / degree},
+                                {"shaft_angle_deg", wrap_turn(angle) / degree},
                                 {key, found->value},
                                 {"worst_speed_rpm", found->worst_speed / rpm},
                                 {"gap", found->gap}};
