@@ -67,12 +67,18 @@ class Search {
         return box.width * box.height <= *question_.largest_size * (1.0 + size_rounding);
     }
 
-    void offer(Place place) {
+    PlaceValue ask(const Place& place) {
+        ++best_.evaluations;
+        return question_.criterion(place);
+    }
+
+    /// @param known  the criterion at the place, where it has been asked for
+    void offer(Place place, const PlaceValue* known = nullptr) {
+        const Place wanted = place;
         if (!places_.mend(place) || !is_small_enough(place)) {
             return;
         }
-        const double value = question_.criterion(place).value;
-        ++best_.evaluations;
+        const double value = known && place == wanted ? known->value : ask(place).value;
         if (value < best_.value) {
             best_.place = place;
             best_.value = value;
@@ -108,6 +114,38 @@ class Search {
         return true;
     }
 
+    struct Tangent {
+        Place from;
+        PlaceValue at;
+        double operator()(const Place& place) const {
+            return at.value + at.gradient.dot(place - from);
+        }
+    };
+
+    static Place lowest(const PlacePolygon& polygon, const Tangent& tangent) {
+        std::size_t least = 0;
+        for (std::size_t i = 1; i < polygon.size(); ++i) {
+            if (tangent(polygon[i]) < tangent(polygon[least])) {
+                least = i;
+            }
+        }
+        return polygon[least];
+    }
+
+    static double least_of_larger(const PlacePolygon& polygon, const Tangent& one,
+                                  const Tangent& two) {
+        const Place difference = two.at.gradient - one.at.gradient;
+        // two − one ≥ 0
+        const HalfPlane beyond{difference,
+                               difference.dot(one.from) - (two(one.from) - one.at.value)};
+        PlacePolygon above = polygon;
+        above.cut(beyond);
+        PlacePolygon below = polygon;
+        below.cut({-beyond.normal, -beyond.least});
+        return std::min(above.size() > 0 ? two(lowest(above, two)) : infinite,
+                        below.size() > 0 ? one(lowest(below, one)) : infinite);
+    }
+
     void search(double distance) {
         const std::array<double, 4> region = places_.region(distance);
         best_.gap = 0.0;
@@ -138,7 +176,9 @@ class Search {
             }
             const double r = rectangle.half.norm();
             if (count >= most_rectangles || r < smallest) {
-                best_.gap = std::max(best_.gap, best_.value - rectangle.bound);
+                if (best_.value < infinite) {
+                    best_.gap = std::max(best_.gap, best_.value - rectangle.bound);
+                }
                 if (count >= most_rectangles) {
                     break;
                 }
@@ -155,22 +195,9 @@ class Search {
             if (all.size() == 0) {
                 continue;
             }
-            const PlaceValue here = question_.criterion(rectangle.middle);
-            ++best_.evaluations;
-            const auto tangent = [&](const Place& at) {
-                return here.value + here.gradient.dot(at - rectangle.middle);
-            };
-            const auto lowest = [&](const PlacePolygon& polygon) {
-                std::size_t least = 0;
-                for (std::size_t i = 1; i < polygon.size(); ++i) {
-                    if (tangent(polygon[i]) < tangent(polygon[least])) {
-                        least = i;
-                    }
-                }
-                return polygon[least];
-            };
-            const double bound =
-                std::max(rectangle.bound, tangent(lowest(all)) - here.bend * r * r);
+            const Tangent here{rectangle.middle, ask(rectangle.middle)};
+            double bound =
+                std::max(rectangle.bound, here(lowest(all, here)) - here.at.bend * r * r);
             if (bound >= best_.value - tolerance) {
                 best_.gap = std::max(best_.gap, best_.value - bound);
                 continue;
@@ -179,9 +206,19 @@ class Search {
             for (const HalfPlane& line : cuts.inner) {
                 surely.cut(line);
             }
-            offer(surely.size() > 0 ? lowest(surely) : lowest(all));
+            const Place candidate = lowest(surely.size() > 0 ? surely : all, here);
+            const Tangent there{candidate, ask(candidate)};
+            offer(candidate, &there.at);
             if (cuts.outer.empty()) {
-                offer(rectangle.middle);
+                offer(rectangle.middle, &here.at);
+            }
+            if (here.at.bend == 0.0) {
+                // The larger of the two tangent planes, as it is on both sides of a kink.
+                bound = std::max(bound, least_of_larger(all, here, there));
+            }
+            if (bound >= best_.value - tolerance) {
+                best_.gap = std::max(best_.gap, best_.value - bound);
+                continue;
             }
             // What the lines leave is halved across its longer side.
             Place low = all[0];
