@@ -297,9 +297,16 @@ void MomentPlane::add_tile(const Side& side, const Grid& grid, std::size_t colum
     const Place best = highest(side, middle);
     // From the middle to another place of the tile a knot gains on the best by at most the distance
     // of their directions times that of the places; the sine's bow grows with its size.
-    thread_local std::vector<const Branch*> near;
-    near.clear();
-    std::size_t pushed = count_;
+    struct Near {
+        std::vector<std::size_t> knots;
+        std::vector<double> peak, cos, sin, above, chord, value;
+    };
+    thread_local Near near;
+    near.knots.clear();
+    for (std::vector<double>* const column :
+         {&near.peak, &near.cos, &near.sin, &near.above, &near.chord}) {
+        column->clear();
+    }
     const double size = middle.size + radius;
     for (Eigen::Index k = 0; k < cos_.size(); k += lanes) {
         const Lanes below = best.value - middle.slack -
@@ -316,38 +323,51 @@ void MomentPlane::add_tile(const Side& side, const Grid& grid, std::size_t colum
         const Eigen::Index end =
             std::min<Eigen::Index>(lanes, static_cast<Eigen::Index>(count_) - k);
         for (Eigen::Index i = 0; i < end; ++i) {
-            if (!candidates[i]) {
-                continue;
-            }
-            const auto j = static_cast<std::size_t>(k + i);
-            for (const std::size_t interval : {j == 0 ? count_ - 1 : j - 1, j}) {
-                if (interval == pushed) {
-                    continue;
-                }
-                for (std::size_t n = turns_ * interval; n < turns_ * (interval + 1); ++n) {
-                    near.push_back(&side.branches[n]);
-                }
-                pushed = interval;
+            if (candidates[i]) {
+                near.knots.push_back(static_cast<std::size_t>(k + i));
+                near.peak.push_back(side.peak[k + i]);
+                near.cos.push_back(cos_[k + i]);
+                near.sin.push_back(sin_[k + i]);
+                near.above.push_back(side.above[k + i]);
+                near.chord.push_back(chord_beside_[k + i]);
             }
         }
     }
-    // The branch that was highest in one cell is asked first in the next.
+    const auto count = static_cast<Eigen::Index>(near.knots.size());
+    near.value.resize(near.knots.size());
+    using Column = Eigen::Map<const Eigen::ArrayXd>;
+    const Column peak(near.peak.data(), count);
+    const Column cosines(near.cos.data(), count);
+    const Column sines(near.sin.data(), count);
+    const Column above(near.above.data(), count);
+    const Column chord(near.chord.data(), count);
+    Eigen::Map<Eigen::ArrayXd> value(near.value.data(), count);
     for (std::size_t k = 0; k < rows; ++k) {
         double* const out = &ranges[(row + k) * grid.columns + column];
         for (std::size_t i = 0; i < columns; ++i) {
             const Vector here =
                 at(first_column + static_cast<double>(i), first_row + static_cast<double>(k));
+            value = peak + here.a * cosines + here.b * sines;
+            const double top = value.maxCoeff();
+            value += above + here.size * chord;
             Place highest;
             highest.value = -std::numeric_limits<double>::infinity();
-            std::size_t winner = 0;
-            for (std::size_t n = 0; n < near.size(); ++n) {
-                const double before = highest.value;
-                search_branch(*near[n], here, highest);
-                if (highest.value > before) {
-                    winner = n;
+            std::size_t searched = count_;
+            for (Eigen::Index n = 0; n < count; ++n) {
+                if (value[n] + here.slack < std::max(top, highest.value)) {
+                    continue;
                 }
+                const std::size_t j = near.knots[static_cast<std::size_t>(n)];
+                for (const std::size_t interval : {j == 0 ? count_ - 1 : j - 1, j}) {
+                    if (interval == searched) {
+                        continue;
+                    }
+                    for (std::size_t m = turns_ * interval; m < turns_ * (interval + 1); ++m) {
+                        search_branch(side.branches[m], here, highest);
+                    }
+                }
+                searched = j;
             }
-            std::swap(near[0], near[winner]);
             out[i] += highest.value;
         }
     }

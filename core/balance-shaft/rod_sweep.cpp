@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace ravnoves::balance_shaft {
@@ -60,6 +62,39 @@ double RodSweep::squares(double x, double y, Column& out) const {
     return least;
 }
 
+/// Where the square of the distance is least: its slope changes sign once beside the least sample.
+double RodSweep::flat_between(double low, double high, double x, double y) const {
+    const auto slope = [&](double theta) {
+        const double sin = std::sin(theta);
+        const double cos = std::cos(theta);
+        const auto piston = crank_.at(theta);
+        const Rod rod{crank_.crank_radius * sin, crank_.crank_radius * cos,
+                      crank_.offset - crank_.crank_radius * sin,
+                      piston.s - crank_.crank_radius * cos};
+        const double to_x = x - rod.x;
+        const double to_y = y - rod.y;
+        const double t =
+            std::clamp((to_x * rod.along_x + to_y * rod.along_y) * per_length2_, 0.0, 1.0);
+        const double pin_x = crank_.crank_radius * cos;
+        const double pin_y = -crank_.crank_radius * sin;
+        return -((to_x - t * rod.along_x) * (1.0 - t) * pin_x +
+                 (to_y - t * rod.along_y) * ((1.0 - t) * pin_y + t * piston.ds));
+    };
+    const double slope_low = slope(low);
+    const double slope_high = slope(high);
+    if (!(slope_low < 0.0 && slope_high > 0.0)) {
+        return boost::math::tools::brent_find_minima(
+                   [&](double theta) { return square(rod_at(theta), x, y); }, low, high, 26)
+            .first;
+    }
+    std::uintmax_t tries = 40;
+    // The distance is flat there: half of a double's digits are enough.
+    const auto [left, right] =
+        boost::math::tools::toms748_solve(slope, low, high, slope_low, slope_high,
+                                          boost::math::tools::eps_tolerance<double>(30), tries);
+    return left + (right - left) / 2.0;
+}
+
 RodSweep::Nearest RodSweep::nearest(double x, double y) const {
     Column square_at;
     double least = squares(x, y, square_at);
@@ -74,8 +109,8 @@ RodSweep::Nearest RodSweep::nearest(double x, double y) const {
         // A minimum between samples is below them by no more than the rod moves.
         if (square_at[i] <= before && square_at[i] <= after &&
             std::sqrt(square_at[i]) - motion_ <= std::sqrt(least)) {
-            const auto [at, value] = boost::math::tools::brent_find_minima(
-                [&](double t) { return square(rod_at(t), x, y); }, theta - step, theta + step, 26);
+            const double at = flat_between(theta - step, theta + step, x, y);
+            const double value = square(rod_at(at), x, y);
             if (value <= least) {
                 least = value;
                 angle = at;

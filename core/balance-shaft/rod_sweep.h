@@ -35,6 +35,7 @@ class RodSweep {
     };
     Rod rod_at(double theta) const;
     double square(const Rod& rod, double x, double y) const;
+    double flat_between(double low, double high, double x, double y) const;
     /// Squares of the distances of all samples; returns the least.
     double squares(double x, double y, Column& out) const;
 

@@ -49,7 +49,7 @@ struct Samples {
         }
     }
     double range(double x, double y) const {
-        const auto sum = moment + force * x * cos + force * y * sin;
+        const Eigen::ArrayXd sum = moment + force * x * cos + force * y * sin;
         return sum.maxCoeff() - sum.minCoeff();
     }
 };
@@ -162,7 +162,7 @@ void nelder_mead_place(benchmark::State& state) {
             }
         }
         found = simplex[0].range;
-        benchmark::DoNotOptimize(found);
+        benchmark::ClobberMemory();
     }
     state.counters["evaluations"] = evaluations;
     state.counters["range_Nm"] = found;
