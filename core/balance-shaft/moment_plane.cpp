@@ -196,7 +196,8 @@ void MomentPlane::search_branch(const Branch& branch, const Vector& at, Place& b
             }
             const double change = std::abs(moved - t);
             t = moved;
-            if (change <= 1e-9 * width) {  // the value is flat there
+            // The next step's would be the square of this, and the value is flat there.
+            if (change <= 1e-5 * width) {
                 break;
             }
         }
