@@ -1,9 +1,6 @@
 #include "balance-shaft/shaft_map_plot.h"
 
-#include <QApplication>
-#include <QClipboard>
 #include <QHelpEvent>
-#include <QMenu>
 #include <QMouseEvent>
 #include <QPainterPath>
 #include <QToolTip>
@@ -654,6 +651,7 @@ void ShaftMapPlot::mousePressEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton && isHandle(event->position())) {
         dragging_ = true;
         grip_ = pixelOf(map_->present()) - event->position();
+        setCursor(Qt::ClosedHandCursor);
         model_->beginEditing();
         update();
         event->accept();
@@ -706,6 +704,7 @@ void ShaftMapPlot::mouseDoubleClickEvent(QMouseEvent* event) {
 void ShaftMapPlot::endDrag() {
     if (dragging_) {
         dragging_ = false;
+        setCursor(Qt::OpenHandCursor);
         model_->endEditing();
         update();
     }
@@ -798,12 +797,6 @@ void ShaftMapPlot::focusOutEvent(QFocusEvent* event) {
 void ShaftMapPlot::hideEvent(QHideEvent* event) {
     endDrag();
     PlotView::hideEvent(event);
-}
-
-void ShaftMapPlot::fillMenu(QMenu& menu) {
-    menu.addAction(tr("Copy field as CSV"), this,
-                   [this] { QApplication::clipboard()->setText(map_->fieldCsv()); })
-        ->setEnabled(map_->map() != nullptr);
 }
 
 }  // namespace ravnoves

@@ -22,6 +22,8 @@ class ShaftMapPlot : public PlotView {
     QPointF pixelOf(const ShaftMapModel::Position& position) const;
     ShaftMapModel::Position placeAt(const QPointF& pixel) const;
     bool isDragging() const { return dragging_; }
+    /// The field under the picture.
+    QString dataAsCsv() const override { return map_->fieldCsv(); }
     /// A number at a contour or a marker.
     struct Label {
         QRectF box;
@@ -38,7 +40,6 @@ class ShaftMapPlot : public PlotView {
     void paintGround(QPainter& painter) override;
     void paintTop(QPainter& painter) override;
     double keyHeight() const override;
-    void fillMenu(QMenu& menu) override;
     bool event(QEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;

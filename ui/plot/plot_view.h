@@ -6,8 +6,6 @@
 
 #include "plot/model/plot_data.h"
 
-class QMenu;
-
 namespace ravnoves {
 
 class LegendItem;
@@ -121,7 +119,7 @@ class PlotView : public QWidget {
         return data_.valueAt(data_.curve(curve), x);
     }
     /// The data of the shown curves as CSV text: x, then one column per curve.
-    QString dataAsCsv() const { return data_.csv(); }
+    virtual QString dataAsCsv() const { return data_.csv(); }
     /// Draws title, legend, chart and marks onto any device; used for pictures, SVG and print.
     void renderTo(QPainter& painter, const QRectF& target);
     /// Writes a PNG (twice the size on screen) or SVG, by the file's ending.
@@ -156,8 +154,6 @@ class PlotView : public QWidget {
     /// Height of a key of its own between title and chart, pixels.
     virtual double keyHeight() const { return 0.0; }
     double keyTop() const { return data_.headerHeight - keyHeight(); }
-    /// Adds to the context menu.
-    virtual void fillMenu(QMenu& /*menu*/) {}
 
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;

@@ -181,7 +181,6 @@ void PlotView::contextMenuEvent(QContextMenuEvent* event) {
             QMessageBox::warning(this, tr("Save picture"), trouble);
         }
     });
-    fillMenu(menu);
     menu.exec(event->globalPos());
 }
 

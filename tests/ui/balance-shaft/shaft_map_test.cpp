@@ -257,7 +257,7 @@ TEST_F(ShaftMapTest, HatchesWhatCannotBeBuiltAndSaysWhy) {
     EXPECT_GT(blocked, 50);
     EXPECT_LT(blocked, 450);
     EXPECT_LE(wrong, 2);  // at the very edge
-    // In pictures: the cylinder's middle differs from a place that can be built by its hatch.
+    // Under the pointer it says why, and what the place would give.
     move(plot->pixelOf({0.0, 20 * mm}), Qt::NoButton);
     const QString over = view->words()->text();
     EXPECT_TRUE(over.contains(QStringLiteral("20.0 mm"))) << over.toStdString();
@@ -404,7 +404,7 @@ TEST_F(ShaftMapTest, LimitsAreHatchedAndSaid) {
 }
 
 TEST_F(ShaftMapTest, TheFieldIsACsv) {
-    const QStringList lines = map->fieldCsv().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    const QStringList lines = plot->dataAsCsv().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
     const std::size_t side = map->map()->obstacleColumns;
     ASSERT_EQ(lines.size(), static_cast<qsizetype>(side * side + 1));
     const QStringList row = lines[1234].split(QLatin1Char(','));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "model/background_job.h"
 #include "numerics/constants.h"
@@ -121,16 +122,16 @@ double leastBetween(double low, double high, const Function& value) {
     return 0.5 * (low + high);
 }
 
-using Measure = double ShaftMap::Criteria::*;
-
 /// The best α of a centre distance among those that can be built: the circle is looked at every
 /// degree, the ends of what can be built are bisected, and the best place found is refined.
+/// @param measure  what is to be least, of the criteria of a place
+template <typename Measure>
 std::optional<ShaftMap::Place> bestBuilt(const PositionStudy& study, double distance,
-                                         Measure measure) {
+                                         const Measure& measure) {
     constexpr int parts = 360;
     constexpr double step = two_pi / parts;
     const auto place = [&](double angle) { return ShaftMap::Position::at(distance, angle); };
-    const auto value = [&](double angle) { return study.at(place(angle)).*measure; };
+    const auto value = [&](double angle) { return std::invoke(measure, study.at(place(angle))); };
     const auto isFree = [&](double angle) {
         return study.obstacle(place(angle)) == Obstacle::none;
     };
@@ -476,8 +477,8 @@ QString ShaftMapModel::bestText() const {
         return tr("The map is being computed …");
     }
     const Marker* best = this->best();
-    if (best == nullptr) {
-        return tr("The torque has no range: every shaft only adds to it.");
+    if (best == nullptr || !map_->best.reason.empty()) {
+        return messageText(map_->best.reason);
     }
     const auto where = [](const Position& position) {
         return tr("l %1 mm, α %2°")
@@ -588,7 +589,9 @@ void ShaftMapModel::goToDistance(double metres) {
         return;
     }
     const bool byRms = criterion_ == Criterion::Rms;
-    const auto built = bestBuilt(map_->study, metres, byRms ? &Criteria::rms : &Criteria::range);
+    const auto built = bestBuilt(map_->study, metres, [this](const Criteria& criteria) {
+        return change(criteria).value_or(0.0);
+    });
     const Position best = built   ? built->position
                           : byRms ? map_->study.best_rms_at(metres).position
                                   : map_->study.best_range_at(metres).position;
