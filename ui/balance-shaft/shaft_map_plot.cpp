@@ -104,25 +104,22 @@ QImage fieldImage(const balance_shaft::PositionMap& field, const std::vector<dou
 }
 
 /// A marker's sign: what is best in the range is a diamond, in the RMS a disc, in the sum a
-/// triangle; hollow where it cannot be built.
+/// triangle, over a band of speeds a square; hollow where it cannot be built.
 void drawGlyph(QPainter& painter, const QPointF& at, const ShaftMapModel::Marker& marker) {
     const Theme& theme = Theme::instance();
     QPainterPath shape;
     const double r = glyphRadius;
-    switch (marker.criterion) {
-        case ShaftMapModel::Criterion::Range:
-            shape.addPolygon(QPolygonF{at + QPointF(0, -1.25 * r), at + QPointF(1.25 * r, 0),
-                                       at + QPointF(0, 1.25 * r), at + QPointF(-1.25 * r, 0),
-                                       at + QPointF(0, -1.25 * r)});
-            break;
-        case ShaftMapModel::Criterion::Rms:
-            shape.addEllipse(at, r, r);
-            break;
-        case ShaftMapModel::Criterion::Both:
-            shape.addPolygon(QPolygonF{at + QPointF(0, -1.2 * r), at + QPointF(1.15 * r, 0.9 * r),
-                                       at + QPointF(-1.15 * r, 0.9 * r),
-                                       at + QPointF(0, -1.2 * r)});
-            break;
+    if (marker.worst) {
+        shape.addRect(QRectF(at - QPointF(0.9 * r, 0.9 * r), QSizeF(1.8 * r, 1.8 * r)));
+    } else if (marker.criterion == ShaftMapModel::Criterion::Range) {
+        shape.addPolygon(QPolygonF{at + QPointF(0, -1.25 * r), at + QPointF(1.25 * r, 0),
+                                   at + QPointF(0, 1.25 * r), at + QPointF(-1.25 * r, 0),
+                                   at + QPointF(0, -1.25 * r)});
+    } else if (marker.criterion == ShaftMapModel::Criterion::Rms) {
+        shape.addEllipse(at, r, r);
+    } else {
+        shape.addPolygon(QPolygonF{at + QPointF(0, -1.2 * r), at + QPointF(1.15 * r, 0.9 * r),
+                                   at + QPointF(-1.15 * r, 0.9 * r), at + QPointF(0, -1.2 * r)});
     }
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(theme.panel(), 4.5));
@@ -271,7 +268,8 @@ std::vector<ShaftMapPlot::KeyEntry> ShaftMapPlot::keyEntries() const {
     };
     const ShaftMapModel::Marker* hollow = nullptr;
     for (auto marker = markers.begin(); marker != markers.end(); ++marker) {
-        if (marker == markers.begin() || std::prev(marker)->criterion != marker->criterion) {
+        if (marker == markers.begin() || std::prev(marker)->criterion != marker->criterion ||
+            marker->worst) {
             addSign(marker->name, *marker);
         } else if (hollow == nullptr) {
             hollow = &*marker;
@@ -429,7 +427,7 @@ void ShaftMapPlot::labelMarkers() {
         labels_.push_back({QRectF(pixelOf(marker.position) - QPointF(9, 9), QSizeF(18, 18)), {}});
     }
     for (const ShaftMapModel::Marker& marker : map_->markers()) {
-        const auto change = map_->change(marker.criteria);
+        const auto change = marker.worst ? marker.worst : map_->change(marker.criteria);
         if (!change || marker.criterion != map_->criterion()) {
             continue;
         }
@@ -479,7 +477,7 @@ void ShaftMapPlot::labelContours(const std::vector<QPolygonF>& lines) {
     const QFontMetricsF metrics(Theme::font(Theme::smallSize));
     const ShaftMapModel::Marker* best = nullptr;
     for (const ShaftMapModel::Marker& marker : map_->markers()) {
-        if (marker.criterion == map_->criterion()) {
+        if (marker.criterion == map_->criterion() && !marker.worst) {
             best = &marker;  // the last is the one of all places
         }
     }
@@ -676,9 +674,9 @@ void ShaftMapPlot::mouseMoveEvent(QMouseEvent* event) {
     setCursor(isHandle(event->position()) ? Qt::OpenHandCursor : Qt::ArrowCursor);
     const bool inside = plotArea().contains(event->position());
     const ShaftMapModel::Marker* marker = inside ? markerAt(event->position()) : nullptr;
-    Q_EMIT hovered(!inside ? QString()
-                           : map_->placeText(marker != nullptr ? marker->position
-                                                               : placeAt(event->position())));
+    Q_EMIT hovered(!inside             ? QString()
+                   : marker != nullptr ? map_->markerText(*marker)
+                                       : map_->placeText(placeAt(event->position())));
 }
 
 void ShaftMapPlot::mouseReleaseEvent(QMouseEvent* event) {
@@ -722,7 +720,7 @@ void ShaftMapPlot::keyPressEvent(QKeyEvent* event) {
         const std::size_t count = map_->markers().size();
         if (count > 0) {
             chosen_ = chosen_ ? (*chosen_ + by) % count : (by == 1 ? 0 : count - 1);
-            Q_EMIT hovered(map_->placeText(map_->markers()[*chosen_].position));
+            Q_EMIT hovered(map_->markerText(map_->markers()[*chosen_]));
             update();
         }
     };

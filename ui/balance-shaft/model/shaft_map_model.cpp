@@ -19,6 +19,7 @@ using balance_shaft::BestPosition;
 using balance_shaft::Input;
 using balance_shaft::Obstacle;
 using balance_shaft::PositionStudy;
+using balance_shaft::SpeedStudy;
 
 namespace {
 
@@ -211,7 +212,10 @@ double viewOf(const ShaftMap& map, double present) {
 }  // namespace
 
 ShaftMapModel::ShaftMapModel(BalanceShaftModel* model, QObject* parent)
-    : QObject(parent), model_(model), job_(new BackgroundJob(this)) {
+    : QObject(parent),
+      model_(model),
+      job_(new BackgroundJob(this)),
+      bandJob_(new BackgroundJob(this)) {
     job_->setPatience(500, 30);
     connect(model_, &SceneModel::changed, this, &ShaftMapModel::follow);
     connect(model_, &BalanceShaftModel::shaftMoved, this, &ShaftMapModel::moved);
@@ -246,6 +250,7 @@ void ShaftMapModel::follow() {
 }
 
 void ShaftMapModel::start() {
+    bandJob_->cancel();
     job_->start([this, solver = model_->solver(), present = model_->input().centre_distance](
                     const BackgroundJob::Progress& progress) -> std::function<void()> {
         auto map = std::make_shared<ShaftMap>(ShaftMap{.study = PositionStudy(solver)});
@@ -268,10 +273,50 @@ void ShaftMapModel::start() {
         }
         return [this, map] {
             map_ = map;
+            bandRange_.reset();
+            bandRms_.reset();
             trouble_.clear();
             showMap();
+            startBand();
         };
     });
+}
+
+void ShaftMapModel::startBand() {
+    if (!model_->input().speed_band) {
+        return;
+    }
+    bandJob_->start([this, input = model_->input()](
+                        const BackgroundJob::Progress& progress) -> std::function<void()> {
+        const SpeedStudy study(input, *input.speed_band, progress);
+        if (!study.reason().empty() || !study.is_complete()) {
+            return {};
+        }
+        const auto leastBad = [&](SpeedStudy::Criterion criterion) -> std::optional<BandPlace> {
+            constexpr auto relative = SpeedStudy::Measure::relative;
+            if (const auto built = study.least_bad_place_buildable(criterion, relative)) {
+                return BandPlace{*built, true};
+            }
+            const auto any = study.least_bad_place(criterion, relative);
+            return any ? std::optional(BandPlace{*any, false}) : std::nullopt;
+        };
+        return [this, range = leastBad(SpeedStudy::Criterion::range),
+                rms = leastBad(SpeedStudy::Criterion::rms)] {
+            bandRange_ = range;
+            bandRms_ = rms;
+            showCriterion();
+        };
+    });
+}
+
+void ShaftMapModel::addBandMarker() {
+    const auto& band = criterion_ == Criterion::Range ? bandRange_ : bandRms_;
+    if (!band || criterion_ == Criterion::Both) {
+        return;
+    }
+    const Position position{band->place.x, band->place.y};
+    markers_.push_back({criterion_, band->isBuildable, position, map_->study.at(position),
+                        tr("least bad over the speeds"), band->place.value - 1.0});
 }
 
 void ShaftMapModel::showMap() {
@@ -399,7 +444,9 @@ QString ShaftMapModel::criterionName() const {
 }
 
 void ShaftMapModel::showCriterion() {
-    std::erase_if(markers_, [](const Marker& each) { return each.criterion == Criterion::Both; });
+    std::erase_if(markers_, [](const Marker& each) {
+        return each.criterion == Criterion::Both || each.worst.has_value();
+    });
     changes_.clear();
     levels_.clear();
     contours_.clear();
@@ -408,6 +455,7 @@ void ShaftMapModel::showCriterion() {
             addMarker(Criterion::Both, true, bestOfBoth(true));
             addMarker(Criterion::Both, false, bestOfBoth(false));
         }
+        addBandMarker();
         const balance_shaft::PositionMap& field = map_->field;
         changes_.resize(field.range.size());
         for (std::size_t i = 0; i < changes_.size(); ++i) {
@@ -462,7 +510,8 @@ std::vector<double> ShaftMapModel::chooseLevels() const {
 const ShaftMapModel::Marker* ShaftMapModel::best() const {
     const Marker* found = nullptr;
     for (const Marker& marker : markers_) {
-        if (marker.criterion == criterion_ && (found == nullptr || marker.isBuildable)) {
+        if (marker.criterion == criterion_ && !marker.worst &&
+            (found == nullptr || marker.isBuildable)) {
             found = &marker;
         }
     }
@@ -503,7 +552,7 @@ QString ShaftMapModel::bestText() const {
         return text;
     }
     for (const Marker& other : markers_) {
-        if (other.criterion == criterion_ && !other.isBuildable) {
+        if (other.criterion == criterion_ && !other.isBuildable && !other.worst) {
             text +=
                 QLatin1Char(' ') +
                 tr("%1 at %2 cannot be built.").arg(value(other.criteria), where(other.position));
@@ -543,6 +592,12 @@ QString ShaftMapModel::placeText(const Position& position) const {
         text += QStringLiteral(". ") + why;
     }
     return text;
+}
+
+QString ShaftMapModel::markerText(const Marker& marker) const {
+    return marker.worst ? tr("Least bad over the band of speeds: %1 at the worst one. Here: %2")
+                              .arg(signedPercent(*marker.worst), placeText(marker.position))
+                        : placeText(marker.position);
 }
 
 ShaftMapModel::Position ShaftMapModel::present() const {

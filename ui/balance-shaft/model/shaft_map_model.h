@@ -9,6 +9,7 @@
 
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/position_study.h"
+#include "balance-shaft/speed_study.h"
 
 namespace ravnoves {
 
@@ -67,6 +68,8 @@ class ShaftMapModel : public QObject {
         Position position;
         Criteria criteria;
         QString name;  ///< for the legend
+        /// The change at the worst speed, of the place that is least bad over the band of speeds.
+        std::optional<double> worst = {};
     };
     /// One line of equal change, m.
     struct Contour {
@@ -77,6 +80,8 @@ class ShaftMapModel : public QObject {
     explicit ShaftMapModel(BalanceShaftModel* model, QObject* parent = nullptr);
 
     BackgroundJob* job() const { return job_; }
+    /// Looks for the place that is least bad over the case's band of speeds, after the map.
+    BackgroundJob* bandJob() const { return bandJob_; }
     /// Makes the map anew where it is not that of the input and someone looks.
     void setWatched(bool watched);
     /// The map made last, or null; isStale() where a newer one is on the way.
@@ -111,6 +116,7 @@ class ShaftMapModel : public QObject {
     /// The same but for the reason, a line each.
     QStringList placeLines(const Position& position) const;
     QString reason(const Position& position) const;
+    QString markerText(const Marker& marker) const;
 
     Position present() const;
     bool isBuildable(const Position& position) const;
@@ -140,6 +146,8 @@ class ShaftMapModel : public QObject {
   private:
     void follow();
     void start();
+    void startBand();
+    void addBandMarker();
     void showMap();
     void showCriterion();
     std::vector<double> chooseLevels() const;
@@ -150,9 +158,17 @@ class ShaftMapModel : public QObject {
 
     BalanceShaftModel* model_;
     BackgroundJob* job_;
+    BackgroundJob* bandJob_;
     bool watched_ = false;
     std::shared_ptr<const ShaftMap> map_;
     std::optional<balance_shaft::Input> mapped_;  ///< what the map is made of, or will be
+    /// Least bad over the band, by range and by RMS.
+    struct BandPlace {
+        balance_shaft::SpeedStudy::LeastBadPlace place;
+        bool isBuildable;
+    };
+    std::optional<BandPlace> bandRange_;
+    std::optional<BandPlace> bandRms_;
     QString trouble_;
     Criterion criterion_ = Criterion::Range;
     double weight_ = 0.5;
