@@ -163,8 +163,10 @@ ShaftMapPlot::ShaftMapPlot(BalanceShaftModel* model, ShaftMapModel* map, QWidget
            "keys: 0.1 mm, with Shift 1 mm. A double click goes to a place; Page up and Page down "
            "choose a marker, Enter goes there. Where it is hatched the shaft cannot be built."));
     connect(map_, &ShaftMapModel::mapChanged, this, &ShaftMapPlot::showMap);
-    connect(map_, &ShaftMapModel::staleChanged, this,
-            [this] { setFaded(map_->isStale(), tr("computing …")); });
+    connect(map_, &ShaftMapModel::staleChanged, this, [this] {
+        standingStale_ = true;
+        setFaded(map_->isStale());
+    });
     connect(map_, &ShaftMapModel::moved, this, qOverload<>(&QWidget::update));
     connect(model_, &BalanceShaftModel::crankAngleChanged, this, [this] {
         standingStale_ = true;
@@ -408,6 +410,14 @@ bool ShaftMapPlot::addLabel(const QRectF& box, const QString& text, bool isBold)
 
 void ShaftMapPlot::paintLabels(QPainter& painter) const {
     const Theme& theme = Theme::instance();
+    if (isFaded()) {
+        // The numbers are old; that newer ones come stands where they do not meet the drawing.
+        painter.setFont(Theme::font(Theme::baseSize));
+        painter.setPen(theme.text());
+        painter.drawText(plotArea().adjusted(Theme::space, Theme::space, -Theme::space, 0),
+                         Qt::AlignTop | Qt::AlignRight, tr("computing …"));
+        return;
+    }
     for (const Label& label : labels_) {
         if (label.text.isEmpty()) {
             continue;  // a marker's own place
