@@ -16,12 +16,12 @@ namespace ravnoves {
 class BackgroundJob;
 
 /// What a range and an RMS over the places of the shaft's axis look like, and what is best. None of
-/// it depends on where the axis stands now. Lengths in m, forces in N.
+/// it depends on where the axis stands now. Lengths in m, moments in N·m.
 struct ShaftMap {
     using Position = balance_shaft::ShaftPosition;
     using Criteria = balance_shaft::PositionCriteria;
 
-    /// A place and its criteria; where there is none, neither is.
+    /// A place and its criteria.
     struct Place {
         Position position;
         Criteria criteria;
