@@ -40,10 +40,6 @@
         <translation>Работа · вал</translation>
     </message>
     <message>
-        <source>Excess on each crankpin Δm_y = %1 (%2)</source>
-        <translation>Неуравновешенная масса на каждой шатунной шейке Δm_у = %1 (%2)</translation>
-    </message>
-    <message>
         <source>The data are not complete; nothing can be advised.</source>
         <translation>Данные неполны, совета дать нельзя.</translation>
     </message>
@@ -54,10 +50,6 @@
     <message>
         <source>Heavier than nominal by</source>
         <translation>Тяжелее номинала на</translation>
-    </message>
-    <message>
-        <source>Excess Δm_y</source>
-        <translation>Всего Δm_у</translation>
     </message>
     <message>
         <source>Options, in the order of cost</source>
@@ -102,10 +94,6 @@
     <message>
         <source>does not work</source>
         <translation>не годится</translation>
-    </message>
-    <message>
-        <source>Each compensates constant + k_y × lightening of one plug, k_y = %1 (slope %2°); needed: lightening of one plug.</source>
-        <translation>Компенсируется: постоянная + k_у × снятая с одной пробки масса, k_у = %1 (угол %2°); «снять» и «можно» — с одной пробки.</translation>
     </message>
     <message>
         <source>Bob weight on each crankpin, %1</source>
@@ -162,10 +150,6 @@
     <message>
         <source>Balancing machine</source>
         <translation>Балансировочный станок</translation>
-    </message>
-    <message>
-        <source>ISO 21940-11, G %1, %2 kg at %3 min⁻¹: U_per = %4 in all.</source>
-        <translation>ИСО 21940-11, G %1, %2 кг при %3 мин⁻¹: U_доп = %4 всего.</translation>
     </message>
     <message>
         <source>ISO 21940-11: no grade, mass and speed given.</source>
@@ -235,6 +219,22 @@
         <source>spread</source>
         <translation>разброс</translation>
     </message>
+    <message>
+        <source>Excess on each crankpin Δmᵤ = %1 (%2)</source>
+        <translation>Неуравновешенная масса на каждой шатунной шейке Δmᵤ = %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Excess Δmᵤ</source>
+        <translation>Всего Δmᵤ</translation>
+    </message>
+    <message>
+        <source>Each compensates constant + kᵤ × lightening of one plug, kᵤ = %1 (slope %2°); needed: lightening of one plug.</source>
+        <translation>Компенсируется: постоянная + kᵤ × снятая с одной пробки масса, kᵤ = %1 (угол %2°); «снять» и «можно» — с одной пробки.</translation>
+    </message>
+    <message>
+        <source>ISO 21940-11, G %1, %2 kg at %3 min⁻¹: Uₚₑᵣ = %4 in all.</source>
+        <translation>ИСО 21940-11, G %1, %2 кг при %3 мин⁻¹: Uдоп = %4 всего.</translation>
+    </message>
 </context>
 <context>
     <name>V8</name>
@@ -280,74 +280,6 @@
         <translation>Радиус кривошипа r</translation>
     </message>
     <message>
-        <source>Plug radius r_p</source>
-        <translation>Радиус пробки r_р</translation>
-    </message>
-    <message>
-        <source>New plug radius r_pn</source>
-        <translation>Радиус новой пробки r_рн</translation>
-    </message>
-    <message>
-        <source>Steel plug m_p</source>
-        <translation>Стальная пробка m_р</translation>
-    </message>
-    <message>
-        <source>Aluminium plug m_a</source>
-        <translation>Алюминиевая пробка m_а</translation>
-    </message>
-    <message>
-        <source>New steel plug m_pn</source>
-        <translation>Новая стальная m_рн</translation>
-    </message>
-    <message>
-        <source>New aluminium plug m_an</source>
-        <translation>Новая алюминиевая m_ан</translation>
-    </message>
-    <message>
-        <source>Most off steel plug Δm_pm</source>
-        <translation>Предел со стальной Δm_рm</translation>
-    </message>
-    <message>
-        <source>Most off aluminium plug Δm_am</source>
-        <translation>Предел с алюминиевой Δm_аm</translation>
-    </message>
-    <message>
-        <source>Rod coefficient k_r</source>
-        <translation>Коэффициент шатуна k_ш</translation>
-    </message>
-    <message>
-        <source>Oil in a crankpin m_m</source>
-        <translation>Масло в шейке m_м</translation>
-    </message>
-    <message>
-        <source>Oil coefficient k_m</source>
-        <translation>Коэффициент масла k_м</translation>
-    </message>
-    <message>
-        <source>Reciprocating mass m_j</source>
-        <translation>Поступательная масса m_j</translation>
-    </message>
-    <message>
-        <source>Rotating mass m_R</source>
-        <translation>Вращающаяся масса m_R</translation>
-    </message>
-    <message>
-        <source>Improved piston Δm_pi</source>
-        <translation>Поршень Δm_п</translation>
-    </message>
-    <message>
-        <source>Rod big end Δm_be</source>
-        <translation>Головка шатуна Δm_шк</translation>
-    </message>
-    <message>
-        <source>Repair piston and rings Δm_rp</source>
-        <translation>Рем. поршень, кольца Δm_рп</translation>
-    </message>
-    <message>
-        <source>Repair shells Δm_sh</source>
-        <translation>Рем. вкладыши Δm_шр</translation>
-    </message>
-    <message>
         <source>Machine today&apos;s steel plugs</source>
         <translation>Облегчить стальные пробки</translation>
     </message>
@@ -366,10 +298,6 @@
     <message>
         <source>Plug</source>
         <translation>Пробка</translation>
-    </message>
-    <message>
-        <source>Oil m_m</source>
-        <translation>Масло m_м</translation>
     </message>
     <message>
         <source>Piston</source>
@@ -501,36 +429,8 @@
         <translation>л</translation>
     </message>
     <message>
-        <source>reciprocating m_j</source>
-        <translation>поступат. m_j</translation>
-    </message>
-    <message>
-        <source>piston Δm_pi</source>
-        <translation>поршень Δm_п</translation>
-    </message>
-    <message>
-        <source>rep. piston Δm_rp</source>
-        <translation>поршень Δm_рп</translation>
-    </message>
-    <message>
-        <source>rotating m_R</source>
-        <translation>вращ. m_R</translation>
-    </message>
-    <message>
         <source>plug</source>
         <translation>пробка</translation>
-    </message>
-    <message>
-        <source>big end Δm_be</source>
-        <translation>шатун Δm_шк</translation>
-    </message>
-    <message>
-        <source>rep. shells Δm_sh</source>
-        <translation>вкладыши Δm_шр</translation>
-    </message>
-    <message>
-        <source>oil m_m</source>
-        <translation>масло m_м</translation>
     </message>
     <message>
         <source>steel</source>
@@ -905,22 +805,6 @@
         <translation>Печатается на карте.</translation>
     </message>
     <message>
-        <source>Δm_pi: one piston against nominal.</source>
-        <translation>Δm_п: один поршень против номинала.</translation>
-    </message>
-    <message>
-        <source>Δm_be: one big end against nominal.</source>
-        <translation>Δm_шк: одна нижняя головка против номинала.</translation>
-    </message>
-    <message>
-        <source>Δm_rp: one repair piston with its rings against nominal.</source>
-        <translation>Δm_рп: один ремонтный поршень с кольцами против номинала.</translation>
-    </message>
-    <message>
-        <source>Δm_sh: the repair shells of one crankpin against nominal.</source>
-        <translation>Δm_шр: ремонтные вкладыши одной шейки против номинала.</translation>
-    </message>
-    <message>
         <source>must be a metric thread with its pitch, like %1</source>
         <translation>должно быть метрической резьбой с шагом, например %1</translation>
     </message>
@@ -1003,6 +887,134 @@
     <message>
         <source>new: aluminium</source>
         <translation>новый: алюм.</translation>
+    </message>
+    <message>
+        <source>Reciprocating mass mⱼ</source>
+        <translation>Поступательная масса mⱼ</translation>
+    </message>
+    <message>
+        <source>Improved piston Δmₚᵢ</source>
+        <translation>Поршень</translation>
+    </message>
+    <message>
+        <source>Repair piston and rings Δmᵣₚ</source>
+        <translation>Рем. поршень, кольца</translation>
+    </message>
+    <message>
+        <source>Rotating mass</source>
+        <translation>Вращающаяся масса</translation>
+    </message>
+    <message>
+        <source>Rod big end</source>
+        <translation>Головка шатуна</translation>
+    </message>
+    <message>
+        <source>Repair shells Δmₛₕ</source>
+        <translation>Рем. вкладыши</translation>
+    </message>
+    <message>
+        <source>Oil mₘ</source>
+        <translation>Масло mₘ</translation>
+    </message>
+    <message>
+        <source>Plug radius rₚ</source>
+        <translation>Радиус пробки rₚ</translation>
+    </message>
+    <message>
+        <source>New plug radius rₚₙ</source>
+        <translation>Радиус новой пробки rₚₙ</translation>
+    </message>
+    <message>
+        <source>Steel plug mₚ</source>
+        <translation>Стальная пробка mₚ</translation>
+    </message>
+    <message>
+        <source>Aluminium plug mₐ</source>
+        <translation>Алюминиевая пробка mₐ</translation>
+    </message>
+    <message>
+        <source>New steel plug mₚₙ</source>
+        <translation>Новая стальная mₚₙ</translation>
+    </message>
+    <message>
+        <source>New aluminium plug mₐₙ</source>
+        <translation>Новая алюминиевая mₐₙ</translation>
+    </message>
+    <message>
+        <source>Most off steel plug Δmₚₘ</source>
+        <translation>Предел со стальной Δmₚₘ</translation>
+    </message>
+    <message>
+        <source>Most off aluminium plug Δmₐₘ</source>
+        <translation>Предел с алюминиевой Δmₐₘ</translation>
+    </message>
+    <message>
+        <source>Rod coefficient kᵣ</source>
+        <translation>Коэффициент шатуна kᵣ</translation>
+    </message>
+    <message>
+        <source>Oil in a crankpin mₘ</source>
+        <translation>Масло в шейке mₘ</translation>
+    </message>
+    <message>
+        <source>Oil coefficient kₘ</source>
+        <translation>Коэффициент масла kₘ</translation>
+    </message>
+    <message>
+        <source>Δmₚᵢ: one piston against nominal.</source>
+        <translation>Один поршень против номинала.</translation>
+    </message>
+    <message>
+        <source>One big end against nominal.</source>
+        <translation>Одна нижняя головка против номинала.</translation>
+    </message>
+    <message>
+        <source>Δmᵣₚ: one repair piston with its rings against nominal.</source>
+        <translation>Один ремонтный поршень с кольцами против номинала.</translation>
+    </message>
+    <message>
+        <source>Δmₛₕ: the repair shells of one crankpin against nominal.</source>
+        <translation>Ремонтные вкладыши одной шейки против номинала.</translation>
+    </message>
+    <message>
+        <source>reciprocating mⱼ</source>
+        <translation>поступат. mⱼ</translation>
+    </message>
+    <message>
+        <source>piston Δmₚᵢ</source>
+        <translation>поршень</translation>
+    </message>
+    <message>
+        <source>rep. piston Δmᵣₚ</source>
+        <translation>рем. поршень</translation>
+    </message>
+    <message>
+        <source>rotating</source>
+        <translation>вращ.</translation>
+    </message>
+    <message>
+        <source>big end</source>
+        <translation>шатун</translation>
+    </message>
+    <message>
+        <source>rep. shells Δmₛₕ</source>
+        <translation>рем. вкладыши</translation>
+    </message>
+    <message>
+        <source>oil mₘ</source>
+        <translation>масло mₘ</translation>
+    </message>
+    <message>
+        <source>changes of mass (sheet 1) or weights of the parts (sheet 3)</source>
+        <translation>изменения масс (лист 1) или массы деталей (лист 3)</translation>
+    </message>
+    <message>
+        <source>The weights of the parts do not count: the box on sheet 3 is off.</source>
+        <translation>Массы деталей не учитываются: флажок на листе 3 снят.</translation>
+    </message>
+    <message>
+        <source>The changes typed do not count: the weights of the parts do.</source>
+        <translation>Введённые изменения не учитываются: учитываются массы деталей.</translation>
     </message>
 </context>
 <context>
@@ -1340,20 +1352,8 @@
         <translation>Момент на тактах газообмена не похож на инерционный момент кривошипно-шатунного механизма, поэтому сверить его с введёнными массами и частотой нельзя.</translation>
     </message>
     <message>
-        <source>The torque on the gas-exchange stroke holds an inertia torque of m_j r² ω² = %1 N·m (r/L = %2); the masses and the speed entered give %3 N·m. They belong together.</source>
-        <translation>На такте газообмена в моменте содержится инерционный момент mⱼ r² ω² = %1 Н·м (r/L = %2); введённые массы и частота дают %3 Н·м. Они соответствуют друг другу.</translation>
-    </message>
-    <message>
-        <source>The torque on the gas-exchange stroke holds an inertia torque of m_j r² ω² = %1 N·m (r/L = %2); the masses and the speed entered give %3 N·m. They do not belong together: the torque fits these masses at %4 min⁻¹, or %5 kg at this speed. The best angle found below is that of no real engine until they agree.</source>
-        <translation>На такте газообмена в моменте содержится инерционный момент mⱼ r² ω² = %1 Н·м (r/L = %2); введённые массы и частота дают %3 Н·м. Они не соответствуют друг другу: момент подходит этим массам при %4 мин⁻¹ или массе %5 кг при этой частоте. Пока это не согласовано, найденный лучший угол не относится ни к одному настоящему двигателю.</translation>
-    </message>
-    <message>
         <source>must add up to more than 0 and to a finite mass</source>
         <translation>в сумме должна получиться конечная масса больше 0</translation>
-    </message>
-    <message>
-        <source>must be at most rod_mass_kg, %1</source>
-        <translation>должно быть не больше rod_mass_kg, %1</translation>
     </message>
     <message>
         <source>must hold either heat_J or indicated_mean_effective_pressure_bar</source>
@@ -1382,10 +1382,6 @@
     <message>
         <source>the mechanism</source>
         <translation>механизм</translation>
-    </message>
-    <message>
-        <source>the cylinder</source>
-        <translation>цилиндр</translation>
     </message>
     <message>
         <source>the envelope</source>
@@ -1418,10 +1414,6 @@
     <message>
         <source>makes %1 larger than this program can work with (%2) together with the other inputs</source>
         <translation>вместе с остальными данными: %1 больше того, с чем может работать программа (%2)</translation>
-    </message>
-    <message>
-        <source>must be at least from_rpm, %1</source>
-        <translation>должно быть не меньше from_rpm, %1</translation>
     </message>
     <message>
         <source>must be less than the teeth, which must be from %1 to %2</source>
@@ -1776,16 +1768,8 @@
         <translation>Диапазон частот вращения для исследования.</translation>
     </message>
     <message>
-        <source>Band from</source>
-        <translation>Диапазон от</translation>
-    </message>
-    <message>
         <source>Lowest speed of the band.</source>
         <translation>Наименьшая частота диапазона.</translation>
-    </message>
-    <message>
-        <source>Band to</source>
-        <translation>Диапазон до</translation>
     </message>
     <message>
         <source>Highest speed of the band.</source>
@@ -1834,10 +1818,6 @@
     <message>
         <source>must be %1, since the torque table spans %2</source>
         <translation>должно быть %1: таблица момента охватывает %2</translation>
-    </message>
-    <message>
-        <source>must be 2 or 4</source>
-        <translation>должно быть 2 или 4</translation>
     </message>
     <message>
         <source>must hold either inertia_kg_m2 or fluctuation</source>
@@ -1906,6 +1886,150 @@
     <message>
         <source>gauge pressure</source>
         <translation>избыточное давление</translation>
+    </message>
+    <message>
+        <source>two-stroke</source>
+        <translation>двухтактный</translation>
+    </message>
+    <message>
+        <source>four-stroke</source>
+        <translation>четырёхтактный</translation>
+    </message>
+    <message>
+        <source>Limits on the place of the shaft&apos;s axis, beside what it must clear.</source>
+        <translation>Ограничения на место оси вала помимо того, что он должен обходить.</translation>
+    </message>
+    <message>
+        <source>Least l</source>
+        <translation>Наименьшее l</translation>
+    </message>
+    <message>
+        <source>Least distance between the crank axis and the shaft&apos;s axis.</source>
+        <translation>Наименьшее расстояние между осью кривошипа и осью вала.</translation>
+    </message>
+    <message>
+        <source>Largest l</source>
+        <translation>Наибольшее l</translation>
+    </message>
+    <message>
+        <source>Largest distance between the crank axis and the shaft&apos;s axis.</source>
+        <translation>Наибольшее расстояние между осью кривошипа и осью вала.</translation>
+    </message>
+    <message>
+        <source>α from</source>
+        <translation>α от</translation>
+    </message>
+    <message>
+        <source>The shaft&apos;s angle is at least this, in the direction of rotation. Empty: 0 where the other end is given.</source>
+        <translation>Угол вала не меньше этого, в направлении вращения. Пусто: 0, если задан другой конец.</translation>
+    </message>
+    <message>
+        <source>α to</source>
+        <translation>α до</translation>
+    </message>
+    <message>
+        <source>The shaft&apos;s angle is at most this. Empty: 360° where the other end is given.</source>
+        <translation>Угол вала не больше этого. Пусто: 360°, если задан другой конец.</translation>
+    </message>
+    <message>
+        <source>Least x</source>
+        <translation>Наименьшее x</translation>
+    </message>
+    <message>
+        <source>The shaft&apos;s axis lies to the right of this line; x counts to the right from the crank axis. Of a wall: its place, the shaft&apos;s swing radius and a gap.</source>
+        <translation>Ось вала правее этой линии; x отсчитывается вправо от оси кривошипа. Для стенки: её место, радиус окружности вала и зазор.</translation>
+    </message>
+    <message>
+        <source>Largest x</source>
+        <translation>Наибольшее x</translation>
+    </message>
+    <message>
+        <source>The shaft&apos;s axis lies to the left of this line.</source>
+        <translation>Ось вала левее этой линии.</translation>
+    </message>
+    <message>
+        <source>Least y</source>
+        <translation>Наименьшее y</translation>
+    </message>
+    <message>
+        <source>The shaft&apos;s axis lies above this line; y counts up from the crank axis.</source>
+        <translation>Ось вала выше этой линии; y отсчитывается вверх от оси кривошипа.</translation>
+    </message>
+    <message>
+        <source>Largest y</source>
+        <translation>Наибольшее y</translation>
+    </message>
+    <message>
+        <source>The shaft&apos;s axis lies below this line.</source>
+        <translation>Ось вала ниже этой линии.</translation>
+    </message>
+    <message>
+        <source>Teeth &amp;z</source>
+        <translation>Зубья &amp;z</translation>
+    </message>
+    <message>
+        <source>Teeth out, &amp;k</source>
+        <translation>Сдвиг в зубьях, &amp;k</translation>
+    </message>
+    <message>
+        <source>Back&amp;lash</source>
+        <translation>&amp;Боковой зазор</translation>
+    </message>
+    <message>
+        <source>&amp;Band from</source>
+        <translation>&amp;Диапазон от</translation>
+    </message>
+    <message>
+        <source>Band &amp;to</source>
+        <translation>Диапазон д&amp;о</translation>
+    </message>
+    <message>
+        <source>The torque on the gas-exchange stroke holds an inertia torque of mⱼ r² ω² = %1 N·m (r/L = %2); the masses and the speed entered give %3 N·m. They belong together.</source>
+        <translation>На такте газообмена в моменте содержится инерционный момент mⱼ r² ω² = %1 Н·м (r/L = %2); введённые массы и частота дают %3 Н·м. Они соответствуют друг другу.</translation>
+    </message>
+    <message>
+        <source>The torque on the gas-exchange stroke holds an inertia torque of mⱼ r² ω² = %1 N·m (r/L = %2); the masses and the speed entered give %3 N·m. They do not belong together: the torque fits these masses at %4 min⁻¹, or %5 kg at this speed. The best angle found below is that of no real engine until they agree.</source>
+        <translation>На такте газообмена в моменте содержится инерционный момент mⱼ r² ω² = %1 Н·м (r/L = %2); введённые массы и частота дают %3 Н·м. Они не соответствуют друг другу: момент подходит этим массам при %4 мин⁻¹ или массе %5 кг при этой частоте. Пока это не согласовано, найденный лучший угол не относится ни к одному настоящему двигателю.</translation>
+    </message>
+    <message>
+        <source>must be at most the mass of the whole rod, %1</source>
+        <translation>должно быть не больше массы всего шатуна, %1</translation>
+    </message>
+    <message>
+        <source>must be at least the lowest speed of the band, %1</source>
+        <translation>должно быть не меньше наименьшей частоты диапазона, %1</translation>
+    </message>
+    <message>
+        <source>The shaft makes no moment, so its place changes nothing.</source>
+        <translation>Вал не создаёт момента, поэтому его место ничего не меняет.</translation>
+    </message>
+    <message>
+        <source>The tipping moment is constant: every shaft away from the crank&apos;s axis only adds to it.</source>
+        <translation>Опрокидывающий момент постоянен: любой вал в стороне от оси кривошипа лишь добавляет к нему.</translation>
+    </message>
+    <message>
+        <source>No place of the shaft is within the limits, clears crank, cylinder and rod and lets the gears mesh.</source>
+        <translation>Нет места вала, которое было бы в заданных пределах, обходило кривошип, цилиндр и шатун и оставляло шестерни в зацеплении.</translation>
+    </message>
+    <message>
+        <source>The shaft&apos;s swing circle (radius %1, gap %2) meets that of the crank: the centre distance must be at least %3, and it is %4.</source>
+        <translation>Окружность вала (радиус %1, зазор %2) задевает окружность кривошипа: межосевое расстояние должно быть не меньше %3, а оно %4.</translation>
+    </message>
+    <message>
+        <source>The shaft&apos;s swing circle (radius %1, gap %2) meets the cylinder.</source>
+        <translation>Окружность вала (радиус %1, зазор %2) задевает цилиндр.</translation>
+    </message>
+    <message>
+        <source>The shaft&apos;s swing circle (radius %1, gap %2) meets what the rod sweeps.</source>
+        <translation>Окружность вала (радиус %1, зазор %2) задевает то, что описывает шатун.</translation>
+    </message>
+    <message>
+        <source>The gears do not mesh: with their tip radius %1 the centre distance must be from %2 to %3, and it is %4.</source>
+        <translation>Шестерни не в зацеплении: при радиусе вершин %1 межосевое расстояние должно быть от %2 до %3, а оно %4.</translation>
+    </message>
+    <message>
+        <source>The place is outside the limits given.</source>
+        <translation>Место вне заданных пределов.</translation>
     </message>
 </context>
 <context>
@@ -2261,6 +2385,10 @@
     <message>
         <source>%1, &quot;%2&quot;, not before %3 (the copy at hand shows neither journal nor year)</source>
         <translation>%1, «%2», не ранее %3 (в имеющейся копии нет ни журнала, ни года)</translation>
+    </message>
+    <message>
+        <source>must be %1 or %2</source>
+        <translation>должно быть %1 или %2</translation>
     </message>
 </context>
 <context>
@@ -2905,10 +3033,6 @@
         <translation>П&amp;оложение цилиндра 1</translation>
     </message>
     <message>
-        <source>Axial position z of cylinder 1. Volkswagen VR5: 3 a + l_cm = 204.8 mm, with the centre of mass at z = 0.</source>
-        <translation>Положение z цилиндра 1 вдоль вала. Volkswagen VR5: 3 a + l_цм = 204,8 мм, центр масс при z = 0.</translation>
-    </message>
-    <message>
         <source>Rod &amp;mass</source>
         <translation>Масса шат&amp;уна</translation>
     </message>
@@ -3265,10 +3389,6 @@
         <translation>нужно задать для одного цилиндра (rotating_mass_kg): на коленах этого вала разное число шатунов</translation>
     </message>
     <message>
-        <source>must be 2 or 4</source>
-        <translation>должно быть 2 или 4</translation>
-    </message>
-    <message>
         <source>The order %1 cannot be run through in two turns of this crank.</source>
         <translation>Порядок %1 нельзя пройти за два оборота этого вала.</translation>
     </message>
@@ -3281,8 +3401,80 @@
         <translation>колена с числом шатунов %1 и %2</translation>
     </message>
     <message>
-        <source>Cylinders %1 share a crankpin in one plane: there one rod is the master and the others hang on it. All are computed as plain rods on the pin; articulated ones add a second order to the force, of some hundredths of the first, and uneven dead centres.</source>
-        <translation>Цилиндры %1 стоят на одной шейке в одной плоскости: там один шатун главный, остальные прицеплены к нему. Все считаются обычными шатунами на шейке; прицепные добавляют к силе второй порядок в несколько сотых первого и неравномерность мёртвых точек.</translation>
+        <source>must have a master rod: none of the rods on the crankpin of cylinder %1 is without articulated</source>
+        <translation>нужен главный шатун: на шейке цилиндра %1 нет шатуна без articulated</translation>
+    </message>
+    <message>
+        <source>must be given: the rods of cylinders %1 run on this crankpin, and each could be the master</source>
+        <translation>должно быть задано: на этой шейке стоят шатуны цилиндров %1, главным мог бы быть каждый</translation>
+    </message>
+    <message>
+        <source>must be a cylinder of the table, 1 to %1</source>
+        <translation>должен быть цилиндр таблицы, от 1 до %1</translation>
+    </message>
+    <message>
+        <source>must be a rod on the crankpin itself; that of cylinder %1 is articulated too</source>
+        <translation>должен быть шатун на самой шейке; у цилиндра %1 он тоже прицепной</translation>
+    </message>
+    <message>
+        <source>must run on the same crankpin (same angle, another direction, less than the crank radius away); cylinder %1 runs on that of cylinders %2</source>
+        <translation>должен стоять на той же шейке (тот же угол, другое направление, ближе радиуса кривошипа); цилиндр %1 — на шейке цилиндров %2</translation>
+    </message>
+    <message>
+        <source>must be less than %1, the length of the master rod</source>
+        <translation>должно быть меньше %1 — длины главного шатуна</translation>
+    </message>
+    <message>
+        <source>two strokes, 360°</source>
+        <translation>два такта, 360°</translation>
+    </message>
+    <message>
+        <source>four strokes, 720°</source>
+        <translation>четыре такта, 720°</translation>
+    </message>
+    <message>
+        <source>The cylinder&apos;s rod hangs on the master rod of its crankpin by a knuckle pin (radials); without it the rod runs on the crankpin itself.</source>
+        <translation>Шатун цилиндра прицеплен пальцем к главному шатуну своей шейки (звёзды); без этого шатун стоит на самой шейке.</translation>
+    </message>
+    <message>
+        <source>Articulated rod: distance of its knuckle pin from the crankpin&apos;s centre; empty: the rod runs on the crankpin itself</source>
+        <translation>Прицепной шатун: расстояние пальца прицепа от центра шейки; пусто: шатун стоит на самой шейке</translation>
+    </message>
+    <message>
+        <source>Articulated rod: its knuckle pin about the crankpin, counter-clockwise from the master rod&apos;s axis; empty: the difference of the bank angles</source>
+        <translation>Прицепной шатун: угол его пальца прицепа вокруг шейки, против часовой стрелки от оси главного шатуна; пусто: разность углов рядов</translation>
+    </message>
+    <message>
+        <source>Articulated rod: its length from knuckle pin to piston pin; empty: the master rod&apos;s less the knuckle radius</source>
+        <translation>Прицепной шатун: длина от пальца прицепа до поршневого пальца; пусто: длина главного без радиуса прицепа</translation>
+    </message>
+    <message>
+        <source>Articulated rod: number of the cylinder with its master rod; empty or 0: the only rod that runs on the crankpin itself</source>
+        <translation>Прицепной шатун: номер цилиндра с его главным шатуном; пусто или 0: единственный шатун на самой шейке</translation>
+    </message>
+    <message>
+        <source>Articulated rod: part of the cylinder&apos;s rotating mass that lies at the knuckle pin instead of the crankpin</source>
+        <translation>Прицепной шатун: часть вращающейся массы цилиндра, которая находится у пальца прицепа, а не у шейки</translation>
+    </message>
+    <message>
+        <source>Axial position z of cylinder 1. Volkswagen VR5: 3 a + l = 204.8 mm, with the centre of mass at z = 0.</source>
+        <translation>Положение z цилиндра 1 вдоль вала. Volkswagen VR5: 3 a + l = 204,8 мм, центр масс при z = 0.</translation>
+    </message>
+    <message>
+        <source>must be left out where rods are articulated (that of cylinder %1): master and articulated rods differ in mass, and their shares belong in the masses</source>
+        <translation>не должно быть там, где шатуны прицепные (у цилиндра %1): главный и прицепные шатуны различны по массе, их доли входят в массы</translation>
+    </message>
+    <message>
+        <source>must be at most %1, the rotating mass of one cylinder</source>
+        <translation>должно быть не больше %1 — вращающейся массы одного цилиндра</translation>
+    </message>
+    <message>
+        <source>must leave the articulated rod longer than %1, which its knuckle pin goes from the cylinder&apos;s axis; %2</source>
+        <translation>прицепной шатун должен остаться длиннее %1 — настолько палец прицепа отходит от оси цилиндра; %2</translation>
+    </message>
+    <message>
+        <source>Cylinders %1 share a crankpin in one plane: there one rod is the master and the others hang on it. All are computed as plain rods on the pin; articulated ones add a second order to the force, of 5 to 12 % of the first, and uneven dead centres. &quot;Articulated rods&quot; above the table of cylinders computes them (articulated in the case file).</source>
+        <translation>Цилиндры %1 стоят на одной шейке в одной плоскости: там один шатун главный, а остальные прицеплены к нему. Все считаются обычными шатунами на шейке; прицепные добавляют к силе второй порядок, 5–12 % первого, и неравномерность мёртвых точек. Их вычисляет «Прицепные шатуны» над таблицей цилиндров (articulated в файле).</translation>
     </message>
 </context>
 <context>
@@ -3314,10 +3506,6 @@
     <message>
         <source>Best shaft angle</source>
         <translation>Наилучший угол вала</translation>
-    </message>
-    <message>
-        <source>the α with the least range of M_ups</source>
-        <translation>угол α с наименьшим размахом M_ups</translation>
     </message>
     <message>
         <source>range there less the least range, part of the largest torque + A</source>
@@ -3792,14 +3980,6 @@
         <translation>точен для таблицы в том виде, как она читается</translation>
     </message>
     <message>
-        <source>Range of M_ups</source>
-        <translation>Размах M_ups</translation>
-    </message>
-    <message>
-        <source>ΔM_ups, largest less smallest moment over the cycle, at one α</source>
-        <translation>ΔM_ups, наибольший момент за цикл минус наименьший, при одном α</translation>
-    </message>
-    <message>
         <source>the range at one α, the table being prepared</source>
         <translation>размах при одном α, таблица подготовлена</translation>
     </message>
@@ -4112,20 +4292,8 @@
         <translation>Половина хода 9,2 см из обозначения двигателя.</translation>
     </message>
     <message>
-        <source>reciprocating mass m_j</source>
-        <translation>возвратно-поступательная масса m_j</translation>
-    </message>
-    <message>
         <source>The sum of Table 1 with the heavier piston.</source>
         <translation>Сумма по табл. 1 с более тяжёлым поршнем.</translation>
-    </message>
-    <message>
-        <source>first-order inertia force P_j1 max</source>
-        <translation>сила инерции первого порядка P_j1 max</translation>
-    </message>
-    <message>
-        <source>m_j r ω² at the printed 376.8 rad/s.</source>
-        <translation>m_j r ω² при напечатанных 376,8 рад/с.</translation>
     </message>
     <message>
         <source>counterweight m₁</source>
@@ -4164,28 +4332,12 @@
         <translation>Среднее 49 строк учитывает конец цикла, 720° = 0°, дважды; наше число — интеграл за цикл.</translation>
     </message>
     <message>
-        <source>mean of M_id</source>
-        <translation>среднее M_id</translation>
-    </message>
-    <message>
-        <source>mean of M_up</source>
-        <translation>среднее M_up</translation>
-    </message>
-    <message>
         <source>To 0.01 N·m: l is not printed, ours follows from the largest entry and is rounded to 0.01 mm, and equal entries scatter by 0.01 in print.</source>
         <translation>До 0,01 Н·м: l не напечатано, наше следует из наибольшего числа и округлено до 0,01 мм, а равные числа в печати расходятся на 0,01.</translation>
     </message>
     <message>
         <source>last column</source>
         <translation>последний столбец</translation>
-    </message>
-    <message>
-        <source>The column is headed M_up but holds M_s of α = 330°.</source>
-        <translation>Столбец озаглавлен M_up, но содержит M_s при α = 330°.</translation>
-    </message>
-    <message>
-        <source>mean M_sm(α = %1°)</source>
-        <translation>среднее M_sm(α = %1°)</translation>
     </message>
     <message>
         <source>The mean of the 25 rows counts the end of the cycle twice; the cycle mean of a sine is 0 for every α.</source>
@@ -4204,10 +4356,6 @@
         <translation>перед табл. %1</translation>
     </message>
     <message>
-        <source>step of the means M_sm in Table 3</source>
-        <translation>шаг средних M_sm в табл. 3</translation>
-    </message>
-    <message>
         <source>Only the 25 printed rows give the printed means; rows every 5° would give a sixth of them.</source>
         <translation>Напечатанные средние дают только 25 напечатанных строк; строки через 5° дали бы их шестую часть.</translation>
     </message>
@@ -4216,56 +4364,16 @@
         <translation>результаты</translation>
     </message>
     <message>
-        <source>α at which M_s is a cosine</source>
-        <translation>α, при котором M_s — косинус</translation>
-    </message>
-    <message>
-        <source>At 180° the mean of the nodes is 0 as well, but there M_s is a sine; it is a cosine at 90°.</source>
-        <translation>При 180° среднее по узлам тоже 0, но там M_s — синус; косинус она при 90°.</translation>
-    </message>
-    <message>
         <source>upper end of the α that lower the mean</source>
         <translation>верхняя граница α, снижающих среднее</translation>
-    </message>
-    <message>
-        <source>The mean of the nodes is positive up to there; the cycle mean of M_s is 0 for every α.</source>
-        <translation>Среднее по узлам положительно до этого угла; среднее M_s за цикл равно 0 при любом α.</translation>
-    </message>
-    <message>
-        <source>upper end of the α with M_sm &lt; 0</source>
-        <translation>верхняя граница α с M_sm &lt; 0</translation>
-    </message>
-    <message>
-        <source>360 without its first digit: M_sm of the nodes is negative from 180° to 360°.</source>
-        <translation>360 без первой цифры: M_sm по узлам отрицательно от 180° до 360°.</translation>
-    </message>
-    <message>
-        <source>α from which M_sm changes its sign</source>
-        <translation>α, с которого M_sm меняет знак</translation>
-    </message>
-    <message>
-        <source>So do the nodes; the cycle mean of M_s is 0 for every α.</source>
-        <translation>Так ведут себя узлы; среднее M_s за цикл равно 0 при любом α.</translation>
-    </message>
-    <message>
-        <source>α from which M_sm is negative</source>
-        <translation>α, с которого M_sm отрицательно</translation>
     </message>
     <message>
         <source>abstract</source>
         <translation>аннотация</translation>
     </message>
     <message>
-        <source>α of the largest ΔM_ups</source>
-        <translation>α наибольшего ΔM_ups</translation>
-    </message>
-    <message>
         <source>The largest of the sweep over α.</source>
         <translation>Наибольшее при переборе по α.</translation>
-    </message>
-    <message>
-        <source>largest ΔM_ups</source>
-        <translation>наибольшее ΔM_ups</translation>
     </message>
     <message>
         <source>It was read from a torque table of 5° that is not printed; ours is of the 15° table.</source>
@@ -4468,10 +4576,6 @@
         <translation>Скобка множителя 0,5 закрыта после M₁₂, а не перед ней; наше число даёт равновесие моментов относительно оси кривошипа.</translation>
     </message>
     <message>
-        <source>divisor of r² (P₁ + P₂) / g in I_pr(0)</source>
-        <translation>делитель r² (P₁ + P₂) / g в I_пр(0)</translation>
-    </message>
-    <message>
         <source>From the mechanism&apos;s reduced inertia.</source>
         <translation>Из приведённого момента инерции механизма.</translation>
     </message>
@@ -4538,10 +4642,6 @@
     <message>
         <source>%1 points a piece</source>
         <translation>%1 точек на участок</translation>
-    </message>
-    <message>
-        <source>mean of M_ups, its RMS about the mean, and the first order, which gives the RMS at every α</source>
-        <translation>среднее M_ups, СКЗ около среднего и первый порядок, который даёт СКЗ при каждом α</translation>
     </message>
     <message>
         <source>all of these, from the table</source>
@@ -4708,34 +4808,6 @@
         <translation>Задано в статье, но ничего из него не вычислено — ни там, ни в программе.</translation>
     </message>
     <message>
-        <source>piston m_p</source>
-        <translation>поршень m_p</translation>
-    </message>
-    <message>
-        <source>piston m_p, in brackets</source>
-        <translation>поршень m_p, в скобках</translation>
-    </message>
-    <message>
-        <source>piston pin m_pp</source>
-        <translation>поршневой палец m_pp</translation>
-    </message>
-    <message>
-        <source>piston rings m_pr</source>
-        <translation>поршневые кольца m_pr</translation>
-    </message>
-    <message>
-        <source>connecting rod m_sh</source>
-        <translation>шатун m_sh</translation>
-    </message>
-    <message>
-        <source>connecting rod m_sh, ±</source>
-        <translation>шатун m_sh, ±</translation>
-    </message>
-    <message>
-        <source>rod&apos;s part at the pin m_1</source>
-        <translation>часть шатуна у пальца m_1</translation>
-    </message>
-    <message>
         <source>bore in the engine&apos;s type</source>
         <translation>диаметр цилиндра в марке двигателя</translation>
     </message>
@@ -4748,32 +4820,12 @@
         <translation>радиус противовеса ρ₁</translation>
     </message>
     <message>
-        <source>M_up = −M_id, which the program was told.</source>
-        <translation>M_up = −M_id, которое введено в программу.</translation>
-    </message>
-    <message>
         <source>step of Table 3</source>
         <translation>шаг табл. 3</translation>
     </message>
     <message>
-        <source>α at which M_s is a sine</source>
-        <translation>α, при котором M_s — синусоида</translation>
-    </message>
-    <message>
-        <source>M_s is P₁ l sin φ there.</source>
-        <translation>Там M_s равно P₁ l sin φ.</translation>
-    </message>
-    <message>
         <source>lower end of the α that lower the mean</source>
         <translation>нижняя граница α, снижающих среднее</translation>
-    </message>
-    <message>
-        <source>The mean of the nodes is positive from there; the cycle mean of M_s is 0 for every α.</source>
-        <translation>Оттуда среднее по узлам положительно; среднее M_s за цикл равно 0 при любом α.</translation>
-    </message>
-    <message>
-        <source>lower end of the α with M_sm &lt; 0</source>
-        <translation>нижняя граница α с M_sm &lt; 0</translation>
     </message>
     <message>
         <source>α of Fig. %1</source>
@@ -4838,6 +4890,206 @@
     <message>
         <source>guides 2: ρ₀</source>
         <translation>направляющие 2: ρ₀</translation>
+    </message>
+    <message>
+        <source>Over the plane of places the range is convex: the largest of linear functions less the smallest. Planes under it find its kinks, where methods without slopes stop short and methods with slopes jump, and prove that no place is better.</source>
+        <translation>На плоскости мест размах выпуклый: наибольшая из линейных функций минус наименьшая. Плоскости под ним находят изломы, где методы без наклонов останавливаются раньше, а методы с наклонами прыгают, и доказывают, что лучшего места нет.</translation>
+    </message>
+    <message>
+        <source>the α with the least range of Mᵤₚₛ</source>
+        <translation>угол α с наименьшим размахом Mᵤₚₛ</translation>
+    </message>
+    <message>
+        <source>place without first order</source>
+        <translation>место без первого порядка</translation>
+    </message>
+    <message>
+        <source>the best place for the RMS, not for the range</source>
+        <translation>лучшее место для СКЗ, а не для размаха</translation>
+    </message>
+    <message>
+        <source>Best place of the shaft</source>
+        <translation>Лучшее место вала</translation>
+    </message>
+    <message>
+        <source>the place of the shaft with the least range of M_ups</source>
+        <translation>место вала с наименьшим размахом M_ups</translation>
+    </message>
+    <message>
+        <source>one search over all places, the table being prepared</source>
+        <translation>один поиск по всем местам, таблица подготовлена</translation>
+    </message>
+    <message>
+        <source>the extrema that hold each other at rest, against the bounds of the method in use</source>
+        <translation>экстремумы, уравновешивающие друг друга, — с границами используемого метода</translation>
+    </message>
+    <message>
+        <source>grid</source>
+        <translation>сетка</translation>
+    </message>
+    <message>
+        <source>as good as its step, for the price of its square</source>
+        <translation>так же точна, как её шаг, ценой его квадрата</translation>
+    </message>
+    <message>
+        <source>%1 a side</source>
+        <translation>%1 на сторону</translation>
+    </message>
+    <message>
+        <source>Nelder–Mead simplex</source>
+        <translation>симплекс Нелдера — Мида</translation>
+    </message>
+    <message>
+        <source>goes without slopes, but on a kink the simplex may shrink to a place that is not the best, and it does not know</source>
+        <translation>обходится без наклонов, но на изломе симплекс может стянуться не к лучшему месту и не узнать об этом</translation>
+    </message>
+    <message>
+        <source>subgradient steps</source>
+        <translation>субградиентные шаги</translation>
+    </message>
+    <message>
+        <source>jumps from side to side of a kink: the error falls with the root of the steps alone</source>
+        <translation>прыгает с одной стороны излома на другую: погрешность падает лишь как корень из числа шагов</translation>
+    </message>
+    <message>
+        <source>exact: the planes prove that no place is better</source>
+        <translation>точно: плоскости доказывают, что лучшего места нет</translation>
+    </message>
+    <message>
+        <source>mean of Mᵤₚₛ, its RMS about the mean, and the first order, which gives the RMS at every α</source>
+        <translation>среднее Mᵤₚₛ, СКЗ около среднего и первый порядок, который даёт СКЗ при каждом α</translation>
+    </message>
+    <message>
+        <source>Range of Mᵤₚₛ</source>
+        <translation>Размах Mᵤₚₛ</translation>
+    </message>
+    <message>
+        <source>ΔMᵤₚₛ, largest less smallest moment over the cycle, at one α</source>
+        <translation>ΔMᵤₚₛ, наибольший момент за цикл минус наименьший, при одном α</translation>
+    </message>
+    <message>
+        <source>piston mₚ</source>
+        <translation>поршень mₚ</translation>
+    </message>
+    <message>
+        <source>piston mₚ, in brackets</source>
+        <translation>поршень mₚ, в скобках</translation>
+    </message>
+    <message>
+        <source>piston pin mₚₚ</source>
+        <translation>поршневой палец mₚₚ</translation>
+    </message>
+    <message>
+        <source>piston rings mₚᵣ</source>
+        <translation>поршневые кольца mₚᵣ</translation>
+    </message>
+    <message>
+        <source>connecting rod mₛₕ</source>
+        <translation>шатун mₛₕ</translation>
+    </message>
+    <message>
+        <source>connecting rod mₛₕ, ±</source>
+        <translation>шатун mₛₕ, ±</translation>
+    </message>
+    <message>
+        <source>rod&apos;s part at the pin m₁</source>
+        <translation>часть шатуна у пальца m₁</translation>
+    </message>
+    <message>
+        <source>reciprocating mass mⱼ</source>
+        <translation>возвратно-поступательная масса mⱼ</translation>
+    </message>
+    <message>
+        <source>first-order inertia force Pⱼ₁ max</source>
+        <translation>сила инерции первого порядка Pⱼ₁ max</translation>
+    </message>
+    <message>
+        <source>mⱼ r ω² at the printed 376.8 rad/s.</source>
+        <translation>mⱼ r ω² при напечатанных 376,8 рад/с.</translation>
+    </message>
+    <message>
+        <source>Mᵤₚ = −Mᵢ, which the program was told.</source>
+        <translation>Mᵤₚ = −Mᵢ, которое введено в программу.</translation>
+    </message>
+    <message>
+        <source>mean of Mᵢ</source>
+        <translation>среднее Mᵢ</translation>
+    </message>
+    <message>
+        <source>mean of Mᵤₚ</source>
+        <translation>среднее Mᵤₚ</translation>
+    </message>
+    <message>
+        <source>The column is headed Mᵤₚ but holds Mₛ of α = 330°.</source>
+        <translation>Столбец озаглавлен Mᵤₚ, но содержит Mₛ при α = 330°.</translation>
+    </message>
+    <message>
+        <source>mean Mₛₘ(α = %1°)</source>
+        <translation>среднее Mₛₘ(α = %1°)</translation>
+    </message>
+    <message>
+        <source>step of the means Mₛₘ in Table 3</source>
+        <translation>шаг средних Mₛₘ в табл. 3</translation>
+    </message>
+    <message>
+        <source>α at which Mₛ is a sine</source>
+        <translation>α, при котором Mₛ — синусоида</translation>
+    </message>
+    <message>
+        <source>Mₛ is P₁ l sin φ there.</source>
+        <translation>Там Mₛ равно P₁ l sin φ.</translation>
+    </message>
+    <message>
+        <source>α at which Mₛ is a cosine</source>
+        <translation>α, при котором Mₛ — косинус</translation>
+    </message>
+    <message>
+        <source>At 180° the mean of the nodes is 0 as well, but there Mₛ is a sine; it is a cosine at 90°.</source>
+        <translation>При 180° среднее по узлам тоже 0, но там Mₛ — синус; косинус она при 90°.</translation>
+    </message>
+    <message>
+        <source>The mean of the nodes is positive up to there; the cycle mean of Mₛ is 0 for every α.</source>
+        <translation>Среднее по узлам положительно до этого угла; среднее Mₛ за цикл равно 0 при любом α.</translation>
+    </message>
+    <message>
+        <source>The mean of the nodes is positive from there; the cycle mean of Mₛ is 0 for every α.</source>
+        <translation>Оттуда среднее по узлам положительно; среднее Mₛ за цикл равно 0 при любом α.</translation>
+    </message>
+    <message>
+        <source>lower end of the α with Mₛₘ &lt; 0</source>
+        <translation>нижняя граница α с Mₛₘ &lt; 0</translation>
+    </message>
+    <message>
+        <source>So do the nodes; the cycle mean of Mₛ is 0 for every α.</source>
+        <translation>Так ведут себя узлы; среднее Mₛ за цикл равно 0 при любом α.</translation>
+    </message>
+    <message>
+        <source>upper end of the α with Mₛₘ &lt; 0</source>
+        <translation>верхняя граница α с Mₛₘ &lt; 0</translation>
+    </message>
+    <message>
+        <source>360 without its first digit: Mₛₘ of the nodes is negative from 180° to 360°.</source>
+        <translation>360 без первой цифры: Mₛₘ по узлам отрицательно от 180° до 360°.</translation>
+    </message>
+    <message>
+        <source>α from which Mₛₘ changes its sign</source>
+        <translation>α, с которого Mₛₘ меняет знак</translation>
+    </message>
+    <message>
+        <source>α from which Mₛₘ is negative</source>
+        <translation>α, с которого Mₛₘ отрицательно</translation>
+    </message>
+    <message>
+        <source>α of the largest ΔMᵤₚₛ</source>
+        <translation>α наибольшего ΔMᵤₚₛ</translation>
+    </message>
+    <message>
+        <source>largest ΔMᵤₚₛ</source>
+        <translation>наибольшее ΔMᵤₚₛ</translation>
+    </message>
+    <message>
+        <source>divisor of r² (P₁ + P₂) / g in Iₚᵣ(0)</source>
+        <translation>делитель r² (P₁ + P₂) / g в Iₚᵣ(0)</translation>
     </message>
 </context>
 <context>
@@ -5088,6 +5340,10 @@ but nothing can be built</source>
         <translation>
 на %2 Н·м меньше при %1° — построить нельзя</translation>
     </message>
+    <message>
+        <source>Load</source>
+        <translation>Нагрузка</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BalanceShaftPage</name>
@@ -5224,10 +5480,6 @@ but nothing can be built</source>
         <translation>Моменты за цикл</translation>
     </message>
     <message>
-        <source>Tipping moment, −M_id</source>
-        <translation>Опрокидывающий момент, −M_id</translation>
-    </message>
-    <message>
         <source>Moment of the balance shaft, P₁ l sin(α + φ), (4)</source>
         <translation>Момент балансирного вала, P₁ l sin(α + φ), (4)</translation>
     </message>
@@ -5356,16 +5608,16 @@ but nothing can be built</source>
         <translation>Маховик</translation>
     </message>
     <message>
-        <source>four-stroke</source>
-        <translation>четырёхтактный</translation>
-    </message>
-    <message>
-        <source>two-stroke</source>
-        <translation>двухтактный</translation>
-    </message>
-    <message>
         <source>Sizes: what can be built</source>
         <translation>Размеры: что можно построить</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Карта</translation>
+    </message>
+    <message>
+        <source>Tipping moment: the reaction to the engine torque</source>
+        <translation>Опрокидывающий момент: реакция на момент двигателя</translation>
     </message>
 </context>
 <context>
@@ -5406,16 +5658,16 @@ but nothing can be built</source>
         <translation>Компенсируемая масса от облегчения одной пробки</translation>
     </message>
     <message>
-        <source>Δm_y, g</source>
-        <translation>Δm_у, г</translation>
-    </message>
-    <message>
         <source>today %1</source>
         <translation>сейчас %1</translation>
     </message>
     <message>
         <source>lightening of one plug Δm, g</source>
         <translation>облегчение одной пробки Δm, г</translation>
+    </message>
+    <message>
+        <source>Δmᵤ, g</source>
+        <translation>Δmᵤ, г</translation>
     </message>
 </context>
 <context>
@@ -5494,14 +5746,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>−mⱼ ω² s′ s″</translation>
     </message>
     <message>
-        <source>M_id</source>
-        <translation>M_id</translation>
-    </message>
-    <message>
-        <source>Engine torque, gas plus inertia</source>
-        <translation>Крутящий момент: газы плюс инерция</translation>
-    </message>
-    <message>
         <source>Cylinder pressure</source>
         <translation>Давление в цилиндре</translation>
     </message>
@@ -5549,6 +5793,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>e mⱼ ω² s″: what an offset cylinder adds to Mᵤₚ</source>
         <translation>e mⱼ ω² s″: добавка смещённого цилиндра к Mᵤₚ</translation>
     </message>
+    <message>
+        <source>engine torque</source>
+        <translation>момент двигателя</translation>
+    </message>
+    <message>
+        <source>Gas plus inertia</source>
+        <translation>Газы и инерция вместе</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::CylinderEditor</name>
@@ -5579,6 +5831,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Your own table. Double-click a cell to edit; Ctrl+V pastes from a spreadsheet.</source>
         <translation>Ваша таблица. Двойной щелчок — правка ячейки; Ctrl+V вставляет из электронной таблицы.</translation>
+    </message>
+    <message>
+        <source>A&amp;rticulated rods</source>
+        <translation>&amp;Прицепные шатуны</translation>
+    </message>
+    <message>
+        <source>Where rods share a crankpin: one is the master, the others hang on it by knuckle pins, as in radials. Off: all run on the crankpin itself.</source>
+        <translation>Где шейка общая: один шатун главный, остальные прицеплены к нему пальцами, как в звёздах. Выключено: все стоят на самой шейке.</translation>
+    </message>
+    <message>
+        <source>A knuckle radius makes a rod articulated, an empty one puts it back on the crankpin. Values in italics follow from the others.</source>
+        <translation>Радиус прицепа делает шатун прицепным, пустая ячейка возвращает его на шейку. Значения курсивом следуют из других.</translation>
     </message>
 </context>
 <context>
@@ -5614,6 +5878,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Paste cylinders</source>
         <translation>Вставка цилиндров</translation>
+    </message>
+    <message>
+        <source>Top dead centre %1° from its axis, stroke %2 mm</source>
+        <translation>Верхняя мёртвая точка в %1° от своей оси, ход %2 мм</translation>
     </message>
 </context>
 <context>
@@ -5921,14 +6189,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Шатун — твёрдое тело</translation>
     </message>
     <message>
-        <source>four strokes, 720°</source>
-        <translation>четыре такта, 720°</translation>
-    </message>
-    <message>
-        <source>two strokes, 360°</source>
-        <translation>два такта, 360°</translation>
-    </message>
-    <message>
         <source>of one cylinder</source>
         <translation>одного цилиндра</translation>
     </message>
@@ -6185,6 +6445,117 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::ForcesModel</name>
+    <message>
+        <source>N</source>
+        <translation>Н</translation>
+    </message>
+    <message>
+        <source>1st order, P</source>
+        <translation>1-й порядок, P</translation>
+    </message>
+    <message>
+        <source>along, (1 − κ) P</source>
+        <translation>вдоль, (1 − κ) P</translation>
+    </message>
+    <message>
+        <source>across, κ P</source>
+        <translation>поперёк, κ P</translation>
+    </message>
+    <message>
+        <source>1st with shaft</source>
+        <translation>1-й с валом</translation>
+    </message>
+    <message>
+        <source>2nd order, λ mⱼ r ω²</source>
+        <translation>2-й порядок, λ mⱼ r ω²</translation>
+    </message>
+    <message>
+        <source>on crank, κ mⱼ r</source>
+        <translation>на валу, κ mⱼ r</translation>
+    </message>
+    <message>
+        <source>g·mm</source>
+        <translation>г·мм</translation>
+    </message>
+    <message>
+        <source>First-order inertia force, mⱼ r ω²</source>
+        <translation>Сила инерции первого порядка, mⱼ r ω²</translation>
+    </message>
+    <message>
+        <source>Half-axis of the ellipse along the cylinder</source>
+        <translation>Полуось эллипса вдоль цилиндра</translation>
+    </message>
+    <message>
+        <source>Half-axis of the ellipse across the cylinder</source>
+        <translation>Полуось эллипса поперёк цилиндра</translation>
+    </message>
+    <message>
+        <source>First order that the shaft&apos;s two counterweights leave</source>
+        <translation>Первый порядок, который оставляют два противовеса вала</translation>
+    </message>
+    <message>
+        <source>Second order along the cylinder; stays with and without a shaft</source>
+        <translation>Второй порядок вдоль цилиндра; остаётся с валом и без вала</translation>
+    </message>
+    <message>
+        <source>Static moment of the counterweight on the crank</source>
+        <translation>Статический момент противовеса на коленчатом валу</translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation>Н·м</translation>
+    </message>
+    <message>
+        <source>phase error</source>
+        <translation>ошибка фазы</translation>
+    </message>
+    <message>
+        <source>force left</source>
+        <translation>остаток силы</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>размах</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>СКЗ</translation>
+    </message>
+    <message>
+        <source>play, ±</source>
+        <translation>зазор, ±</translation>
+    </message>
+    <message>
+        <source>range in play</source>
+        <translation>размах с зазором</translation>
+    </message>
+    <message>
+        <source>360° k / z</source>
+        <translation>360° k / z</translation>
+    </message>
+    <message>
+        <source>Constant force that turns against the crank, 2 P₁ |sin(δ/2)|</source>
+        <translation>Постоянная сила, вращающаяся против кривошипа, 2 P₁ |sin(δ/2)|</translation>
+    </message>
+    <message>
+        <source>ΔMᵤₚₛ, shaft in its right place → k teeth out</source>
+        <translation>ΔMᵤₚₛ, вал на своём месте → сдвинут на k зубьев</translation>
+    </message>
+    <message>
+        <source>RMS of Mᵤₚₛ, shaft in its right place → k teeth out</source>
+        <translation>СКЗ Mᵤₚₛ, вал на своём месте → сдвинут на k зубьев</translation>
+    </message>
+    <message>
+        <source>The shaft wanders this far to either side: play / l</source>
+        <translation>На столько вал отходит в каждую сторону: зазор / l</translation>
+    </message>
+    <message>
+        <source>Least and largest ΔMᵤₚₛ while the shaft wanders</source>
+        <translation>Наименьший и наибольший ΔMᵤₚₛ, пока вал ходит в зазоре</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::ForcesView</name>
     <message>
         <source>Force on the engine</source>
@@ -6239,42 +6610,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Ед.</translation>
     </message>
     <message>
-        <source>Teeth z of each gear</source>
-        <translation>Число зубьев z шестерни</translation>
-    </message>
-    <message>
-        <source>Teeth k by which the shaft is out</source>
-        <translation>Вал смещён на k зубьев</translation>
-    </message>
-    <message>
-        <source>Backlash, mm</source>
-        <translation>Боковой зазор, мм</translation>
-    </message>
-    <message>
-        <source>&amp;z</source>
-        <translation>&amp;z</translation>
-    </message>
-    <message>
-        <source>&amp;k</source>
-        <translation>&amp;k</translation>
-    </message>
-    <message>
-        <source>play, &amp;mm</source>
-        <translation>&amp;зазор, мм</translation>
-    </message>
-    <message>
-        <source>Teeth</source>
-        <translation>Зубья</translation>
-    </message>
-    <message>
-        <source>Shifted teeth</source>
-        <translation>Смещение зубьев</translation>
-    </message>
-    <message>
-        <source>Backlash</source>
-        <translation>Боковой зазор</translation>
-    </message>
-    <message>
         <source>Mᵤₚₛ with gear error</source>
         <translation>Mᵤₚₛ с ошибкой зацепления</translation>
     </message>
@@ -6323,108 +6658,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Шестерни</translation>
     </message>
     <message>
-        <source>N</source>
-        <translation>Н</translation>
-    </message>
-    <message>
-        <source>1st order, P</source>
-        <translation>1-й порядок, P</translation>
-    </message>
-    <message>
-        <source>along, (1 − κ) P</source>
-        <translation>вдоль, (1 − κ) P</translation>
-    </message>
-    <message>
-        <source>across, κ P</source>
-        <translation>поперёк, κ P</translation>
-    </message>
-    <message>
-        <source>1st with shaft</source>
-        <translation>1-й с валом</translation>
-    </message>
-    <message>
-        <source>on crank, κ mⱼ r</source>
-        <translation>на валу, κ mⱼ r</translation>
-    </message>
-    <message>
-        <source>g·mm</source>
-        <translation>г·мм</translation>
-    </message>
-    <message>
-        <source>First-order inertia force, mⱼ r ω²</source>
-        <translation>Сила инерции первого порядка, mⱼ r ω²</translation>
-    </message>
-    <message>
-        <source>Half-axis of the ellipse along the cylinder</source>
-        <translation>Полуось эллипса вдоль цилиндра</translation>
-    </message>
-    <message>
-        <source>Half-axis of the ellipse across the cylinder</source>
-        <translation>Полуось эллипса поперёк цилиндра</translation>
-    </message>
-    <message>
-        <source>First order that the shaft&apos;s two counterweights leave</source>
-        <translation>Первый порядок, который оставляют два противовеса вала</translation>
-    </message>
-    <message>
-        <source>Second order along the cylinder; stays with and without a shaft</source>
-        <translation>Второй порядок вдоль цилиндра; остаётся с валом и без вала</translation>
-    </message>
-    <message>
-        <source>Static moment of the counterweight on the crank</source>
-        <translation>Статический момент противовеса на коленчатом валу</translation>
-    </message>
-    <message>
-        <source>phase error</source>
-        <translation>ошибка фазы</translation>
-    </message>
-    <message>
-        <source>force left</source>
-        <translation>остаток силы</translation>
-    </message>
-    <message>
-        <source>range</source>
-        <translation>размах</translation>
-    </message>
-    <message>
-        <source>RMS</source>
-        <translation>СКЗ</translation>
-    </message>
-    <message>
-        <source>play, ±</source>
-        <translation>зазор, ±</translation>
-    </message>
-    <message>
-        <source>range in play</source>
-        <translation>размах с зазором</translation>
-    </message>
-    <message>
-        <source>360° k / z</source>
-        <translation>360° k / z</translation>
-    </message>
-    <message>
-        <source>Constant force that turns against the crank, 2 P₁ |sin(δ/2)|</source>
-        <translation>Постоянная сила, вращающаяся против кривошипа, 2 P₁ |sin(δ/2)|</translation>
-    </message>
-    <message>
-        <source>ΔMᵤₚₛ, shaft in its right place → k teeth out</source>
-        <translation>ΔMᵤₚₛ, вал на своём месте → сдвинут на k зубьев</translation>
-    </message>
-    <message>
-        <source>RMS of Mᵤₚₛ, shaft in its right place → k teeth out</source>
-        <translation>СКЗ Mᵤₚₛ, вал на своём месте → сдвинут на k зубьев</translation>
-    </message>
-    <message>
-        <source>The shaft wanders this far to either side: play / l</source>
-        <translation>На столько вал отходит в каждую сторону: зазор / l</translation>
-    </message>
-    <message>
-        <source>Least and largest ΔMᵤₚₛ while the shaft wanders</source>
-        <translation>Наименьший и наибольший ΔMᵤₚₛ, пока вал ходит в зазоре</translation>
-    </message>
-    <message>
-        <source>2nd order, λ mⱼ r ω²</source>
-        <translation>2-й порядок, λ mⱼ r ω²</translation>
+        <source>Balanced on the crank alone</source>
+        <translation>Уравновешено только кривошипом</translation>
     </message>
 </context>
 <context>
@@ -7380,6 +7615,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>On a throw, rods: %1, g</source>
         <translation>Колено, ×%1, г</translation>
+    </message>
+    <message>
+        <source>Radial 9, articulated rods</source>
+        <translation>Звезда 9, прицепные шатуны</translation>
+    </message>
+    <message>
+        <source>Articulated rods run on their master&apos;s crankpin: they cannot be set apart.</source>
+        <translation>Прицепные шатуны стоят на шейке главного: разделить их нельзя.</translation>
+    </message>
+    <message>
+        <source>Articulated rods</source>
+        <translation>Прицепные шатуны</translation>
     </message>
 </context>
 <context>
@@ -8690,6 +8937,315 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::ShaftMapModel</name>
+    <message>
+        <source>least bad over the speeds</source>
+        <translation>наименее плохо по частотам</translation>
+    </message>
+    <message>
+        <source>least range</source>
+        <translation>мин. размах</translation>
+    </message>
+    <message>
+        <source>least range, cannot be built</source>
+        <translation>мин. размах, построить нельзя</translation>
+    </message>
+    <message>
+        <source>least RMS</source>
+        <translation>мин. СКЗ</translation>
+    </message>
+    <message>
+        <source>least RMS, cannot be built</source>
+        <translation>мин. СКЗ, построить нельзя</translation>
+    </message>
+    <message>
+        <source>least sum</source>
+        <translation>мин. сумма</translation>
+    </message>
+    <message>
+        <source>least sum, cannot be built</source>
+        <translation>мин. сумма, построить нельзя</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>размах</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>СКЗ</translation>
+    </message>
+    <message>
+        <source>weighted sum</source>
+        <translation>сумма</translation>
+    </message>
+    <message>
+        <source>The map is being computed …</source>
+        <translation>Карта вычисляется…</translation>
+    </message>
+    <message>
+        <source>l %1 mm, α %2°</source>
+        <translation>l %1 мм, α %2°</translation>
+    </message>
+    <message>
+        <source>%1 N·m (%2)</source>
+        <translation>%1 Н·м (%2)</translation>
+    </message>
+    <message>
+        <source>Best place by the %1: %2 at %3.</source>
+        <translation>Лучшее место (%1): %2 при %3.</translation>
+    </message>
+    <message>
+        <source>%1 at %2 cannot be built.</source>
+        <translation>%1 при %2 построить нельзя.</translation>
+    </message>
+    <message>
+        <source>range %1 N·m</source>
+        <translation>размах %1 Н·м</translation>
+    </message>
+    <message>
+        <source>RMS %1 N·m</source>
+        <translation>СКЗ %1 Н·м</translation>
+    </message>
+    <message>
+        <source>box %1 cm²</source>
+        <translation>габарит %1 см²</translation>
+    </message>
+    <message>
+        <source>Least bad over the band of speeds: %1 at the worst one. Here: %2</source>
+        <translation>Наименее плохо по диапазону частот: %1 при худшей из них. Здесь: %2</translation>
+    </message>
+    <message>
+        <source>Move shaft</source>
+        <translation>Перемещение вала</translation>
+    </message>
+    <message>
+        <source>x, mm</source>
+        <translation>x, мм</translation>
+    </message>
+    <message>
+        <source>y, mm</source>
+        <translation>y, мм</translation>
+    </message>
+    <message>
+        <source>ΔMᵤₚₛ, N·m</source>
+        <translation>ΔMᵤₚₛ, Н·м</translation>
+    </message>
+    <message>
+        <source>RMS, N·m</source>
+        <translation>СКЗ, Н·м</translation>
+    </message>
+    <message>
+        <source>can be built</source>
+        <translation>можно построить</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ShaftMapPlot</name>
+    <message>
+        <source>y, mm</source>
+        <translation>y, мм</translation>
+    </message>
+    <message>
+        <source>The engine from the front, to scale. Drag the shaft&apos;s axis, or move it by the arrow keys: 0.1 mm, with Shift 1 mm. A double click goes to a place; Page up and Page down choose a marker, Enter goes there. Where it is hatched the shaft cannot be built.</source>
+        <translation>Двигатель спереди, в масштабе. Ось вала перетаскивается мышью или сдвигается стрелками: на 0,1 мм, с Shift на 1 мм. Двойной щелчок переносит её в указанное место; Page Up и Page Down выбирают отметку, Enter переносит к ней. Где заштриховано, вал построить нельзя.</translation>
+    </message>
+    <message>
+        <source>Range against no shaft, %</source>
+        <translation>Размах: изменение, %</translation>
+    </message>
+    <message>
+        <source>RMS against no shaft, %</source>
+        <translation>СКЗ: изменение, %</translation>
+    </message>
+    <message>
+        <source>Weighted sum against no shaft, %</source>
+        <translation>Взвешенная сумма: изменение, %</translation>
+    </message>
+    <message>
+        <source>x, mm</source>
+        <translation>x, мм</translation>
+    </message>
+    <message>
+        <source>0 %: no change</source>
+        <translation>0 %: без изменений</translation>
+    </message>
+    <message>
+        <source>shaft, and its l</source>
+        <translation>вал и его l</translation>
+    </message>
+    <message>
+        <source>cannot be built</source>
+        <translation>построить нельзя</translation>
+    </message>
+    <message>
+        <source>best of all</source>
+        <translation>лучшее из всех</translation>
+    </message>
+    <message>
+        <source>computing …</source>
+        <translation>вычисляется…</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ShaftMapView</name>
+    <message>
+        <source>The place under the pointer, or the best one</source>
+        <translation>Место под указателем или лучшее место</translation>
+    </message>
+    <message>
+        <source>Front view</source>
+        <translation>Спереди</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Границы</translation>
+    </message>
+    <message>
+        <source>computing …</source>
+        <translation>вычисляется…</translation>
+    </message>
+    <message>
+        <source>Distance &amp;l</source>
+        <translation>Расстояние &amp;l</translation>
+    </message>
+    <message>
+        <source>From the crank&apos;s axis to the shaft&apos;s; α stays. Steps of 0.1 mm.</source>
+        <translation>От оси коленчатого вала до оси балансирного; α остаётся. Шаг 0,1 мм.</translation>
+    </message>
+    <message>
+        <source>&amp;Criterion</source>
+        <translation>&amp;Критерий</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>размах</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>СКЗ</translation>
+    </message>
+    <message>
+        <source>weighted sum</source>
+        <translation>сумма</translation>
+    </message>
+    <message>
+        <source>Criterion of the places of the shaft</source>
+        <translation>Критерий выбора места вала</translation>
+    </message>
+    <message>
+        <source>What the map shows and the best place makes least, against the engine without a shaft: the range of Mᵤₚₛ, its RMS, or a weighted sum of both</source>
+        <translation>Что показывает карта и что в лучшем месте наименьшее, по сравнению с двигателем без вала: размах Mᵤₚₛ, его СКЗ или взвешенная сумма обоих</translation>
+    </message>
+    <message>
+        <source>&amp;Best place</source>
+        <translation>Лу&amp;чшее место</translation>
+    </message>
+    <message>
+        <source>&amp;Weight of the range</source>
+        <translation>&amp;Вес размаха</translation>
+    </message>
+    <message>
+        <source>Share of the range in the weighted sum; the RMS has the rest. Both count relative to the engine without a shaft.</source>
+        <translation>Доля размаха во взвешенной сумме; остальное — доля СКЗ. Оба берутся относительно двигателя без вала.</translation>
+    </message>
+    <message>
+        <source>Limits on the shaft&apos;s axis</source>
+        <translation>Границы для оси вала</translation>
+    </message>
+    <message>
+        <source>Beside what the shaft must clear: for example a wall of the crankcase. What is empty does not limit. The sizes of the engine are on the Inputs tab.</source>
+        <translation>Помимо того, что вал не должен задевать: например, стенка картера. Пустое поле не ограничивает. Размеры двигателя — на вкладке «Данные».</translation>
+    </message>
+    <message>
+        <source>Best α of each l; thick: can be built</source>
+        <translation>Лучший α; толсто — можно построить</translation>
+    </message>
+    <message>
+        <source>l, mm</source>
+        <translation>l, мм</translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation>Н·м</translation>
+    </message>
+    <message>
+        <source>width × height, cm²</source>
+        <translation>ширина × высота, см²</translation>
+    </message>
+    <message>
+        <source>Least range and least RMS of each centre distance, each at its best α: thin of all, thick of those that can be built. Size is that of the box at the α of the criterion chosen. Click to go to an l at its best α.</source>
+        <translation>Наименьшие размах и СКЗ при каждом межосевом расстоянии, каждый при своём лучшем α: тонко — из всех, толсто — из тех, что можно построить. Габарит — при α выбранного критерия. Щелчок переносит к этому l с лучшим α.</translation>
+    </message>
+    <message>
+        <source>least range</source>
+        <translation>мин. размах</translation>
+    </message>
+    <message>
+        <source>At its best α</source>
+        <translation>При своём лучшем α</translation>
+    </message>
+    <message>
+        <source>least RMS</source>
+        <translation>мин. СКЗ</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>габарит</translation>
+    </message>
+    <message>
+        <source>Width × height of the box, right axis</source>
+        <translation>Ширина × высота габарита, правая ось</translation>
+    </message>
+    <message>
+        <source>Places that can be built and that no other beats in range, RMS and size at once. Click to go to one.</source>
+        <translation>Места, которые можно построить и которых ни одно другое не лучше сразу по размаху, СКЗ и габариту. Щелчок переносит вал туда.</translation>
+    </message>
+    <message>
+        <source>nothing better</source>
+        <translation>лучше нет</translation>
+    </message>
+    <message>
+        <source>In range, RMS and size at once</source>
+        <translation>Сразу по размаху, СКЗ и габариту</translation>
+    </message>
+    <message>
+        <source>by this criterion</source>
+        <translation>по этому критерию</translation>
+    </message>
+    <message>
+        <source>Nothing better in this criterion and in size</source>
+        <translation>Лучше нет по этому критерию и габариту</translation>
+    </message>
+    <message>
+        <source>present place</source>
+        <translation>нынешнее место</translation>
+    </message>
+    <message>
+        <source>Over l</source>
+        <translation>По l</translation>
+    </message>
+    <message>
+        <source>Pareto</source>
+        <translation>Парето</translation>
+    </message>
+    <message>
+        <source>RMS against size</source>
+        <translation>СКЗ и габарит</translation>
+    </message>
+    <message>
+        <source>Weighted sum against size</source>
+        <translation>Взвешенная сумма и габарит</translation>
+    </message>
+    <message>
+        <source>Range against size</source>
+        <translation>Размах и габарит</translation>
+    </message>
+    <message>
+        <source>change, %</source>
+        <translation>изменение, %</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::ShaftRow</name>
     <message>
         <source>Shaft %1</source>
@@ -8791,6 +9347,49 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::SpeedStudyModel</name>
+    <message>
+        <source>Speed band</source>
+        <translation>Диапазон частот</translation>
+    </message>
+    <message>
+        <source>Cancelled. Any change of the input solves again.</source>
+        <translation>Отменено. Любое изменение данных запускает расчёт снова.</translation>
+    </message>
+    <message>
+        <source>Rebuild the torque (Torque tab) or choose a pressure trace or a computed cycle.</source>
+        <translation>Пересоберите момент (вкладка «Момент») или возьмите давление или расчётный цикл.</translation>
+    </message>
+    <message>
+        <source> But nothing can be built.</source>
+        <translation> Но построить нельзя ничего.</translation>
+    </message>
+    <message>
+        <source> %1° would gain %2 % more but cannot be built.</source>
+        <translation> %1° дал бы ещё %2 %, но его построить нельзя.</translation>
+    </message>
+    <message>
+        <source>Least bad α over the band, by the %1 against the engine without a shaft: %2°. At its worst speed, %3 min⁻¹, the %1 is %4 % %5.</source>
+        <translation>Наименее плохой α в диапазоне (%1 против двигателя без вала): %2°. При худшей частоте, %3 мин⁻¹, %1 на %4 % %5.</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>размах</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>СКЗ</translation>
+    </message>
+    <message>
+        <source>larger</source>
+        <translation>больше</translation>
+    </message>
+    <message>
+        <source>smaller</source>
+        <translation>меньше</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::SpeedView</name>
     <message>
         <source>Speed &amp;n</source>
@@ -8817,40 +9416,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Среднее индикаторное давление рассчитанного цикла.</translation>
     </message>
     <message>
-        <source>Load</source>
-        <translation>Нагрузка</translation>
-    </message>
-    <message>
-        <source>Band from, min⁻¹</source>
-        <translation>Диапазон от, мин⁻¹</translation>
-    </message>
-    <message>
-        <source>Band to, min⁻¹</source>
-        <translation>Диапазон до, мин⁻¹</translation>
-    </message>
-    <message>
-        <source>Speed band</source>
-        <translation>Диапазон частот</translation>
-    </message>
-    <message>
-        <source>&amp;Band</source>
-        <translation>&amp;Диапазон</translation>
-    </message>
-    <message>
-        <source>&amp;to</source>
-        <translation>д&amp;о</translation>
-    </message>
-    <message>
         <source>range</source>
         <translation>размах</translation>
     </message>
     <message>
         <source>RMS</source>
         <translation>СКЗ</translation>
-    </message>
-    <message>
-        <source>Criterion of the map</source>
-        <translation>Критерий карты</translation>
     </message>
     <message>
         <source>&amp;Map of</source>
@@ -8897,28 +9468,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Взять α, наименее плохой во всём диапазоне</translation>
     </message>
     <message>
-        <source>Cancelled. Any change of the input solves again.</source>
-        <translation>Отменено. Любое изменение данных запускает расчёт снова.</translation>
-    </message>
-    <message>
         <source>The load can be moved when the torque is a computed cycle (Torque tab).</source>
         <translation>Нагрузку можно менять, когда момент — расчётный цикл (вкладка «Момент»).</translation>
     </message>
     <message>
         <source>least bad %1°</source>
         <translation>наименее плох %1°</translation>
-    </message>
-    <message>
-        <source>Least bad α over the band, by the %1 against the engine without a shaft: %2°. At its worst speed, %3 min⁻¹, the %1 is %4 % %5.</source>
-        <translation>Наименее плохой α в диапазоне (%1 против двигателя без вала): %2°. При худшей частоте, %3 мин⁻¹, %1 на %4 % %5.</translation>
-    </message>
-    <message>
-        <source>larger</source>
-        <translation>больше</translation>
-    </message>
-    <message>
-        <source>smaller</source>
-        <translation>меньше</translation>
     </message>
     <message>
         <source>%1 ÷ without: %2…%3</source>
@@ -8933,28 +9488,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Критерий с валом, делённый на критерий без вала при той же частоте; тёмное — мало, светлое — много. Щелчок задаёт α и, при рассчитанном моменте, частоту.</translation>
     </message>
     <message>
-        <source>Rebuild the torque (Torque tab) or choose a pressure trace or a computed cycle.</source>
-        <translation>Пересоберите момент (вкладка «Момент») или возьмите давление или расчётный цикл.</translation>
-    </message>
-    <message>
-        <source>The lowest speed of the study</source>
-        <translation>Наименьшая частота вращения в расчёте</translation>
-    </message>
-    <message>
-        <source>The highest speed of the study</source>
-        <translation>Наибольшая частота вращения в расчёте</translation>
-    </message>
-    <message>
         <source>What the map shows and the least bad α makes least</source>
         <translation>Что показывает карта и что минимизирует наименее плохой α</translation>
-    </message>
-    <message>
-        <source> But nothing can be built.</source>
-        <translation> Но построить нельзя ничего.</translation>
-    </message>
-    <message>
-        <source> %1° would gain %2 % more but cannot be built.</source>
-        <translation> %1° дал бы ещё %2 %, но его построить нельзя.</translation>
     </message>
 </context>
 <context>
@@ -9125,8 +9660,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>φ, °</translation>
     </message>
     <message>
-        <source>M_id, N·m</source>
-        <translation>M_id, Н·м</translation>
+        <source>torque, N·m</source>
+        <translation>момент, Н·м</translation>
     </message>
 </context>
 <context>
@@ -9180,24 +9715,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Ещё нужны: %1.</translation>
     </message>
     <message>
-        <source>Excess Δm_y: not known yet</source>
-        <translation>Δm_у: пока неизвестна</translation>
-    </message>
-    <message>
-        <source>Excess Δm_y: %1, %2</source>
-        <translation>Δm_у: %1, %2</translation>
-    </message>
-    <message>
         <source>The bob weight still needs: %1.</source>
         <translation>Для груза ещё нужны: %1.</translation>
     </message>
     <message>
         <source>ISO 21940-11 needs grade, mass and speed.</source>
         <translation>Для ИСО 21940-11 нужны класс, масса и частота вращения.</translation>
-    </message>
-    <message>
-        <source>ISO 21940-11: U_per = 1000 m G / ω = %1 for the whole crankshaft; the method&apos;s own limit is %2 in each plane.</source>
-        <translation>ИСО 21940-11: U_доп = 1000 m G / ω = %1 на весь вал; предел самого метода — %2 в каждой плоскости.</translation>
     </message>
     <message>
         <source>With thread and height the sheet says what the plug would weigh.</source>
@@ -9246,10 +9769,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>%1: %2.</source>
         <translation>%1: %2.</translation>
-    </message>
-    <message>
-        <source>At most %1 may come off a plug; slope k_y = %2, %3°.</source>
-        <translation>С пробки можно снять не больше %1; наклон k_у = %2, %3°.</translation>
     </message>
     <message>
         <source>factor × mass, g</source>
@@ -9354,6 +9873,26 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The job&apos;s sheet cannot be read: %1</source>
         <translation>Лист работы не читается: %1</translation>
+    </message>
+    <message>
+        <source>Excess Δmᵤ: not known yet</source>
+        <translation>Δmᵤ: пока неизвестна</translation>
+    </message>
+    <message>
+        <source>Excess Δmᵤ: %1, %2</source>
+        <translation>Δmᵤ: %1, %2</translation>
+    </message>
+    <message>
+        <source>ISO 21940-11: Uₚₑᵣ = 1000 m G / ω = %1 for the whole crankshaft; the method&apos;s own limit is %2 in each plane.</source>
+        <translation>ИСО 21940-11: Uдоп = 1000 m G / ω = %1 на весь вал; предел самого метода — %2 в каждой плоскости.</translation>
+    </message>
+    <message>
+        <source>At most %1 may come off a plug; slope kᵤ = %2, %3°.</source>
+        <translation>С пробки можно снять не больше %1; наклон kᵤ = %2, %3°.</translation>
+    </message>
+    <message>
+        <source>The sheet is empty: nothing is saved.</source>
+        <translation>Лист пуст: ничего не сохранено.</translation>
     </message>
 </context>
 <context>
@@ -9588,56 +10127,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Брать изменения масс с &amp;этого листа</translation>
     </message>
     <message>
-        <source>nominal, g</source>
-        <translation>номинал, г</translation>
-    </message>
-    <message>
-        <source>permitted spread, g</source>
-        <translation>допустимый разброс, г</translation>
-    </message>
-    <message>
         <source>mean, g</source>
         <translation>среднее, г</translation>
     </message>
     <message>
         <source>spread, g</source>
         <translation>разброс, г</translation>
-    </message>
-    <message>
-        <source>%1, nominal mass, g</source>
-        <translation>%1, номинальная масса, г</translation>
-    </message>
-    <message>
-        <source>%1: mass by the drawing.</source>
-        <translation>%1: масса по чертежу.</translation>
-    </message>
-    <message>
-        <source>%1, permitted spread, g</source>
-        <translation>%1, допустимый разброс, г</translation>
-    </message>
-    <message>
-        <source>%1: heaviest less lightest that the works manual permits. Empty: no limit.</source>
-        <translation>%1: наибольшая минус наименьшая масса по руководству. Пусто: без предела.</translation>
-    </message>
-    <message>
-        <source>%1 of cylinder %2, g</source>
-        <translation>%1, цилиндр %2, г</translation>
-    </message>
-    <message>
-        <source>%1 of cylinder %2 as the scale says.</source>
-        <translation>%1, цилиндр %2, по весам.</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>%1, nominal</source>
-        <translation>%1, номинал</translation>
-    </message>
-    <message>
-        <source>%1, spread</source>
-        <translation>%1, разброс</translation>
     </message>
     <message>
         <source>Excess on each crankpin, as weighed and after moving</source>
@@ -9663,13 +10158,60 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Move parts</source>
         <translation>Перестановка деталей</translation>
     </message>
+</context>
+<context>
+    <name>ravnoves::WeighInTable</name>
     <message>
-        <source>Nothing is pasted: “%1” is no mass in grams.</source>
-        <translation>Ничего не вставлено: «%1» — не масса в граммах.</translation>
+        <source>%1, nominal mass, g</source>
+        <translation>%1, номинальная масса, г</translation>
+    </message>
+    <message>
+        <source>%1, permitted spread, g</source>
+        <translation>%1, допустимый разброс, г</translation>
+    </message>
+    <message>
+        <source>%1 of cylinder %2, g</source>
+        <translation>%1, цилиндр %2, г</translation>
+    </message>
+    <message>
+        <source>%1: mass by the drawing.</source>
+        <translation>%1: масса по чертежу.</translation>
+    </message>
+    <message>
+        <source>%1: heaviest less lightest that the works manual permits. Empty: no limit.</source>
+        <translation>%1: наибольшая минус наименьшая масса по руководству. Пусто: без предела.</translation>
+    </message>
+    <message>
+        <source>%1 of cylinder %2 as the scale says.</source>
+        <translation>%1, цилиндр %2, по весам.</translation>
+    </message>
+    <message>
+        <source>nominal, g</source>
+        <translation>номинал, г</translation>
+    </message>
+    <message>
+        <source>permitted spread, g</source>
+        <translation>допустимый разброс, г</translation>
+    </message>
+    <message>
+        <source>%1, nominal</source>
+        <translation>%1, номинал</translation>
+    </message>
+    <message>
+        <source>%1, spread</source>
+        <translation>%1, разброс</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>Nothing is pasted: the block does not fit on the sheet from here.</source>
         <translation>Ничего не вставлено: блок не помещается на листе с этого места.</translation>
+    </message>
+    <message>
+        <source>Nothing is pasted: “%1” is no mass in grams.</source>
+        <translation>Ничего не вставлено: «%1» — не масса в граммах.</translation>
     </message>
     <message>
         <source>Paste weights</source>
