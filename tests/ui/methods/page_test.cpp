@@ -50,6 +50,7 @@ class MethodsPageTest : public ::testing::Test {
     /// Chooses an entry as a person does: focus, then keys.
     void choose(const char* name, int index) {
         auto* combo = find<QComboBox>(name);
+        ASSERT_LT(index, combo->count());
         combo->setFocus();
         while (combo->currentIndex() < index) {
             QTest::keyClick(combo, Qt::Key_Down);
@@ -141,7 +142,7 @@ TEST_F(MethodsPageTest, ZeroAndRefusalHaveRowsOfTheirOwn) {
 
 TEST_F(MethodsPageTest, KernelAndParameterAreChosenByKeys) {
     measure();
-    choose("kernel", 4);
+    choose("kernel", 5);
     EXPECT_EQ(model->kernel().id, "guide");
     EXPECT_EQ(find<QComboBox>("sweep")->count(), static_cast<int>(model->kernel().sweeps.size()));
     choose("sweep", 4);
