@@ -65,7 +65,7 @@ std::map<std::string, std::function<Drag()>> drags() {
          [] {
              auto* page = new ElasticHingePage;
              return Drag{page, [page](int step, int steps) {
-                             page->viewModel()->edit(QStringLiteral("speed"), [&](auto& input) {
+                             page->viewModel()->drag(QStringLiteral("speed"), [&](auto& input) {
                                  input.angular_speed = 50.0 + 450.0 * step / steps;
                              });
                          }};
@@ -74,7 +74,7 @@ std::map<std::string, std::function<Drag()>> drags() {
          [] {
              auto* page = new ElasticHingePage;
              return Drag{page, [page](int step, int steps) {
-                             page->viewModel()->edit(QStringLiteral("lambda"), [&](auto& input) {
+                             page->viewModel()->drag(QStringLiteral("lambda"), [&](auto& input) {
                                  input.lambda = 0.1 + 0.8 * step / steps;
                              });
                          }};
