@@ -77,6 +77,16 @@ for case_file in "$examples"/*.case.json; do
         drawn=no
         failures=$((failures + 1))
     fi
+    mapped=no
+    if [ "$scene" = balance-shaft ] && [ $drawn = yes ]; then
+        if drawing_complaint=$("$program" --screenshot "$report/$name.map.png" --scene "$scene" \
+            --case "$case_file" --set tab=map 2>&1) && [ -s "$report/$name.map.png" ]; then
+            mapped=yes
+        else
+            drawn=no
+            failures=$((failures + 1))
+        fi
+    fi
     {
         printf '<h2>%s</h2>\n' "$(printf '%s' "${title:-$name}" | escape)"
         printf '<p>Scene %s, case %s</p>\n' "$scene" "$(basename "$case_file" | escape)"
@@ -85,6 +95,14 @@ for case_file in "$examples"/*.case.json; do
         else
             printf '<p class="bad">The page was not rendered: %s</p>\n' \
                 "$(printf '%s' "$drawing_complaint" | escape)"
+        fi
+        if [ $mapped = yes ]; then
+            printf '<p><img src="%s.map.png" alt="The map of the shaft'"'"'s places"></p>\n' "$name"
+            printf '<p>Range of the moment on the mounts over the places of the shaft, against the engine '
+            printf 'without a shaft: blue where it helps, orange where it harms, hatched what cannot be '
+            printf 'built. Range and RMS are convex over the places, so each has one best place: '
+            printf '<code>best_position</code> of the result, and '
+            printf '<code>best_position_buildable</code> with the places that none beats.</p>\n'
         fi
         if [ $status = solved ]; then
             printf '<details><summary>Result (<a href="%s.result.json">all of it</a>)</summary>\n' "$name"
@@ -96,6 +114,7 @@ for case_file in "$examples"/*.case.json; do
 
     printf '  %-22s %-16s %s' "$name" "$scene" "$status"
     if [ $drawn = yes ]; then printf ', %s.png' "$name"; else printf ', no picture'; fi
+    if [ $mapped = yes ]; then printf ', %s.map.png' "$name"; fi
     printf '\n'
     [ $status = solved ] || printf '    %s\n' "$complaint"
     [ $drawn = yes ] || printf '    %s\n' "$drawing_complaint"
