@@ -20,6 +20,7 @@ HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent) 
     text->document()->setDocumentMargin(Theme::margin * 2);
     text->document()->setDefaultFont(Theme::font(Theme::baseSize + 1));
     column->addWidget(text);
+    text->setSearchPaths({QStringLiteral(":/help")});  // of the pictures
 
     QFile file(QStringLiteral(":/help/%1.%2.md").arg(topic, currentLanguage()));
     if (!file.exists()) {

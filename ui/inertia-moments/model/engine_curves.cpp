@@ -99,8 +99,10 @@ Hodograph hodograph(const Result& result, bool force) {
         }
     }
     // Rounding of a balanced engine is not a picture.
-    picture.reach = std::max({picture.first.reach(), picture.second.reach(), picture.all.reach(),
-                              picture.left.reach(), scale(result.exact.order(1)) * 1e3, 1e-12});
+    const double rounding = std::max(scale(result.exact.order(1)) * 1e3, 1e-9);
+    const double reach = std::max({picture.first.reach(), picture.second.reach(),
+                                   picture.all.reach(), picture.left.reach()});
+    picture.reach = std::max(reach > rounding ? reach : 1.0, rounding);
     return picture;
 }
 
