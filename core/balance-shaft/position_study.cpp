@@ -194,11 +194,14 @@ double PositionStudy::rms_without() const {
     return prepared_->rms_without;
 }
 
+Message no_moment() {
+    return CORE_TEXT("balance-shaft", "The shaft makes no moment, so its place changes nothing.");
+}
+
 BestPositions PositionStudy::best() const {
     BestPositions answer;
     if (prepared_->force == 0.0) {
-        answer.reason =
-            CORE_TEXT("balance-shaft", "The shaft makes no moment, so its place changes nothing.");
+        answer.reason = no_moment();
         return answer;
     }
     if (prepared_->is_constant()) {
@@ -259,10 +262,7 @@ BestPositions PositionStudy::best_buildable() const {
     answer.rms = prepared_->best_buildable(0.0, *answer.rms);
     if (!answer.range || !answer.rms) {
         answer = {};
-        answer.reason =
-            CORE_TEXT("balance-shaft",
-                      "No place of the shaft is within the limits, clears crank, cylinder and rod "
-                      "and lets the gears mesh.");
+        answer.reason = ShaftPlaces::reason_for_none();
     }
     return answer;
 }

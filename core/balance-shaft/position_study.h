@@ -55,6 +55,9 @@ struct PositionMap {
     std::vector<double> rms;    ///< N·m
 };
 
+/// Why no place is better than another where P₁ is 0, as a sentence.
+Message no_moment();
+
 /// What depends on the shaft's place alone while the counterweights stay as equation (1) (or the
 /// case) has them: M_s = P₁ (x cos φ' + y sin φ'), so range and RMS are convex over the plane.
 /// Copyable and cheap to copy; const members may run in several threads.

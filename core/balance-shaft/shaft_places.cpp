@@ -48,12 +48,18 @@ ShaftPlaces::ShaftPlaces(const FrontView& view, const PlaceLimits& limits)
       needed_rod_(needed_ + view.rod_width / 2.0),
       needed_crank_(needed_ + view.crank_swing_radius),
       gears_max_(std::numeric_limits<double>::infinity()),
-      rounding_(1e-12 * (needed_crank_ + view.cylinder_top)) {
+      rounding_(1e-12 * (needed_crank_ + std::min(view.cylinder_top, 1e3 * needed_crank_))) {
     if (!view.tip_follows_distance) {
         // l/2 ≤ tip radius ≤ l/2 + 1.25 l/z
         gears_min_ = view.gear_tip_radius / (0.5 + 1.25 / view.gear_teeth);
         gears_max_ = 2.0 * view.gear_tip_radius;
     }
+}
+
+Message ShaftPlaces::reason_for_none() {
+    return CORE_TEXT("balance-shaft",
+                     "No place of the shaft is within the limits, clears crank, cylinder and rod "
+                     "and lets the gears mesh.");
 }
 
 bool ShaftPlaces::is_in_limits(double x, double y, double l) const {

@@ -50,6 +50,7 @@ class ShaftPlaces {
     /// @param x, y  m
     Obstacle obstacle(double x, double y) const;
     Message reason(Obstacle obstacle, double x, double y) const;  ///< a sentence; empty: none
+    static Message reason_for_none();  ///< why there is no place at all, as a sentence
     /// Width × height of the front view's box with the shaft there, m².
     double size(double x, double y) const;
 

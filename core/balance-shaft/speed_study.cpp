@@ -11,6 +11,7 @@
 #include "balance-shaft/best_range.h"
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/offset_cylinder.h"
+#include "balance-shaft/position_study.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "numerics/angle.h"
@@ -482,9 +483,19 @@ std::optional<SpeedStudy::LeastBadPlace> SpeedStudy::least_bad_place(
         if (measure == Measure::absolute) {
             break;
         }
+        // On the crank's axis the shaft changes nothing at any speed.
+        if (unit.isZero()) {
+            break;
+        }
         std::optional<Speed> other;
         if (criterion == Criterion::range) {
             other = worst_range_speed(speeds, [&](const Speed& speed) {
+                const auto known = std::find(speeds.begin(), speeds.end(), &speed);
+                if (known != speeds.end()) {
+                    const SpeedPlane& there =
+                        planes[static_cast<std::size_t>(known - speeds.begin())];
+                    return there.plane(there.square * unit.x(), there.square * unit.y()).range();
+                }
                 const double square = squared(speed.angular_speed);
                 const MomentPlane plane(PeriodicPiecewise::sum(gas_, inertia_, square));
                 return plane(square * unit.x(), square * unit.y()).range();
@@ -658,6 +669,10 @@ Json write_speed_study(const SpeedStudy& study, const std::optional<SpeedStudy::
         put_one("range_relative", Criterion::range, Measure::relative, "ratio");
         put_one("rms", Criterion::rms, Measure::absolute, "rms_Nm");
         put_one("rms_relative", Criterion::rms, Measure::relative, "ratio");
+        if (places["range"].is_null()) {
+            places["reason"] =
+                (study.makes_moment() ? ShaftPlaces::reason_for_none() : no_moment()).english();
+        }
         return places;
     };
     json["least_bad_place"] = least_bad_places([&](Criterion criterion, Measure measure) {

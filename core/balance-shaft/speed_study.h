@@ -96,6 +96,7 @@ class SpeedStudy {
     LeastBad least_bad_angle(Criterion criterion, Measure measure,
                              std::vector<AngleStretch> within) const;
     const BuildableAngles& buildable() const { return buildable_; }
+    bool makes_moment() const { return unit_force_ != 0.0; }  ///< P₁ is not 0
 
     /// Minimax over the band and over all places, which is convex in the place: cutting planes.
     /// Empty where the shaft makes no moment.

@@ -281,5 +281,16 @@ TEST(SpeedStudy, IsPrintedByACase) {
               0U);
 }
 
+TEST(SpeedStudy, SaysWhyThereIsNoPlaceThatCanBeBuilt) {
+    Json json = write_input(diesel());
+    json["speed_band"] = {{"from_rpm", 2000}, {"to_rpm", 3600}, {"speeds", 3}};
+    json["place_limits"] = {{"centre_distance_max_mm", 1}};
+    const Json result = solve_case({"balance-shaft", "", json}, {}).at("result").at("speed_band");
+    EXPECT_FALSE(result.at("least_bad_place").contains("reason"));
+    const Json& built = result.at("least_bad_place_buildable");
+    EXPECT_TRUE(built.at("range").is_null());
+    EXPECT_EQ(built.at("reason"), ShaftPlaces::reason_for_none().english());
+}
+
 }  // namespace
 }  // namespace ravnoves::balance_shaft
