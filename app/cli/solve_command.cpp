@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -14,10 +15,15 @@ namespace ravnoves::cli {
 
 namespace {
 
-int solve_file(const std::string& case_path, const std::string& result_path) {
+/// By whatever path, link or hard link.
+bool is_same_file(const std::filesystem::path& file, const std::filesystem::path& other) {
     std::error_code ignored;
-    if (std::filesystem::is_regular_file(result_path, ignored) &&
-        std::filesystem::equivalent(case_path, result_path, ignored)) {
+    return std::filesystem::is_regular_file(other, ignored) &&
+           std::filesystem::equivalent(file, other, ignored);
+}
+
+int solve_file(const std::string& case_path, const std::string& result_path) {
+    if (is_same_file(case_path, result_path)) {
         complain(result_path, "is the case itself; the result must go to another file");
         return exit_bad_input;
     }
@@ -25,6 +31,13 @@ int solve_file(const std::string& case_path, const std::string& result_path) {
     try {
         const CaseFile file = parse_case(read_text_file(case_path));
         const CaseContext context{std::filesystem::path(case_path).parent_path()};
+        const auto inputs = files_named_by(file, context);
+        if (std::any_of(inputs.begin(), inputs.end(),
+                        [&](const auto& input) { return is_same_file(input, result_path); })) {
+            complain(result_path,
+                     "is a file that the case reads; the result must go to another file");
+            return exit_bad_input;
+        }
         text = solve_case(file, context).dump(2) + "\n";
     } catch (const InputError& error) {
         complain(case_path, error.what());

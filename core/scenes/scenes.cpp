@@ -28,6 +28,19 @@ void check_finite(const Json& value, const std::string& pointer) {
     }
 }
 
+void collect_files(const Json& value, const std::filesystem::path& directory,
+                   std::vector<std::filesystem::path>& files) {
+    if (!value.is_structured()) {
+        return;
+    }
+    for (const auto& item : value.items()) {
+        if (item.value().is_string() && value.is_object() && item.key() == "csv") {
+            files.push_back(directory / item.value().get_ref<const std::string&>());
+        }
+        collect_files(item.value(), directory, files);
+    }
+}
+
 }  // namespace
 
 std::span<const SceneSolver> scene_solvers() {
@@ -51,6 +64,13 @@ CaseFile read_case(const Json& document) {
 
 CaseFile parse_case(std::string_view text) {
     return read_case(parse_json(text));
+}
+
+std::vector<std::filesystem::path> files_named_by(const CaseFile& file,
+                                                  const CaseContext& context) {
+    std::vector<std::filesystem::path> files;
+    collect_files(file.input, context.directory, files);
+    return files;
 }
 
 Json solve_case(const CaseFile& file, const CaseContext& context) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "case-file/case_context.h"
 #include "case-file/case_file.h"
@@ -28,6 +30,9 @@ CaseFile read_case(const Json& document);
 /// Parses UTF-8 JSON text, then read_case(). Syntax errors name line and column.
 /// @throws InputError
 CaseFile parse_case(std::string_view text);
+
+/// The files that the input names: each text under a key "csv", beside the case.
+std::vector<std::filesystem::path> files_named_by(const CaseFile& file, const CaseContext& context);
 
 /// Solves a case and wraps the result in its envelope. Never holds NaN or infinity.
 /// @throws InputError for bad input, std::logic_error for a fault of ours

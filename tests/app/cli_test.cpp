@@ -115,6 +115,34 @@ TEST_F(CommandLine, NeverWritesTheResultOverTheCase) {
     EXPECT_TRUE(read_all(folder / "case.json") == text);
 }
 
+TEST_F(CommandLine, NeverWritesTheResultOverAFileThatTheCaseReads) {
+    const std::string table = "0;0\n180;100\n360;50,5\n540;-20\n720;0\n";
+    fs::create_directory(folder / "study");
+    write("study/torque.csv", table);
+    fs::create_symlink("study/torque.csv", folder / "link.csv");
+    fs::create_symlink("link.csv", folder / "link-to-link.csv");
+    fs::create_hard_link(folder / "study/torque.csv", folder / "hard.csv");
+    Json measured = example();
+    measured["input"]["torque"] = {{"csv", "torque.csv"}};
+    const std::string text = measured.dump();
+    write("study/case.json", text);
+    fs::create_hard_link(folder / "study/case.json", folder / "hard.json");
+    for (const std::string name : {"study/torque.csv", "study/../study/torque.csv", "link.csv",
+                                   "link-to-link.csv", "hard.csv"}) {
+        expect_refused(run("solve study/case.json -o " + name),
+                       name + ": is a file that the case reads");
+        EXPECT_TRUE(fs::equivalent(folder / name, folder / "study/torque.csv")) << name;
+    }
+    expect_refused(run("solve study/case.json -o hard.json"), "hard.json: is the case itself");
+    measured["input"]["torque"] = {
+        {"pressure", {{"csv", "../hard.csv"}, {"bore_mm", 80}, {"rod_length_mm", 150}}}};
+    write("study/pressure.json", measured.dump());
+    expect_refused(run("solve study/pressure.json -o study/torque.csv"),
+                   "study/torque.csv: is a file that the case reads");
+    EXPECT_EQ(read_all(folder / "study/torque.csv"), table);
+    EXPECT_TRUE(read_all(folder / "study/case.json") == text);
+}
+
 TEST_F(CommandLine, UnknownKeyNamesTheNearest) {
     Json bad = example();
     bad["input"]["crank_radus_mm"] = 46;
