@@ -3,6 +3,7 @@
 #include <array>
 #include <exception>
 #include <memory>
+#include <new>
 #include <string>
 
 #include "command.h"
@@ -44,6 +45,9 @@ int main(int argc, char** argv) {
     Command& command = asked_for();
     try {
         return command.run();
+    } catch (const std::bad_alloc&) {
+        complain(command.file(), no_memory);
+        return exit_bad_input;
     } catch (const std::exception& error) {
         complain(command.file(), std::string("internal error: ") + error.what());
         return exit_our_fault;

@@ -9,6 +9,8 @@ inline constexpr int exit_done = 0;
 inline constexpr int exit_our_fault = 1;
 inline constexpr int exit_bad_input = 2;
 
+inline constexpr const char* no_memory = "needs more memory than there is";
+
 /// One line on standard error, beginning with the file where there is one.
 void complain(const std::string& file, const std::string& text);
 

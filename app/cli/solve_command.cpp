@@ -1,7 +1,9 @@
+#include <unistd.h>
+
 #include <algorithm>
 #include <exception>
 #include <filesystem>
-#include <iostream>
+#include <new>
 #include <string>
 
 #include "case-file/input_error.h"
@@ -46,17 +48,22 @@ int solve_file(const std::string& case_path, const std::string& result_path) {
     return result_path.empty() ? print(text) : write_file(result_path, text);
 }
 
-int solve_batch(std::istream& in) {
+/// @throws InputError where standard input cannot be read
+int solve_batch() {
+    LineReader lines(STDIN_FILENO);
     std::string line;
-    for (int number = 1; std::getline(in, line); ++number) {
-        if (line.find_first_not_of(" \t\r") == std::string::npos) {
-            continue;
-        }
+    while (lines.next(line)) {
         Json answer;
         try {
+            lines.check_length();
+            if (line.find_first_not_of(" \t\r") == std::string::npos) {
+                continue;
+            }
             answer = solve_case(parse_case(line), CaseContext{});
+        } catch (const std::bad_alloc&) {
+            answer = Json{{"error", no_memory}, {"line", lines.number()}};
         } catch (const std::exception& error) {  // a bad line is answered in its place
-            answer = Json{{"error", error.what()}, {"line", number}};
+            answer = Json{{"error", error.what()}, {"line", lines.number()}};
         }
         const std::string text = answer.dump(-1, ' ', false, Json::error_handler_t::replace);
         if (const int status = print(text + "\n")) {
@@ -93,8 +100,12 @@ class SolveCommand final : public Command {
 
     int run() override {
         if (batch_) {
-            std::ios::sync_with_stdio(false);
-            return solve_batch(std::cin);
+            try {
+                return solve_batch();
+            } catch (const InputError& error) {
+                complain("ravnoves-cli", std::string("standard input ") + error.what());
+                return exit_bad_input;
+            }
         }
         return solve_file(case_path_, result_path_);
     }

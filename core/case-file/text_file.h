@@ -3,15 +3,37 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ravnoves {
 
-/// The whole file as bytes.
-/// @throws InputError where it cannot be read or is larger than 64 MiB
+/// The whole file as bytes. A pipe or a device is refused at once: it might never end.
+/// @throws InputError where it cannot be read, is no file or is larger than 64 MiB
 std::string read_text_file(const std::filesystem::path& path);
 /// Writes beside the target, then renames: a file already there stays whole when anything fails.
 /// A link is followed, a device or a pipe written straight through.
 /// @throws InputError where the place cannot be written
 void write_text_file(const std::filesystem::path& path, std::string_view text);
+
+/// The lines of an open file or pipe, as bytes, one at a time. Of a line longer than 64 MiB, the
+/// limit of a file, nothing is kept.
+class LineReader {
+  public:
+    explicit LineReader(int descriptor);
+    /// The next line, without its line feed; false at the end.
+    /// @throws InputError where nothing can be read: a folder, a closed descriptor
+    bool next(std::string& line);
+    /// @throws InputError where the last line was too long
+    void check_length() const;
+    int number() const { return number_; }  ///< of the last line, from 1
+
+  private:
+    int descriptor_;
+    std::vector<char> block_;
+    std::size_t at_ = 0;   ///< of the block, what is not handed out yet
+    std::size_t end_ = 0;  ///< of what was read into it
+    int number_ = 0;
+    bool too_long_ = false;
+};
 
 }  // namespace ravnoves

@@ -2,6 +2,7 @@
 // what is left on disk. Whole results are compared as truth values: they run to thousands of lines.
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -191,6 +192,47 @@ TEST_F(CommandLine, RefusesFilesThatHoldNoCase) {
     expect_refused(run("solve huge.json"), "huge.json: ");
     write("deep.json", std::string(100000, '[') + std::string(100000, ']'));
     expect_refused(run("solve deep.json"), "deep.json: line ");
+}
+
+// Each of them would be waited for, or read, for ever.
+TEST_F(CommandLine, RefusesPipesAndDevicesAtOnce) {
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    write("case.json", example().dump());
+    Json piped = example();
+    const std::string not_a_file = "must be a file, not a pipe or a device\n";
+    for (const std::string name : {"pipe", "/dev/zero", "/dev/stdin"}) {
+        expect_refused(run("solve " + name, "", "true | timeout 10 "), name + ": " + not_a_file);
+    }
+    for (const std::string name : {"pipe", "/dev/zero"}) {
+        piped["input"]["torque"] = {{"csv", name}};
+        write("piped.json", piped.dump());
+        expect_refused(run("solve piped.json", "", "timeout 10 "),
+                       "piped.json: /input/torque/csv: " + name + ": " + not_a_file);
+    }
+    piped["input"]["torque"] = {{"csv", "."}};
+    write("piped.json", piped.dump());
+    expect_refused(run("solve piped.json"),
+                   "piped.json: /input/torque/csv: .: must be a file, not a folder\n");
+    // Standard input from a file is one.
+    EXPECT_EQ(run("solve /dev/stdin < case.json").status, 0);
+}
+
+TEST_F(CommandLine, BatchSaysThatStandardInputCannotBeRead) {
+    expect_refused(run("solve --batch < ."), "ravnoves-cli: standard input cannot be read: ");
+    expect_refused(run("solve --batch <&-"), "ravnoves-cli: standard input cannot be read: ");
+}
+
+// 100 MB in 300 MB of memory: the line is not held.
+TEST_F(CommandLine, BatchAnswersALineThatIsTooLongAndGoesOn) {
+    const Outcome outcome =
+        run("solve --batch", std::string(100'000'000, 'x') + "\n" + example().dump(),
+            "ulimit -v 300000; ");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.err, "");
+    const auto lines = lines_of(outcome.out);
+    ASSERT_EQ(lines.size(), 2U);
+    EXPECT_EQ(lines[0], R"({"error":"must be at most 64 MiB","line":1})");
+    EXPECT_EQ(Json::parse(lines[1]).at("scene"), "balance-shaft");
 }
 
 TEST_F(CommandLine, RefusesAPlaceThatCannotBeWritten) {

@@ -50,14 +50,17 @@ class CommandLine : public ::testing::Test {
     void TearDown() override { fs::remove_all(folder); }
 
     /// Runs `ravnoves-cli ARGUMENTS` by a shell in the test's folder.
-    Outcome run(const std::string& arguments, const std::string& input = "") const {
+    /// @param before  shell commands or words before the program
+    Outcome run(const std::string& arguments, const std::string& input = "",
+                const std::string& before = "") const {
         const fs::path in = folder / "stdin";
         const fs::path out = folder / "stdout";
         const fs::path err = folder / "stderr";
         std::ofstream(in, std::ios::binary) << input;
         // In braces, so that arguments may hold a pipe or a redirection of their own.
-        const std::string command = "cd '" + folder.string() + "' && { '" RAVNOVES_CLI "' " +
-                                    arguments + "; } <stdin 2>stderr >stdout";
+        const std::string command = "cd '" + folder.string() + "' && { " + before +
+                                    "'" RAVNOVES_CLI "' " + arguments +
+                                    "; } <stdin 2>stderr >stdout";
         fs::remove(out);
         const int raw = std::system(command.c_str());  // NOLINT(cert-env33-c)
         Outcome outcome;
