@@ -34,7 +34,7 @@ auto read_beside(const std::string& name, const std::string& place, const CaseCo
             error.where().empty()
                 ? error.allowed_message()
                 : Message(Text{"", "%1: %2"}, error.where_message(), error.allowed_message());
-        throw InputError(place, {Text{"", "%1: %2"}, name, rule}, error.found_message());
+        throw InputError(place, {Text{"", "%1: %2"}, printable(name), rule}, error.found_message());
     }
 }
 

@@ -1,6 +1,8 @@
 #include "case-file/case_file.h"
 
 #include <algorithm>
+#include <unordered_set>
+#include <utility>
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
@@ -9,6 +11,8 @@
 namespace ravnoves {
 
 namespace {
+
+constexpr Text no_nul = CORE_TEXT("core", "must not hold the character NUL");
 
 Message line_and_column(std::string_view text, std::size_t byte) {
     byte = std::min(byte, text.size());
@@ -43,6 +47,109 @@ void check_depth(std::string_view text) {
     }
 }
 
+/// Builds the document as the library's own parser does, but refuses what that takes in silence: a
+/// key given twice, whose last value would count, and NUL, which cuts the name of a file short.
+/// For each key the library goes through all keys of the object before it; this looks into a set.
+class DocumentBuilder final : public nlohmann::json_sax<Json> {
+  public:
+    explicit DocumentBuilder(std::string_view text) : text_(text) {}
+
+    Json take() { return std::move(root_); }
+
+    bool null() override { return put(nullptr); }
+    bool boolean(bool value) override { return put(value); }
+    bool number_integer(number_integer_t value) override { return put(value); }
+    bool number_unsigned(number_unsigned_t value) override { return put(value); }
+    bool number_float(number_float_t value, const string_t& /*text*/) override {
+        return put(value);
+    }
+    bool string(string_t& value) override {
+        check_text(value, value);
+        return put(std::move(value));
+    }
+    bool binary(binary_t& /*value*/) override { return false; }  // not of JSON
+    bool start_object(std::size_t /*size*/) override { return open(Json::object()); }
+    bool key(string_t& key) override {
+        Level& level = levels_.back();
+        level.key = std::move(key);
+        check_text(level.key, {});
+        if (!level.keys.insert(level.key).second) {
+            throw InputError(pointer(), CORE_TEXT("core", "is given twice"));
+        }
+        return true;
+    }
+    bool end_object() override { return close(); }
+    bool start_array(std::size_t /*size*/) override { return open(Json::array()); }
+    bool end_array() override { return close(); }
+    bool parse_error(std::size_t position, const std::string& /*token*/,
+                     const Json::exception& error) override {
+        constexpr int number_overflow = 406;
+        if (error.id == number_overflow) {
+            throw InputError(
+                pointer(), CORE_TEXT("core", "holds a number that is too large for this program"));
+        }
+        throw InputError(line_and_column(text_, position), CORE_TEXT("core", "is not valid JSON"));
+    }
+
+  private:
+    struct Level {
+        Json value;  ///< object or list, as far as it is read
+        std::string key{};
+        std::unordered_set<std::string> keys{};
+    };
+
+    /// JSON pointer of what is being read.
+    std::string pointer() const {
+        std::string text;
+        for (const Level& level : levels_) {
+            text += '/';
+            text += level.value.is_object() ? printable(escape_segment(level.key))
+                                            : std::to_string(level.value.size());
+        }
+        return text;
+    }
+    void check_text(const std::string& text, const Json& found) const {
+        if (text.find('\0') != std::string::npos) {
+            throw InputError(pointer(), no_nul, found.is_null() ? Message() : show(found));
+        }
+    }
+    bool put(Json value) {
+        // More than the longest table takes; each costs ten times its text in memory.
+        constexpr std::size_t most_values = 5'000'000;
+        if (++values_ > most_values) {
+            throw InputError("", {CORE_TEXT("core", "must hold at most %1 values"), most_values});
+        }
+        if (levels_.empty()) {
+            root_ = std::move(value);
+            return true;
+        }
+        Level& level = levels_.back();
+        if (level.value.is_array()) {
+            level.value.push_back(std::move(value));
+        } else {
+            // The map's own insertion looks for the key first.
+            auto& object = level.value.get_ref<Json::object_t&>();
+            static_cast<Json::object_t::Container&>(object).emplace_back(level.key,
+                                                                         std::move(value));
+        }
+        return true;
+    }
+    bool open(Json empty) {
+        levels_.push_back({std::move(empty)});
+        return true;
+    }
+    bool close() {
+        Json value = std::move(levels_.back().value);
+        levels_.pop_back();
+        return put(std::move(value));
+    }
+
+    std::string_view text_;
+    Json root_;
+    std::vector<Level> levels_;
+    std::size_t values_ = 0;
+};
+
 }  // namespace
 
 Json parse_json(std::string_view text) {
@@ -50,14 +157,13 @@ Json parse_json(std::string_view text) {
         throw InputError("", CORE_TEXT("core", "is empty"));
     }
     check_depth(text);
-    try {
-        return Json::parse(text);
-    } catch (const Json::parse_error& error) {
-        throw InputError(line_and_column(text, error.byte), CORE_TEXT("core", "is not valid JSON"));
-    } catch (const Json::out_of_range&) {
-        throw InputError("",
-                         CORE_TEXT("core", "holds a number that is too large for this program"));
+    DocumentBuilder builder(text);
+    Json::sax_parse(text, &builder);
+    // The parser takes NUL for the end of the text.
+    if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
+        throw InputError(line_and_column(text, nul + 1), no_nul);
     }
+    return builder.take();
 }
 
 CaseFile read_case(const Json& document, const std::vector<std::string>& scenes) {

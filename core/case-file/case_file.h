@@ -24,8 +24,8 @@ struct CaseFile {
 CaseFile read_case(const Json& document, const std::vector<std::string>& scenes);
 Json write_case(const CaseFile& file);
 
-/// Parses JSON text; syntax errors, NaN and numbers beyond double name line and column. Nesting is
-/// limited to 100 levels.
+/// Parses JSON text. Syntax errors, NaN and NUL name line and column; a key given twice, a text
+/// with NUL and a number beyond double name the pointer. Nesting is limited to 100 levels.
 /// @throws InputError
 Json parse_json(std::string_view text);
 

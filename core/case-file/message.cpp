@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 
+#include "case-file/object_reader.h"
 #include "case-file/range.h"
 
 namespace ravnoves {
@@ -71,7 +72,7 @@ Message table_place(std::size_t line, int column) {
 Message quoted_list(const std::vector<std::string>& words) {
     std::string text;
     for (const std::string& word : words) {
-        text += (text.empty() ? "\"" : ", \"") + word + "\"";
+        text += (text.empty() ? "\"" : ", \"") + printable(word) + "\"";
     }
     return text;
 }

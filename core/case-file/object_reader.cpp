@@ -69,17 +69,34 @@ std::string escape_segment(std::string_view key) {
     return text;
 }
 
-std::string show(const Json& value) {
-    std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
-    constexpr std::size_t longest = 40;
-    if (text.size() > longest) {
-        std::size_t cut = longest;
-        while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0U) == 0x80U) {
-            --cut;  // not inside a UTF-8 sequence
+std::string printable(std::string_view text, std::size_t longest) {
+    std::string shown;
+    for (std::size_t at = 0; at < text.size();) {
+        const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+        std::size_t count = 1;  // bytes of this character
+        while (byte(at) >= 0xC0U && count < 4 && at + count < text.size() &&
+               (byte(at + count) & 0xC0U) == 0x80U) {
+            ++count;
         }
-        text = text.substr(0, cut) + "…";
+        std::string piece(text.substr(at, count));
+        const bool second_set = count == 2 && byte(at) == 0xC2U && byte(at + 1) < 0xA0U;
+        if (byte(at) < 0x20U || byte(at) == 0x7FU || second_set) {
+            constexpr std::string_view digits = "0123456789abcdef";
+            const unsigned code = byte(at + count - 1);
+            piece = std::string("\\u00") + digits[code / 16U] + digits[code % 16U];
+        }
+        if (shown.size() + piece.size() > longest) {
+            return shown + "…";
+        }
+        shown += piece;
+        at += count;
     }
-    return text;
+    return shown;
+}
+
+std::string show(const Json& value) {
+    constexpr std::size_t longest = 40;
+    return printable(value.dump(-1, ' ', false, Json::error_handler_t::replace), longest);
 }
 
 std::optional<std::string> nearest_word(std::string_view word,
@@ -87,6 +104,9 @@ std::optional<std::string> nearest_word(std::string_view word,
     std::optional<std::string> best;
     std::size_t best_distance = std::max<std::size_t>(2, word.size() / 2) + 1;
     for (const std::string& candidate : candidates) {
+        if (word.size() >= candidate.size() + best_distance) {
+            continue;  // too long for any; the table would be as large
+        }
         const std::size_t distance = edit_distance(word, candidate);
         if (distance < best_distance) {
             best_distance = distance;
@@ -104,7 +124,7 @@ ObjectReader::ObjectReader(const Json& value, std::string pointer)
 }
 
 std::string ObjectReader::pointer_to(std::string_view key) const {
-    return pointer_ + "/" + escape_segment(key);
+    return pointer_ + "/" + printable(escape_segment(key));
 }
 
 void ObjectReader::know(std::string_view key) {
@@ -239,6 +259,11 @@ const Json& ObjectReader::raw(std::string_view key) {
 }
 
 std::vector<std::string> ObjectReader::keys() {
+    constexpr std::size_t most = 1000;  // each is compared with those before it
+    if (value_.size() > most) {
+        throw InputError(pointer_, {CORE_TEXT("core", "must hold at most %1 names"), most},
+                         Number{static_cast<double>(value_.size())});
+    }
     std::vector<std::string> names;
     for (const auto& item : value_.items()) {
         names.push_back(item.key());

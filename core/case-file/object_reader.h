@@ -58,7 +58,8 @@ class ObjectReader {
     ObjectReader object(std::string_view key);
     /// The raw value of a required key, for what the calls above do not cover.
     const Json& raw(std::string_view key);
-    /// Every key with a value, in the file's order, made known (objects such as {name: kg}).
+    /// Every key with a value, in the file's order, made known (objects such as {name: kg}); at
+    /// most 1000.
     std::vector<std::string> keys();
 
     /// Refuses any key that was not asked for, with the nearest known key.
@@ -76,7 +77,11 @@ class ObjectReader {
 /// A key as a segment of a JSON pointer (RFC 6901).
 std::string escape_segment(std::string_view key);
 
-/// The value as an error message shows it: compact JSON, cut after 40 characters.
+/// A text of the user's as a message shows it: control characters as \u001b, which a terminal does
+/// not obey, cut after so many bytes.
+std::string printable(std::string_view text, std::size_t longest = 80);
+
+/// The value as an error message shows it: compact JSON, printable(), cut after 40.
 std::string show(const Json& value);
 
 /// The candidate nearest to the word by edit distance, or nothing where none is near.

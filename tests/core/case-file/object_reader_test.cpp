@@ -68,6 +68,64 @@ TEST(ParseJson, RefusesNestingThatWouldExhaustTheStack) {
     EXPECT_TRUE(parse_json(allowed).is_array());
 }
 
+TEST(ParseJson, RefusesKeysGivenTwice) {
+    EXPECT_EQ(error_of([] { parse_json(R"({"a": 1, "b": [{}, {"c": 1, "d": 2, "c": 1}]})"); }),
+              "/b/1/c: is given twice");
+    EXPECT_EQ(error_of([] { parse_json(R"({"a/b": {}, "a\u002fb": 2})"); }),
+              "/a~1b: is given twice");
+    // The same key in different objects is none.
+    const char* const apart = R"({"a":{"a":[{"a":1},{"a":null}]},"b":[true,-3,0.5,"x",[],{}]})";
+    EXPECT_EQ(parse_json(apart).dump(), apart);
+    EXPECT_EQ(parse_json(" 3 ").dump(), "3");
+}
+
+TEST(ParseJson, RefusesNulAndSaysWhere) {
+    EXPECT_EQ(error_of([] { parse_json(std::string_view("{\n\"a\": 1}\0, \"b\"", 16)); }),
+              "line 2, column 8: must not hold the character NUL");
+    EXPECT_EQ(error_of([] { parse_json(R"({"a": [1, "t.csv\u0000.json"]})"); }),
+              R"(/a/1: must not hold the character NUL, got "t.csv\u0000.json")");
+    EXPECT_EQ(error_of([] { parse_json(R"({"a": {"b\u0000": 1}})"); }),
+              R"(/a/b\u0000: must not hold the character NUL)");
+    EXPECT_EQ(error_of([] { parse_json(R"({"a": [0, 1e999]})"); }),
+              "/a/1: holds a number that is too large for this program");
+}
+
+TEST(ParseJson, RefusesMoreValuesThanAnyCaseHas) {
+    std::string zeros = "[0";
+    for (int i = 0; i < 5'000'000; ++i) {
+        zeros += ",0";
+    }
+    EXPECT_EQ(error_of([&] { parse_json(zeros + "]"); }), "must hold at most 5000000 values");
+}
+
+TEST(ParseJson, TakesTimeInProportionToTheNamesOfAnObject) {
+    std::string text = "{";
+    for (int i = 0; i < 300'000; ++i) {
+        text += (i == 0 ? "\"" : ",\"") + std::to_string(i) + "\":1";
+    }
+    EXPECT_EQ(parse_json(text + "}").size(), 300'000U);  // all pairs would take minutes
+}
+
+// What a file holds neither reaches the terminal as a command nor fills it.
+TEST(ObjectReader, ShowsKeysAndValuesPrintableAndShort) {
+    const std::string escape = "\x1B[2J\n\x7F\xC2\x9B";
+    EXPECT_EQ(printable("ж" + escape + "é"), R"(ж\u001b[2J\u000a\u007f\u009bé)");
+    EXPECT_EQ(printable("жжж", 5), "жж…");
+    EXPECT_EQ(printable("жжж", 6), "жжж");
+    EXPECT_EQ(show(Json("\x7F")), R"("\u007f")");
+    Json input;
+    input[escape] = 1;
+    EXPECT_EQ(error_of([&] { ObjectReader(input, "/input").finish(); }),
+              R"(/input/\u001b[2J\u000a\u007f\u009b: is not a known key)");
+    input.clear();
+    input[std::string(30'000'000, 'k')] = 1;
+    ObjectReader reader(input, "/input");
+    reader.has("crank_radius_mm");
+    EXPECT_EQ(error_of([&] { reader.finish(); }),
+              "/input/" + std::string(80, 'k') + "…: is not a known key");
+    EXPECT_EQ(quoted_list({escape}).english(), R"("\u001b[2J\u000a\u007f\u009b")");
+}
+
 TEST(ParseJson, SaysThatAnEmptyFileIsEmpty) {
     EXPECT_EQ(error_of([] { parse_json(""); }), "is empty");
     EXPECT_EQ(error_of([] { parse_json(" \r\n\t"); }), "is empty");
