@@ -1,6 +1,7 @@
 #include "case-file/case_file.h"
 
 #include <algorithm>
+#include <charconv>
 #include <unordered_set>
 #include <utility>
 
@@ -205,6 +206,43 @@ Json write_case(const CaseFile& file) {
             {"scene", file.scene},
             {"title", file.title},
             {"input", file.input}};
+}
+
+void set_input_value(Json& input, const std::string& pointer, Json value) {
+    // The library fills a list up to the place that is asked for, whatever memory it takes.
+    Json* parent = &input;
+    for (std::size_t at = pointer.find('/'); at != std::string::npos && parent != nullptr;) {
+        const std::size_t end = pointer.find('/', at + 1);
+        const std::string key = pointer.substr(at + 1, end - at - 1);
+        if (parent->is_array()) {
+            std::size_t index = 0;
+            const char* const last = key.data() + key.size();
+            const auto [stopped, fault] = std::from_chars(key.data(), last, index);
+            if (key != "-" && (fault != std::errc{} || stopped != last || index > parent->size())) {
+                throw InputError("/input" + printable(pointer),
+                                 {CORE_TEXT("core", "is not in the list, which has %1 elements"),
+                                  parent->size()});
+            }
+            if (key == "-" || index == parent->size()) {
+                parent->push_back(nullptr);
+                index = parent->size() - 1;
+            }
+            parent = &parent->at(index);
+        } else if (parent->is_object()) {
+            const Json::json_pointer segment("/" + key);  // with ~0 and ~1
+            parent = &(*parent)[segment.back()];
+        } else {
+            parent = nullptr;
+        }
+        if (end != std::string::npos && parent != nullptr && parent->is_null()) {
+            *parent = Json::object();
+        }
+        at = end;
+    }
+    if (parent == nullptr) {
+        throw InputError("/input" + printable(pointer), CORE_TEXT("core", "is not a known key"));
+    }
+    *parent = std::move(value);
 }
 
 }  // namespace ravnoves

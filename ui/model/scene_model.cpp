@@ -105,8 +105,8 @@ void SceneModel::setByKey(const QString& key, const QString& value) {
         parsed = value.toStdString();  // a bare word
     }
     try {
-        input[Json::json_pointer(path)] = parsed;
-    } catch (const Json::exception&) {
+        set_input_value(input, path, parsed);
+    } catch (const Json::exception&) {  // "~" with neither 0 nor 1
         throw InputError("/input" + path, CORE_TEXT("core", "is not a known key"));
     }
     loadInput(input, context_);
