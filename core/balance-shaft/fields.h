@@ -523,14 +523,14 @@ inline constexpr Field relieved_shaft{
 inline constexpr Field bar_diameter{
     .key = "diameter_mm",
     .unit = units::mm,
-    .range = Range::greater_than(0, 1e5),
+    .range = Range::between(1e-3, 1e5),
     .label = CORE_TEXT("balance-shaft", "&Diameter D"),
     .symbol = "D",
     .hint = CORE_TEXT("balance-shaft", "Of the round bar; also the circle that the shaft sweeps.")};
 inline constexpr Field relief_depth{
     .key = "depth_mm",
     .unit = units::mm,
-    .range = Range::greater_than(0, 1e5),
+    .range = Range::between(1e-6, 1e5),
     .label = CORE_TEXT("balance-shaft", "Depth &h"),
     .symbol = "h",
     .hint =
@@ -538,7 +538,7 @@ inline constexpr Field relief_depth{
 inline constexpr Field relief_length{
     .key = "length_mm",
     .unit = units::mm,
-    .range = Range::greater_than(0, 1e5),
+    .range = Range::between(1e-3, 1e5),
     .label = CORE_TEXT("balance-shaft", "&Length b"),
     .symbol = "b",
     .hint = CORE_TEXT("balance-shaft", "Over which the segment is milled away.")};

@@ -205,6 +205,25 @@ void check_limits(const PlaceLimits& limits) {
     }
 }
 
+/// What no engine is: it takes results out of double's range, or searches without end.
+void check_sizes(const Input& input) {
+    constexpr Range lengths = Range::between(1e-3, 1e6);
+    constexpr Range speeds = Range::between(1e-6, 1e7);
+    const Field& speed = input.speed_in_rpm ? field::speed : field::angular_speed;
+    const struct {
+        const Field& field;
+        double si;
+        Range range;
+    } sizes[] = {{field::crank_radius, input.crank_radius, lengths},
+                 {field::centre_distance, input.centre_distance, Range::between(0, lengths.max)},
+                 {speed, input.angular_speed, speeds}};
+    for (const auto& size : sizes) {
+        if (const double value = from_si(size.field, size.si); !size.range.contains(value)) {
+            throw InputError(pointer(size.field), size.range.message(), Number{value});
+        }
+    }
+}
+
 /// Each number alone may be fine and their products not. Offset and bore have ranges of their own.
 void check_together(const Input& input) {
     const double speed = input.angular_speed;
@@ -289,6 +308,10 @@ double Input::effective_rod_length() const {
 void check_speed_band(const SpeedBand& band) {
     const std::string parent = pointer(field::speed_band);
     check_fields(band, parent.c_str());
+    constexpr Range lowest = Range::at_least(0.1);  // below it inertia is lost in the rounding
+    if (const double from = from_si(field::band_from, band.from); !lowest.contains(from)) {
+        throw InputError(pointer(field::band_from, parent), lowest.message(), Number{from});
+    }
     if (band.to < band.from) {
         throw InputError(
             pointer(field::band_to, parent),
@@ -308,6 +331,7 @@ void check_speed_band(const SpeedBand& band) {
 void check_input(const Input& input) {
     check_fields(input);
     check_masses(input);
+    check_sizes(input);
     check_together(input);
     check_torque(input);
     if (input.flywheel &&

@@ -179,6 +179,10 @@ void check_size(const Input& input, const Engine& engine) {
 
 void check_input(const Input& input) {
     check_fields(input);
+    // The rod, R/λ, must have a length; field::lambda allows all that is greater than 0.
+    if (constexpr Range ratios = Range::at_least(1e-6); !ratios.contains(input.lambda)) {
+        throw InputError("/input/lambda", ratios.message(), Number{input.lambda});
+    }
     if (input.layout) {
         check_layout(*input.layout);
         // Only the offsets matter for locking; crankpins would need a top dead centre.

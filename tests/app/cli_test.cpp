@@ -337,6 +337,15 @@ TEST_F(CommandLine, BadTorqueFilesNameLineAndColumn) {
     expect_refused(run("solve case.json"), start + "line 1: must be text");
 }
 
+// The rod's length, R/λ, was infinite: an internal error.
+TEST_F(CommandLine, RefusesARodWithoutEnd) {
+    Json radial = Json::parse(read_all(fs::path(RAVNOVES_EXAMPLES) / "radial-9.case.json"));
+    radial["input"]["lambda"] = 1e-308;
+    write("radial.json", radial.dump());
+    expect_refused(run("solve radial.json"),
+                   "radial.json: /input/lambda: must be at least 1e-06, got 1e-308\n");
+}
+
 // A file's name is bytes to us: Cyrillic, spaces and quotes are the user's business.
 TEST_F(CommandLine, TakesAnyFileName) {
     write("ТМЗ 650 (копия).json", example().dump());

@@ -230,6 +230,28 @@ TEST(BalanceShaftInput, WhatIsTooLargeIsNamedAtItsOwnPlace) {
               "work with (1e100) together with the other inputs");
 }
 
+// Each ended in an internal error or in no end at all.
+TEST(BalanceShaftInput, RefusesSizesThatNoEngineHas) {
+    const std::string shaft = "/input/relieved_shaft/";
+    EXPECT_EQ(refusal(R"({"relieved_shaft": {"diameter_mm": 1e-110, "length_mm": 400}})"),
+              shaft + "diameter_mm: must be from 0.001 to 100000, got 1e-110");
+    EXPECT_EQ(refusal(R"({"relieved_shaft": {"diameter_mm": 50, "length_mm": 1e-300}})"),
+              shaft + "length_mm: must be from 0.001 to 100000, got 1e-300");
+    EXPECT_EQ(refusal(R"({"relieved_shaft": {"depth_mm": 1e-110, "length_mm": 400}})"),
+              shaft + "depth_mm: must be from 1e-06 to 100000, got 1e-110");
+    for (const char* value : {"1e-300", "1e-150", "1e+20"}) {
+        EXPECT_EQ(
+            refusal(R"({"crank_radius_mm": )" + std::string(value) + "}"),
+            "/input/crank_radius_mm: must be from 0.001 to 1000000, got " + std::string(value));
+    }
+    EXPECT_EQ(refusal(R"({"centre_distance_mm": 1e20})"),
+              "/input/centre_distance_mm: must be from 0 to 1000000, got 1e+20");
+    EXPECT_EQ(refusal(R"({"angular_speed_rad_s": 1e-300})"),
+              "/input/angular_speed_rad_s: must be from 1e-06 to 10000000, got 1e-300");
+    EXPECT_EQ(refusal(R"({"speed_band": {"from_rpm": 1e-9, "to_rpm": 3600}})"),
+              "/input/speed_band/from_rpm: must be at least 0.1, got 1e-09");
+}
+
 class CsvBesideTheCase : public testing::Test {
   protected:
     void SetUp() override {
