@@ -223,6 +223,33 @@ Number turns_of(double angle) {
     return {std::round(std::abs(angle) / two_pi * 1e4) / 1e4};
 }
 
+/// Near λ = 1 the rod's inertia jumps at the dead centres, and no step is short enough for it; with
+/// waves of the profile's error it is the number of turns.
+void check_work(std::size_t points, const Design& design, const MotionSetup& setup, double turned) {
+    constexpr std::size_t most = 10'000'000;  // a few seconds
+    const double lambda = design.mechanism().lambda;
+    constexpr double nearly_one = 0.999;
+    // The work of the rod's hinge is then an integral at each point.
+    const bool integrates = lambda > nearly_one && setup.hinges == HingeSet::crank_and_rod;
+    if (points <= (integrates ? most / 400 : most)) {
+        return;
+    }
+    if (lambda > nearly_one) {
+        throw InputError(
+            "/input/lambda",
+            {CORE_TEXT("elastic-hinge",
+                       "must be further from 1 for a motion: it takes more than %1 points"),
+             points},
+            Number{lambda});
+    }
+    throw InputError(
+        "/input/motion/turns",
+        {CORE_TEXT("elastic-hinge",
+                   "must be less for this motion: more than %1 points brought it only to turn %2"),
+         points, turns_of(turned)},
+        Number{setup.turns});
+}
+
 void check_setup(const Design& design, const Guide& guide, const MotionSetup& setup) {
     if (!design.has_exact_kinematics()) {
         throw InputError(
@@ -473,6 +500,7 @@ Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_
         }
     };
     while (!done) {
+        check_work(system.asked(), *design, setup, phi - setup.start_angle);
         Cell cell;
         cell.begin = phi;
         cell.from_rest = at_rest;

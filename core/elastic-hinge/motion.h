@@ -76,7 +76,7 @@ using MotionProgress = std::function<bool(double)>;
 /// @param crank_guide  for HingeSet::crank a guide of Hinge::crank, for crank_and_rod one of
 ///                     Hinge::crank_with_rod; unused for none
 /// @throws InputError where a hinge is asked for whose guide is not feasible, where the mechanism
-///         locks (λ = 1) or where it has no inertia
+///         locks (λ = 1) or where it has no inertia, where it takes more work than one waits for
 Motion simulate(const std::shared_ptr<const Design>& design, const Guide& crank_guide,
                 const MotionSetup& setup, const MotionProgress& progress = {});
 

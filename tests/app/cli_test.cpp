@@ -346,6 +346,36 @@ TEST_F(CommandLine, RefusesARodWithoutEnd) {
                    "radial.json: /input/lambda: must be at least 1e-06, got 1e-308\n");
 }
 
+// Work without end is refused at the input that asks for it.
+TEST_F(CommandLine, RefusesCasesThatTakeTooMuchWork) {
+    Json many = example();
+    Json& masses = many["input"]["reciprocating_masses_kg"];
+    masses = Json::object();
+    for (int i = 0; i < 30'000; ++i) {
+        masses["part " + std::to_string(i)] = 1e-5;
+    }
+    write("many.json", many.dump());
+    expect_refused(run("solve many.json", "", "timeout 10 "),
+                   "many.json: /input/reciprocating_masses_kg: must hold at most 1000 names, got "
+                   "30000\n");
+
+    Json motion = Json::parse(read_all(fs::path(RAVNOVES_EXAMPLES) / "zotov-as-printed.case.json"));
+    motion["input"]["kinematics"] = "exact";
+    motion["input"]["lambda"] = 0.9999999999999999;
+    motion["input"]["motion"] = Json::object();
+    write("locked.json", motion.dump());
+    expect_refused(run("solve locked.json", "", "timeout 60 "),
+                   "locked.json: /input/lambda: must be further from 1 for a motion: ");
+    motion["input"]["lambda"] = 0.3;
+    motion["input"]["profile_error_um"] = 5;
+    motion["input"]["profile_error_waves"] = 1000;
+    motion["input"]["motion"] = {
+        {"turns", 1000}, {"crank_torque_Nm", 1}, {"with_profile_error", true}};
+    write("waves.json", motion.dump());
+    expect_refused(run("solve waves.json", "", "timeout 60 "),
+                   "waves.json: /input/motion/turns: must be less for this motion: ");
+}
+
 // A file's name is bytes to us: Cyrillic, spaces and quotes are the user's business.
 TEST_F(CommandLine, TakesAnyFileName) {
     write("ТМЗ 650 (копия).json", example().dump());
