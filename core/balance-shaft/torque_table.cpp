@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
+#include <utility>
 
 #include "case-file/input_error.h"
 #include "case-file/range.h"
@@ -26,17 +28,22 @@ struct Column {
     Unit unit;
     Range range;  ///< in SI
     double end_tolerance;
-    bool may_be_open;  ///< the closing row may be missing
+    bool may_be_open;        ///< the closing row may be missing
+    bool unit_named = true;  ///< else it is what is usual
 };
 
-Column torque_column() {
-    return {CORE_TEXT("balance-shaft", "torque"), units::N_m,
+Column torque_column(Unit unit = units::N_m) {
+    return {CORE_TEXT("balance-shaft", "torque"), unit,
             Range::between(-largest_torque, largest_torque), end_torque_tolerance, false};
 }
 
-Column pressure_column(Unit unit) {
-    return {CORE_TEXT("balance-shaft", "pressure"), unit, Range::between(0.0, largest_pressure),
-            end_pressure_tolerance, true};
+Column pressure_column(Unit unit, bool unit_named = true) {
+    return {CORE_TEXT("balance-shaft", "pressure"),
+            unit,
+            Range::between(0.0, largest_pressure),
+            end_pressure_tolerance,
+            true,
+            unit_named};
 }
 
 TwoColumnsRule rule_for(const Column& column) {
@@ -151,6 +158,8 @@ Message TableFormat::describe() const {
              : CORE_TEXT("balance-shaft",
                          "pressure taken for %1, as the heading names no unit that is known"),
          Text{"core", pressure_unit.data()}});
+    add(!torque_unit.empty(),
+        {CORE_TEXT("balance-shaft", "torque in %1"), Text{"core", torque_unit.data()}});
     add(strokes == 2, CORE_TEXT("balance-shaft", "360°, the cycle of a two-stroke engine"));
     add(closed, CORE_TEXT("balance-shaft", "end joined to the start"));
     return text;
@@ -178,8 +187,15 @@ Cycle to_cycle(TwoColumns&& rows, const Column& column) {
             Range shown = column.range;
             shown.min /= column.unit.to_si;
             shown.max /= column.unit.to_si;
-            throw InputError(table_place(rows.line[i], 2), shown.message(),
-                             Number{value[i] / column.unit});
+            throw InputError(
+                table_place(rows.line[i], 2),
+                column.unit_named || value[i] < column.range.min
+                    ? shown.message()
+                    : Message(CORE_TEXT("balance-shaft",
+                                        "%1 in %2, which is taken where the heading names no unit; "
+                                        "write the unit above the column, for example Pa"),
+                              shown.message(), Text{"core", column.unit.name.data()}),
+                Number{value[i] / column.unit});
         }
     }
     check_ascending(angle, place_of_angle);
@@ -279,6 +295,38 @@ std::optional<Unit> pressure_unit(std::string_view header) {
     return std::nullopt;
 }
 
+/// The unit that the header names for a torque, where it is not N·m: "M (kN·m)", "torque, lb-ft".
+std::optional<Unit> torque_unit(std::string_view header) {
+    std::string word;  // without what stands between the parts of a unit
+    for (std::size_t at = 0; at <= header.size(); ++at) {
+        const char c = at < header.size() ? header[at] : ';';
+        constexpr std::string_view dot = "·";
+        if (header.substr(at, dot.size()) == dot) {
+            at += dot.size() - 1;
+        } else if (std::string_view(",;()[]\t\n\"").find(c) == std::string_view::npos) {
+            if (c != ' ' && c != '*' && c != '-' && c != '.') {
+                word += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+            }
+        } else {
+            const auto ends = [&](std::initializer_list<std::string_view> names) {
+                return std::ranges::any_of(
+                    names, [&](std::string_view name) { return word.ends_with(name); });
+            };
+            if (ends({"knm", "кНм"})) {
+                return kN_m;
+            }
+            if (ends({"lbfft", "lbft", "ftlbf", "ftlb", "ftlbs"})) {
+                return lbf_ft;
+            }
+            if (ends({"lbfin", "lbin", "inlbf", "inlb", "inlbs"})) {
+                return lbf_in;
+            }
+            word.clear();
+        }
+    }
+    return std::nullopt;
+}
+
 void check_table(const std::vector<double>& angle, const std::vector<double>& value,
                  const Column& column, const std::string& angles, const std::string& values) {
     if (angle.size() != value.size()) {
@@ -338,9 +386,12 @@ void check_table(const std::vector<double>& angle, const std::vector<double>& va
 }  // namespace
 
 ParsedTorqueTable parse_torque_table(std::string_view text) {
-    Cycle cycle = to_cycle(read_two_columns(text, rule_for(torque_column())), torque_column());
+    TwoColumns rows = read_two_columns(text, rule_for(torque_column()));
+    const std::optional<Unit> named = torque_unit(rows.header);
+    Cycle cycle = to_cycle(std::move(rows), torque_column(named.value_or(units::N_m)));
     ParsedTorqueTable result;
     static_cast<TableFormat&>(result) = cycle.format;
+    result.torque_unit = named ? named->name : std::string_view();
     result.table = {std::move(cycle.angle_deg), std::move(cycle.value)};
     return result;
 }
@@ -356,7 +407,7 @@ ParsedPressureTrace parse_pressure_trace(std::string_view text) {
     }
     const std::optional<Unit> named = pressure_unit(rows.header);
     const Unit unit = named.value_or(units::bar);
-    Cycle cycle = to_cycle(std::move(rows), pressure_column(unit));
+    Cycle cycle = to_cycle(std::move(rows), pressure_column(unit, named.has_value()));
     ParsedPressureTrace result;
     static_cast<TableFormat&>(result) = cycle.format;
     result.pressure_unit = unit.name;

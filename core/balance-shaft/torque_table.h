@@ -29,6 +29,9 @@ inline constexpr double largest_torque = 1e12;                  ///< N·m
 inline constexpr double largest_pressure = 1e10;  ///< Pa
 inline constexpr Unit psi{"psi", 6894.757293168361};
 inline constexpr Unit mbar{"mbar", 100.0};
+inline constexpr Unit kN_m{CORE_TEXT("core", "kN·m").english, 1e3};
+inline constexpr Unit lbf_in{"lbf·in", 0.45359237 * 9.80665 * 0.0254};
+inline constexpr Unit lbf_ft{"lbf·ft", 12.0 * lbf_in.to_si};
 
 /// Strokes of the cycle that rows span: 2 for 360°, else 4.
 int strokes_of(const std::vector<double>& crank_angle_deg);
@@ -43,6 +46,7 @@ struct TableFormat {
     std::size_t rows = 0;            ///< of the table
     std::string_view pressure_unit;  ///< "bar", "kPa" and so on, of a pressure trace
     bool unit_named = true;          ///< the header names it; else bar is taken
+    std::string_view torque_unit;    ///< of a torque table, where it is not N·m
     bool closed = false;             ///< a pressure trace's end was made to meet its start
 
     /// "49 rows, separated by semicolons, decimal comma, angles in degrees": one sentence without
@@ -64,7 +68,7 @@ struct ParsedPressureTrace : TableFormat {
 /// or comma; a header line, empty lines, a byte-order mark and lines that begin with '#' are
 /// passed over. Further columns are refused. Angles in degrees or radians: the header says which
 /// ("rad", "deg", "°"), else the span (720, 360, 4π or 2π within 0.1 %). A span of 360° is the
-/// cycle of a two-stroke engine.
+/// cycle of a two-stroke engine. Torques in N·m, or in what the header names: kN·m, lbf·ft, lbf·in.
 /// @throws InputError that names line and column ("line 4, column 2"), or the row for a table that
 ///         is not one cycle: unsorted, duplicate angle, too few rows, end that differs from start
 ParsedTorqueTable parse_torque_table(std::string_view text);
