@@ -64,7 +64,12 @@ std::optional<BalancingCheck> BalancingSheet::check() const {
 }
 
 MassChanges Input::changes() const {
-    return changes_from_weigh_in && weigh_in ? mass_changes(*weigh_in, process) : typed_changes;
+    return changes_from_weigh_in && weigh_in ? mass_changes(*weigh_in, process, typed_changes)
+                                             : typed_changes;
+}
+
+bool Input::takes_typed(double MassChanges::*change) const {
+    return !changes_from_weigh_in || !weigh_in || !is_weighed(*weigh_in, process, change);
 }
 
 }  // namespace ravnoves::v8_plugs

@@ -94,8 +94,10 @@ struct Input {
     std::optional<BalancingSheet> balancing;
     JobHeader job;
 
-    /// Typed, or from the weigh-in sheet; 0 where they are not known.
+    /// Typed, or from the weigh-in sheet as far as it has been weighed; 0 where they are not known.
     MassChanges changes() const;
+    /// True where the change is the one typed, not that of weights.
+    bool takes_typed(double MassChanges::*change) const;
     bool has_typed_changes() const { return changes_given || typed_changes != MassChanges{}; }
     /// False on a sheet on which none is typed, or nothing weighed counts yet.
     bool changes_known() const {

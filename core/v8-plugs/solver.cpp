@@ -25,6 +25,17 @@ void solve_weigh_in(const Input& input, Result& result) {
         result.crankpin_excess = crankpin_excess(*input.weigh_in, input.process, k);
         result.assigned_excess =
             crankpin_excess(reassigned(*input.weigh_in, *result.assignment), input.process, k);
+        if (input.changes_from_weigh_in) {
+            // What is typed and not weighed is the same on every crankpin.
+            const double typed =
+                unbalanced_mass(input.process, result.changes, k) -
+                unbalanced_mass(input.process, mass_changes(*input.weigh_in, input.process), k);
+            for (auto* excess : {&*result.crankpin_excess, &*result.assigned_excess}) {
+                for (double& mass : *excess) {
+                    mass += typed;
+                }
+            }
+        }
     }
 }
 

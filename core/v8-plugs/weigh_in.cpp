@@ -190,19 +190,42 @@ std::optional<ColumnStatistics> statistics(const PartColumn& column) {
     return result;
 }
 
-MassChanges mass_changes(const WeighIn& sheet, Process process) {
-    const double piston_and_rings =
-        mean_deviation(sheet[Part::piston]) + mean_deviation(sheet[Part::rings]);
-    const double pin_and_small_end =
-        mean_deviation(sheet[Part::pin]) + mean_deviation(sheet[Part::rod_small_end]);
-    MassChanges changes;
-    changes.rod_big_end = mean_deviation(sheet[Part::rod_big_end]);
-    if (process == Process::manufacture) {
-        changes.piston = piston_and_rings + pin_and_small_end;
-    } else {
-        changes.piston = pin_and_small_end;
-        changes.repair_piston_and_rings = piston_and_rings;
-        changes.repair_bearing = 2.0 * mean_deviation(sheet[Part::shells]);
+double MassChanges::*change_of(Part part, Process process) {
+    const bool repair = process == Process::repair;
+    switch (part) {
+        case Part::piston:
+        case Part::rings:
+            return repair ? &MassChanges::repair_piston_and_rings : &MassChanges::piston;
+        case Part::pin:
+        case Part::rod_small_end:
+            return &MassChanges::piston;
+        case Part::rod_big_end:
+            return &MassChanges::rod_big_end;
+        case Part::shells:
+            return repair ? &MassChanges::repair_bearing : nullptr;
+    }
+    return nullptr;
+}
+
+bool is_weighed(const WeighIn& sheet, Process process, double MassChanges::*change) {
+    return std::any_of(all_parts.begin(), all_parts.end(), [&](Part part) {
+        return change_of(part, process) == change && sheet[part].is_complete();
+    });
+}
+
+MassChanges mass_changes(const WeighIn& sheet, Process process, const MassChanges& typed) {
+    MassChanges changes = typed;
+    for (const Part part : all_parts) {
+        const auto change = change_of(part, process);
+        if (change != nullptr && is_weighed(sheet, process, change)) {
+            changes.*change = 0.0;
+        }
+    }
+    for (const Part part : all_parts) {
+        if (const auto change = change_of(part, process)) {
+            const double rods = part == Part::shells ? 2.0 : 1.0;  // shells count by crankpin
+            changes.*change += rods * mean_deviation(sheet[part]);
+        }
     }
     return changes;
 }

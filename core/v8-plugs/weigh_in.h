@@ -78,8 +78,12 @@ std::optional<ColumnStatistics> statistics(const PartColumn& column);
 /// In repair the piston with its rings is Δm_рп, pin and small end (which move with the piston) are
 /// Δm_п, the shells of both rods of a crankpin Δm_шр. In manufacture piston, pin, rings and small
 /// end are Δm_п and the shells are not counted, as the method has it. Columns that are not complete
-/// count as nominal.
-MassChanges mass_changes(const WeighIn& sheet, Process process);
+/// count as nominal; a change of which no column is complete stays what was typed.
+MassChanges mass_changes(const WeighIn& sheet, Process process, const MassChanges& typed = {});
+/// The change of the method that the part belongs to; null where the method does not count it.
+double MassChanges::*change_of(Part part, Process process);
+/// True where the sheet says the change: a column of its parts is complete.
+bool is_weighed(const WeighIn& sheet, Process process, double MassChanges::*change);
 
 /// Excess on each crankpin's own axis, from the parts of its two cylinders; their mean is the
 /// unbalanced_mass() of mass_changes().

@@ -67,7 +67,7 @@ void JobSheet::buildChanges() {
             each.field,
             [this, each] {
                 // Empty until one of them is given: then the others are 0.
-                return model_->input().changes_known()
+                return model_->input().changes_known() || model_->input().has_typed_changes()
                            ? std::optional(
                                  from_si(each.field, model_->solution().changes.*each.member))
                            : std::nullopt;
@@ -79,13 +79,14 @@ void JobSheet::buildChanges() {
                 });
             });
         follow([this, made, each] {
-            made->setEnabled(!model_->input().changes_from_weigh_in &&
+            made->setEnabled(model_->input().takes_typed(each.member) &&
                              (!each.repair_only || model_->input().process == Process::repair));
         });
     }
     line(Theme::smallSize, [this] {
-        return model_->input().changes_from_weigh_in ? tr("Taken from the weigh-in sheet.")
-                                                     : QString();
+        return model_->input().changes_from_weigh_in
+                   ? tr("Those in grey are taken from the weigh-in sheet.")
+                   : QString();
     });
     number("/tolerance_g_mm");
 }

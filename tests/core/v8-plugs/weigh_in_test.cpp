@@ -223,6 +223,28 @@ TEST(WeighInSheet, HeavierByAHandfulOfGramsByHand) {
     EXPECT_EQ(manufacture.repair_piston_and_rings, 0.0);
 }
 
+TEST(WeighInSheet, WhatIsNotWeighedStaysAsTyped) {
+    const MassChanges typed{1 * gram, 2 * gram, 3 * gram, 4 * gram};
+    for (const Process process : {Process::manufacture, Process::repair}) {
+        EXPECT_EQ(mass_changes({}, process, typed), typed);
+        for (const Part part : all_parts) {
+            WeighIn sheet;
+            sheet[part].nominal = 500 * gram;
+            sheet[part].mass.fill(500.5 * gram);
+            const double MassChanges::*changes[] = {&MassChanges::piston, &MassChanges::rod_big_end,
+                                                    &MassChanges::repair_piston_and_rings,
+                                                    &MassChanges::repair_bearing};
+            for (const auto change : changes) {
+                const double weighed = mass_changes(sheet, process).*change;
+                const double found = mass_changes(sheet, process, typed).*change;
+                EXPECT_EQ(found, weighed != 0.0 ? weighed : typed.*change);
+            }
+            sheet[part].mass[3].reset();
+            EXPECT_EQ(mass_changes(sheet, process, typed), typed) << "one is missing";
+        }
+    }
+}
+
 TEST(WeighInSheet, CrankpinsOfBothNumberings) {
     EXPECT_EQ(crankpins(CylinderNumbering::bank_by_bank)[1], (std::array<int, 2>{1, 5}));
     EXPECT_EQ(crankpins(CylinderNumbering::alternating)[1], (std::array<int, 2>{2, 3}));

@@ -190,7 +190,35 @@ TEST_F(V8ModelTest, ColumnsHalfWeighedAreNamed) {
     EXPECT_TRUE(model.solution().advice);
     model.edit(u"typed"_s, [](Input& input) { input.typed_changes.piston = 1 * gram; });
     EXPECT_EQ(model.notCounted().at(0),
-              u"The changes typed do not count: the weights of the parts do."_s);
+              u"Typed, but replaced by the weights: Improved piston Δmₚᵢ 1.00\u00A0g."_s);
+}
+
+TEST_F(V8ModelTest, WeightsReplaceOnlyWhatIsWeighed) {
+    V8PlugsModel model({});
+    model.loadInput(example("v8-4.25-repair.case.json"), {});  // big end 0.5 g, shells 1.1 g
+    model.editWeights(u"weigh"_s, [](WeighIn& sheet) {
+        sheet[Part::piston].nominal = 600 * gram;
+        sheet[Part::piston].mass.fill(619.875 * gram);
+        sheet[Part::rod_big_end].nominal = 700 * gram;
+        sheet[Part::rod_big_end].mass[0] = 705 * gram;
+    });
+    // 19.875 + (2 + 0.445) 0.5 + 1.1
+    EXPECT_NEAR(*model.solution().unbalanced_mass, 22.1975 * gram, 1e-12);
+    const QStringList said = model.notCounted();
+    ASSERT_EQ(said.size(), 3) << qPrintable(said.join(u'\n'));
+    EXPECT_EQ(said.at(0),
+              u"Typed, but replaced by the weights: "
+              "Repair piston and rings Δmᵣₚ 2.00\u00A0g."_s);
+    EXPECT_EQ(said.at(1),
+              u"Not weighed, so what was typed counts: "
+              "Rod big end 0.50\u00A0g, Repair shells Δmₛₕ 1.10\u00A0g."_s);
+    EXPECT_EQ(said.at(2), u"Rod, big end: 1 of 8 weighed; what was typed counts until all are."_s);
+    EXPECT_EQ(model.crankpinRows().at(0).at(1), u"22.20"_s);
+    EXPECT_TRUE(model.input().takes_typed(&MassChanges::rod_big_end));
+    EXPECT_FALSE(model.input().takes_typed(&MassChanges::repair_piston_and_rings));
+    model.editWeights(u"weigh"_s,
+                      [](WeighIn& sheet) { sheet[Part::rod_big_end].mass.fill(700.25 * gram); });
+    EXPECT_NEAR(*model.solution().unbalanced_mass, (19.875 + 2.445 * 0.25 + 1.1) * gram, 1e-12);
 }
 
 TEST_F(V8ModelTest, WeightsCountFromTheFirstToTheLast) {

@@ -51,6 +51,31 @@ QStringList massWarnings(const Words& words, const Input& input, const Result& s
     return warnings;
 }
 
+namespace {
+/// Which of the changes typed the weights replace, and which of them still count.
+QStringList typedBesideWeights(const Words& words, const Input& input) {
+    QStringList replaced;
+    QStringList kept;
+    for (const MassChangeField& each : mass_change_fields()) {
+        const double typed = input.typed_changes.*each.member;
+        if (typed != 0.0 && !(each.repair_only && input.process == Process::manufacture)) {
+            (input.takes_typed(each.member) ? kept : replaced)
+                << words.name(each.field) + QLatin1Char(' ') + grams(words, typed);
+        }
+    }
+    QStringList list;
+    if (!replaced.isEmpty()) {
+        list << words.translate("V8", "Typed, but replaced by the weights: %1.")
+                    .arg(replaced.join(QStringLiteral(", ")));
+    }
+    if (!kept.isEmpty()) {
+        list << words.translate("V8", "Not weighed, so what was typed counts: %1.")
+                    .arg(kept.join(QStringLiteral(", ")));
+    }
+    return list;
+}
+}  // namespace
+
 QStringList notCounted(const Words& words, const Input& input) {
     if (!input.weigh_in || input.weigh_in->is_empty()) {
         return {};
@@ -59,23 +84,26 @@ QStringList notCounted(const Words& words, const Input& input) {
         return {words.translate(
             "V8", "The weights of the parts do not count: the box on sheet 3 is off.")};
     }
-    QStringList gaps;
-    if (input.typed_changes != MassChanges{}) {
-        gaps << words.translate("V8",
-                                "The changes typed do not count: the weights of the parts do.");
-    }
+    QStringList gaps = typedBesideWeights(words, input);
     for (const Part part : all_parts) {
         const PartColumn& column = (*input.weigh_in)[part];
         if (column.is_complete() || column.is_empty()) {
             continue;
         }
         const QString name = partName(words, part);
-        gaps << (column.nominal
-                     ? words.translate("V8", "%1: %2 of 8 weighed; nominal counts until all are.")
+        const auto change = change_of(part, input.process);
+        const bool typed =
+            change != nullptr && input.takes_typed(change) && input.typed_changes.*change != 0.0;
+        gaps << (!column.nominal
+                     ? words.translate("V8", "%1: the weights do not count without a nominal mass.")
                            .arg(name)
-                           .arg(statistics(column)->count)
-                     : words.translate("V8", "%1: the weights do not count without a nominal mass.")
-                           .arg(name));
+                     : (typed
+                            ? words.translate(
+                                  "V8", "%1: %2 of 8 weighed; what was typed counts until all are.")
+                            : words.translate("V8",
+                                              "%1: %2 of 8 weighed; nominal counts until all are."))
+                           .arg(name)
+                           .arg(statistics(column)->count));
     }
     return gaps;
 }
