@@ -90,6 +90,7 @@ QWidget* AnswerView::buildBobWeights() {
     bobWeights_->setColumns(model_->bobWeightColumns());
     column->addWidget(bobWeights_);
     check_ = captionLabel({}, panel);
+    check_->setObjectName(QStringLiteral("check"));
     column->addWidget(check_);
     return panel;
 }
@@ -137,8 +138,12 @@ void AnswerView::showAdvice() {
     colourText(troubles_, theme.warning());
     options_->setRows(model_->optionRows());
     for (int row = 0; row < options_->rowCount(); ++row) {
+        const bool methodAlone = v8_text::methodAlone(
+            model_->solution(), v8_plugs::all_options.at(static_cast<std::size_t>(row)));
         for (int column = 0; column < options_->columnCount(); ++column) {
             options_->setCellToolTip(row, column, model_->optionToolTip(row));
+            options_->item(row, column)
+                ->setForeground(methodAlone ? QBrush(theme.warning()) : QBrush());
         }
     }
 }
@@ -148,11 +153,17 @@ void AnswerView::showBobWeights() {
     bobWeights_->setRows(weights);
     bobWeights_->setVisible(!weights.isEmpty());
     say(check_, weights.isEmpty() ? model_->missingText() : model_->checkText());
+    const bool doubtful = model_->solution().shift_that_matters() != nullptr;
+    const Theme& theme = Theme::instance();
+    colourText(check_, doubtful ? theme.warning() : theme.mutedText());
 }
 
 QString AnswerView::asText() const {
-    return excess_->text() + QLatin1Char('\n') + advice_->text() + QLatin1Char('\n') +
-           options_->asText() + QLatin1Char('\n') + bobWeights_->asText();
+    // The advice never goes without what is wrong with it.
+    QStringList said{excess_->text(), advice_->text(), troubles_->text()};
+    said.removeAll(QString());
+    return said.join(QLatin1Char('\n')) + QLatin1Char('\n') + options_->asText() +
+           QLatin1Char('\n') + bobWeights_->asText();
 }
 
 QString AnswerView::asCsv() const {

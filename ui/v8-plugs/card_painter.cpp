@@ -95,6 +95,7 @@ double CardPainter::answer(double y) {
     QString fact;
     QString action;
     QStringList more;
+    const QString warning = v8_text::shiftWarning(words_, input_, solution_);
     if (solution_.advice) {
         const double excess = *solution_.unbalanced_mass;
         fact = words_.translate("JobCard", "Excess on each crankpin Δmᵤ = %1 (%2)")
@@ -102,28 +103,36 @@ double CardPainter::answer(double y) {
                         v8_text::gramMillimetres(
                             words_, excess * input_.engine.crank_radius.value_or(0.0)));
         action = v8_text::advice(words_, input_, solution_);
+        if (!warning.isEmpty()) {
+            action = words_.translate("JobCard", "(!) By the method alone: %1").arg(action);
+        }
         if (solution_.advice->kind == Advice::Kind::option) {
             more << v8_text::boring(words_, input_, solution_, solution_.advice->option->id);
         }
-        more << v8_text::bobWeightCheck(words_, input_, solution_);
+        if (warning.isEmpty()) {
+            more << v8_text::bobWeightCheck(words_, input_, solution_);
+        }
         more.removeAll(QString());
     } else {
         action = words_.translate("JobCard", "The data are not complete; nothing can be advised.");
         fact = words_.translate("JobCard", "Not known without: %1.")
                    .arg(v8_text::missingNames(words_, input_, false));
     }
+    const QColor& colour = warning.isEmpty() ? CardPage::ink : CardPage::amber;
     const double inner = left + 3.0;
     const double room = full - 6.0;
     const auto content = [&](double from) {
         double at = from;
         at += sheet_.paragraph(inner, at, room, fact, 9, 1);
-        at += sheet_.paragraph(inner, at + 0.4, room, action, 11.5, 4, true) + 0.4;
-        return at + sheet_.paragraph(inner, at + 0.4, room, more.join(QLatin1Char(' ')), 9, 3);
+        at += sheet_.paragraph(inner, at + 0.4, room, action, 11.5, 4, true, colour) + 0.4;
+        at += sheet_.paragraph(inner, at + 0.4, room, more.join(QLatin1Char(' ')), 9, 3, false,
+                               colour);
+        return at + sheet_.paragraph(inner, at + 0.4, room, warning, 10, 4, true, colour);
     };
     sheet_.setMeasuring(true);
     const double height = content(0.0) + 3.6;
     sheet_.setMeasuring(false);
-    sheet_.box(left, y, full, height, CardPage::shade, CardPage::ink, 0.3);
+    sheet_.box(left, y, full, height, CardPage::shade, colour, warning.isEmpty() ? 0.3 : 0.8);
     content(y + 1.6);
     return y + height;
 }
@@ -213,7 +222,11 @@ double CardPainter::options(double y) {
                     words_.number(option->required_reduction / gram, 3),
                     words_.number(option->max_reduction / gram, 3),
                     words_.number(option->residual_unbalance / units::gram_mm, 1),
-                    !fitted            ? words_.translate("JobCard", "other crankshaft")
+                    !fitted ? words_.translate("JobCard", "other crankshaft")
+                    : best && v8_text::methodAlone(solution_, id)
+                        ? words_.translate("JobCard", "check: see above")
+                    : v8_text::methodAlone(solution_, id)
+                        ? words_.translate("JobCard", "by the method alone")
                     : option->feasible ? words_.translate("JobCard", "works")
                                        : words_.translate("JobCard", "does not work")},
                    best,

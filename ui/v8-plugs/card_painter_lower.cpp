@@ -86,7 +86,10 @@ double CardPainter::remarks(double y, double end) {
     shown.weigh_in.reset();  // its table above marks what is too far apart or missing
     shown.changes_from_weigh_in = false;
     QStringList list = v8_text::troubles(words_, shown, solution_);
-    if (solution_.plugs) {
+    if (const QString warning = v8_text::shiftWarning(words_, input_, solution_);
+        !warning.isEmpty()) {
+        list.removeAll(warning);  // the answer itself says it
+    } else if (solution_.plugs) {
         const auto chosen = v8_text::chosenOption(solution_);
         list << v8_text::shiftText(words_, input_, solution_,
                                    chosen ? *chosen : *solution_.option(OptionId::steel_machined));

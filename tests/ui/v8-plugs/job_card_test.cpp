@@ -352,6 +352,41 @@ TEST_F(JobCardTest, SaysWhatMustNotBeOverlooked) {
     EXPECT_TRUE(text.contains(u"Neglected by the method"_s));
 }
 
+TEST_F(JobCardTest, AnAnswerByTheMethodAloneIsNoFact) {
+    Json input = exampleInput("v8-4.25-repair.case.json");
+    input["engine"]["steel_plug_mass_g"] = 30;  // the shift of so heavy a plug is worth 49 g·mm
+    input["engine"]["max_steel_reduction_g"] = 12;
+    input["mass_changes_g"]["repair_piston_and_rings"] = 20;
+    for (const bool bored : {false, true}) {
+        if (bored) {
+            input["plug"] =
+                parse_json(R"({"thread": "M30x1.5", "height_mm": 14, "cutter_diameter_mm": 20})");
+        }
+        const Json result = commandLine(input);
+        ASSERT_EQ(result.at("state"), "warning");
+        const QStringList rows = cardText(input, u"en"_s);
+        const QString text = rows.join(u' ').simplified();
+        const QString warning =
+            QString::fromStdString(result.at("warning").get<std::string>()).simplified();
+        const auto box =
+            text.indexOf(u"(!) By the method alone: Machine all 8 steel plugs by 9.46"_s);
+        EXPECT_GE(box, 0) << qPrintable(text);
+        const QString neglects = u"The method neglects"_s;
+        EXPECT_EQ(text.count(neglects), 1) << qPrintable(text);
+        EXPECT_FALSE(text.contains(u"Neglected by the method"_s));
+        EXPECT_GT(text.indexOf(neglects), box);
+        EXPECT_LT(text.indexOf(neglects), text.indexOf(u"Options, in the order of cost"_s));
+        EXPECT_TRUE(text.contains(warning.right(40))) << qPrintable(warning);
+        EXPECT_FALSE(text.contains(u"balanced"_s));
+        for (const QString& row : rows) {
+            if (row.trimmed().startsWith(u"Machine today's steel plugs"_s)) {
+                EXPECT_TRUE(row.trimmed().endsWith(u"check: see above"_s)) << qPrintable(row);
+            }
+        }
+        compare(input, u"en"_s);
+    }
+}
+
 TEST_F(JobCardTest, HalfFilledJobSaysWhatIsMissing) {
     Json input = {{"engine", "8.32 l"}, {"process", "repair"}};
     const QString text = cardText(input, u"en"_s).join(u' ').simplified();

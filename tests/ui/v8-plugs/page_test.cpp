@@ -124,6 +124,13 @@ TEST_F(V8PageTest, AnswerIsAmberWhereTheNeglectedShiftMatters) {
     EXPECT_TRUE(label("advice").startsWith(u"Machine all 8 steel plugs by 1.82"_s))
         << qPrintable(label("advice"));
     EXPECT_TRUE(label("troubles").contains(u"Bore to"_s)) << qPrintable(label("troubles"));
+    // Nothing below it says that all is well, and what is copied has the warning.
+    EXPECT_FALSE(model->checkText().contains(u"balanced"_s)) << qPrintable(model->checkText());
+    EXPECT_TRUE(model->optionRows().at(0).constFirst().startsWith(u"! "_s));
+    EXPECT_EQ(find<QLabel>("check")->palette().color(QPalette::WindowText),
+              Theme::instance().warning());
+    EXPECT_TRUE(model->optionToolTip(0).contains(u"By the method alone"_s));
+    EXPECT_TRUE(page.resultsAsText().contains(u"Bore to"_s));
     model->edit(u"excess"_s, [](Input& input) {
         input.plug.reset();
         input.typed_changes.repair_piston_and_rings = 0.1;

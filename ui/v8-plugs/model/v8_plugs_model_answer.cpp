@@ -114,7 +114,10 @@ QVector<QStringList> V8PlugsModel::optionRows() const {
         }
         const bool fitted =
             needs_new_crankshaft(id) == (input().crankshaft == Crankshaft::new_plugs);
-        const QString mark = option->feasible ? QStringLiteral("✓") : QStringLiteral("✗");
+        const bool doubtful = v8_text::methodAlone(solution(), id);
+        const QString mark = doubtful           ? QStringLiteral("!")
+                             : option->feasible ? QStringLiteral("✓")
+                                                : QStringLiteral("✗");
         rows << QStringList{
             // in brackets what the crankshaft that is fitted does not allow
             (fitted ? mark : QStringLiteral("(%1)").arg(mark)) + QLatin1Char(' ') + name,
@@ -138,6 +141,11 @@ QString V8PlugsModel::optionToolTip(int row) const {
     QStringList text;
     if (!fitted) {
         text << tr("For the other crankshaft.");
+    }
+    if (v8_text::methodAlone(solution(), id)) {
+        text << tr("By the method alone; the shift that it neglects leaves up to %1.")
+                    .arg(v8_text::gramMillimetres(
+                        words_, std::abs(solution().shift[index(id)]->residual_unbalance)));
     }
     text << QStringList{
         tr("%1: %2.").arg(v8_text::optionName(words_, id),

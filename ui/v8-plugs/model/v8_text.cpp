@@ -154,9 +154,8 @@ QStringList spreadTroubles(const Words& words, const WeighIn& sheet) {
 
 QStringList troubles(const Words& words, const Input& input, const Result& solution) {
     QStringList list = engineTroubles(words, input.engine);
-    if (const ShiftEffect* effect = solution.shift_that_matters()) {
-        list << words.message(describe(*effect, input.tolerance));
-    }
+    list << shiftWarning(words, input, solution);
+    list.removeAll(QString());
     if (input.plug) {
         list << plugTroubles(words, *input.plug);
     }
@@ -166,6 +165,16 @@ QStringList troubles(const Words& words, const Input& input, const Result& solut
         list << spreadTroubles(words, *input.weigh_in);
     }
     return list;
+}
+
+QString shiftWarning(const Words& words, const Input& input, const Result& solution) {
+    const ShiftEffect* effect = solution.shift_that_matters();
+    return effect != nullptr ? words.message(describe(*effect, input.tolerance)) : QString();
+}
+
+bool methodAlone(const Result& solution, OptionId option) {
+    const auto& effect = solution.shift[index(option)];
+    return effect && effect->matters;
 }
 
 QString shiftText(const Words& words, const Input& input, const Result& solution,
@@ -243,7 +252,9 @@ QString bobWeightCheck(const Words& words, const Input& input, const Result& sol
     const double difference = weightAfter(solution) - solution.nominal->sum();
     // Rounding of the sum, not a difference.
     if (std::abs(difference) < 1e-9 * solution.nominal->sum()) {
-        return words.translate("V8", "After equals nominal: balanced.");
+        return solution.shift_that_matters() != nullptr
+                   ? words.translate("V8", "(!) After equals nominal by the method alone.")
+                   : words.translate("V8", "After equals nominal: balanced.");
     }
     return words.translate("V8", "After less nominal: %1, which is %2.")
         .arg(grams(words, difference),

@@ -29,6 +29,11 @@ QStringList notCounted(const Words& words, const v8_plugs::Input& input);
 /// Rules broken, masses that do not fit, what does not count, spreads too wide.
 QStringList troubles(const Words& words, const v8_plugs::Input& input,
                      const v8_plugs::Result& solution);
+/// That the answer works by the method alone, and what to do instead; empty where it does work.
+QString shiftWarning(const Words& words, const v8_plugs::Input& input,
+                     const v8_plugs::Result& solution);
+/// True where an option works only as long as the shift is neglected.
+bool methodAlone(const v8_plugs::Result& solution, v8_plugs::OptionId option);
 /// What the shift of the plug's centre of mass is worth for an option, beside the tolerance: the
 /// paper's range, and the bore's own where one is planned.
 QString shiftText(const Words& words, const v8_plugs::Input& input,
@@ -46,7 +51,8 @@ QStringList bobWeightCells(const Words& words, const v8_plugs::Result& solution,
 bool works(const v8_plugs::Result& solution);
 /// What to hang on the crankpins, to 0.1 g; empty while it is not known.
 QString hang(const Words& words, const v8_plugs::Result& solution);
-/// "The bob weight after is that of the nominal engine" or by how much it is not.
+/// "The bob weight after is that of the nominal engine" or by how much it is not; where the shift
+/// matters, that only the method says so.
 QString bobWeightCheck(const Words& words, const v8_plugs::Input& input,
                        const v8_plugs::Result& solution);
 /// Which sets to move, in words; empty where there is no weigh-in sheet.
