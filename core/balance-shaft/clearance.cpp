@@ -28,7 +28,7 @@ Number millimetres(double metres) {
 }
 
 /// What α does not change; empty where nothing is wrong with it.
-Message reason_at_every_angle(const FrontView& view) {
+Message reason_at_every_angle(const FrontView& view, const PlaceLimits& limits) {
     const double rounding = 1e-12 * view.centre_distance;
     const double least_tip = view.gear_pitch_radius;
     const double largest_tip = view.gear_pitch_radius + 1.25 * view.gear_module;
@@ -51,58 +51,96 @@ Message reason_at_every_angle(const FrontView& view) {
                 millimetres(needed),
                 millimetres(view.centre_distance)};
     }
+    if (limits.centre_distance_min &&
+        view.centre_distance < *limits.centre_distance_min - rounding) {
+        return {CORE_TEXT("balance-shaft",
+                          "The limits on the shaft's axis ask for a centre distance of at least "
+                          "%1, and it is %2."),
+                millimetres(*limits.centre_distance_min), millimetres(view.centre_distance)};
+    }
+    if (limits.centre_distance_max &&
+        view.centre_distance > *limits.centre_distance_max + rounding) {
+        return {CORE_TEXT("balance-shaft",
+                          "The limits on the shaft's axis ask for a centre distance of at most "
+                          "%1, and it is %2."),
+                millimetres(*limits.centre_distance_max), millimetres(view.centre_distance)};
+    }
     return {};
 }
 
-}  // namespace
-
-double distance_from_cylinder(const FrontView& view, double x, double y) {
-    const double beside = std::abs(x - view.offset) - view.cylinder_half_width();
-    const double above = std::max(y - view.cylinder_top, view.cylinder_bottom - y);
-    const double outside = std::hypot(std::max(beside, 0.0), std::max(above, 0.0));
-    return outside > 0.0 ? outside : std::max(beside, above);
-}
-
-double ShaftClearance::least() const {
-    return std::min({crank, cylinder, rod});
-}
-
-ShaftClearance shaft_clearance(const FrontView& view, double shaft_angle) {
-    return clearance_of(view, RodSweep(view), shaft_angle);
-}
-
-bool BuildableAngles::contains(double shaft_angle) const {
-    // The ends themselves can be built, and an angle that was rounded on its way here is one.
-    constexpr double rounding = 1e-9;
-    return std::any_of(stretches.begin(), stretches.end(), [&](const AngleStretch& stretch) {
-        const double after = wrap_turn(shaft_angle - stretch.from);
-        return after <= stretch.to - stretch.from + rounding || after >= two_pi - rounding;
-    });
-}
-
-std::vector<AngleStretch> BuildableAngles::gaps() const {
-    // A stretch over 0 ends in the next turn; its last part is the first of this one.
-    double end = stretches.empty() ? 0.0 : std::max(stretches.back().to - two_pi, 0.0);
-    std::vector<AngleStretch> gaps;
-    const auto add_up_to = [&](double from) {
-        if (from > end) {
-            gaps.push_back({end, from});
+/// Where the circle of radius l about the crank's axis crosses the limits, rad, within 0…2π.
+std::vector<double> limit_angles(const PlaceLimits& limits, double l) {
+    std::vector<double> angles;
+    for (const auto& x : {limits.left, limits.right}) {
+        if (x && std::abs(*x) < l) {
+            const double alpha = std::asin(*x / l);
+            angles.push_back(wrap_turn(alpha));
+            angles.push_back(wrap_turn(pi - alpha));
         }
-    };
-    for (const AngleStretch& stretch : stretches) {
-        add_up_to(stretch.from);
-        end = stretch.to;
     }
-    add_up_to(two_pi);
-    return gaps;
+    for (const auto& y : {limits.bottom, limits.top}) {
+        if (y && std::abs(*y) < l) {
+            const double alpha = std::acos(*y / l);
+            angles.push_back(wrap_turn(alpha));
+            angles.push_back(wrap_turn(-alpha));
+        }
+    }
+    if (limits.shaft_angle_from || limits.shaft_angle_to) {
+        angles.push_back(wrap_turn(limits.shaft_angle_from.value_or(0.0)));
+        angles.push_back(wrap_turn(limits.shaft_angle_to.value_or(two_pi)));
+    }
+    return angles;
 }
 
-BuildableAngles buildable_angles(const FrontView& view) {
-    BuildableAngles answer;
-    answer.reason = reason_at_every_angle(view);
-    if (!answer.reason.empty()) {
-        return answer;
+/// What is left of the stretches within the limits: between two of the angles where the circle
+/// crosses them it is on one side of them all.
+std::vector<AngleStretch> within_limits(const std::vector<AngleStretch>& stretches,
+                                        const PlaceLimits& limits, double l) {
+    std::vector<AngleStretch> left;
+    const std::vector<double> angles = limit_angles(limits, l);
+    for (const AngleStretch& stretch : stretches) {
+        std::vector<double> cuts{stretch.from, stretch.to};
+        for (const double angle : angles) {
+            for (const double cut : {angle, angle + two_pi}) {
+                if (cut > stretch.from && cut < stretch.to) {
+                    cuts.push_back(cut);
+                }
+            }
+        }
+        std::sort(cuts.begin(), cuts.end());
+        const std::size_t first = left.size();
+        for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+            const double middle = (cuts[i] + cuts[i + 1]) / 2.0;
+            if (!(cuts[i] < cuts[i + 1]) ||
+                !is_within(limits, l * std::sin(middle), l * std::cos(middle), 0.0)) {
+                continue;
+            }
+            if (left.size() > first && left.back().to == cuts[i]) {
+                left.back().to = cuts[i + 1];
+            } else {
+                left.push_back({cuts[i], cuts[i + 1]});
+            }
+        }
+        // The ends of the whole turn are one angle.
+        if (stretch.is_whole_turn() && left.size() > first + 1 &&
+            left[first].from == stretch.from && left.back().to == stretch.to) {
+            left.back().to += left[first].to - left[first].from;
+            left.erase(left.begin() + static_cast<std::ptrdiff_t>(first));
+        }
     }
+    for (AngleStretch& stretch : left) {
+        if (stretch.from >= two_pi) {
+            stretch = {stretch.from - two_pi, stretch.to - two_pi};
+        }
+    }
+    std::sort(left.begin(), left.end(),
+              [](const AngleStretch& a, const AngleStretch& b) { return a.from < b.from; });
+    return left;
+}
+
+/// What the front view allows.
+BuildableAngles clear_angles(const FrontView& view) {
+    BuildableAngles answer;
     const RodSweep rods(view);
     const double rounding = 1e-12 * view.centre_distance;
     const auto spare = [&](double alpha) {
@@ -172,6 +210,92 @@ BuildableAngles buildable_angles(const FrontView& view) {
     }
     for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
         answer.stretches.push_back({ends[i], ends[i + 1]});
+    }
+    return answer;
+}
+}  // namespace
+
+bool is_within(const PlaceLimits& limits, double x, double y, double rounding) {
+    const double l = std::hypot(x, y);
+    const auto between = [&](double value, const std::optional<double>& from,
+                             const std::optional<double>& to) {
+        return (!from || value >= *from - rounding) && (!to || value <= *to + rounding);
+    };
+    if (!between(l, limits.centre_distance_min, limits.centre_distance_max) ||
+        !between(x, limits.left, limits.right) || !between(y, limits.bottom, limits.top)) {
+        return false;
+    }
+    if (!limits.shaft_angle_from && !limits.shaft_angle_to) {
+        return true;
+    }
+    const double from = limits.shaft_angle_from.value_or(0.0);
+    const double span = limits.shaft_angle_to.value_or(two_pi) - from;
+    const double wrapped = wrap_turn(std::atan2(x, y) - from);
+    const double slack = l > 0.0 ? rounding / l + 1e-15 : two_pi;
+    return wrapped <= span + slack || wrapped >= two_pi - slack;
+}
+
+double distance_from_cylinder(const FrontView& view, double x, double y) {
+    const double beside = std::abs(x - view.offset) - view.cylinder_half_width();
+    const double above = std::max(y - view.cylinder_top, view.cylinder_bottom - y);
+    const double outside = std::hypot(std::max(beside, 0.0), std::max(above, 0.0));
+    return outside > 0.0 ? outside : std::max(beside, above);
+}
+
+double ShaftClearance::least() const {
+    return std::min({crank, cylinder, rod});
+}
+
+ShaftClearance shaft_clearance(const FrontView& view, double shaft_angle) {
+    return clearance_of(view, RodSweep(view), shaft_angle);
+}
+
+bool BuildableAngles::contains(double shaft_angle) const {
+    // The ends themselves can be built, and an angle that was rounded on its way here is one.
+    constexpr double rounding = 1e-9;
+    return std::any_of(stretches.begin(), stretches.end(), [&](const AngleStretch& stretch) {
+        const double after = wrap_turn(shaft_angle - stretch.from);
+        return after <= stretch.to - stretch.from + rounding || after >= two_pi - rounding;
+    });
+}
+
+std::vector<AngleStretch> BuildableAngles::gaps() const {
+    // A stretch over 0 ends in the next turn; its last part is the first of this one.
+    double end = stretches.empty() ? 0.0 : std::max(stretches.back().to - two_pi, 0.0);
+    std::vector<AngleStretch> gaps;
+    const auto add_up_to = [&](double from) {
+        if (from > end) {
+            gaps.push_back({end, from});
+        }
+    };
+    for (const AngleStretch& stretch : stretches) {
+        add_up_to(stretch.from);
+        end = stretch.to;
+    }
+    add_up_to(two_pi);
+    return gaps;
+}
+
+BuildableAngles buildable_angles(const FrontView& view, const PlaceLimits& limits) {
+    BuildableAngles answer;
+    answer.reason = reason_at_every_angle(view, limits);
+    if (!answer.reason.empty()) {
+        return answer;
+    }
+    answer = clear_angles(view);
+    // Those of the distance hold here, up to rounding.
+    PlaceLimits others = limits;
+    others.centre_distance_min.reset();
+    others.centre_distance_max.reset();
+    if (answer.stretches.empty() || others == PlaceLimits{}) {
+        return answer;
+    }
+    answer.stretches = within_limits(answer.stretches, others, view.centre_distance);
+    if (answer.stretches.empty()) {
+        answer.reason = {CORE_TEXT("balance-shaft",
+                                   "At the centre distance %1 no angle that clears cylinder and "
+                                   "rod is within the limits on the shaft's axis."),
+                         millimetres(view.centre_distance)};
     }
     return answer;
 }

@@ -23,9 +23,13 @@ double distance_from_cylinder(const FrontView& view, double x, double y);
 /// @param shaft_angle  α, rad, any
 ShaftClearance shaft_clearance(const FrontView& view, double shaft_angle);
 
-/// The angles of the shaft that can be built: every clearance is at least the view's, and the gears
+/// Whether a place of the shaft's axis (m) is within the limits.
+/// @param rounding  m, what it may miss them by
+bool is_within(const PlaceLimits& limits, double x, double y, double rounding);
+
+/// The angles of the shaft that can be built: every clearance is at least the view's, the gears
 /// mesh (the tip circle reaches the pitch circle, and not the other gear's root circle, 1.25
-/// modules below its pitch circle).
+/// modules below its pitch circle), and the axis is within its limits.
 struct BuildableAngles {
     std::vector<AngleStretch> stretches;  ///< ascending and apart; none where nothing can be built
     Message reason;                       ///< why not, as a sentence; else empty
@@ -37,7 +41,7 @@ struct BuildableAngles {
 };
 
 /// The ends are found to rounding, on the side that can be built. A stretch or gap of less than
-/// 0.02° may be missed.
-BuildableAngles buildable_angles(const FrontView& view);
+/// 0.02° may be missed; limits cut exactly.
+BuildableAngles buildable_angles(const FrontView& view, const PlaceLimits& limits = {});
 
 }  // namespace ravnoves::balance_shaft

@@ -62,26 +62,6 @@ Message ShaftPlaces::reason_for_none() {
                      "and lets the gears mesh.");
 }
 
-bool ShaftPlaces::is_in_limits(double x, double y, double l) const {
-    const auto within = [&](double value, const std::optional<double>& from,
-                            const std::optional<double>& to) {
-        return (!from || value >= *from - rounding_) && (!to || value <= *to + rounding_);
-    };
-    if (!within(l, limits_.centre_distance_min, limits_.centre_distance_max) ||
-        !within(x, limits_.left, limits_.right) || !within(y, limits_.bottom, limits_.top)) {
-        return false;
-    }
-    if (!limits_.shaft_angle_from && !limits_.shaft_angle_to) {
-        return true;
-    }
-    const double from = limits_.shaft_angle_from.value_or(0.0);
-    const double span = limits_.shaft_angle_to.value_or(two_pi) - from;
-    const double after = std::atan2(x, y) - from;
-    const double wrapped = after - two_pi * std::floor(after / two_pi);
-    const double slack = l > 0.0 ? rounding_ / l + 1e-15 : two_pi;
-    return wrapped <= span + slack || wrapped >= two_pi - slack;
-}
-
 Obstacle ShaftPlaces::obstacle(double x, double y) const {
     const double l = std::hypot(x, y);
     if (l < needed_crank_ - rounding_) {
@@ -93,7 +73,7 @@ Obstacle ShaftPlaces::obstacle(double x, double y) const {
     if (l < gears_min_ - rounding_ || l > gears_max_ + rounding_) {
         return Obstacle::gears;
     }
-    if (!is_in_limits(x, y, l)) {
+    if (!is_within(limits_, x, y, rounding_)) {
         return Obstacle::limits;
     }
     return rods_.is_clear(x, y, needed_rod_ - rounding_) ? Obstacle::none : Obstacle::rod;
@@ -276,7 +256,7 @@ bool ShaftPlaces::mend(Eigen::Vector2d& place) const {
                 place.y() = std::clamp(place.y(), box[1], std::max(box[1], box[3]));
                 const double from = limits_.shaft_angle_from.value_or(0.0);
                 const double to = limits_.shaft_angle_to.value_or(two_pi);
-                if (!is_in_limits(place.x(), place.y(), place.norm()) && to - from < two_pi) {
+                if (!is_within(limits_, place.x(), place.y(), rounding_) && to - from < two_pi) {
                     const Eigen::Vector2d first(std::sin(from), std::cos(from));
                     const Eigen::Vector2d last(std::sin(to), std::cos(to));
                     const Eigen::Vector2d& edge = first.dot(place) > last.dot(place) ? first : last;

@@ -82,7 +82,6 @@ class ShaftPlaces {
     double nearest_allowed() const;
     /// The place of the cylinder with its wall that is nearest to one outside.
     Eigen::Vector2d on_cylinder(const Eigen::Vector2d& place) const;
-    bool is_in_limits(double x, double y, double l) const;
 
     FrontView view_;
     PlaceLimits limits_;

@@ -149,8 +149,10 @@ struct Solver::Prepared {
 Solver::Prepared::Prepared(const Input& checked, const Prepared* before)
     : input(checked),
       view(balance_shaft::front_view(checked)),
-      buildable(before != nullptr && before->view == view ? before->buildable
-                                                          : buildable_angles(view)),
+      buildable(before != nullptr && before->view == view &&
+                        before->input.place_limits == checked.place_limits
+                    ? before->buildable
+                    : buildable_angles(view, checked.place_limits)),
       crank(slider_crank(checked)),
       top(crank.top_dead_centre()),
       piston_1(piston_first_order(crank)),

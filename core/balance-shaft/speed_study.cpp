@@ -83,7 +83,7 @@ SpeedStudy::SpeedStudy(const Input& input, const SpeedBand& band, const Progress
     }
     const SliderCrank<double> crank = slider_crank(input);
     phase_ = crank.top_dead_centre() - piston_first_order(crank).lag;
-    buildable_ = buildable_angles(front_view(input));
+    buildable_ = buildable_angles(front_view(input), input.place_limits);
     std::vector<AngleStretch> within = buildable_.stretches;
     turn(within);
     gas_ = with_offset_term(parts->gas.negated(), crank, 0.0);

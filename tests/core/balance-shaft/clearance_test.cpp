@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "balance-shaft/envelope_study.h"
+#include "balance-shaft/position_study.h"
 #include "balance-shaft/scene.h"
 #include "balance-shaft/speed_study.h"
 #include "case-file/json.h"
@@ -270,6 +271,127 @@ TEST(BuildableAnglesTest, AreTakenOverWhereTheFrontViewIsTheSame) {
         EXPECT_NE(next.buildable().stretches.at(0).from, first.buildable().stretches.at(0).from);
         EXPECT_EQ(write_result(next, next.result()), write_result(Solver(changed), solve(changed)));
     }
+}
+
+/// Every limit that cuts the circle, with the same test by the place itself.
+TEST(BuildableAnglesTest, AreWithinTheLimitsOnTheAxis) {
+    Input far = diesel();
+    far.centre_distance = 0.5;  // all of the turn clears the engine
+    std::vector<Input> inputs;
+    for (const Input& base : {preset_tmz_650d(), diesel(), far}) {
+        const double l = base.centre_distance;
+        const auto add = [&](const auto& set) {
+            inputs.push_back(base);
+            set(inputs.back().place_limits);
+        };
+        add([&](PlaceLimits& limits) { limits.left = 0.3 * l; });
+        add([&](PlaceLimits& limits) { limits.right = 0.3 * l; });
+        add([&](PlaceLimits& limits) { limits.bottom = -0.4 * l; });
+        add([&](PlaceLimits& limits) { limits.top = -0.1 * l; });
+        add([&](PlaceLimits& limits) { limits.top = 2.0 * l; });  // cuts nothing
+        add([&](PlaceLimits& limits) {
+            limits.left = -0.8 * l;
+            limits.right = 0.7 * l;
+            limits.bottom = -0.9 * l;
+            limits.top = 0.6 * l;
+        });
+        add([&](PlaceLimits& limits) { limits.shaft_angle_from = 100.0 * degree; });
+        add([&](PlaceLimits& limits) { limits.shaft_angle_to = 200.0 * degree; });
+        add([&](PlaceLimits& limits) {  // over 0
+            limits.shaft_angle_from = -130.0 * degree;
+            limits.shaft_angle_to = 110.0 * degree;
+        });
+        add([&](PlaceLimits& limits) {
+            limits.centre_distance_min = l;
+            limits.centre_distance_max = 1.1 * l;
+            limits.shaft_angle_from = 95.0 * degree;
+            limits.right = 0.9 * l;
+        });
+    }
+    for (const Input& input : inputs) {
+        const Solver solver(input);
+        const FrontView& view = solver.front_view();
+        const PlaceLimits& limits = input.place_limits;
+        const BuildableAngles all = buildable_angles(view);
+        const BuildableAngles& cut = solver.buildable();
+        const auto obeys = [&](double alpha, double miss) {
+            const double x = view.centre_distance * std::sin(alpha);
+            const double y = view.centre_distance * std::cos(alpha);
+            const double turned =
+                alpha -
+                two_pi * std::floor((alpha - limits.shaft_angle_from.value_or(0.0)) / two_pi);
+            return x >= limits.left.value_or(-1.0) - miss &&
+                   x <= limits.right.value_or(1.0) + miss &&
+                   y >= limits.bottom.value_or(-1.0) - miss &&
+                   y <= limits.top.value_or(1.0) + miss &&
+                   turned <=
+                       limits.shaft_angle_to.value_or(limits.shaft_angle_from ? two_pi : 10.0) +
+                           miss;
+        };
+        for (double angle = 0.05; angle < 360.0; angle += 0.37) {
+            const double alpha = angle * degree;
+            EXPECT_EQ(cut.contains(alpha), all.contains(alpha) && obeys(alpha, 0.0)) << angle;
+        }
+        double before = -1.0;
+        for (const AngleStretch& stretch : cut.stretches) {
+            EXPECT_GT(stretch.from, before);
+            EXPECT_LT(stretch.from, two_pi);
+            EXPECT_GT(stretch.to, stretch.from);
+            before = stretch.to;
+        }
+        // The map says the same of the best places, which lie at ends.
+        ASSERT_FALSE(cut.stretches.empty()) << cut.reason.english();
+        const PositionStudy study(solver);
+        for (const Optimum& best :
+             {solver.result().best_range_buildable, solver.result().best_rms_buildable}) {
+            ASSERT_TRUE(best.shaft_angle);
+            EXPECT_TRUE(cut.contains(*best.shaft_angle));
+            EXPECT_EQ(study.obstacle(ShaftPosition::at(input.centre_distance, *best.shaft_angle)),
+                      Obstacle::none);
+        }
+        const Result at = solver.result();
+        EXPECT_EQ(at.is_buildable,
+                  all.contains(input.shaft_angle) && obeys(input.shaft_angle, 1e-12));
+    }
+}
+
+TEST(BuildableAnglesTest, LimitsThatLeaveNothingAreAReason) {
+    Input input = preset_tmz_650d();  // l = 100.2 mm
+    input.place_limits.centre_distance_min = 0.12;
+    EXPECT_EQ(Solver(input).buildable().reason.english(),
+              "The limits on the shaft's axis ask for a centre distance of at least 120 mm, and it "
+              "is 100.2 mm.");
+    EXPECT_FALSE(solve(input).is_buildable);
+    EXPECT_FALSE(solve(input).best_range_buildable.shaft_angle);
+    input.place_limits = {};
+    input.place_limits.centre_distance_max = 0.095;
+    EXPECT_EQ(Solver(input).buildable().reason.english(),
+              "The limits on the shaft's axis ask for a centre distance of at most 95 mm, and it "
+              "is 100.2 mm.");
+    input.place_limits = {};
+    input.place_limits.left = 0.11;  // further than l
+    EXPECT_EQ(Solver(input).buildable().reason.english(),
+              "At the centre distance 100.2 mm no angle that clears cylinder and rod is within the "
+              "limits on the shaft's axis.");
+    EXPECT_TRUE(Solver(input).buildable().stretches.empty());
+}
+
+TEST(BuildableAnglesTest, LimitsAreLookedAtAnew) {
+    const Input input = preset_tmz_650d();
+    const Solver first(input);
+    Input limited = input;
+    limited.place_limits.right = 0.05;
+    const Solver next(limited, &first);
+    EXPECT_EQ(next.buildable().stretches, Solver(limited).buildable().stretches);
+    EXPECT_NE(next.buildable().stretches, first.buildable().stretches);
+    EXPECT_EQ(Solver(input, &next).buildable().stretches, first.buildable().stretches);
+    // A band of speeds holds to them, too.
+    Input band = diesel();
+    band.place_limits.right = 0.05;
+    const SpeedStudy study(band, {.from = 150.0, .to = 300.0, .speeds = 3});
+    EXPECT_EQ(study.buildable().stretches,
+              buildable_angles(front_view(band), band.place_limits).stretches);
+    EXPECT_FALSE(study.buildable().contains(90.0 * degree));
 }
 
 TEST(EnvelopeStudyTest, EfficientAnglesCanBeBuilt) {
