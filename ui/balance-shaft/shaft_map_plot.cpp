@@ -686,7 +686,7 @@ void ShaftMapPlot::mouseMoveEvent(QMouseEvent* event) {
     const ShaftMapModel::Marker* marker = inside ? markerAt(event->position()) : nullptr;
     Q_EMIT hovered(!inside             ? QString()
                    : marker != nullptr ? map_->markerText(*marker)
-                                       : map_->placeText(placeAt(event->position())));
+                                       : map_->placeText(placeAt(event->position()), 1));
 }
 
 void ShaftMapPlot::mouseReleaseEvent(QMouseEvent* event) {

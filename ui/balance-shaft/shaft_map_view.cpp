@@ -16,6 +16,7 @@
 #include "balance-shaft/shaft_map_plot.h"
 #include "numerics/units.h"
 #include "plot/plot_view.h"
+#include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form.h"
@@ -92,11 +93,7 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
 
     connect(plot_, &ShaftMapPlot::hovered, this, &ShaftMapView::showWords);
     connect(map_, &ShaftMapModel::mapChanged, this, &ShaftMapView::showMap);
-    connect(map_, &ShaftMapModel::staleChanged, this, [this] {
-        for (PlotView* chart : {distances_, sizes_}) {
-            chart->setFaded(map_->isStale(), tr("computing …"));
-        }
-    });
+    connect(map_, &ShaftMapModel::staleChanged, this, &ShaftMapView::showStale);
     connect(map_, &ShaftMapModel::moved, this, [this] {
         if (isVisible()) {
             showPresent();
@@ -282,13 +279,28 @@ void ShaftMapView::showMap() {
     criterion_->setCurrentIndex(static_cast<int>(map_->criterion()));
     weight_->setVisible(map_->criterion() == ShaftMapModel::Criterion::Both);
     const ShaftMapModel::Marker* best = map_->best();
-    best_->setEnabled(best != nullptr);
-    best_->setToolTip(map_->bestText());
-    best_->setAccessibleDescription(map_->bestText());
+    best_->setEnabled(best != nullptr && best->isBuildable);
+    const QString why =
+        nothingIsBuilt() ? messageText(map_->map()->buildable.reason) : map_->bestText();
+    best_->setToolTip(why);
+    best_->setAccessibleDescription(why);
+    showStale();
     showWords();
     showDistances();
     showSizes();
     showPresent();
+}
+
+bool ShaftMapView::nothingIsBuilt() const {
+    const ShaftMap* map = map_->map();
+    return map != nullptr && map->best.reason.empty() && !map->buildable.reason.empty();
+}
+
+void ShaftMapView::showStale() {
+    const QString computing = tr("computing …");
+    distances_->setFaded(map_->isStale(), computing);
+    sizes_->setFaded(map_->isStale() || nothingIsBuilt(),
+                     map_->isStale() ? computing : tr("nothing can be built"));
 }
 
 void ShaftMapView::showWords(const QString& hovered) {
@@ -361,7 +373,7 @@ void ShaftMapView::showSizes() {
         }
         x.push_back(place.criteria.size / boxUnit);
         y.push_back(100.0 * *change);
-        texts << map_->placeLines(place.position).join(QLatin1Char('\n'));
+        texts << map_->placeLines(place.position, 1).join(QLatin1Char('\n'));
         if (*change < least) {  // sizes ascend
             least = *change;
             bestX.push_back(x.back());
@@ -411,10 +423,10 @@ void ShaftMapView::pickSize(double size, double change) {
                              clicked;
         return std::hypot(away.x(), away.y());
     };
-    map_->moveTo(
-        std::min_element(map->front.begin(), map->front.end(), [&](const auto& a, const auto& b) {
-            return distance(a) < distance(b);
-        })->position);
+    const auto nearest =
+        std::min_element(map->front.begin(), map->front.end(),
+                         [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+    map_->moveTo(map_->shortened(nearest->position, map_->criterion()));
 }
 
 }  // namespace ravnoves

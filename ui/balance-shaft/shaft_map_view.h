@@ -52,6 +52,8 @@ class ShaftMapView : public QWidget {
     void showDistances();
     void showSizes();
     void showPresent();
+    void showStale();
+    bool nothingIsBuilt() const;  ///< though there is something to balance
     void showWords(const QString& hovered = {});
     void pickSize(double size, double change);
 

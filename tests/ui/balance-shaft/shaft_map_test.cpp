@@ -439,6 +439,82 @@ TEST_F(ShaftMapTest, MarksWhatIsLeastBadOverABandOfSpeeds) {
     EXPECT_EQ(band(), nullptr);
 }
 
+/// Whole hundredths of a unit.
+bool isShort(double value) {
+    return std::abs(100.0 * value - std::round(100.0 * value)) < 1e-6;
+}
+
+TEST_F(ShaftMapTest, PlacesGoneToAreShortNumbersThatCanBeBuilt) {
+    const ShaftMap& all = *map->map();
+    const auto expectShort = [&](const Position& exact, double part) {
+        EXPECT_TRUE(isShort(length() / mm)) << length() / mm;
+        EXPECT_TRUE(isShort(angle() / degree)) << angle() / degree;
+        EXPECT_TRUE(model->result().is_buildable);
+        EXPECT_EQ(all.study.obstacle(map->present()), Obstacle::none);
+        EXPECT_NEAR(map->present().x, exact.x, 0.15 * mm);
+        EXPECT_NEAR(map->present().y, exact.y, 0.15 * mm);
+        EXPECT_LT(*map->change(all.study.at(map->present())),
+                  *map->change(all.study.at(exact)) + part);
+    };
+    for (const Criterion criterion : {Criterion::Range, Criterion::Rms}) {
+        map->setCriterion(criterion);
+        const auto& best = criterion == Criterion::Range ? all.buildable.range : all.buildable.rms;
+        ASSERT_TRUE(best);
+        map->goToBest();
+        expectShort(best->position, 1e-3);
+        EXPECT_TRUE(map->isAtBest());
+        // The words say what the fields of the form show, and all of it.
+        const QString l = QLocale().toString(length() / mm, 'f', 2);
+        const QString alpha = QLocale().toString(angle() / degree, 'f', 2);
+        EXPECT_TRUE(view->words()->text().contains(QStringLiteral("l %1 mm, α %2°").arg(l, alpha)))
+            << view->words()->text().toStdString();
+        EXPECT_NEAR(*test::named<NumberField>(page, "centre_distance_mm")->value(), l.toDouble(),
+                    1e-12);
+    }
+    map->setCriterion(Criterion::Range);
+    map->goToDistance(91.23456 * mm);
+    EXPECT_NEAR(length(), 91.23 * mm, 1e-12);
+    EXPECT_TRUE(isShort(angle() / degree));
+    EXPECT_TRUE(model->result().is_buildable);
+    for (const balance_shaft::FrontPosition& place : all.front) {
+        map->moveTo(map->shortened(place.position, Criterion::Range));
+        expectShort(place.position, 2e-3);
+    }
+}
+
+TEST_F(ShaftMapTest, SaysThatTheBestPlaceIsWorseThanNone) {
+    const QString worse = QStringLiteral("worse than without a shaft");
+    EXPECT_FALSE(map->bestText().contains(worse));
+    // So far away that every place adds more than it takes.
+    model->edit(QStringLiteral("Far"), [](balance_shaft::Input& input) {
+        input.place_limits.centre_distance_min = 400 * mm;
+    });
+    wait();
+    ASSERT_NE(map->best(), nullptr);
+    ASSERT_TRUE(map->best()->isBuildable);
+    EXPECT_GT(*map->change(map->best()->criteria), 0.0);
+    EXPECT_TRUE(map->bestText().contains(worse)) << map->bestText().toStdString();
+    EXPECT_TRUE(view->bestButton()->isEnabled());
+}
+
+TEST_F(ShaftMapTest, WhereNothingCanBeBuiltTheButtonSaysWhy) {
+    EXPECT_FALSE(view->sizePlot()->isFaded());
+    model->edit(QStringLiteral("Close"), [](balance_shaft::Input& input) {
+        input.place_limits.centre_distance_max = 30 * mm;
+    });
+    wait();
+    EXPECT_FALSE(view->bestButton()->isEnabled());
+    EXPECT_TRUE(view->bestButton()->toolTip().contains(QStringLiteral("No place of the shaft")))
+        << view->bestButton()->toolTip().toStdString();
+    EXPECT_TRUE(view->sizePlot()->isFaded());  // it says so in its middle
+    EXPECT_FALSE(model->result().is_buildable);
+    EXPECT_TRUE(model->result().buildable.stretches.empty());
+    model->undo();
+    wait();
+    EXPECT_TRUE(view->bestButton()->isEnabled());
+    EXPECT_FALSE(view->sizePlot()->isFaded());
+}
+
 TEST_F(ShaftMapTest, TheFieldIsACsv) {
     const QStringList lines = plot->dataAsCsv().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
     const std::size_t side = map->map()->obstacleColumns;

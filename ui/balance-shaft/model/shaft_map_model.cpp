@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "model/background_job.h"
 #include "numerics/constants.h"
@@ -315,7 +316,8 @@ void ShaftMapModel::addBandMarker() {
         return;
     }
     const Position position{band->place.x, band->place.y};
-    markers_.push_back({criterion_, band->isBuildable, position, map_->study.at(position),
+    const Position place = shortened(position, criterion_);
+    markers_.push_back({criterion_, band->isBuildable, place, map_->study.at(place),
                         tr("least bad over the speeds"), band->place.value - 1.0});
 }
 
@@ -348,7 +350,47 @@ void ShaftMapModel::addMarker(Criterion criterion, bool isBuildable,
             name = isBuildable ? tr("least sum") : tr("least sum, cannot be built");
             break;
     }
-    markers_.push_back({criterion, isBuildable, best->position, best->criteria, name});
+    // What is best lies on the edge of what can be built: with a few digits it would be beyond.
+    const Position place = shortened(best->position, criterion);
+    markers_.push_back({criterion, isBuildable, place, map_->study.at(place), name});
+}
+
+double ShaftMapModel::valueOf(const Criteria& criteria, Criterion by) const {
+    return by == Criterion::Range ? criteria.range
+           : by == Criterion::Rms ? criteria.rms
+                                  : weighted(criteria.range, criteria.rms);
+}
+
+ShaftMapModel::Position ShaftMapModel::shortened(const Position& exact, Criterion by) const {
+    constexpr double parts = 100.0;  // of a millimetre and of a degree
+    constexpr int around = 3;
+    const double l = std::floor(parts * exact.centre_distance() / units::mm);
+    const double alpha = std::floor(parts * exact.shaft_angle() / degree);
+    const bool canBeBuilt = isBuildable(exact);
+    Position best = exact;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 1 - around; i <= around; ++i) {
+        for (int k = 1 - around; k <= around; ++k) {
+            const Position at = Position::at(std::max(l + i, 0.0) / parts * units::mm,
+                                             (alpha + k) / parts * degree);
+            if (isBuildable(at) != canBeBuilt) {
+                continue;
+            }
+            if (const double value = valueOf(map_->study.at(at), by); value < least) {
+                least = value;
+                best = at;
+            }
+        }
+    }
+    return best;
+}
+
+bool ShaftMapModel::isAtBest() const {
+    const Marker* marker = best();
+    const Position at = present();
+    constexpr double same = 1e-9;  // m
+    return marker != nullptr &&
+           std::hypot(marker->position.x - at.x, marker->position.y - at.y) < same;
 }
 
 double ShaftMapModel::weighted(double range, double rms) const {
@@ -531,7 +573,7 @@ QString ShaftMapModel::bestText() const {
     }
     const auto where = [](const Position& position) {
         return tr("l %1 mm, α %2°")
-            .arg(mm(position.centre_distance()), degrees(position.shaft_angle()));
+            .arg(mm(position.centre_distance(), 2), degrees(position.shaft_angle(), 2));
     };
     const auto value = [this](const Criteria& criteria) {
         const QString change = signedPercent(this->change(criteria).value_or(0.0));
@@ -545,6 +587,10 @@ QString ShaftMapModel::bestText() const {
     };
     QString text = tr("Best place by the %1: %2 at %3.")
                        .arg(criterionName(), value(best->criteria), where(best->position));
+    constexpr double shown = 5e-4;  // less is 0.0 %
+    if (change(best->criteria).value_or(0.0) >= shown) {
+        text += QLatin1Char(' ') + tr("It is worse than without a shaft.");
+    }
     if (!best->isBuildable) {
         text += QLatin1Char(' ') + (map_->buildable.reason.empty()
                                         ? reason(best->position)
@@ -565,7 +611,7 @@ QString ShaftMapModel::reason(const Position& position) const {
     return map_ ? messageText(map_->study.obstacle_reason(position)) : QString();
 }
 
-QStringList ShaftMapModel::placeLines(const Position& position) const {
+QStringList ShaftMapModel::placeLines(const Position& position, int decimals) const {
     if (!map_) {
         return {};
     }
@@ -579,15 +625,16 @@ QStringList ShaftMapModel::placeLines(const Position& position) const {
                              : value;
     };
     constexpr double cm2 = 1e-4;
-    return {
-        tr("l %1 mm, α %2°").arg(mm(position.centre_distance()), degrees(position.shaft_angle())),
-        withChange(tr("range %1 N·m"), criteria.range, study.range_without()),
-        withChange(tr("RMS %1 N·m"), criteria.rms, study.rms_without()),
-        tr("box %1 cm²").arg(fixedNumber(criteria.size / cm2, 0, locale))};
+    return {tr("l %1 mm, α %2°")
+                .arg(mm(position.centre_distance(), decimals),
+                     degrees(position.shaft_angle(), decimals)),
+            withChange(tr("range %1 N·m"), criteria.range, study.range_without()),
+            withChange(tr("RMS %1 N·m"), criteria.rms, study.rms_without()),
+            tr("box %1 cm²").arg(fixedNumber(criteria.size / cm2, 0, locale))};
 }
 
-QString ShaftMapModel::placeText(const Position& position) const {
-    QString text = placeLines(position).join(QStringLiteral("; "));
+QString ShaftMapModel::placeText(const Position& position, int decimals) const {
+    QString text = placeLines(position, decimals).join(QStringLiteral("; "));
     if (const QString why = reason(position); !why.isEmpty()) {
         text += QStringLiteral(". ") + why;
     }
@@ -608,19 +655,38 @@ bool ShaftMapModel::isBuildable(const Position& position) const {
     return map_ && map_->study.obstacle(position) == Obstacle::none;
 }
 
-void ShaftMapModel::moveTo(const Position& position) {
+void ShaftMapModel::placeShaft(double centreDistance, double shaftAngle) {
     model_->drag(tr("Move shaft"), [&](Input& input) {
-        input.centre_distance = position.centre_distance();
-        if (input.centre_distance > 0.0) {
-            input.shaft_angle = position.shaft_angle();
+        input.centre_distance = centreDistance;
+        if (centreDistance > 0.0) {
+            input.shaft_angle = shaftAngle;
         }
     });
 }
 
+namespace {
+
+/// To whole parts of a unit, as the number that its decimals stand for.
+double inParts(double value, double unit, double parts) {
+    return std::round(value / unit * parts) / parts * unit;
+}
+
+double angleInParts(double radians, double parts) {
+    return std::fmod(inParts(radians, degree, parts), two_pi);
+}
+
+}  // namespace
+
+void ShaftMapModel::moveTo(const Position& position) {
+    constexpr double parts = 1e11;  // what is a short number leaves x and y as one
+    placeShaft(inParts(position.centre_distance(), units::mm.to_si, parts),
+               angleInParts(position.shaft_angle(), parts));
+}
+
 void ShaftMapModel::dragTo(const Position& position) {
-    const auto rounded = [](double value, double step) { return std::round(value / step) * step; };
-    moveTo(Position::at(rounded(position.centre_distance() / units::mm, 1e-4) * units::mm,
-                        rounded(position.shaft_angle() / degree, 1e-4) * degree));
+    constexpr double parts = 1e4;
+    placeShaft(inParts(position.centre_distance(), units::mm.to_si, parts),
+               angleInParts(position.shaft_angle(), parts));
 }
 
 void ShaftMapModel::goTo(const Position& position) {
@@ -640,6 +706,8 @@ void ShaftMapModel::setDistance(double metres) {
 }
 
 void ShaftMapModel::goToDistance(double metres) {
+    constexpr double parts = 100.0;  // of a millimetre and of a degree
+    metres = inParts(metres, units::mm.to_si, parts);
     if (!map_ || !(metres > 0.0)) {
         return;
     }
@@ -650,7 +718,20 @@ void ShaftMapModel::goToDistance(double metres) {
     const Position best = built   ? built->position
                           : byRms ? map_->study.best_rms_at(metres).position
                                   : map_->study.best_range_at(metres).position;
-    moveTo(Position::at(metres, best.shaft_angle()));
+    // The step of the angle that is best of those that can be built as this one.
+    const double below = std::floor(parts * best.shaft_angle() / degree);
+    const bool canBeBuilt = isBuildable(best);
+    Position nearest = best;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = -1; i <= 2; ++i) {
+        const Position at = Position::at(metres, (below + i) / parts * degree);
+        const double value = valueOf(map_->study.at(at), criterion_);
+        if (isBuildable(at) == canBeBuilt && value < least) {
+            least = value;
+            nearest = at;
+        }
+    }
+    moveTo(nearest);
 }
 
 double ShaftMapModel::largestDistance() const {

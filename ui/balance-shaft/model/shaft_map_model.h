@@ -112,14 +112,21 @@ class ShaftMapModel : public QObject {
     /// Says what it is, and what a place that cannot be built would gain.
     QString bestText() const;
     /// One place in words: l, α, range, RMS, change, size, and why it cannot be built.
-    QString placeText(const Position& position) const;
+    /// @param decimals  of l and α; 2 name a place of `shortened()`
+    QString placeText(const Position& position, int decimals = 2) const;
     /// The same but for the reason, a line each.
-    QStringList placeLines(const Position& position) const;
+    QStringList placeLines(const Position& position, int decimals = 2) const;
     QString reason(const Position& position) const;
     QString markerText(const Marker& marker) const;
 
     Position present() const;
     bool isBuildable(const Position& position) const;
+    /// The best by a criterion of the places nearby whose l and α are whole 0.01 mm and 0.01°,
+    /// among those that can be built as the place itself can, or cannot; the place where there is
+    /// none.
+    Position shortened(const Position& exact, Criterion by) const;
+    /// Whether the shaft is at best().
+    bool isAtBest() const;
     /// Moves the shaft's axis; moves that follow each other are one step of the history.
     void moveTo(const Position& position);
     /// The same by a hand on a screen, which is no finer than 0.1 µm and 0.0001°.
@@ -152,6 +159,8 @@ class ShaftMapModel : public QObject {
     void showCriterion();
     std::vector<double> chooseLevels() const;
     double weighted(double range, double rms) const;
+    double valueOf(const Criteria& criteria, Criterion by) const;
+    void placeShaft(double centreDistance, double shaftAngle);
     void addMarker(Criterion criterion, bool isBuildable,
                    const std::optional<balance_shaft::BestPosition>& best);
     std::optional<balance_shaft::BestPosition> bestOfBoth(bool isBuildable) const;
