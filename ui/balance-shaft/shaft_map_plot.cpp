@@ -657,7 +657,7 @@ const ShaftMapModel::Marker* ShaftMapPlot::markerAt(const QPointF& pixel) const 
 
 void ShaftMapPlot::mousePressEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton && isHandle(event->position())) {
-        dragging_ = true;
+        dragging_ = gripped_ = true;
         grip_ = pixelOf(map_->present()) - event->position();
         setCursor(Qt::ClosedHandCursor);
         model_->beginEditing();
@@ -674,8 +674,11 @@ void ShaftMapPlot::mouseMoveEvent(QMouseEvent* event) {
         const QPointF to = event->position() + grip_;
         map_->dragTo(placeAt({std::clamp(to.x(), area.left(), area.right()),
                               std::clamp(to.y(), area.top(), area.bottom())}));
-        Q_EMIT hovered(map_->placeText(map_->present()));
         return;
+    }
+    gripped_ = gripped_ && event->buttons() != Qt::NoButton;
+    if (gripped_) {
+        return;  // taken back: the hand has not let go yet
     }
     if (event->buttons() != Qt::NoButton) {
         PlotView::mouseMoveEvent(event);
@@ -691,6 +694,7 @@ void ShaftMapPlot::mouseMoveEvent(QMouseEvent* event) {
 
 void ShaftMapPlot::mouseReleaseEvent(QMouseEvent* event) {
     endDrag();
+    gripped_ = false;
     PlotView::mouseReleaseEvent(event);
 }
 
@@ -763,6 +767,7 @@ void ShaftMapPlot::keyPressEvent(QKeyEvent* event) {
             if (dragging_) {
                 model_->takeBack();
                 endDrag();
+                Q_EMIT hovered(map_->placeText(map_->present()));
                 return;
             }
             if (chosen_) {

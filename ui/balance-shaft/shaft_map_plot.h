@@ -79,7 +79,8 @@ class ShaftMapPlot : public PlotView {
     ShaftMapModel* map_;
     double view_ = 0.0;
     bool dragging_ = false;
-    QPointF grip_;  ///< from the pointer to the axis
+    bool gripped_ = false;  ///< the button pressed on the handle is still down
+    QPointF grip_;          ///< from the pointer to the axis
     std::optional<std::size_t> chosen_;
     std::vector<Label> labels_;
     QPixmap standing_;  ///< what lies over the map and rests while the shaft moves

@@ -97,6 +97,7 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
     connect(map_, &ShaftMapModel::moved, this, [this] {
         if (isVisible()) {
             showPresent();
+            showWords(map_->isAtBest() ? QString() : map_->placeText(map_->present()));
         }
     });
     arrange();

@@ -482,6 +482,35 @@ TEST_F(ShaftMapTest, PlacesGoneToAreShortNumbersThatCanBeBuilt) {
     }
 }
 
+TEST_F(ShaftMapTest, AMoveAfterEscapeWaitsForTheHandToLetGo) {
+    const QPointF from = handle();
+    QTest::mousePress(plot, Qt::LeftButton, {}, from.toPoint());
+    move(from + QPointF(40.0, 40.0));
+    QTest::keyClick(plot, Qt::Key_Escape);
+    const QString words = map->placeText(map->present());
+    EXPECT_EQ(view->words()->text(), words);
+    QSignalSpy cursor(plot, &PlotView::cursorMoved);
+    move(from + QPointF(60.0, 20.0));
+    move(from + QPointF(80.0, -20.0));
+    EXPECT_EQ(cursor.count(), 0);  // no read-out, no dotted line
+    EXPECT_EQ(view->words()->text(), words);
+    QTest::mouseRelease(plot, Qt::LeftButton, {}, (from + QPointF(80.0, -20.0)).toPoint());
+    move(from + QPointF(90.0, -30.0), Qt::NoButton);
+    EXPECT_NE(view->words()->text(), words);
+    EXPECT_EQ(model->history()->count(), 0);
+}
+
+TEST_F(ShaftMapTest, WordsFollowTheShaft) {
+    const QString before = map->placeText(map->present());
+    QTest::keyClick(plot, Qt::Key_Right, Qt::ShiftModifier);
+    EXPECT_EQ(view->words()->text(), map->placeText(map->present()));
+    EXPECT_NE(view->words()->text(), before);
+    model->undo();
+    EXPECT_EQ(view->words()->text(), before);
+    map->goToBest();
+    EXPECT_EQ(view->words()->text(), map->bestText());
+}
+
 TEST_F(ShaftMapTest, SaysThatTheBestPlaceIsWorseThanNone) {
     const QString worse = QStringLiteral("worse than without a shaft");
     EXPECT_FALSE(map->bestText().contains(worse));
