@@ -105,10 +105,10 @@ QImage fieldImage(const balance_shaft::PositionMap& field, const std::vector<dou
 
 /// A marker's sign: what is best in the range is a diamond, in the RMS a disc, in the sum a
 /// triangle, over a band of speeds a square; hollow where it cannot be built.
-void drawGlyph(QPainter& painter, const QPointF& at, const ShaftMapModel::Marker& marker) {
+void drawGlyph(QPainter& painter, const QPointF& at, const ShaftMapModel::Marker& marker,
+               double r = glyphRadius) {
     const Theme& theme = Theme::instance();
     QPainterPath shape;
-    const double r = glyphRadius;
     if (marker.worst) {
         shape.addRect(QRectF(at - QPointF(0.9 * r, 0.9 * r), QSizeF(1.8 * r, 1.8 * r)));
     } else if (marker.criterion == ShaftMapModel::Criterion::Range) {
@@ -367,13 +367,20 @@ void ShaftMapPlot::paintGround(QPainter& painter) {
     paintBlocked(painter);
     labelMarkers();  // first: the contours' numbers give way to theirs
     paintContours(painter);
-    // Those of the criterion shown lie on top.
-    for (const bool shown : {false, true}) {
-        for (const ShaftMapModel::Marker& marker : map_->markers()) {
-            if ((marker.criterion == map_->criterion()) == shown) {
-                drawGlyph(painter, pixelOf(marker.position), marker);
-            }
-        }
+    // Those of the criterion shown lie on top; what would hide behind another is larger.
+    std::vector<const ShaftMapModel::Marker*> markers;
+    for (const ShaftMapModel::Marker& marker : map_->markers()) {
+        markers.push_back(&marker);
+    }
+    std::stable_partition(markers.begin(), markers.end(),
+                          [&](const auto* each) { return each->criterion != map_->criterion(); });
+    for (auto marker = markers.begin(); marker != markers.end(); ++marker) {
+        const QPointF at = pixelOf((*marker)->position);
+        const bool isHidden = std::any_of(std::next(marker), markers.end(), [&](const auto* other) {
+            const QPointF away = pixelOf(other->position) - at;
+            return std::hypot(away.x(), away.y()) < 1.3 * glyphRadius;
+        });
+        drawGlyph(painter, at, **marker, isHidden ? 1.8 * glyphRadius : glyphRadius);
     }
     painter.restore();
 }
@@ -436,6 +443,11 @@ void ShaftMapPlot::labelMarkers() {
     for (const ShaftMapModel::Marker& marker : map_->markers()) {
         labels_.push_back({QRectF(pixelOf(marker.position) - QPointF(9, 9), QSizeF(18, 18)), {}});
     }
+    // No number under the handle, as it stands now.
+    const double room = handleRadius + 2.0;
+    labels_.push_back(
+        {QRectF(pixelOf(map_->present()) - QPointF(room, room), QSizeF(2.0 * room, 2.0 * room)),
+         {}});
     for (const ShaftMapModel::Marker& marker : map_->markers()) {
         const auto change = marker.worst ? marker.worst : map_->change(marker.criteria);
         if (!change || marker.criterion != map_->criterion()) {

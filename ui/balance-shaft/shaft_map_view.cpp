@@ -202,10 +202,16 @@ void ShaftMapView::buildCharts() {
                                   .width = 1.2,
                                   .pen = Qt::DashLine,
                                   .toolTip = tr("Width × height of the box, right axis")});
-    rangeBuilt_ = distances_->addCurve(
-        {.name = {}, .colour = 2, .width = 3.4, .inLegend = false, .gaps = true});
-    rmsBuilt_ = distances_->addCurve(
-        {.name = {}, .colour = 3, .width = 3.4, .inLegend = false, .gaps = true});
+    rangeBuilt_ = distances_->addCurve({.name = tr("least range, can be built"),
+                                        .colour = 2,
+                                        .width = 3.4,
+                                        .inLegend = false,
+                                        .gaps = true});
+    rmsBuilt_ = distances_->addCurve({.name = tr("least RMS, can be built"),
+                                      .colour = 3,
+                                      .width = 3.4,
+                                      .inLegend = false,
+                                      .gaps = true});
     connect(distances_, &PlotView::picked, this,
             [this](double x) { map_->goToDistance(x * units::mm); });
 
@@ -272,7 +278,7 @@ void ShaftMapView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     arrange();
     // Room for the words, so that the map rests while they change.
-    const int rows = width() < 500 ? 4 : 2;
+    const int rows = width() < 500 ? 5 : 3;
     words_->setFixedHeight(rows * words_->fontMetrics().lineSpacing() + 2);
 }
 

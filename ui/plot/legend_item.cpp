@@ -37,9 +37,10 @@ LegendItem::LegendItem(QWidget* parent) : QAbstractButton(parent) {
     setCursor(Qt::ArrowCursor);
 }
 
-void LegendItem::setSwatch(const QColor& colour, Qt::PenStyle pen) {
+void LegendItem::setSwatch(const QColor& colour, Qt::PenStyle pen, plot::Shape shape) {
     colour_ = colour;
     pen_ = pen;
+    shape_ = shape;
     update();
 }
 
@@ -57,9 +58,16 @@ void LegendItem::draw(QPainter& painter, const QRectF& rect) const {
     }
     const double middle = rect.center().y();
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(samplePen(stroke, pen_));
-    painter.drawLine(QPointF(rect.left() + inset, middle),
-                     QPointF(rect.left() + inset + strokeLength, middle));
+    if (shape_ == plot::Shape::Points || shape_ == plot::Shape::Rings) {
+        const bool hollow = shape_ == plot::Shape::Rings;
+        painter.setPen(hollow ? QPen(stroke, 1.6) : QPen(Qt::NoPen));
+        painter.setBrush(hollow ? QBrush(Qt::NoBrush) : QBrush(stroke));
+        painter.drawEllipse(QPointF(rect.left() + inset + strokeLength / 2.0, middle), 3.6, 3.6);
+    } else {
+        painter.setPen(samplePen(stroke, pen_));
+        painter.drawLine(QPointF(rect.left() + inset, middle),
+                         QPointF(rect.left() + inset + strokeLength, middle));
+    }
     QFont font = itemFont();
     font.setStrikeOut(!isChecked());
     painter.setFont(font);

@@ -3,16 +3,19 @@
 #include <QAbstractButton>
 #include <QColor>
 
+#include "plot/model/plot_data.h"
+
 namespace ravnoves {
 
-/// One entry of a legend: a stroke in the curve's colour and its name; a click switches the curve.
+/// One entry of a legend: a stroke or a point in the curve's colour and its name; a click switches
+/// the curve.
 class LegendItem : public QAbstractButton {
     Q_OBJECT
 
   public:
     explicit LegendItem(QWidget* parent);
 
-    void setSwatch(const QColor& colour, Qt::PenStyle pen);
+    void setSwatch(const QColor& colour, Qt::PenStyle pen, plot::Shape shape);
     /// Draws the entry into a rectangle, for pictures that hold no widgets.
     void draw(QPainter& painter, const QRectF& rect) const;
 
@@ -26,6 +29,7 @@ class LegendItem : public QAbstractButton {
   private:
     QColor colour_;
     Qt::PenStyle pen_ = Qt::SolidLine;
+    plot::Shape shape_ = plot::Shape::Line;
 };
 
 }  // namespace ravnoves

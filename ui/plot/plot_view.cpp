@@ -95,7 +95,7 @@ void PlotView::setCurveStyle(int number, const CurveStyle& style) {
         item->setAccessibleName(tr("Show %1").arg(style.name));
         item->setToolTip(style.toolTip.isEmpty() ? tr("Show or hide %1").arg(style.name)
                                                  : style.toolTip);
-        item->setSwatch(Theme::instance().curve(style.colour), style.pen);
+        item->setSwatch(Theme::instance().curve(style.colour), style.pen, style.shape);
     }
     chartChanged();
 }

@@ -544,6 +544,23 @@ TEST_F(ShaftMapTest, WhereNothingCanBeBuiltTheButtonSaysWhy) {
     EXPECT_FALSE(view->sizePlot()->isFaded());
 }
 
+TEST_F(ShaftMapTest, CurvesThatAreReadOutHaveNames) {
+    for (const PlotView* chart : {view->distancePlot(), view->sizePlot()}) {
+        for (int i = 0; i < chart->curveCount(); ++i) {
+            EXPECT_FALSE(chart->curveName(i).isEmpty()) << i;
+        }
+    }
+}
+
+TEST_F(ShaftMapTest, NoNumberIsUnderTheHandleAtFirst) {
+    plot->grab();
+    const QPointF at = handle();
+    for (const ShaftMapPlot::Label& label : plot->labels()) {
+        EXPECT_TRUE(label.text.isEmpty() || !label.box.adjusted(-6, -6, 6, 6).contains(at))
+            << label.text.toStdString();
+    }
+}
+
 TEST_F(ShaftMapTest, TheFieldIsACsv) {
     const QStringList lines = plot->dataAsCsv().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
     const std::size_t side = map->map()->obstacleColumns;
