@@ -265,6 +265,10 @@ std::optional<PlugDrawing> plannedPlug(const v8_plugs::Input& input,
             drawing.cutterDiameter = input.plug->cutter_diameter;
             drawing.cutDepth = boring->depth;
             drawing.impossible = boring->limit != v8_plugs::Boring::Limit::none;
+            // What is drawn is what is to be done.
+            if (const auto* shift = solution.shift_that_matters(); shift && shift->depth) {
+                drawing.cutDepth = *shift->depth;
+            }
         }
     }
     return drawing;
