@@ -5,6 +5,7 @@
 
 #include "inertia-moments/fields.h"
 #include "inertia-moments/layouts.h"
+#include "numerics/demand.h"
 
 namespace ravnoves::inertia_moments {
 
@@ -17,6 +18,19 @@ std::pair<double, double> extent(const std::vector<Cylinder>& cylinders) {
         [](const Cylinder& a, const Cylinder& b) { return a.axial_position < b.axial_position; });
     return {low->axial_position, high->axial_position};
 }
+
+struct RadialSize {
+    int cylinders;
+    double crank_radius;                       ///< mm
+    double knuckle_radius;                     ///< mm
+    double speed;                              ///< min⁻¹
+    double reciprocating_mass, rotating_mass;  ///< kg
+};
+constexpr std::array<RadialSize, radial_counts.size()> radial_sizes{
+    {{radial_counts[0], 45.0, 34.0, 3000.0, 0.6, 0.4},
+     {radial_counts[1], 55.0, 42.0, 2600.0, 1.0, 0.6},
+     {radial_counts[2], 70.0, 54.0, 2400.0, 1.8, 1.0},
+     {radial_counts[3], 87.3, 67.0, 2200.0, 2.8, 1.6}}};
 
 /// As a person would enter it.
 double tidy(double length) {
@@ -75,26 +89,29 @@ Input preset_vw_vr5() {
     return input;
 }
 
-Input preset_radial_9() {
-    constexpr int count = 9;
+Input preset_radial(int cylinders) {
+    const auto size =
+        std::find_if(radial_sizes.begin(), radial_sizes.end(),
+                     [&](const RadialSize& each) { return each.cylinders == cylinders; });
+    RAVNOVES_DEMAND(size != radial_sizes.end(), "a radial of the list");
     Input input;
-    input.crank_radius = 87.3 * units::mm;
+    input.crank_radius = size->crank_radius * units::mm;
     input.lambda = 0.25;
-    input.angular_speed = 2200.0 * units::rpm;
-    input.reciprocating_mass = 2.8;
-    input.rotating_mass = 1.6;
-    for (int i = 0; i < count; ++i) {
+    input.angular_speed = size->speed * units::rpm;
+    input.reciprocating_mass = size->reciprocating_mass;
+    input.rotating_mass = size->rotating_mass;
+    for (int i = 0; i < cylinders; ++i) {
         // Numbered with the rotation of the crank: cylinder i + 1 comes to the top after i.
         Cylinder& cylinder = input.cylinders.emplace_back();
-        cylinder.bank_angle = (360.0 / count) * i * units::degree;
+        cylinder.bank_angle = (360.0 / cylinders) * i * units::degree;
         if (i > 0) {
             ArticulatedRod& rod = cylinder.articulated.emplace();
-            rod.knuckle_radius = 67.0 * units::mm;
+            rod.knuckle_radius = size->knuckle_radius * units::mm;
             rod.master = 1;
-            rod.knuckle_mass = 0.8;
+            rod.knuckle_mass = size->rotating_mass / 2.0;
         }
+        input.firing_order.push_back(2 * i % cylinders + 1);  // every other one: the count is odd
     }
-    input.firing_order = {1, 3, 5, 7, 9, 2, 4, 6, 8};
     input.end_webs = usual_end_webs(input.cylinders, input.crank_radius);
     input.end_webs->first_order_share = 1.0;
     for (const Direction direction : {Direction::forward, Direction::backward}) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "inertia-moments/input.h"
 
 namespace ravnoves::inertia_moments {
@@ -10,11 +12,16 @@ namespace ravnoves::inertia_moments {
 /// shafts of its Figs. 7 and 8 are there, switched off.
 Input preset_vw_vr5();
 
-/// A nine-cylinder radial of a size that many aircraft engines had (stroke 174.6 mm, λ 0.25), with
-/// articulated rods at knuckle pins 67 mm from the crankpin, firing 1-3-5-7-9-2-4-6-8. The masses
-/// are usual ones, not of a certain engine; its end webs balance the rotating masses and the first
-/// order, one shaft each way of the second order is there, switched off.
-Input preset_radial_9();
+/// The numbers of cylinders of the radials below.
+inline constexpr std::array radial_counts{3, 5, 7, 9};
+
+/// A radial with articulated rods hung on that of cylinder 1, λ 0.25, firing every other cylinder
+/// (1-3-5-7-9-2-4-6-8). Sizes and masses are usual ones of such engines, not of a certain one; that
+/// of nine cylinders has the size of many aircraft engines (stroke 174.6 mm, knuckle pins 67 mm
+/// from the crankpin). Its end webs balance the rotating masses and the first order; one shaft each
+/// way of the second order is there, switched off.
+/// @param cylinders  one of radial_counts
+Input preset_radial(int cylinders);
 
 /// End webs half a spacing beyond the outer crankpins of these cylinders, at the crank's radius.
 EndWebs usual_end_webs(const std::vector<Cylinder>& cylinders, double crank_radius);

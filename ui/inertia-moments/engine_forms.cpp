@@ -94,7 +94,7 @@ void EngineForm::addLayoutChoice() {
     for (const QString& name : InertiaMomentsModel::layoutNames()) {
         layout_->addItem(model_->layoutTitle(name), name);
     }
-    layout_->setMaxVisibleItems(24);
+    layout_->setMaxVisibleItems(27);
     layout_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     layout_->setMinimumContentsLength(14);
     layout_->setObjectName(QStringLiteral("layout"));

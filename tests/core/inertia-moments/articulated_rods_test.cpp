@@ -377,7 +377,7 @@ TEST(ArticulatedRods, AnExampleHasTheExpectedNumbers) {
 }
 
 TEST(ArticulatedRods, APresetRadialFiresUnevenly) {
-    const Input input = preset_radial_9();
+    const Input input = preset_radial(9);
     const Json json = solve_scene(write_input(input), {});
     EXPECT_TRUE(read_input(write_input(input)) == input);
     EXPECT_TRUE(json.at("notes").empty());

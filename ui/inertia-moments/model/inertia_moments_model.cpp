@@ -34,9 +34,19 @@ namespace field = inertia_moments::field;
 namespace {
 
 const QString paperEngine = QStringLiteral("vw-vr5");
-const QString radialEngine = QStringLiteral("radial-9");
+const QString radialEngine = QStringLiteral("radial-%1");
 const QString ownTable = QStringLiteral("table");
 const QString dash = QStringLiteral("–");
+
+/// Cylinders of a radial by its name; 0 for other layouts.
+int radialCount(const QString& name) {
+    for (const int count : inertia_moments::radial_counts) {
+        if (name == radialEngine.arg(count)) {
+            return count;
+        }
+    }
+    return 0;
+}
 
 QString number(double value, int decimals) {
     return fixedNumber(value, decimals, QLocale());
@@ -115,7 +125,10 @@ bool InertiaMomentsModel::setViewOption(const QString& key, const QString& value
 // -------------------------------------------------------------------------------------- layout
 
 QStringList InertiaMomentsModel::layoutNames() {
-    QStringList names{paperEngine, radialEngine};
+    QStringList names{paperEngine};
+    for (const int count : inertia_moments::radial_counts) {
+        names << radialEngine.arg(count);
+    }
     for (const inertia_moments::LayoutSpec& spec : inertia_moments::layout_library()) {
         names << QString::fromUtf8(spec.name.data(), static_cast<qsizetype>(spec.name.size()));
     }
@@ -126,8 +139,8 @@ QString InertiaMomentsModel::layoutTitle(const QString& name) const {
     if (name == paperEngine) {
         return tr("VW VR5 (paper)");
     }
-    if (name == radialEngine) {
-        return tr("Radial 9, articulated rods");
+    if (const int count = radialCount(name); count > 0) {
+        return tr("Radial %1").arg(count);
     }
     if (name == ownTable) {
         return tr("Own table");
@@ -147,8 +160,19 @@ QString InertiaMomentsModel::layoutName() const {
                input().reference_position == other.reference_position;
     };
     if (!input().layout) {
-        static const Input radial = inertia_moments::preset_radial_9();
-        return input().cylinders == radial.cylinders && isSizedAs(radial) ? radialEngine : ownTable;
+        static const auto radials = [] {
+            std::vector<Input> list;
+            for (const int count : inertia_moments::radial_counts) {
+                list.push_back(inertia_moments::preset_radial(count));
+            }
+            return list;
+        }();
+        for (const Input& radial : radials) {
+            if (input().cylinders == radial.cylinders && isSizedAs(radial)) {
+                return radialEngine.arg(radial.cylinders.size());
+            }
+        }
+        return ownTable;
     }
     QString name = QString::fromStdString(input().layout->name);
     if (name != QLatin1String("vr")) {
@@ -173,9 +197,9 @@ void InertiaMomentsModel::chooseLayout(const QString& name) {
             QStringLiteral("Volkswagen VR5"));
         return;
     }
-    if (name == radialEngine) {
+    if (const int count = radialCount(name); count > 0) {
         edit(
-            tr("Layout"), [](Input& input) { input = inertia_moments::preset_radial_9(); },
+            tr("Layout"), [count](Input& input) { input = inertia_moments::preset_radial(count); },
             layoutTitle(name));
         return;
     }

@@ -42,8 +42,8 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
 
     // ---------------------------------------------------------------- layout
 
-    /// What the list of layouts offers: "vw-vr5" (the paper's engine), "radial-9" (with articulated
-    /// rods), the library, "table".
+    /// What the list of layouts offers: "vw-vr5" (the paper's engine), "radial-3" to "radial-9"
+    /// (with articulated rods), the library, "table".
     static QStringList layoutNames();
     /// A layout's name in words; "vr" with another number of cylinders has its own.
     QString layoutTitle(const QString& name) const;
