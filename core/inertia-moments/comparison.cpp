@@ -56,9 +56,13 @@ std::vector<Difference> compare(const EngineOrders& exact, const EngineOrders& t
             d.quantity = component.quantity;
             d.plane = component.plane;
             d.exact = amplitude(right);
-            d.two_term = amplitude(short_form);
-            d.error = std::hypot(right.cos - short_form.cos, right.sin - short_form.sin);
             const double floor = zero_share * scale[q];
+            d.two_term = amplitude(short_form);
+            if (!(d.two_term > std::max(floor, zero_share * largest[q]))) {
+                d.two_term = 0.0;  // what rounding leaves
+                short_form = {};
+            }
+            d.error = std::hypot(right.cos - short_form.cos, right.sin - short_form.sin);
             const double reference = std::max(largest[q], balanced_share * scale[q]);
             if (reference > 0.0) {
                 d.of_largest = d.error / reference;
