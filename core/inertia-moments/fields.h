@@ -1,6 +1,9 @@
 #pragma once
 
+#include <string_view>
+
 #include "case-file/field.h"
+#include "case-file/input_error.h"
 #include "inertia-moments/input.h"
 
 /// Every input of the scene, described once.
@@ -362,3 +365,16 @@ inline constexpr Field webs_enabled{
     .hint = CORE_TEXT("inertia-moments", "Switched on, they count in what is left over.")};
 
 }  // namespace ravnoves::inertia_moments::field
+
+namespace ravnoves::inertia_moments {
+
+/// A place in the table as people count: "Cylinder 2, knuckle radius".
+/// @param cylinder  index
+/// @param key  of the cylinder's field or of its articulated rod's
+Message cylinder_place(std::size_t cylinder, std::string_view key);
+
+/// A refusal for people who see the table, not the file: "/input/cylinders/1/articulated/master"
+/// becomes "Cylinder 2, master rod". Other places stay.
+InputError in_words(const InputError& error);
+
+}  // namespace ravnoves::inertia_moments

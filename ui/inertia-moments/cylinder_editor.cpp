@@ -30,7 +30,7 @@ CylinderEditor::CylinderEditor(InertiaMomentsModel* model, CylinderTableModel* t
            "firing order: against the in-line engine they are shifted by γ + 2 φ_TDC (the paper "
            "prints γ + φ_TDC; its own angle, 21°40′, is the one with 2)."));
     connect(evenFiring_, &QPushButton::clicked, this, [this] {
-        say(model_->setEvenFiring(), true);
+        table_->say(model_->setEvenFiring());
         model_->finishDrag();
     });
     tools()->addWidget(evenFiring_);
@@ -41,7 +41,7 @@ CylinderEditor::CylinderEditor(InertiaMomentsModel* model, CylinderTableModel* t
            "as in radials. Off: all run on the crankpin itself."));
     qobject_cast<QBoxLayout*>(layout())->insertWidget(2, articulated_);
     connect(articulated_, &QCheckBox::clicked, this, [this](bool on) {
-        say(model_->setArticulatedRods(on), true);
+        table_->say(model_->setArticulatedRods(on));
         showState();  // where refused
     });
 

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 
+#include "case-file/input_error.h"
 #include "inertia-moments/fields.h"
 #include "inertia-moments/model/inertia_moments_model.h"
+#include "text/error_text.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 
@@ -110,6 +112,20 @@ bool setCell(Cylinder& cylinder, int column, const QString& text) {
     }
 }
 
+/// Why a text is no value for its cell, with what was typed.
+InputError refusal(int row, int column, const QString& text) {
+    const Field& field = fieldOf(column);
+    const Message place = inertia_moments::cylinder_place(static_cast<std::size_t>(row), field.key);
+    const auto number = readFormNumber(text);
+    if (!number) {
+        return {place, CORE_TEXT("core", "must be a number"), quoted_list({text.toStdString()})};
+    }
+    return {place,
+            column == Table::Master ? field.range.whole_number_message()
+                                    : field.range.message(field.unit),
+            Number{*number}};
+}
+
 /// The rows as they are given; those of a layout have no articulated rods.
 const std::vector<Cylinder>& rowsOf(const InertiaMomentsModel& model) {
     return model.input().layout ? model.result().engine.cylinders : model.input().cylinders;
@@ -164,13 +180,27 @@ bool CylinderTableModel::isUsual(int row, int column) const {
     return cylinder.articulated && !given(cylinder, column);
 }
 
+void CylinderTableModel::say(const QString& why) {
+    QStringList lines;
+    for (const auto& [cell, refused] : refused_) {
+        lines << refused.why;
+    }
+    if (!why.isEmpty() && !lines.contains(why)) {
+        lines << why;
+    }
+    Q_EMIT troubleChanged(lines.join(QLatin1Char('\n')));
+}
+
 void CylinderTableModel::refresh() {
     const int now = rowCount();
     const int wide = columnCount();
-    std::erase_if(refused_, [&](const auto& cell) {
+    const auto mended = std::erase_if(refused_, [&](const auto& cell) {
         const auto [row, column] = cell.first;
-        return row >= now || column >= wide || valueAt(row, column) != cell.second.below;
+        return now != rows_ || column >= wide || valueAt(row, column) != cell.second.below;
     });
+    if (mended > 0) {
+        say({});
+    }
     if (now != rows_ || wide != columns_) {
         beginResetModel();
         rows_ = now;
@@ -240,7 +270,6 @@ bool CylinderTableModel::setData(const QModelIndex& index, const QVariant& value
     if (role != Qt::EditRole || !index.isValid()) {
         return false;
     }
-    const Field& field = fieldOf(index.column());
     const auto row = static_cast<std::size_t>(index.row());
     const QString text = value.toString().trimmed();
     const std::pair cell(index.row(), index.column());
@@ -248,9 +277,8 @@ bool CylinderTableModel::setData(const QModelIndex& index, const QVariant& value
     QString why;
     Cylinder cylinder = rowsOf(*model_).at(row);
     if (!setCell(cylinder, index.column(), text)) {
-        why = tr("Cylinder %1: %2")
-                  .arg(QString::number(index.row() + 1),
-                       rangeText(field.range, unitText(field.unit.name), QLocale()));
+        why = errorText(refusal(cell.first, cell.second, text));
+        model_->sayTrouble(why);
     } else {
         // A cell of the table changes columns too: it must not look at the index afterwards.
         why = model_->edit(tr("Cylinder %1").arg(index.row() + 1), [&](Input& input) {
@@ -258,14 +286,16 @@ bool CylinderTableModel::setData(const QModelIndex& index, const QVariant& value
         });
         model_->finishDrag();
     }
-    if (!why.isEmpty()) {
-        refused_[cell] = {text, valueAt(cell.first, cell.second)};
+    if (why.isEmpty()) {
+        model_->sayTrouble({});
+    } else {
+        refused_[cell] = {text, valueAt(cell.first, cell.second), why};
     }
     if ((wasRefused || !why.isEmpty()) && cell.second < columnCount()) {
         const QModelIndex at = this->index(cell.first, cell.second);
         Q_EMIT dataChanged(at, at);
     }
-    Q_EMIT troubleChanged(why);
+    say(why);
     return why.isEmpty();
 }
 
@@ -307,7 +337,7 @@ void CylinderTableModel::insertRowBelow(int row) {
         input.firing_order.clear();  // it no longer names every cylinder
     });
     model_->finishDrag();
-    Q_EMIT troubleChanged(why);
+    say(why);
 }
 
 void CylinderTableModel::removeRowRange(int first, int count) {
@@ -315,7 +345,7 @@ void CylinderTableModel::removeRowRange(int first, int count) {
         return;
     }
     if (count >= rowCount()) {
-        Q_EMIT troubleChanged(tr("An engine has at least one cylinder."));
+        say(tr("An engine has at least one cylinder."));
         return;
     }
     const QString why = model_->edit(tr("Remove cylinder"), [&](Input& input) {
@@ -332,7 +362,7 @@ void CylinderTableModel::removeRowRange(int first, int count) {
         input.firing_order.clear();
     });
     model_->finishDrag();
-    Q_EMIT troubleChanged(why);
+    say(why);
 }
 
 QString CylinderTableModel::pasteBlock(int row, int column, const std::vector<QStringList>& cells) {
@@ -359,7 +389,7 @@ QString CylinderTableModel::pasteBlock(int row, int column, const std::vector<QS
         }
     });
     model_->finishDrag();
-    Q_EMIT troubleChanged(why);
+    say(why);
     return why;
 }
 

@@ -33,6 +33,9 @@ class CylinderTableModel final : public EditableTable {
 
     explicit CylinderTableModel(InertiaMomentsModel* model, QObject* parent = nullptr);
 
+    /// Says what is wrong with the last change, beside the refused texts that stand in cells.
+    void say(const QString& why);
+
     /// A copy of the row below it.
     void insertRowBelow(int row) override;
     void removeRowRange(int first, int count) override;
@@ -52,6 +55,7 @@ class CylinderTableModel final : public EditableTable {
     struct Refused {
         QString text;
         std::optional<double> below;
+        QString why;
     };
 
     void refresh();

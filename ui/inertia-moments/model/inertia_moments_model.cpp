@@ -97,6 +97,14 @@ Json InertiaMomentsScene::write(const Input& input) {
     return inertia_moments::write_input(input);
 }
 
+Result InertiaMomentsScene::solve(const Input& input) {
+    try {
+        return inertia_moments::solve(input);
+    } catch (const InputError& error) {
+        throw inertia_moments::in_words(error);
+    }
+}
+
 template class CaseModel<InertiaMomentsScene>;
 
 InertiaMomentsModel::InertiaMomentsModel(QObject* parent) : CaseModel({}, parent) {}

@@ -21,7 +21,7 @@ struct InertiaMomentsScene {
     static QString defaultTitle() { return QStringLiteral("Volkswagen VR5"); }
     static Input read(const Json& input, const CaseContext& context);
     static Json write(const Input& input);
-    static Solved solve(const Input& input) { return inertia_moments::solve(input); }
+    static Solved solve(const Input& input);
 };
 
 /// The state of the inertia-moments page: input, the solver's result, the crank angle of the
@@ -62,6 +62,8 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     QString setArticulatedRods(bool on);
     /// Makes an input's own table the one that is edited: that of its layout, where it has one.
     std::vector<inertia_moments::Cylinder>& tableOf(Input& input) const;
+    /// Something beside the input is refused; with nothing, that is over.
+    void sayTrouble(const QString& why) { sayRefused(why); }
     const std::vector<int>& firingOrder() const;
     /// "1-3-4-2" and the like.
     static QString orderText(const std::vector<int>& order);
