@@ -262,6 +262,41 @@ std::vector<std::optional<KnuckleRod>> knuckle_rods(std::span<const Cylinder> cy
     return rods;
 }
 
+std::vector<Message> unusual_rod_notes(std::span<const std::optional<KnuckleRod>> rods,
+                                       double rod_length) {
+    constexpr double rounding = 1e-9;  // of the length
+    std::vector<std::size_t> longer;
+    std::vector<std::size_t> plain;
+    for (std::size_t i = 0; i < rods.size(); ++i) {
+        if (!rods[i]) {
+            continue;
+        }
+        if (rods[i]->rod_length > rod_length * (1.0 + rounding)) {
+            longer.push_back(i);
+        } else if (rods[i]->knuckle_radius == 0.0 &&
+                   rods[i]->rod_length > rod_length * (1.0 - rounding)) {
+            plain.push_back(i);
+        }
+    }
+    std::vector<Message> notes;
+    if (!longer.empty()) {
+        notes.emplace_back(
+            CORE_TEXT("inertia-moments",
+                      "The articulated rods of cylinders %1 are longer than the master rod (%2): "
+                      "usual ones are shorter by about the knuckle radius."),
+            numbers_of(longer),
+            Number{.value = rod_length / units::mm, .unit = units::mm, .digits = 6});
+    }
+    if (!plain.empty()) {
+        notes.emplace_back(
+            CORE_TEXT("inertia-moments",
+                      "The articulated rods of cylinders %1 have a knuckle radius of 0: they move "
+                      "as plain rods on the crankpin."),
+            numbers_of(plain));
+    }
+    return notes;
+}
+
 void hang_on_masters(std::vector<Cylinder>& cylinders, double crank_radius) {
     for (const Throw& pin : crank_throws(cylinders, crank_radius)) {
         const std::size_t master = *std::min_element(pin.cylinders.begin(), pin.cylinders.end());

@@ -76,6 +76,11 @@ std::vector<std::optional<KnuckleRod>> knuckle_rods(std::span<const Cylinder> cy
                                                     std::span<const Throw> throws,
                                                     double rod_length);
 
+/// What no engine is built with, in sentences: an articulated rod longer than its master; one whose
+/// knuckle radius is 0, so that it is but a plain rod.
+std::vector<Message> unusual_rod_notes(std::span<const std::optional<KnuckleRod>> rods,
+                                       double rod_length);
+
 /// The usual knuckle radius of a radial: the pins stand close round the crankpin's bearing.
 inline constexpr double usual_knuckle_share = 0.75;  ///< of the crank radius
 

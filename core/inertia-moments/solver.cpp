@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "case-file/input_error.h"
 
@@ -122,6 +123,9 @@ Result solve(const Input& input) {
         result.firing_trouble = describe_misfit(engine, order, input.cycle());
     }
     result.notes = articulated_rod_notes(engine.throws, engine.cylinders, engine.crank_radius);
+    for (Message& note : unusual_rod_notes(engine.knuckles, input.rod_length())) {
+        result.notes.push_back(std::move(note));
+    }
     const double step = input.step.value_or(usual_step);
     const auto intervals = static_cast<std::size_t>(std::ceil(two_pi / step - 1e-9));
     result.curves = exact_curves(engine, intervals);

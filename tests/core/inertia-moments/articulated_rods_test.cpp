@@ -4,12 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "engines.h"
 #include "example_check.h"
+#include "inertia-moments/comparison.h"
+#include "inertia-moments/fields.h"
 #include "inertia-moments/pose.h"
 #include "inertia-moments/presets.h"
 #include "inertia-moments/scene.h"
@@ -410,6 +413,93 @@ TEST(ArticulatedRods, APresetRadialFiresUnevenly) {
     EXPECT_LT(std::abs(result.remaining.order(1).force.forward), 1e-9 * unit);
     EXPECT_LT(result.remaining.order(2).force.max(), 1e-9 * unit);
     EXPECT_GT(result.exact.order(2).force.max(), 0.3 * unit);
+}
+
+TEST(ArticulatedRods, EveryPresetRadialFiresEveryOtherCylinder) {
+    for (const int count : radial_counts) {
+        const Input input = preset_radial(count);
+        EXPECT_TRUE(read_input(write_input(input)) == input) << count;
+        ASSERT_EQ(input.cylinders.size(), static_cast<std::size_t>(count));
+        const Result result = solve(input);
+        EXPECT_TRUE(result.notes.empty()) << count;
+        EXPECT_TRUE(result.firing_trouble.empty()) << count;
+        ASSERT_EQ(result.firing.size(), input.cylinders.size());
+        double cycle = 0.0;
+        for (const auto& event : result.firing) {
+            cycle += event.interval;
+            EXPECT_NEAR(event.interval / degree, 720.0 / count, 8.0) << count;
+        }
+        EXPECT_NEAR(cycle / degree, 720.0, 1e-9);
+        for (int i = 0; i < count; ++i) {
+            const int next = input.firing_order[static_cast<std::size_t>((i + 1) % count)];
+            const int here = input.firing_order[static_cast<std::size_t>(i)];
+            EXPECT_EQ((next - here + count) % count, 2) << count;
+        }
+        // All rods but the master's hang on it, at pins that stand apart round the crankpin.
+        EXPECT_FALSE(result.engine.knuckles[0].has_value());
+        for (std::size_t i = 1; i < input.cylinders.size(); ++i) {
+            ASSERT_TRUE(result.engine.knuckles[i].has_value()) << count;
+            EXPECT_EQ(result.engine.knuckles[i]->master, 0U);
+            const double radius = result.engine.knuckles[i]->knuckle_radius;
+            EXPECT_NEAR(radius / input.crank_radius, usual_knuckle_share, 0.025) << count;
+            EXPECT_LE(result.engine.knuckles[i]->knuckle_mass, input.rotating_mass);
+        }
+    }
+}
+
+TEST(ArticulatedRods, WhatNobodyBuildsIsRemarkedOn) {
+    Input input = star(5, 0.25, 0.75);
+    EXPECT_TRUE(solve(input).notes.empty());
+    input.cylinders[1].articulated->rod_length = 0.0873 / 0.25;  // as long as the master
+    EXPECT_TRUE(solve(input).notes.empty());
+    input.cylinders[1].articulated->rod_length = 0.36;
+    input.cylinders[3].articulated->rod_length = 0.4;
+    input.cylinders[2].articulated->knuckle_radius = 0.0;
+    const Result result = solve(input);
+    ASSERT_EQ(result.notes.size(), 2U);
+    EXPECT_NE(result.notes[0].english().find("cylinders 2, 4 are longer"), std::string::npos);
+    EXPECT_NE(result.notes[1].english().find("cylinders 3 have a knuckle radius of 0"),
+              std::string::npos);
+    // With a length of its own it is no plain rod.
+    input.cylinders[2].articulated->rod_length = 0.3;
+    EXPECT_EQ(solve(input).notes.size(), 1U);
+}
+
+TEST(ArticulatedRods, RefusalsNameTheRowAsPeopleCount) {
+    const auto said = [](const char* place) {
+        return std::string(in_words(InputError(place, "must be so", "that")).what());
+    };
+    EXPECT_EQ(said("/input/cylinders/1/articulated/master"),
+              "Cylinder 2, master rod: must be so, got that");
+    EXPECT_EQ(said("/input/cylinders/11/offset_mm"), "Cylinder 12, offset: must be so, got that");
+    EXPECT_EQ(said("/input/cylinders/0/articulated"), "Cylinder 1: must be so, got that");
+    EXPECT_EQ(said("/input/rod"), "Rod as a rigid body: must be so, got that");
+    EXPECT_EQ(said("/input/cylinders"), "/input/cylinders: must be so, got that");
+    EXPECT_EQ(said("/input/lambda"), "/input/lambda: must be so, got that");
+}
+
+// Rounding of the two-term form is no moment that it has.
+TEST(Comparison, RoundingOfTheTwoTermFormIsNothing) {
+    EngineOrder exact;
+    exact.order = 1;
+    exact.roll_scale = 1000.0;
+    exact.reaction_torque = {0.0, 5.0};
+    EngineOrder rounding = exact;
+    rounding.reaction_torque = {8.55e-13, 0.0};
+    const auto roll_of = [](const EngineOrder& right, const EngineOrder& short_form) {
+        const auto differences = compare(EngineOrders{{right}}, EngineOrders{{short_form}});
+        const auto roll = std::find_if(differences.begin(), differences.end(),
+                                       [](const auto& d) { return d.quantity == Quantity::roll; });
+        return *roll;
+    };
+    const Difference left_out = roll_of(exact, rounding);
+    EXPECT_EQ(left_out.two_term, 0.0);
+    ASSERT_TRUE(left_out.relative.has_value());
+    EXPECT_EQ(*left_out.relative, 1.0);
+    const Difference nothing = roll_of(rounding, rounding);
+    EXPECT_EQ(nothing.two_term, 0.0);
+    EXPECT_FALSE(nothing.relative.has_value());
+    EXPECT_EQ(roll_of(exact, exact).two_term, 5.0);
 }
 
 // A mass at the knuckle pins: with one at each of N evenly spaced ones it would swing round its own
