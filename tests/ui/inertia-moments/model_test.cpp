@@ -243,6 +243,43 @@ TEST(InertiaMomentsModel, SettingsByKeyAsOnTheCommandLine) {
     EXPECT_EQ(model.layoutName(), QStringLiteral("i4"));
 }
 
+TEST(InertiaMomentsModel, ArticulatedRodsComeBackAsTheyWere) {
+    InertiaMomentsModel model;
+    model.chooseLayout(QStringLiteral("radial-9"));
+    EXPECT_EQ(model.setArticulatedRods(false), QString());
+    EXPECT_FALSE(model.hasArticulatedRods());
+    EXPECT_EQ(model.layoutName(), QStringLiteral("table"));
+    EXPECT_EQ(model.setArticulatedRods(true), QString());
+    EXPECT_EQ(model.layoutName(), QStringLiteral("radial-9"));
+    EXPECT_NEAR(model.input().cylinders[4].articulated->knuckle_radius, 0.067, 1e-15);
+    EXPECT_NEAR(model.input().cylinders[4].articulated->knuckle_mass, 0.8, 1e-15);
+    // What was changed comes back too, and what changed meanwhile stays.
+    model.edit(QStringLiteral("own"), [](Input& input) {
+        input.cylinders[2].articulated->knuckle_radius = 0.06;
+        input.cylinders[2].articulated->rod_length = 0.28;
+    });
+    model.setArticulatedRods(false);
+    model.edit(QStringLiteral("offset"), [](Input& input) { input.cylinders[1].offset = 0.001; });
+    model.setArticulatedRods(true);
+    EXPECT_EQ(model.input().cylinders[1].offset, 0.001);
+    EXPECT_NEAR(model.input().cylinders[2].articulated->knuckle_radius, 0.06, 1e-15);
+    EXPECT_NEAR(model.input().cylinders[2].articulated->rod_length.value_or(0.0), 0.28, 1e-15);
+    // Where the engine takes them no more, or is another one, the usual ones are hung.
+    model.setArticulatedRods(false);
+    model.edit(QStringLiteral("light"), [](Input& input) { input.rotating_mass = 0.1; });
+    EXPECT_EQ(model.setArticulatedRods(true), QString());
+    EXPECT_EQ(model.input().cylinders[4].articulated->knuckle_mass, 0.0);
+    model.chooseLayout(QStringLiteral("radial-5"));
+    model.edit(QStringLiteral("plain"), [](Input& input) {
+        for (auto& cylinder : input.cylinders) {
+            cylinder.articulated.reset();
+        }
+    });
+    EXPECT_EQ(model.setArticulatedRods(true), QString());
+    EXPECT_NEAR(model.input().cylinders[4].articulated->knuckle_radius,
+                0.75 * model.input().crank_radius, 1e-4);
+}
+
 TEST(InertiaMomentsModel, ABadCaseLeavesAllAsItWas) {
     InertiaMomentsModel model;
     const Json before = model.inputJson();

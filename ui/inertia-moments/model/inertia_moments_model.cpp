@@ -269,17 +269,43 @@ bool InertiaMomentsModel::hasArticulatedRods() const {
                        [](const Cylinder& cylinder) { return cylinder.articulated.has_value(); });
 }
 
+bool InertiaMomentsModel::standsAsHung() const {
+    return std::equal(hung_.begin(), hung_.end(), result().engine.cylinders.begin(),
+                      result().engine.cylinders.end(), [](const Cylinder& a, const Cylinder& b) {
+                          return a.bank_angle == b.bank_angle &&
+                                 a.crankpin_angle == b.crankpin_angle;
+                      });
+}
+
 QString InertiaMomentsModel::setArticulatedRods(bool on) {
-    const QString trouble = edit(tr("Articulated rods"), [&](Input& input) {
-        auto& cylinders = tableOf(input);
-        if (on) {
-            inertia_moments::hang_on_masters(cylinders, input.crank_radius);
-        } else {
+    const auto hang = [&](const auto& change) {
+        return edit(tr("Articulated rods"), [&](Input& input) { change(tableOf(input), input); });
+    };
+    QString trouble;
+    if (!on) {
+        if (hasArticulatedRods()) {
+            hung_ = input().cylinders;
+        }
+        trouble = hang([](std::vector<Cylinder>& cylinders, const Input& /*input*/) {
             for (Cylinder& cylinder : cylinders) {
                 cylinder.articulated.reset();
             }
+        });
+    } else {
+        const bool again = standsAsHung();
+        if (again) {
+            trouble = hang([&](std::vector<Cylinder>& cylinders, const Input& /*input*/) {
+                for (std::size_t i = 0; i < cylinders.size(); ++i) {
+                    cylinders[i].articulated = hung_[i].articulated;
+                }
+            });
         }
-    });
+        if (!again || !trouble.isEmpty()) {  // other sizes may not take them
+            trouble = hang([](std::vector<Cylinder>& cylinders, const Input& input) {
+                inertia_moments::hang_on_masters(cylinders, input.crank_radius);
+            });
+        }
+    }
     finishDrag();
     return trouble;
 }

@@ -57,7 +57,8 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     QString setEvenFiring();
     bool hasArticulatedRods() const;
     /// Hangs the rods of each crankpin on that of its first cylinder, with the usual knuckle
-    /// radius, or puts them all back on their crankpins.
+    /// radius, or puts them all back on their crankpins. What was articulated before is hung as it
+    /// was, as long as cylinders and crankpins stand where they stood.
     /// @return an empty string, or why it cannot be done
     QString setArticulatedRods(bool on);
     /// Makes an input's own table the one that is edited: that of its layout, where it has one.
@@ -142,8 +143,13 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     void tabChanged(InertiaMomentsModel::Tabs group, int index);
 
   private:
+    /// True where cylinders and crankpins stand as in hung_.
+    bool standsAsHung() const;
+
     double crankAngle_ = 40.0;
     std::array<int, 3> tabs_{};
+    /// The table whose articulated rods were put back on their crankpins.
+    std::vector<inertia_moments::Cylinder> hung_;
 };
 
 extern template class CaseModel<InertiaMomentsScene>;
