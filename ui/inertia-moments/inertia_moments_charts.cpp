@@ -173,10 +173,29 @@ void InertiaMomentsCharts::addRoll() {
     tabs_->addTab(roll_, tr("Roll"));
 }
 
+void InertiaMomentsCharts::nameMoments(bool force) {
+    isForce_ = force;
+    for (int k = 1; k <= 2; ++k) {
+        PlotView* plot = moment(k);
+        plot->setTitle(force ? (k == 1 ? tr("Order 1, forces") : tr("Order 2, forces"))
+                             : (k == 1 ? tr("Order 1") : tr("Order 2")));
+        plot->setYAxis(PlotView::Side::Left, {force ? tr("F, N") : tr("M, N·m")});
+        plot->setCurveName(verticalTwoTerm, force ? tr("Fy 2-term") : tr("My 2-term"));
+        plot->setCurveName(horizontalTwoTerm, force ? tr("Fx 2-term") : tr("Mx 2-term"));
+        plot->setCurveName(vertical, force ? tr("Fy") : tr("My"));
+        plot->setCurveName(horizontal, force ? tr("Fx") : tr("Mx"));
+        plot->setCurveName(verticalLeft, force ? tr("Fy left") : tr("My left"));
+        plot->setCurveName(horizontalLeft, force ? tr("Fx left") : tr("Mx left"));
+    }
+}
+
 void InertiaMomentsCharts::showMoments() {
+    if (const bool force = engine_curves::hasForcesOnly(model_->result()); force != isForce_) {
+        nameMoments(force);
+    }
     for (int k = 1; k <= 2; ++k) {
         const engine_curves::OrderMoments moments =
-            engine_curves::orderMoments(model_->result(), k);
+            engine_curves::orderMoments(model_->result(), k, isForce_);
         PlotView* plot = moment(k);
         const auto set = [&](int curveY, int curveX, const engine_curves::Trace& trace) {
             const auto& angle = trace.x.empty() ? trace.x : moments.crankAngleDeg;

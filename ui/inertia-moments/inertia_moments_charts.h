@@ -38,12 +38,14 @@ class InertiaMomentsCharts : public QWidget {
     void addBars();
     void addRoll();
     void showMoments();
+    void nameMoments(bool force);
     void showFront();
     void showHodograph(Hodograph& hodograph, bool force);
     void showCursor(double crankAngle);
 
     InertiaMomentsModel* model_;
-    std::array<PlotView*, 2> moments_{};
+    std::array<PlotView*, 2> moments_{};  ///< of forces where there are no moments
+    bool isForce_ = false;
     QTabWidget* tabs_;
     std::array<Hodograph, 2> hodographs_;  ///< forces, moments
     OrderBars* bars_ = nullptr;

@@ -319,6 +319,21 @@ TEST(EngineCurves, AreTheVectorsOfTheResult) {
     }
 }
 
+TEST(EngineCurves, AnEngineInOnePlaneHasForcesOnly) {
+    InertiaMomentsModel model;
+    EXPECT_FALSE(engine_curves::hasForcesOnly(model.result()));
+    model.chooseLayout(QStringLiteral("radial-7"));
+    EXPECT_TRUE(engine_curves::hasForcesOnly(model.result()));
+    const auto forces = engine_curves::orderMoments(model.result(), 2, true);
+    EXPECT_TRUE(forces.isSomething);
+    const auto first = model.result().exact.order(2).force.at(0.0);
+    EXPECT_EQ(forces.exact.x.front(), first.real());
+    EXPECT_EQ(forces.exact.y.front(), first.imag());
+    model.chooseLayout(QStringLiteral("i6"));
+    model.edit(QStringLiteral("bare"), [](Input& input) { input.end_webs.reset(); });
+    EXPECT_FALSE(engine_curves::hasForcesOnly(model.result()));  // nor forces
+}
+
 TEST(EngineCurves, RoundingIsNoPicture) {
     InertiaMomentsModel model;
     model.chooseLayout(QStringLiteral("i6"));

@@ -47,14 +47,34 @@ double Trace::reach() const {
     return reach;
 }
 
-OrderMoments orderMoments(const Result& result, int order) {
+bool hasForcesOnly(const Result& result) {
+    bool force = false;
+    for (int k = 1; k <= 2; ++k) {
+        const EngineOrder& exact = result.exact.order(k);
+        // A moment of the balancing masses may have no scale but the forces'.
+        const double rounding =
+            zero_share *
+            std::max(exact.moment_scale, exact.force_scale * result.engine.crank_radius);
+        if (exact.moment.max() > rounding || result.remaining.order(k).moment.max() > rounding ||
+            result.two_term.order(k).moment.max() > rounding) {
+            return false;
+        }
+        force = force || exact.force.max() > zero_share * exact.force_scale;
+    }
+    return force;
+}
+
+OrderMoments orderMoments(const Result& result, int order, bool force) {
+    const auto pairOf = [force](const EngineOrder& of) -> const RotatingPair& {
+        return force ? of.force : of.moment;
+    };
     OrderMoments moments;
     constexpr auto points = static_cast<std::size_t>(cycleDegrees / plotStep) + 1;
     for (std::size_t i = 0; i < points; ++i) {
         moments.crankAngleDeg.push_back(static_cast<double>(i) * plotStep);
     }
     const EngineOrder& exact = result.exact.order(order);
-    const double rounding = zero_share * exact.moment_scale;
+    const double rounding = zero_share * (force ? exact.force_scale : exact.moment_scale);
     // What is nothing but rounding is drawn as nothing.
     const auto trace = [&](const RotatingPair& pair) {
         Trace curve{std::vector<double>(points, 0.0), std::vector<double>(points, 0.0)};
@@ -66,11 +86,11 @@ OrderMoments orderMoments(const Result& result, int order) {
         }
         return curve;
     };
-    moments.exact = trace(exact.moment);
-    moments.twoTerm = trace(result.two_term.order(order).moment);
-    moments.isSomething = exact.moment.max() > rounding;
-    const RotatingPair& left = result.remaining.order(order).moment;
-    if ((left - exact.moment).max() > rounding) {
+    moments.exact = trace(pairOf(exact));
+    moments.twoTerm = trace(pairOf(result.two_term.order(order)));
+    moments.isSomething = pairOf(exact).max() > rounding;
+    const RotatingPair& left = pairOf(result.remaining.order(order));
+    if ((left - pairOf(exact)).max() > rounding) {
         moments.left = trace(left);
         moments.isSomething = moments.isSomething || left.max() > rounding;
     }

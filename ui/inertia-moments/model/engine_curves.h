@@ -14,7 +14,10 @@ struct Trace {
     double reach() const;  ///< the largest |x| or |y|
 };
 
-/// The moments of one order over two turns, as the paper's Fig. 6 shows them, N·m.
+/// True where the first two orders have no moment but a force: an engine in one plane.
+bool hasForcesOnly(const inertia_moments::Result& result);
+
+/// The moments (or forces) of one order over two turns, as the paper's Fig. 6 shows them, N·m (N).
 struct OrderMoments {
     std::vector<double> crankAngleDeg;
     Trace exact;
@@ -22,7 +25,7 @@ struct OrderMoments {
     Trace left;                ///< with all that acts on this order; empty where nothing does
     bool isSomething = false;  ///< one of exact and left is more than rounding
 };
-OrderMoments orderMoments(const inertia_moments::Result& result, int order);
+OrderMoments orderMoments(const inertia_moments::Result& result, int order, bool force = false);
 
 /// The ends of the vectors of force (N) or moment (N·m) over a cycle.
 struct Hodograph {
