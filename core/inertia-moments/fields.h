@@ -131,7 +131,7 @@ inline constexpr Field knuckle_radius{
     .key = "knuckle_radius_mm",
     .unit = units::mm,
     .range = Range::between(0, 1e6),
-    .symbol = "r_k",
+    .symbol = "rₖ",
     .hint = CORE_TEXT("inertia-moments",
                       "Articulated rod: distance of its knuckle pin from the crankpin's centre; "
                       "empty: the rod runs on the crankpin itself")};
@@ -139,7 +139,7 @@ inline constexpr Field knuckle_angle{
     .key = "knuckle_angle_deg",
     .unit = units::degree,
     .range = Range::between(-3600, 3600),
-    .symbol = "γ",
+    .symbol = "γₖ",
     .hint = CORE_TEXT("inertia-moments",
                       "Articulated rod: its knuckle pin about the crankpin, counter-clockwise from "
                       "the master rod's axis; empty: the difference of the bank angles")};
@@ -154,7 +154,6 @@ inline constexpr Field articulated_length{
 inline constexpr Field master{
     .key = "master",
     .range = Range::between(0, most_cylinders),
-    .symbol = "№",
     .hint = CORE_TEXT("inertia-moments",
                       "Articulated rod: number of the cylinder with its master rod; empty or 0: "
                       "the only rod that runs on the crankpin itself")};
@@ -162,7 +161,7 @@ inline constexpr Field knuckle_mass{
     .key = "knuckle_mass_kg",
     .unit = units::kg,
     .range = Range::at_least(0),
-    .symbol = "m_k",
+    .symbol = "mₖ",
     .hint = CORE_TEXT("inertia-moments",
                       "Articulated rod: part of the cylinder's rotating mass that lies at the "
                       "knuckle pin instead of the crankpin")};

@@ -32,6 +32,7 @@
 #include "plot/plot_view.h"
 #include "theme/theme.h"
 #include "widgets/decimal_spin_box.h"
+#include "widgets/form_section.h"
 #include "widgets/number_field.h"
 #include "widgets/value_slider.h"
 
@@ -407,6 +408,81 @@ TEST_F(InertiaMomentsPageTest, ARadialOfTheListHasArticulatedRods) {
     // The sizes of a preset that are changed make it a table of one's own.
     model->setSpeedRpm(1800.0);
     EXPECT_EQ(model->layoutName(), QStringLiteral("table"));
+}
+
+// What is refused is named by row and column as they are read, while the text stands in its cell.
+TEST_F(InertiaMomentsPageTest, ARefusedCellIsNamedUntilItIsMended) {
+    model->chooseLayout(QStringLiteral("radial-9"));
+    tab(Tabs::Inputs, "cylinders");
+    CylinderTableModel* table = page.cylinderEditor()->tableModel();
+    auto* line = page.cylinderEditor()->findChild<TroubleLine*>();
+    ASSERT_NE(line, nullptr);
+    QSignalSpy status(&page, &ScenePage::status);
+    const auto put = [&](int row, int column, const char* text) {
+        return table->setData(table->index(row, column), QString::fromLatin1(text), Qt::EditRole);
+    };
+    EXPECT_FALSE(put(1, CylinderTableModel::KnuckleRadius, "-5"));
+    EXPECT_TRUE(line->text().startsWith(
+        QStringLiteral("Cylinder 2, knuckle radius: must be from 0 to")))
+        << line->text().toStdString();
+    EXPECT_TRUE(line->text().endsWith(QLatin1Char('5'))) << line->text().toStdString();
+    EXPECT_TRUE(line->isVisible());
+    EXPECT_EQ(status.last().at(0).toString(), line->text());
+    // Another cell that is taken, and one that is not.
+    EXPECT_TRUE(put(2, CylinderTableModel::KnuckleRadius, "66"));
+    EXPECT_TRUE(line->text().contains(QStringLiteral("Cylinder 2, knuckle radius")));
+    EXPECT_FALSE(put(3, CylinderTableModel::KnuckleAngle, "abc"));
+    EXPECT_TRUE(line->text().contains(QStringLiteral("Cylinder 2, knuckle radius")));
+    EXPECT_TRUE(line->text().contains(
+        QStringLiteral("Cylinder 4, knuckle angle: must be a number, got \"abc\"")));
+    EXPECT_FALSE(put(4, CylinderTableModel::Master, "1.5"));
+    EXPECT_TRUE(line->text().contains(QStringLiteral("Cylinder 5, master rod: must be a whole")));
+    EXPECT_FALSE(put(4, CylinderTableModel::Master, "2"));
+    EXPECT_TRUE(line->text().contains(
+        QStringLiteral("Cylinder 5, master rod: must be a rod on the crankpin itself")));
+    EXPECT_FALSE(line->text().contains(QStringLiteral("/input")));
+    EXPECT_FALSE(status.last().at(0).toString().contains(QStringLiteral("/input")));
+    // One after the other they go.
+    EXPECT_TRUE(put(1, CylinderTableModel::KnuckleRadius, "67"));
+    EXPECT_FALSE(line->text().contains(QStringLiteral("Cylinder 2")));
+    EXPECT_TRUE(put(4, CylinderTableModel::Master, "1"));
+    EXPECT_TRUE(put(3, CylinderTableModel::KnuckleAngle, "120"));
+    EXPECT_TRUE(line->text().isEmpty());
+    EXPECT_FALSE(line->isVisible());
+    EXPECT_TRUE(status.last().at(0).toString().isEmpty());
+}
+
+TEST_F(InertiaMomentsPageTest, ARadialShowsStrokesAndForces) {
+    EXPECT_EQ(page.charts()->moment(1)->title(), QStringLiteral("Order 1"));
+    model->chooseLayout(QStringLiteral("radial-9"));
+    CylinderTableModel* table = page.cylinderEditor()->tableModel();
+    EXPECT_EQ(table->index(3, CylinderTableModel::TopDeadCentre).data().toString(),
+              QStringLiteral("3.303"));
+    const auto stroke = table->index(3, CylinderTableModel::Stroke);
+    EXPECT_EQ(stroke.data().toString(), QStringLiteral("175.19"));
+    EXPECT_FALSE(table->flags(stroke).testFlag(Qt::ItemIsEditable));
+    EXPECT_FALSE(table->setData(stroke, QStringLiteral("170"), Qt::EditRole));
+    const auto heading = [&](int column) {
+        return table->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+    };
+    EXPECT_EQ(heading(CylinderTableModel::KnuckleRadius), QStringLiteral("rₖ, mm"));
+    EXPECT_EQ(heading(CylinderTableModel::Master), QStringLiteral("master"));
+    // They follow the other values.
+    table->setData(table->index(3, CylinderTableModel::KnuckleRadius), QStringLiteral("30"),
+                   Qt::EditRole);
+    EXPECT_NE(stroke.data().toString(), QStringLiteral("175.19"));
+    // One plane: no moments, so the plots show the forces.
+    for (const int order : {1, 2}) {
+        PlotView* plot = page.charts()->moment(order);
+        EXPECT_EQ(plot->title(), QStringLiteral("Order %1, forces").arg(order));
+        EXPECT_EQ(plot->curveName(2), QStringLiteral("Fy"));
+        EXPECT_NEAR(*plot->valueAt(2, 30.0),
+                    model->result().exact.order(order).force.at(order * 30.0 * degree).imag(),
+                    1e-6);
+    }
+    model->chooseLayout(QStringLiteral("vw-vr5"));
+    EXPECT_EQ(page.charts()->moment(2)->title(), QStringLiteral("Order 2"));
+    EXPECT_EQ(page.charts()->moment(2)->curveName(3), QStringLiteral("Mx"));
 }
 
 TEST_F(InertiaMomentsPageTest, ClickOnAShaftShowsWhatItCancels) {

@@ -24,7 +24,7 @@ namespace {
 using Table = CylinderTableModel;
 
 const Field& fieldOf(int column) {
-    static constexpr std::array<const Field*, Table::Columns> list{
+    static constexpr std::array<const Field*, Table::TopDeadCentre> list{
         &field::axial_position,     &field::bank_angle,     &field::offset,
         &field::crankpin_angle,     &field::knuckle_radius, &field::knuckle_angle,
         &field::articulated_length, &field::master,         &field::knuckle_mass};
@@ -153,6 +153,13 @@ CylinderTableModel::CylinderTableModel(InertiaMomentsModel* model, QObject* pare
 std::optional<double> CylinderTableModel::valueAt(int row, int column) const {
     const auto i = static_cast<std::size_t>(row);
     const auto& engine = model_->result().engine;
+    if (column >= TopDeadCentre) {
+        for (std::size_t each = strokes_.size(); each < engine.cylinders.size(); ++each) {
+            strokes_.emplace_back(engine.top_dead_centre(each) / degree,
+                                  engine.stroke(each) / units::mm);
+        }
+        return column == Stroke ? strokes_[i].second : strokes_[i].first;
+    }
     const Cylinder& cylinder = engine.cylinders[i];
     std::optional<double> value = given(cylinder, column);
     if (!value && cylinder.articulated) {
@@ -176,6 +183,9 @@ std::optional<double> CylinderTableModel::valueAt(int row, int column) const {
 }
 
 bool CylinderTableModel::isUsual(int row, int column) const {
+    if (column >= TopDeadCentre) {
+        return true;
+    }
     const Cylinder& cylinder = model_->result().engine.cylinders[static_cast<std::size_t>(row)];
     return cylinder.articulated && !given(cylinder, column);
 }
@@ -192,6 +202,7 @@ void CylinderTableModel::say(const QString& why) {
 }
 
 void CylinderTableModel::refresh() {
+    strokes_.clear();
     const int now = rowCount();
     const int wide = columnCount();
     const auto mended = std::erase_if(refused_, [&](const auto& cell) {
@@ -224,8 +235,9 @@ int CylinderTableModel::columnCount(const QModelIndex& parent) const {
 
 Qt::ItemFlags CylinderTableModel::flags(const QModelIndex& index) const {
     Qt::ItemFlags flags = EditableTable::flags(index);
-    if (index.isValid() && index.column() > KnuckleRadius &&
-        !valueAt(index.row(), index.column())) {
+    if (index.isValid() &&
+        (index.column() >= TopDeadCentre ||
+         (index.column() > KnuckleRadius && !valueAt(index.row(), index.column())))) {
         flags &= ~Qt::ItemFlags(Qt::ItemIsEditable);
     }
     return flags;
@@ -248,9 +260,14 @@ QVariant CylinderTableModel::data(const QModelIndex& index, int role) const {
     const std::optional<double> value = valueAt(index.row(), index.column());
     switch (role) {
         case Qt::DisplayRole:
-            return value ? formNumber(*value, QLocale(), 6) : QString();
+            return !value                            ? QString()
+                   : index.column() == TopDeadCentre ? fixedNumber(*value, 3, QLocale())
+                   : index.column() == Stroke        ? fixedNumber(*value, 2, QLocale())
+                                                     : formNumber(*value, QLocale(), 6);
         case Qt::EditRole:
-            return value && !usual ? formNumber(*value, QLocale(), 15) : QString();
+            return value && (!usual || index.column() >= TopDeadCentre)
+                       ? formNumber(*value, QLocale(), 15)
+                       : QString();
         case Qt::FontRole: {
             if (!usual) {
                 return {};
@@ -267,7 +284,7 @@ QVariant CylinderTableModel::data(const QModelIndex& index, int role) const {
 }
 
 bool CylinderTableModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-    if (role != Qt::EditRole || !index.isValid()) {
+    if (role != Qt::EditRole || !index.isValid() || index.column() >= TopDeadCentre) {
         return false;
     }
     const auto row = static_cast<std::size_t>(index.row());
@@ -310,9 +327,25 @@ QVariant CylinderTableModel::headerData(int section, Qt::Orientation orientation
         }
         return role == Qt::DisplayRole ? QVariant(section + 1) : QVariant();
     }
+    if (section >= TopDeadCentre) {
+        const bool isStroke = section == Stroke;
+        switch (role) {
+            case Qt::DisplayRole:
+                return isStroke ? tr("stroke, mm") : tr("TDC, °");
+            case Qt::ToolTipRole:
+                return isStroke ? tr("Stroke of the piston; follows from the other values")
+                                : tr("Top dead centre: the crank's angle from the cylinder's axis; "
+                                     "follows from the other values");
+            default:
+                return {};
+        }
+    }
     const Field& field = fieldOf(section);
     switch (role) {
         case Qt::DisplayRole: {
+            if (section == Master) {
+                return tr("master");
+            }
             const QString symbol =
                 QString::fromUtf8(field.symbol.data(), static_cast<qsizetype>(field.symbol.size()));
             const QString unit = unitText(field.unit.name);
@@ -371,7 +404,7 @@ QString CylinderTableModel::pasteBlock(int row, int column, const std::vector<QS
         return tr("At most %1 cylinders.").arg(inertia_moments::most_cylinders);
     }
     std::vector<Cylinder> cylinders = rowsOf(*model_);
-    const int wide = columnCount();
+    const int wide = std::min<int>(columnCount(), TopDeadCentre);
     cylinders.resize(std::max(cylinders.size(), first + cells.size()));
     for (std::size_t line = 0; line < cells.size(); ++line) {
         for (int cell = 0; cell < cells[line].size() && column + cell < wide; ++cell) {

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "model/editable_table.h"
 
@@ -13,7 +14,8 @@ class InertiaMomentsModel;
 /// The cylinders as a table to edit: axial position, bank angle, offset, crankpin angle, and where
 /// rods are articulated their knuckle pins, lengths and masters. Editing a cell of a layout turns
 /// it into a table of its own. A knuckle radius makes a rod articulated, an empty one puts it back
-/// on the crankpin; what else is empty follows from the other values and is shown in italics.
+/// on the crankpin; what else is empty follows from the other values and is shown in italics. So
+/// are, where rods are articulated, top dead centres and strokes.
 class CylinderTableModel final : public EditableTable {
     Q_OBJECT
 
@@ -28,6 +30,8 @@ class CylinderTableModel final : public EditableTable {
         RodLength,
         Master,
         KnuckleMass,
+        TopDeadCentre,  ///< this and the next only to read
+        Stroke,
         Columns
     };
 
@@ -67,7 +71,8 @@ class CylinderTableModel final : public EditableTable {
     InertiaMomentsModel* model_;
     int rows_ = 0;
     int columns_ = 0;
-    std::map<std::pair<int, int>, Refused> refused_;  ///< by row and column
+    mutable std::vector<std::pair<double, double>> strokes_;  ///< dead centre, ° and stroke, mm
+    std::map<std::pair<int, int>, Refused> refused_;          ///< by row and column
 };
 
 }  // namespace ravnoves
