@@ -24,8 +24,9 @@ constexpr double inputRow = 3.6;  // mm
 }  // namespace
 
 void CardPainter::paint() {
-    constexpr double gap = 2.2;
-    constexpr double machineTop = 241.5;
+    // A card with a warning has much to say.
+    const double gap = v8_text::shiftWarning(words_, input_, solution_).isEmpty() ? 2.2 : 1.0;
+    constexpr double machineTop = 244.0;
     constexpr double signaturesTop = 273.5;
     double y = head(CardPage::top);
     y = answer(y + gap);

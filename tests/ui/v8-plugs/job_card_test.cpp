@@ -391,6 +391,26 @@ TEST_F(JobCardTest, AnAnswerByTheMethodAloneIsNoFact) {
     }
 }
 
+TEST_F(JobCardTest, AFullCardWithAWarningKeepsTheNotes) {
+    Json input = exampleInput("v8-4.25-repair.case.json");
+    input["engine"]["steel_plug_mass_g"] = 30;
+    input["engine"]["max_steel_reduction_g"] = 12;
+    input["mass_changes_g"]["repair_piston_and_rings"] = 20;
+    input["plug"] =
+        parse_json(R"({"thread": "M30x1.5", "height_mm": 14, "cutter_diameter_mm": 20})");
+    for (const char* part : {"piston", "pin", "rings", "rod_big_end", "rod_small_end", "shells"}) {
+        input["weigh_in"][part] = {{"nominal_g", 600},
+                                   {"permitted_spread_g", 1},
+                                   {"mass_g", {601, 602, 603, 604, 605, 606, 607, 608}}};
+    }
+    input["mass_changes_from"] = "typed";
+    input["job"]["notes"] = "Oversize pistons end5";
+    for (const QString& language : {u"en"_s, u"ru"_s}) {
+        const QString text = cardText(input, language).join(u' ').simplified();
+        EXPECT_TRUE(text.contains(u"end5"_s)) << qPrintable(language) << qPrintable(text);
+    }
+}
+
 TEST_F(JobCardTest, HalfFilledJobSaysWhatIsMissing) {
     Json input = {{"engine", "8.32 l"}, {"process", "repair"}};
     const QString text = cardText(input, u"en"_s).join(u' ').simplified();
