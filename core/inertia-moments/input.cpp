@@ -180,7 +180,7 @@ void check_size(const Input& input, const Engine& engine) {
 void check_input(const Input& input) {
     check_fields(input);
     // The rod, R/λ, must have a length; field::lambda allows all that is greater than 0.
-    if (constexpr Range ratios = Range::at_least(1e-6); !ratios.contains(input.lambda)) {
+    if (constexpr Range ratios = Range::at_least(1e-9); !ratios.contains(input.lambda)) {
         throw InputError("/input/lambda", ratios.message(), Number{input.lambda});
     }
     if (input.layout) {
