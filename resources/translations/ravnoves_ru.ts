@@ -235,6 +235,18 @@
         <source>ISO 21940-11, G %1, %2 kg at %3 min⁻¹: Uₚₑᵣ = %4 in all.</source>
         <translation>ИСО 21940-11, G %1, %2 кг при %3 мин⁻¹: Uдоп = %4 всего.</translation>
     </message>
+    <message>
+        <source>(!) By the method alone: %1</source>
+        <translation>(!) Только по методу: %1</translation>
+    </message>
+    <message>
+        <source>check: see above</source>
+        <translation>проверить: см. выше</translation>
+    </message>
+    <message>
+        <source>by the method alone</source>
+        <translation>лишь по методу</translation>
+    </message>
 </context>
 <context>
     <name>V8</name>
@@ -1013,8 +1025,20 @@
         <translation>Массы деталей не учитываются: флажок на листе 3 снят.</translation>
     </message>
     <message>
-        <source>The changes typed do not count: the weights of the parts do.</source>
-        <translation>Введённые изменения не учитываются: учитываются массы деталей.</translation>
+        <source>Typed, but replaced by the weights: %1.</source>
+        <translation>Введено, но заменено взвешенным: %1.</translation>
+    </message>
+    <message>
+        <source>Not weighed, so what was typed counts: %1.</source>
+        <translation>Не взвешено, учитывается введённое: %1.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of 8 weighed; what was typed counts until all are.</source>
+        <translation>%1: взвешено %2 из 8; пока не все, учитывается введённое.</translation>
+    </message>
+    <message>
+        <source>(!) After equals nominal by the method alone.</source>
+        <translation>(!) После равно номиналу лишь по методу.</translation>
     </message>
 </context>
 <context>
@@ -2031,6 +2055,26 @@
         <source>The place is outside the limits given.</source>
         <translation>Место вне заданных пределов.</translation>
     </message>
+    <message>
+        <source>The limits on the shaft&apos;s axis ask for a centre distance of at least %1, and it is %2.</source>
+        <translation>Ограничения на ось вала требуют межосевого расстояния не менее %1, а оно равно %2.</translation>
+    </message>
+    <message>
+        <source>The limits on the shaft&apos;s axis ask for a centre distance of at most %1, and it is %2.</source>
+        <translation>Ограничения на ось вала требуют межосевого расстояния не более %1, а оно равно %2.</translation>
+    </message>
+    <message>
+        <source>At the centre distance %1 no angle that clears cylinder and rod is within the limits on the shaft&apos;s axis.</source>
+        <translation>При межосевом расстоянии %1 ни один угол, при котором вал не задевает цилиндр и шатун, не лежит в пределах ограничений на ось вала.</translation>
+    </message>
+    <message>
+        <source>torque in %1</source>
+        <translation>момент в %1</translation>
+    </message>
+    <message>
+        <source>%1 in %2, which is taken where the heading names no unit; write the unit above the column, for example Pa</source>
+        <translation>%1 в %2, как принято, если единица не названа в заголовке; напишите единицу над столбцом, например Па</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -2235,10 +2279,6 @@
         <translation>должно быть не больше 64 МиБ</translation>
     </message>
     <message>
-        <source>cannot be read to its end</source>
-        <translation>не читается до конца</translation>
-    </message>
-    <message>
         <source>must not separate columns by commas and use decimal commas at once; separate the columns by semicolons</source>
         <translation>запятая не может и разделять столбцы, и отделять дробную часть; разделите столбцы точкой с запятой</translation>
     </message>
@@ -2389,6 +2429,34 @@
     <message>
         <source>must be %1 or %2</source>
         <translation>должно быть %1 или %2</translation>
+    </message>
+    <message>
+        <source>kN·m</source>
+        <translation>кН·м</translation>
+    </message>
+    <message>
+        <source>must not hold the character NUL</source>
+        <translation>не должно содержать символ NUL</translation>
+    </message>
+    <message>
+        <source>is given twice</source>
+        <translation>задано дважды</translation>
+    </message>
+    <message>
+        <source>must hold at most %1 values</source>
+        <translation>должно содержать не более %1 значений</translation>
+    </message>
+    <message>
+        <source>is not in the list, which has %1 elements</source>
+        <translation>нет в списке, в нём элементов: %1</translation>
+    </message>
+    <message>
+        <source>must hold at most %1 names</source>
+        <translation>должно содержать не более %1 имён</translation>
+    </message>
+    <message>
+        <source>must be a file, not a pipe or a device</source>
+        <translation>должен быть файлом, а не каналом и не устройством</translation>
     </message>
 </context>
 <context>
@@ -2880,6 +2948,14 @@
     <message>
         <source>Asks for the motion, by integration.</source>
         <translation>Запрос движения, интегрированием.</translation>
+    </message>
+    <message>
+        <source>must be further from 1 for a motion: it takes more than %1 points</source>
+        <translation>должно быть дальше от 1 для движения: нужно больше %1 точек</translation>
+    </message>
+    <message>
+        <source>must be less for this motion: more than %1 points brought it only to turn %2</source>
+        <translation>должно быть меньше для этого движения: за %1 точек и больше оно дошло лишь до оборота %2</translation>
     </message>
 </context>
 <context>
@@ -3475,6 +3551,62 @@
     <message>
         <source>Cylinders %1 share a crankpin in one plane: there one rod is the master and the others hang on it. All are computed as plain rods on the pin; articulated ones add a second order to the force, of 5 to 12 % of the first, and uneven dead centres. &quot;Articulated rods&quot; above the table of cylinders computes them (articulated in the case file).</source>
         <translation>Цилиндры %1 стоят на одной шейке в одной плоскости: там один шатун главный, а остальные прицеплены к нему. Все считаются обычными шатунами на шейке; прицепные добавляют к силе второй порядок, 5–12 % первого, и неравномерность мёртвых точек. Их вычисляет «Прицепные шатуны» над таблицей цилиндров (articulated в файле).</translation>
+    </message>
+    <message>
+        <source>The articulated rods of cylinders %1 are longer than the master rod (%2): usual ones are shorter by about the knuckle radius.</source>
+        <translation>Прицепные шатуны цилиндров %1 длиннее главного (%2): обычно они короче примерно на радиус прицепа.</translation>
+    </message>
+    <message>
+        <source>The articulated rods of cylinders %1 have a knuckle radius of 0: they move as plain rods on the crankpin.</source>
+        <translation>У прицепных шатунов цилиндров %1 радиус прицепа 0: они движутся как обычные шатуны на шейке.</translation>
+    </message>
+    <message>
+        <source>axial position</source>
+        <translation>положение вдоль вала</translation>
+    </message>
+    <message>
+        <source>bank angle</source>
+        <translation>угол ряда</translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation>смещение оси</translation>
+    </message>
+    <message>
+        <source>crankpin angle</source>
+        <translation>угол шейки</translation>
+    </message>
+    <message>
+        <source>knuckle radius</source>
+        <translation>радиус прицепа</translation>
+    </message>
+    <message>
+        <source>knuckle angle</source>
+        <translation>угол прицепа</translation>
+    </message>
+    <message>
+        <source>rod length</source>
+        <translation>длина шатуна</translation>
+    </message>
+    <message>
+        <source>master rod</source>
+        <translation>главный шатун</translation>
+    </message>
+    <message>
+        <source>knuckle mass</source>
+        <translation>масса у пальца прицепа</translation>
+    </message>
+    <message>
+        <source>Cylinder %1</source>
+        <translation>Цилиндр %1</translation>
+    </message>
+    <message>
+        <source>Cylinder %1, %2</source>
+        <translation>Цилиндр %1, %2</translation>
+    </message>
+    <message>
+        <source>Rod as a rigid body</source>
+        <translation>Шатун как твёрдое тело</translation>
     </message>
 </context>
 <context>
@@ -5848,10 +5980,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::CylinderTableModel</name>
     <message>
-        <source>Cylinder %1: %2</source>
-        <translation>Цилиндр %1: %2</translation>
-    </message>
-    <message>
         <source>Cylinder %1</source>
         <translation>Цилиндр %1</translation>
     </message>
@@ -5882,6 +6010,26 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Top dead centre %1° from its axis, stroke %2 mm</source>
         <translation>Верхняя мёртвая точка в %1° от своей оси, ход %2 мм</translation>
+    </message>
+    <message>
+        <source>stroke, mm</source>
+        <translation>ход, мм</translation>
+    </message>
+    <message>
+        <source>TDC, °</source>
+        <translation>ВМТ, °</translation>
+    </message>
+    <message>
+        <source>Stroke of the piston; follows from the other values</source>
+        <translation>Ход поршня; следует из других значений</translation>
+    </message>
+    <message>
+        <source>Top dead centre: the crank&apos;s angle from the cylinder&apos;s axis; follows from the other values</source>
+        <translation>Верхняя мёртвая точка: угол кривошипа от оси цилиндра; следует из других значений</translation>
+    </message>
+    <message>
+        <source>master</source>
+        <translation>главный</translation>
     </message>
 </context>
 <context>
@@ -7417,6 +7565,42 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Roll</source>
         <translation>Опрокид.</translation>
     </message>
+    <message>
+        <source>Order 1, forces</source>
+        <translation>1-й порядок, силы</translation>
+    </message>
+    <message>
+        <source>Order 2, forces</source>
+        <translation>2-й порядок, силы</translation>
+    </message>
+    <message>
+        <source>F, N</source>
+        <translation>F, Н</translation>
+    </message>
+    <message>
+        <source>Fy 2-term</source>
+        <translation>Fy, 2 члена</translation>
+    </message>
+    <message>
+        <source>Fx 2-term</source>
+        <translation>Fx, 2 члена</translation>
+    </message>
+    <message>
+        <source>Fy</source>
+        <translation>Fy</translation>
+    </message>
+    <message>
+        <source>Fx</source>
+        <translation>Fx</translation>
+    </message>
+    <message>
+        <source>Fy left</source>
+        <translation>Fy остаток</translation>
+    </message>
+    <message>
+        <source>Fx left</source>
+        <translation>Fx остаток</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::InertiaMomentsModel</name>
@@ -7617,16 +7801,16 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Колено, ×%1, г</translation>
     </message>
     <message>
-        <source>Radial 9, articulated rods</source>
-        <translation>Звезда 9, прицепные шатуны</translation>
-    </message>
-    <message>
         <source>Articulated rods run on their master&apos;s crankpin: they cannot be set apart.</source>
         <translation>Прицепные шатуны стоят на шейке главного: разделить их нельзя.</translation>
     </message>
     <message>
         <source>Articulated rods</source>
         <translation>Прицепные шатуны</translation>
+    </message>
+    <message>
+        <source>Radial %1</source>
+        <translation>Звезда %1</translation>
     </message>
 </context>
 <context>
@@ -7675,8 +7859,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Тяжелее номинала на (минус: легче)</translation>
     </message>
     <message>
-        <source>Taken from the weigh-in sheet.</source>
-        <translation>Взято с листа взвешивания.</translation>
+        <source>Those in grey are taken from the weigh-in sheet.</source>
+        <translation>Серые взяты с листа взвешивания.</translation>
     </message>
 </context>
 <context>
@@ -9038,6 +9222,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>can be built</source>
         <translation>можно построить</translation>
     </message>
+    <message>
+        <source>It is worse than without a shaft.</source>
+        <translation>Это хуже, чем без вала.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::ShaftMapPlot</name>
@@ -9243,6 +9431,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>change, %</source>
         <translation>изменение, %</translation>
+    </message>
+    <message>
+        <source>least range, can be built</source>
+        <translation>наименьший размах, можно построить</translation>
+    </message>
+    <message>
+        <source>least RMS, can be built</source>
+        <translation>наименьшее СКЗ, можно построить</translation>
+    </message>
+    <message>
+        <source>nothing can be built</source>
+        <translation>ничего нельзя построить</translation>
     </message>
 </context>
 <context>
@@ -9893,6 +10093,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The sheet is empty: nothing is saved.</source>
         <translation>Лист пуст: ничего не сохранено.</translation>
+    </message>
+    <message>
+        <source>By the method alone; the shift that it neglects leaves up to %1.</source>
+        <translation>Лишь по методу: смещение, которым он пренебрегает, оставляет до %1.</translation>
     </message>
 </context>
 <context>
