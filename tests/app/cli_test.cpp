@@ -343,7 +343,7 @@ TEST_F(CommandLine, RefusesARodWithoutEnd) {
     radial["input"]["lambda"] = 1e-308;
     write("radial.json", radial.dump());
     expect_refused(run("solve radial.json"),
-                   "radial.json: /input/lambda: must be at least 1e-06, got 1e-308\n");
+                   "radial.json: /input/lambda: must be at least 1e-09, got 1e-308\n");
 }
 
 // Work without end is refused at the input that asks for it.
