@@ -52,6 +52,22 @@ std::vector<double> valuesOf(const std::vector<std::optional<ShaftMap::Place>>& 
     return values;
 }
 
+/// Holds a label whose text changes at every step of a drag: no layout stands between them, so that
+/// a new text is laid out alone and not with the whole page.
+class Apart : public QWidget {
+  public:
+    Apart(QWidget* held, QWidget* parent) : QWidget(parent), held_(held) { held_->setParent(this); }
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override {
+        QWidget::resizeEvent(event);
+        held_->setGeometry(rect());
+    }
+
+  private:
+    QWidget* held_;
+};
+
 }  // namespace
 
 ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
@@ -77,7 +93,8 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     words_->setObjectName(QStringLiteral("shaft_map_words"));
     words_->setAccessibleName(tr("The place under the pointer, or the best one"));
-    frontColumn->addWidget(words_);
+    wordsRoom_ = new Apart(words_, front);
+    frontColumn->addWidget(wordsRoom_);
     tabs_->addTab(front, tr("Front view"));
     tabs_->addTab(buildLimits(), tr("Limits"));
     body->addWidget(tabs_, 1);
@@ -279,7 +296,7 @@ void ShaftMapView::resizeEvent(QResizeEvent* event) {
     arrange();
     // Room for the words, so that the map rests while they change.
     const int rows = width() < 500 ? 5 : 3;
-    words_->setFixedHeight(rows * words_->fontMetrics().lineSpacing() + 2);
+    wordsRoom_->setFixedHeight(rows * words_->fontMetrics().lineSpacing() + 2);
 }
 
 void ShaftMapView::showMap() {

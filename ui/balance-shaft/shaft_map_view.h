@@ -64,6 +64,7 @@ class ShaftMapView : public QWidget {
     ValueSlider* weight_;
     QPushButton* best_;
     QLabel* words_;
+    QWidget* wordsRoom_;  ///< what the words may take
     QTabWidget* tabs_;
     QWidget* side_;
     QVBoxLayout* sideColumn_;
