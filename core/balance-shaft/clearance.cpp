@@ -242,6 +242,24 @@ double distance_from_cylinder(const FrontView& view, double x, double y) {
     return outside > 0.0 ? outside : std::max(beside, above);
 }
 
+double nearest_angle(const std::vector<AngleStretch>& stretches, double angle) {
+    double found = angle;
+    double least = std::numeric_limits<double>::infinity();
+    for (const AngleStretch& stretch : stretches) {
+        if (wrap_turn(angle - stretch.from) <= stretch.to - stretch.from) {
+            return angle;
+        }
+        for (const double end : {stretch.from, stretch.to}) {
+            const double away = std::abs(std::remainder(end - angle, two_pi));
+            if (away < least) {
+                least = away;
+                found = end;
+            }
+        }
+    }
+    return found;
+}
+
 double ShaftClearance::least() const {
     return std::min({crank, cylinder, rod});
 }

@@ -40,6 +40,10 @@ struct BuildableAngles {
     std::vector<AngleStretch> gaps() const;
 };
 
+/// The angle itself, where it is in a stretch, or else the end of one that is next to it round the
+/// turn, rad.
+double nearest_angle(const std::vector<AngleStretch>& stretches, double angle);
+
 /// The ends are found to rounding, on the side that can be built. A stretch or gap of less than
 /// 0.02° may be missed; limits cut exactly.
 BuildableAngles buildable_angles(const FrontView& view, const PlaceLimits& limits = {});

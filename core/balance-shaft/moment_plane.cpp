@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numerics/constants.h"
+#include "numerics/angle.h"
 #include "numerics/extrema.h"
 
 namespace ravnoves::balance_shaft {
@@ -40,8 +40,7 @@ MomentPlane::MomentPlane(const PeriodicPiecewise& moment) {
     std::vector<double> knots;
     knots.reserve(moment.size() + 25);
     for (std::size_t i = 0; i < moment.size(); ++i) {
-        const double turned = std::fmod(moment.knots()[i], 360.0);
-        knots.push_back(turned < 0.0 ? turned + 360.0 : turned);
+        knots.push_back(wrap(moment.knots()[i], 360.0));
     }
     std::sort(knots.begin(), knots.end());
     // Knots that rounding sets apart are one.

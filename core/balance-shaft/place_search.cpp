@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "numerics/cutting_planes.h"
+
 namespace ravnoves::balance_shaft {
 
 namespace {
@@ -249,6 +251,50 @@ class Search {
 
 std::optional<PlaceFound> search_places(const ShaftPlaces& places, const PlaceQuestion& question) {
     return Search(places, question).run();
+}
+
+PlaceFound lowest_place(const PlaceQuestion& question) {
+    const PlaceValue at_crank = question.criterion({0.0, 0.0});
+    PlaceFound best{{0.0, 0.0}, at_crank.value, 0.0, 1};
+    // The box holds every place that is no worse than the crank's axis; its half side is the unit.
+    const double reach = (at_crank.value + question.at_crank) / question.growth * (1.0 + 1e-9);
+    if (!(reach > 0.0)) {  // nothing moves: the crank's axis is best
+        return best;
+    }
+    using Planes = CuttingPlanes<double, 3>;
+    const auto cut = [&](const PlaceValue& here, const Place& at) {
+        const Place gradient = here.gradient * reach;
+        return Planes::Constraint{{-gradient.x(), -gradient.y(), 1.0},
+                                  here.value - gradient.dot(at)};
+    };
+    const double x = at_crank.gradient.x() < 0.0 ? -1.0 : 1.0;
+    const double y = at_crank.gradient.y() < 0.0 ? -1.0 : 1.0;
+    const double rounding =
+        16.0 * std::numeric_limits<double>::epsilon() * std::max(at_crank.value, 1e-300);
+    Planes planes({0.0, 0.0, 1.0},
+                  {cut(at_crank, {0.0, 0.0}), {{x, 0.0, 0.0}, -1.0}, {{0.0, y, 0.0}, -1.0}},
+                  rounding);
+    planes.add({-x, 0.0, 0.0}, -1.0);
+    planes.add({0.0, -y, 0.0}, -1.0);
+    constexpr double exact = 1e-11;
+    constexpr int most_rounds = 500;
+    for (int round = 0; round < most_rounds; ++round) {
+        const Planes::Vector vertex = planes.solve();
+        best.gap = std::max(0.0, best.value - vertex.z());
+        if (best.gap <= exact * best.value) {
+            break;
+        }
+        const Place at = vertex.head<2>();
+        const PlaceValue here = question.criterion(at * reach);
+        ++best.evaluations;
+        if (here.value < best.value) {
+            best.value = here.value;
+            best.place = at * reach;
+        }
+        const Planes::Constraint plane = cut(here, at);
+        planes.add(plane.a, plane.b);
+    }
+    return best;
 }
 
 }  // namespace ravnoves::balance_shaft

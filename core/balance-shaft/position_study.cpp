@@ -5,11 +5,13 @@
 #include <limits>
 #include <numbers>
 
+#include "balance-shaft/angle_minimum.h"
 #include "balance-shaft/best_moment.h"
-#include "balance-shaft/best_range.h"
+#include "balance-shaft/clearance.h"
 #include "balance-shaft/moment_plane.h"
 #include "balance-shaft/place_search.h"
-#include "numerics/constants.h"
+#include "balance-shaft/shaft_moment.h"
+#include "numerics/angle.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -27,9 +29,7 @@ struct PositionStudy::Prepared {
     Solver solver;
     MomentPlane plane;
     ShaftPlaces places;
-    double force;      ///< P₁, N
-    double cos_phase;  ///< M_s = P₁ l sin(α + φ + phase)
-    double sin_phase;
+    ShaftMoment shaft;
     Moment rms_centre;  ///< where the variance is least: opposes M_up's first order
     double least_variance;
     double range_without;
@@ -38,13 +38,10 @@ struct PositionStudy::Prepared {
 
     explicit Prepared(const Solver& of);
 
-    Moment moment(const ShaftPosition& at) const {
-        return {force * (at.x * cos_phase + at.y * sin_phase),
-                force * (at.y * cos_phase - at.x * sin_phase)};
-    }
+    Moment moment(const ShaftPosition& at) const { return shaft.at({at.x, at.y}); }
     ShaftPosition position(const Moment& m) const {
-        return {(m.x() * cos_phase - m.y() * sin_phase) / force,
-                (m.x() * sin_phase + m.y() * cos_phase) / force};
+        const Eigen::Vector2d place = shaft.place(m);
+        return {place.x(), place.y()};
     }
     double range(const Moment& m) const { return plane(m.x(), m.y()).range(); }
     double rms(const Moment& m) const {
@@ -58,25 +55,20 @@ struct PositionStudy::Prepared {
     BestPosition best_range() const;
     BestPosition best_rms() const;
 
-    /// A criterion's gradient by the place, of its gradient by the moment.
-    Moment by_place(const Moment& by_moment) const {
-        return {force * (by_moment.x() * cos_phase - by_moment.y() * sin_phase),
-                force * (by_moment.x() * sin_phase + by_moment.y() * cos_phase)};
-    }
     /// weight × range + (1 − weight) × RMS, N·m.
     PlaceQuestion question(double weight) const;
     PlaceQuestion question_of_size() const;
     BestPosition found(const PlaceFound& found) const;
     std::optional<BestPosition> best_buildable(double weight, const BestPosition& free) const;
+    BestPosition best_at(double distance, double weight,
+                         const std::vector<AngleStretch>& within) const;
 };
 
 PositionStudy::Prepared::Prepared(const Solver& of)
     : solver(of),
       plane(of.tipping_moment()),
       places(of.front_view(), of.input().place_limits),
-      force(of.counterweight_force()),
-      cos_phase(std::cos(of.shaft_phase())),
-      sin_phase(std::sin(of.shaft_phase())),
+      shaft(of.counterweight_force(), of.shaft_phase()),
       rms_centre(-of.tipping_order_1().a, -of.tipping_order_1().b),
       least_variance(std::max(0.0, of.tipping_variance() - rms_centre.squaredNorm() / 2.0)) {
     const MomentPlane::Extrema found = plane(0.0, 0.0);
@@ -123,11 +115,11 @@ PlaceQuestion PositionStudy::Prepared::question(double weight) const {
                 gradient += (1.0 - weight) / (2.0 * here) * (m - rms_centre);
             }
         }
-        answer.gradient = by_place(gradient);
+        answer.gradient = shaft.by_place(gradient);
         return answer;
     };
     // Both are norms: that of the sum is at least the difference.
-    question.growth = force * (2.0 * weight + (1.0 - weight) / std::numbers::sqrt2);
+    question.growth = shaft.force() * (2.0 * weight + (1.0 - weight) / std::numbers::sqrt2);
     question.at_crank = weight * range_without + (1.0 - weight) * rms_without;
     question.tolerance = 1e-12 * (question.at_crank + question.growth * places.extent());
     return question;
@@ -166,6 +158,37 @@ std::optional<BestPosition> PositionStudy::Prepared::best_buildable(
     return place ? std::optional(found(*place)) : std::nullopt;
 }
 
+/// On a circle a plane under a convex criterion is a sinusoid of α.
+BestPosition PositionStudy::Prepared::best_at(double distance, double weight,
+                                              const std::vector<AngleStretch>& within) const {
+    BestPosition best;
+    double angle = 0.0;
+    if (weight > 0.0) {
+        const PlaceQuestion sum = question(weight);
+        const auto found = minimise_over_angle<double>(
+            [&](double alpha) -> Cut<double> {
+                const ShaftPosition at = ShaftPosition::at(distance, alpha);
+                const PlaceValue here = sum.criterion({at.x, at.y});
+                const double p = distance * here.gradient.y();
+                const double q = distance * here.gradient.x();
+                return {alpha,
+                        here.value,
+                        {here.value - p * std::cos(alpha) - q * std::sin(alpha), p, q}};
+            },
+            distance* sum.growth, distance* sum.growth, within);
+        angle = found.alpha;
+        best.gap = found.gap;
+        best.evaluations = found.evaluations;
+    } else {
+        const bool any = shaft.force() == 0.0 || rms_centre.norm() <= constant_torque * size;
+        const ShaftPosition opposed = any ? ShaftPosition{} : position(rms_centre);
+        angle = nearest_angle(within, opposed.shaft_angle());
+    }
+    best.position = ShaftPosition::at(distance, angle);
+    best.criteria = criteria(best.position);
+    return best;
+}
+
 ShaftPosition ShaftPosition::at(double centre_distance, double shaft_angle) {
     return {centre_distance * std::sin(shaft_angle), centre_distance * std::cos(shaft_angle)};
 }
@@ -175,8 +198,7 @@ double ShaftPosition::centre_distance() const {
 }
 
 double ShaftPosition::shaft_angle() const {
-    const double angle = std::atan2(x, y);
-    return angle < 0.0 ? std::min(angle + two_pi, std::nextafter(two_pi, 0.0)) : angle;
+    return wrap_turn(std::atan2(x, y));
 }
 
 PositionStudy::PositionStudy(const Solver& solver)
@@ -200,7 +222,7 @@ Message no_moment() {
 
 BestPositions PositionStudy::best() const {
     BestPositions answer;
-    if (prepared_->force == 0.0) {
+    if (prepared_->shaft.force() == 0.0) {
         answer.reason = no_moment();
         return answer;
     }
@@ -218,31 +240,33 @@ BestPositions PositionStudy::best() const {
     return answer;
 }
 
-BestPosition PositionStudy::best_range_at(double centre_distance) const {
-    const double amplitude = prepared_->force * centre_distance;
-    BestPosition best;
-    if (amplitude > 0.0) {
-        const BestRange found =
-            minimise_range(CycleExtrema(prepared_->solver.tipping_moment(), amplitude));
-        best.position =
-            ShaftPosition::at(centre_distance, found.shaft_angle - prepared_->solver.shaft_phase());
-        best.gap = found.gap;
-    } else {
-        best.position = ShaftPosition::at(centre_distance, 0.0);
-    }
-    best.criteria = prepared_->criteria(best.position);
-    return best;
+BestPosition PositionStudy::best_at(double centre_distance, double range_weight) const {
+    return prepared_->best_at(centre_distance, range_weight, whole_turn());
 }
 
-BestPosition PositionStudy::best_rms_at(double centre_distance) const {
-    BestPosition best;
-    const Moment& centre = prepared_->rms_centre;
-    const bool any = centre.norm() <= constant_torque * prepared_->size;
-    best.position = ShaftPosition::at(
-        centre_distance,
-        any ? 0.0 : std::atan2(centre.x(), centre.y()) - prepared_->solver.shaft_phase());
-    best.criteria = prepared_->criteria(best.position);
-    return best;
+std::optional<BestPosition> PositionStudy::best_buildable_at(double centre_distance,
+                                                             double range_weight) const {
+    const BuildableAngles buildable =
+        buildable_angles(prepared_->places.view().at_distance(centre_distance),
+                         prepared_->solver.input().place_limits);
+    return buildable.stretches.empty() ? std::nullopt
+                                       : std::optional(prepared_->best_at(
+                                             centre_distance, range_weight, buildable.stretches));
+}
+
+std::optional<BestPosition> PositionStudy::best_sum(double range_weight) const {
+    if (prepared_->shaft.force() == 0.0 || prepared_->is_constant()) {
+        return std::nullopt;
+    }
+    return range_weight >= 1.0 ? prepared_->best_range()
+           : range_weight <= 0.0
+               ? prepared_->best_rms()
+               : prepared_->found(lowest_place(prepared_->question(range_weight)));
+}
+
+std::optional<BestPosition> PositionStudy::best_sum_buildable(double range_weight) const {
+    const std::optional<BestPosition> free = best_sum(range_weight);
+    return free ? prepared_->best_buildable(range_weight, *free) : std::nullopt;
 }
 
 Obstacle PositionStudy::obstacle(const ShaftPosition& position) const {

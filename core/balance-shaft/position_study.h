@@ -72,9 +72,20 @@ class PositionStudy {
 
     BestPositions best() const;            ///< over all places
     BestPositions best_buildable() const;  ///< over those that can be built
-    /// The best α at a centre distance (may not be buildable).
-    BestPosition best_range_at(double centre_distance) const;
-    BestPosition best_rms_at(double centre_distance) const;
+    /// The least range_weight × range + (1 − range_weight) × RMS over all places, and among those
+    /// that can be built: empty where none can, or where best() has a reason. The gap is that of
+    /// the sum.
+    /// @param range_weight  0…1
+    std::optional<BestPosition> best_sum(double range_weight) const;
+    std::optional<BestPosition> best_sum_buildable(double range_weight) const;
+    /// The same over α at a centre distance, m: of all α, and of those that can be built.
+    BestPosition best_at(double centre_distance, double range_weight) const;
+    std::optional<BestPosition> best_buildable_at(double centre_distance,
+                                                  double range_weight) const;
+    BestPosition best_range_at(double centre_distance) const {
+        return best_at(centre_distance, 1.0);
+    }
+    BestPosition best_rms_at(double centre_distance) const { return best_at(centre_distance, 0.0); }
 
     Obstacle obstacle(const ShaftPosition& position) const;
     Message obstacle_reason(const ShaftPosition& position) const;  ///< a sentence; empty: none

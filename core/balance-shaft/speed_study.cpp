@@ -15,7 +15,6 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "numerics/angle.h"
-#include "numerics/cutting_planes.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -30,25 +29,6 @@ double rms_of(double variance) {
 
 double squared(double x) {
     return x * x;
-}
-
-/// The angle itself or the end of a stretch that is next to it round the turn.
-double nearest(const std::vector<AngleStretch>& stretches, double angle) {
-    double found = angle;
-    double least = std::numeric_limits<double>::infinity();
-    for (const AngleStretch& stretch : stretches) {
-        if (wrap_turn(angle - stretch.from) <= stretch.to - stretch.from) {
-            return angle;
-        }
-        for (const double end : {stretch.from, stretch.to}) {
-            const double away = std::abs(std::remainder(end - angle, two_pi));
-            if (away < least) {
-                least = away;
-                found = end;
-            }
-        }
-    }
-    return found;
 }
 
 }  // namespace
@@ -90,11 +70,12 @@ SpeedStudy::SpeedStudy(const Input& input, const SpeedBand& band, const Progress
     inertia_ = with_offset_term(parts->unit_inertia.negated(), crank, input.reciprocating_mass());
     gas_order_ = gas_.fourier(degree);
     inertia_order_ = inertia_.fourier(degree);
-    unit_force_ =
+    const double unit_force =
         input.counterweight_mass.value_or(input.reciprocating_mass() * input.crank_radius /
                                           (2.0 * input.counterweight_radius)) *
         input.counterweight_radius;
-    unit_amplitude_ = unit_force_ * input.centre_distance;
+    unit_amplitude_ = unit_force * input.centre_distance;
+    unit_ = ShaftMoment(unit_force, phase_);
     places_.emplace(front_view(input), input.place_limits);
     points_.reserve(static_cast<std::size_t>(band.speeds));
     speeds_.reserve(static_cast<std::size_t>(band.speeds));
@@ -124,7 +105,7 @@ SpeedStudy::SpeedStudy(const Input& input, const SpeedBand& band, const Progress
                 buildable_.contains(point.best_range_angle)
                     ? point.best_range_angle
                     : wrap_turn(minimise_range(speed.extrema, within).shaft_angle - phase_);
-            point.buildable_rms_angle = wrap_turn(nearest(within, opposed) - phase_);
+            point.buildable_rms_angle = wrap_turn(nearest_angle(within, opposed) - phase_);
         }
         points_.push_back(point);
     }
@@ -448,17 +429,10 @@ SpeedStudy::Worst SpeedStudy::worst_of(const std::vector<SpeedPlane>& planes, Cr
     return worst;
 }
 
-Eigen::Vector2d SpeedStudy::unit_moment(const Eigen::Vector2d& place) const {
-    const double c = std::cos(phase_);
-    const double s = std::sin(phase_);
-    return unit_force_ *
-           Eigen::Vector2d(place.x() * c + place.y() * s, place.y() * c - place.x() * s);
-}
-
 /// The best place for some speeds, the worst speed there, which joins them, as least_bad_angle().
 std::optional<SpeedStudy::LeastBadPlace> SpeedStudy::least_bad_place(
     Criterion criterion, Measure measure, const PlaceOfPlanes& find) const {
-    if (speeds_.empty() || unit_force_ == 0.0) {
+    if (speeds_.empty() || unit_.force() == 0.0) {
         return std::nullopt;
     }
     std::vector<SpeedPlane> planes;
@@ -475,7 +449,7 @@ std::optional<SpeedStudy::LeastBadPlace> SpeedStudy::least_bad_place(
         if (!best) {
             return std::nullopt;
         }
-        const Eigen::Vector2d unit = unit_moment(best->place);
+        const Eigen::Vector2d unit = unit_.at(best->place);
         Worst worst = worst_of(planes, criterion, unit);
         answer = {best->place.x(), best->place.y(), worst.value, std::sqrt(worst.square),
                   worst.value - (best->value - best->gap)};
@@ -521,94 +495,44 @@ std::optional<SpeedStudy::LeastBadPlace> SpeedStudy::least_bad_place(
     return answer;
 }
 
+/// The question of the worst of some speeds, whose planes must live as long.
+PlaceQuestion SpeedStudy::question_of(const std::vector<SpeedPlane>& planes,
+                                      Criterion criterion) const {
+    PlaceQuestion question;
+    question.criterion = [this, &planes, criterion](const Eigen::Vector2d& at) -> PlaceValue {
+        const Worst here = worst_of(planes, criterion, unit_.at(at));
+        return {here.value, unit_.by_place(here.gradient)};
+    };
+    const double growth = criterion == Criterion::range ? 2.0 : std::numbers::sqrt2 / 2.0;
+    const SpeedPlane& speed = planes.back();
+    question.growth = growth * unit_.force() * speed.square / speed.over;
+    question.at_crank = speed.without / speed.over;
+    question.tolerance = 1e-11 * (question.at_crank + question.growth * places_->extent());
+    return question;
+}
+
 std::optional<SpeedStudy::LeastBadPlace> SpeedStudy::least_bad_place(Criterion criterion,
                                                                      Measure measure) const {
-    const auto find = [&](const std::vector<SpeedPlane>& planes) -> std::optional<PlaceFound> {
-        // In N·m of the highest speed; the box holds every place no worse than the crank's axis.
-        const double scale = squared(speeds_.back().angular_speed);
-        const Worst without = worst_of(planes, criterion, {0.0, 0.0});
-        const double growth = criterion == Criterion::range ? 2.0 : std::numbers::sqrt2 / 2.0;
-        double reach = std::numeric_limits<double>::infinity();
-        for (const SpeedPlane& speed : planes) {
-            reach = std::min(reach, (without.value * speed.over + speed.without) /
-                                        (growth * speed.square) * scale);
-        }
-        reach *= 1.0 + 1e-9;
-        if (!(reach > 0.0)) {  // nothing moves: the crank's axis is best
-            return PlaceFound{{0.0, 0.0}, without.value, 0.0, 1};
-        }
-        using Planes = CuttingPlanes<double, 3>;
-        const auto cut = [&](const Worst& worst, const Eigen::Vector2d& at) {
-            const Eigen::Vector2d gradient = worst.gradient / scale;
-            return Planes::Constraint{{-gradient.x(), -gradient.y(), 1.0},
-                                      worst.value - gradient.dot(at)};
-        };
-        const double x = without.gradient.x() < 0.0 ? -1.0 : 1.0;
-        const double y = without.gradient.y() < 0.0 ? -1.0 : 1.0;
-        const double rounding =
-            16.0 * std::numeric_limits<double>::epsilon() * std::max(without.value, 1e-300);
-        Planes master({0.0, 0.0, 1.0},
-                      {cut(without, {0.0, 0.0}), {{x, 0.0, 0.0}, -reach}, {{0.0, y, 0.0}, -reach}},
-                      rounding);
-        master.add({-x, 0.0, 0.0}, -reach);
-        master.add({0.0, -y, 0.0}, -reach);
-        PlaceFound best{{0.0, 0.0}, without.value, 0.0, 1};
-        constexpr int most_rounds = 500;
-        for (int round = 0; round < most_rounds; ++round) {
-            const Planes::Vector vertex = master.solve();
-            best.gap = std::max(0.0, best.value - vertex.z());
-            if (best.gap <= exact * best.value) {
-                break;
-            }
-            const Eigen::Vector2d at = vertex.head<2>();
-            const Worst here = worst_of(planes, criterion, at / scale);
-            ++best.evaluations;
-            if (here.value < best.value) {
-                best.value = here.value;
-                best.place = at;
-            }
-            const Planes::Constraint plane = cut(here, at);
-            master.add(plane.a, plane.b);
-        }
-        const Eigen::Vector2d unit = best.place / (scale * unit_force_);
-        const double c = std::cos(phase_);
-        const double s = std::sin(phase_);
-        best.place = {unit.x() * c - unit.y() * s, unit.x() * s + unit.y() * c};
-        return best;
-    };
-    return least_bad_place(criterion, measure, find);
+    return least_bad_place(criterion, measure, [&](const std::vector<SpeedPlane>& planes) {
+        return std::optional(lowest_place(question_of(planes, criterion)));
+    });
 }
 
 std::optional<SpeedStudy::LeastBadPlace> SpeedStudy::least_bad_place_buildable(
-    Criterion criterion, Measure measure) const {
-    const std::optional<LeastBadPlace> free = least_bad_place(criterion, measure);
+    Criterion criterion, Measure measure, const std::optional<LeastBadPlace>& free) const {
     if (!free || places_->obstacle(free->x, free->y) == Obstacle::none) {
         return free;
     }
     std::optional<Eigen::Vector2d> start;
-    const auto find = [&](const std::vector<SpeedPlane>& planes) {
-        PlaceQuestion question;
-        question.criterion = [&](const Eigen::Vector2d& at) -> PlaceValue {
-            const Worst here = worst_of(planes, criterion, unit_moment(at));
-            const double c = std::cos(phase_);
-            const double s = std::sin(phase_);
-            const Eigen::Vector2d& g = here.gradient;
-            return {here.value,
-                    unit_force_ * Eigen::Vector2d(g.x() * c - g.y() * s, g.x() * s + g.y() * c)};
-        };
-        const double growth = criterion == Criterion::range ? 2.0 : std::numbers::sqrt2 / 2.0;
-        const SpeedPlane& speed = planes.back();
-        question.growth = growth * unit_force_ * speed.square / speed.over;
-        question.at_crank = speed.without / speed.over;
-        question.tolerance = 1e-11 * (question.at_crank + question.growth * places_->extent());
+    return least_bad_place(criterion, measure, [&](const std::vector<SpeedPlane>& planes) {
+        PlaceQuestion question = question_of(planes, criterion);
         question.start = start;
         const auto found = search_places(*places_, question);
         if (found) {
             start = found->place;
         }
         return found;
-    };
-    return least_bad_place(criterion, measure, find);
+    });
 }
 
 Json write_speed_study(const SpeedStudy& study, const std::optional<SpeedStudy::Map>& map) {
@@ -650,37 +574,35 @@ Json write_speed_study(const SpeedStudy& study, const std::optional<SpeedStudy::
     json["least_bad_buildable"] = buildable.stretches.empty()
                                       ? Json{{"reason", buildable.reason.english()}}
                                       : least_bad(buildable.stretches);
-    const auto least_bad_places = [&](const auto& find) -> Json {
-        Json places = Json::object();
-        const auto put_one = [&](const char* name, Criterion criterion, Measure measure,
-                                 const char* key) {
-            const std::optional<SpeedStudy::LeastBadPlace> found = find(criterion, measure);
-            places[name] = nullptr;
-            if (found) {
-                const double angle = std::atan2(found->x, found->y);
-                places[name] = {{"centre_distance_mm", std::hypot(found->x, found->y) / units::mm},
-                                {"shaft_angle_deg", wrap_turn(angle) / degree},
-                                {key, found->value},
-                                {"worst_speed_rpm", found->worst_speed / rpm},
-                                {"gap", found->gap}};
+    Json& free_places = json["least_bad_place"] = Json::object();
+    Json& places = json["least_bad_place_buildable"] = Json::object();
+    const auto put_places = [&](const char* name, Criterion criterion, Measure measure,
+                                const char* key) {
+        const auto write = [&](const std::optional<SpeedStudy::LeastBadPlace>& found) -> Json {
+            if (!found) {
+                return nullptr;
             }
+            const ShaftPosition at{found->x, found->y};
+            return {{"centre_distance_mm", at.centre_distance() / units::mm},
+                    {"shaft_angle_deg", at.shaft_angle() / degree},
+                    {key, found->value},
+                    {"worst_speed_rpm", found->worst_speed / rpm},
+                    {"gap", found->gap}};
         };
-        put_one("range", Criterion::range, Measure::absolute, "range_Nm");
-        put_one("range_relative", Criterion::range, Measure::relative, "ratio");
-        put_one("rms", Criterion::rms, Measure::absolute, "rms_Nm");
-        put_one("rms_relative", Criterion::rms, Measure::relative, "ratio");
-        if (places["range"].is_null()) {
-            places["reason"] =
+        const auto free = study.least_bad_place(criterion, measure);
+        free_places[name] = write(free);
+        places[name] = write(study.least_bad_place_buildable(criterion, measure, free));
+    };
+    put_places("range", Criterion::range, Measure::absolute, "range_Nm");
+    put_places("range_relative", Criterion::range, Measure::relative, "ratio");
+    put_places("rms", Criterion::rms, Measure::absolute, "rms_Nm");
+    put_places("rms_relative", Criterion::rms, Measure::relative, "ratio");
+    for (Json* const each : {&free_places, &places}) {
+        if (each->at("range").is_null()) {
+            (*each)["reason"] =
                 (study.makes_moment() ? ShaftPlaces::reason_for_none() : no_moment()).english();
         }
-        return places;
-    };
-    json["least_bad_place"] = least_bad_places([&](Criterion criterion, Measure measure) {
-        return study.least_bad_place(criterion, measure);
-    });
-    json["least_bad_place_buildable"] = least_bad_places([&](Criterion criterion, Measure measure) {
-        return study.least_bad_place_buildable(criterion, measure);
-    });
+    }
     if (map) {
         const std::size_t angles = map->shaft_angle_deg.size();
         Json ranges = Json::array();

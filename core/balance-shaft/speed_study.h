@@ -12,6 +12,7 @@
 #include "balance-shaft/moment_plane.h"
 #include "balance-shaft/place_search.h"
 #include "balance-shaft/result.h"
+#include "balance-shaft/shaft_moment.h"
 #include "case-file/json_fwd.h"
 #include "numerics/periodic_piecewise.h"
 
@@ -96,14 +97,19 @@ class SpeedStudy {
     LeastBad least_bad_angle(Criterion criterion, Measure measure,
                              std::vector<AngleStretch> within) const;
     const BuildableAngles& buildable() const { return buildable_; }
-    bool makes_moment() const { return unit_force_ != 0.0; }  ///< P₁ is not 0
+    bool makes_moment() const { return unit_.force() != 0.0; }  ///< P₁ is not 0
 
     /// Minimax over the band and over all places, which is convex in the place: cutting planes.
     /// Empty where the shaft makes no moment.
     std::optional<LeastBadPlace> least_bad_place(Criterion criterion, Measure measure) const;
     /// Among the places that can be built, by branch and bound; empty where none can.
     std::optional<LeastBadPlace> least_bad_place_buildable(Criterion criterion,
-                                                           Measure measure) const;
+                                                           Measure measure) const {
+        return least_bad_place_buildable(criterion, measure, least_bad_place(criterion, measure));
+    }
+    /// @param free  least_bad_place() of the same
+    std::optional<LeastBadPlace> least_bad_place_buildable(
+        Criterion criterion, Measure measure, const std::optional<LeastBadPlace>& free) const;
 
   private:
     struct Speed {
@@ -155,7 +161,7 @@ class SpeedStudy {
     using PlaceOfPlanes = std::function<std::optional<PlaceFound>(const std::vector<SpeedPlane>&)>;
     std::optional<LeastBadPlace> least_bad_place(Criterion criterion, Measure measure,
                                                  const PlaceOfPlanes& find) const;
-    Eigen::Vector2d unit_moment(const Eigen::Vector2d& place) const;
+    PlaceQuestion question_of(const std::vector<SpeedPlane>& planes, Criterion criterion) const;
 
     /// From α to α + phase_, which the moments go by.
     void turn(std::vector<AngleStretch>& stretches) const;
@@ -168,7 +174,7 @@ class SpeedStudy {
     PeriodicPiecewise inertia_;  ///< N·m s²
     FourierPair gas_order_;      ///< their first orders
     FourierPair inertia_order_;
-    double unit_force_ = 0.0;      ///< P₁ for ω = 1, N s²
+    ShaftMoment unit_;             ///< for ω = 1: P₁ in N s²
     double unit_amplitude_ = 0.0;  ///< P₁ l for ω = 1, N·m s²
     std::optional<ShaftPlaces> places_;
     std::vector<Point> points_;

@@ -557,6 +557,74 @@ TEST(PositionStudyTest, theResultHoldsTheBestPlaces) {
     EXPECT_EQ(write_result(solver, solver.result()), json);
 }
 
+TEST(PositionStudyTest, theLeastSumHasNoBetterPlaceOnAGridOrOnItsCircle) {
+    const PositionStudy study{Solver(preset_tmz_650d())};
+    for (const double weight : {0.15, 0.5, 0.85}) {
+        const auto sum = [&](const PositionCriteria& of) {
+            return weight * of.range + (1.0 - weight) * of.rms;
+        };
+        const auto free = study.best_sum(weight);
+        const auto built = study.best_sum_buildable(weight);
+        ASSERT_TRUE(free && built);
+        EXPECT_EQ(study.obstacle(built->position), Obstacle::none);
+        double least = sum(study.at({}));
+        double least_built = std::numeric_limits<double>::infinity();
+        constexpr int nodes = 120;
+        for (int i = 0; i <= nodes; ++i) {
+            for (int k = 0; k <= nodes; ++k) {
+                const ShaftPosition at{-0.15 + 0.3 * i / nodes, -0.15 + 0.3 * k / nodes};
+                const double here = sum(study.at(at));
+                least = std::min(least, here);
+                if (here < least_built && study.obstacle(at) == Obstacle::none) {
+                    least_built = here;
+                }
+            }
+        }
+        EXPECT_LE(sum(free->criteria), least);
+        EXPECT_GT(sum(free->criteria), 0.99 * least);
+        EXPECT_LE(sum(built->criteria), least_built);
+        EXPECT_GT(sum(built->criteria), 0.98 * least_built);
+        EXPECT_LT(free->gap, 1e-7);
+        EXPECT_LT(built->gap, 1e-6);
+        // On its own circle the best place is the best of the circle.
+        const auto there = study.best_buildable_at(built->position.centre_distance(), weight);
+        ASSERT_TRUE(there);
+        EXPECT_NEAR(sum(there->criteria), sum(built->criteria), 1e-6 * sum(built->criteria));
+        EXPECT_NEAR(sum(study.best_at(free->position.centre_distance(), weight).criteria),
+                    sum(free->criteria), 1e-9 * sum(free->criteria));
+    }
+}
+
+TEST(PositionStudyTest, theBestAngleOfACircleIsTheLeastOfAScanOfIt) {
+    Input input = preset_tmz_650d();
+    input.place_limits.right = 0.07;
+    const PositionStudy study{Solver(input)};
+    for (const double l : {0.1, 0.104, 0.115, 0.13}) {
+        for (const double weight : {0.0, 0.4, 1.0}) {
+            const auto sum = [&](const PositionCriteria& of) {
+                return weight * of.range + (1.0 - weight) * of.rms;
+            };
+            double least = std::numeric_limits<double>::infinity();
+            double least_built = least;
+            for (int i = 0; i < 7200; ++i) {
+                const ShaftPosition at = ShaftPosition::at(l, i * 0.05 * degree);
+                const double here = sum(study.at(at));
+                least = std::min(least, here);
+                if (here < least_built && study.obstacle(at) == Obstacle::none) {
+                    least_built = here;
+                }
+            }
+            EXPECT_LE(sum(study.best_at(l, weight).criteria), least + 1e-9);
+            const auto built = study.best_buildable_at(l, weight);
+            ASSERT_EQ(built.has_value(), std::isfinite(least_built)) << l;
+            if (built) {
+                EXPECT_LE(sum(built->criteria), least_built + 1e-9);
+                EXPECT_GT(sum(built->criteria), least_built - 1.0);
+            }
+        }
+    }
+}
+
 }  // namespace
 
 }  // namespace ravnoves::balance_shaft::test
