@@ -98,99 +98,17 @@ void findObstacles(ShaftMap& map, const std::function<bool(double)>& progress) {
     }
 }
 
-/// The least value of a function with one valley between two places, by the golden section.
-template <typename Function>
-double leastBetween(double low, double high, const Function& value) {
-    constexpr double golden = 0.6180339887498949;
-    double left = high - golden * (high - low);
-    double right = low + golden * (high - low);
-    double leftValue = value(left);
-    double rightValue = value(right);
-    for (int i = 0; i < 40; ++i) {
-        if (leftValue <= rightValue) {
-            high = right;
-            right = left;
-            rightValue = leftValue;
-            left = high - golden * (high - low);
-            leftValue = value(left);
-        } else {
-            low = left;
-            left = right;
-            leftValue = rightValue;
-            right = low + golden * (high - low);
-            rightValue = value(right);
-        }
-    }
-    return 0.5 * (low + high);
-}
-
-/// The best α of a centre distance among those that can be built: the circle is looked at every
-/// degree, the ends of what can be built are bisected, and the best place found is refined.
-/// @param measure  what is to be least, of the criteria of a place
-template <typename Measure>
-std::optional<ShaftMap::Place> bestBuilt(const PositionStudy& study, double distance,
-                                         const Measure& measure) {
-    constexpr int parts = 360;
-    constexpr double step = two_pi / parts;
-    const auto place = [&](double angle) { return ShaftMap::Position::at(distance, angle); };
-    const auto value = [&](double angle) { return std::invoke(measure, study.at(place(angle))); };
-    const auto isFree = [&](double angle) {
-        return study.obstacle(place(angle)) == Obstacle::none;
-    };
-    std::optional<double> best;
-    double least = 0.0;
-    double from = 0.0;  // what can be built next to the best angle
-    double to = 0.0;
-    const auto take = [&](double angle, double low, double high) {
-        if (const double found = value(angle); !best || found < least) {
-            best = angle;
-            least = found;
-            from = low;
-            to = high;
-        }
-    };
-    bool before = isFree(-step);
-    for (int i = 0; i < parts; ++i) {
-        const double angle = step * i;
-        const bool now = isFree(angle);
-        if (now != before) {
-            double free = now ? angle : angle - step;
-            double blocked = now ? angle - step : angle;
-            for (int turn = 0; turn < 30; ++turn) {
-                const double middle = 0.5 * (free + blocked);
-                (isFree(middle) ? free : blocked) = middle;
-            }
-            take(free, std::min(free, now ? angle : angle - step),
-                 std::max(free, now ? angle : angle - step));
-        }
-        if (now) {
-            take(angle, before ? angle - step : angle, angle + step);
-        }
-        before = now;
-    }
-    if (!best) {
-        return std::nullopt;
-    }
-    if (const double angle = leastBetween(from, to, value); value(angle) < least && isFree(angle)) {
-        best = angle;
-    }
-    return ShaftMap::Place{place(*best), study.at(place(*best))};
-}
-
 /// @param goesOn  false stops it
 ShaftMap::Distances bestOfDistances(const PositionStudy& study, double reach,
                                     const std::function<bool()>& goesOn) {
     ShaftMap::Distances found;
-    const auto placeOf = [&](const BestPosition& best) {
-        return ShaftMap::Place{best.position, study.at(best.position)};
-    };
     for (std::size_t i = 1; i <= distances && goesOn(); ++i) {
         const double distance = reach * static_cast<double>(i) / distances;
         found.distance.push_back(distance);
-        found.range.push_back(placeOf(study.best_range_at(distance)));
-        found.rms.push_back(placeOf(study.best_rms_at(distance)));
-        found.rangeBuilt.push_back(bestBuilt(study, distance, &ShaftMap::Criteria::range));
-        found.rmsBuilt.push_back(bestBuilt(study, distance, &ShaftMap::Criteria::rms));
+        found.range.push_back(study.best_range_at(distance));
+        found.rms.push_back(study.best_rms_at(distance));
+        found.rangeBuilt.push_back(study.best_buildable_at(distance, 1.0));
+        found.rmsBuilt.push_back(study.best_buildable_at(distance, 0.0));
     }
     return found;
 }
@@ -393,10 +311,20 @@ bool ShaftMapModel::isAtBest() const {
            std::hypot(marker->position.x - at.x, marker->position.y - at.y) < same;
 }
 
+double ShaftMapModel::rangeShare() const {
+    return criterion_ == Criterion::Range ? 1.0 : criterion_ == Criterion::Rms ? 0.0 : weight_;
+}
+
+/// Of the sum in N·m, whose parts are not relative to the engine without a shaft.
+double ShaftMapModel::rangeWeight() const {
+    const double share = rangeShare();
+    const double range = share * map_->study.rms_without();
+    const double rms = (1.0 - share) * map_->study.range_without();
+    return range + rms > 0.0 ? range / (range + rms) : share;
+}
+
 double ShaftMapModel::weighted(double range, double rms) const {
-    const double share = criterion_ == Criterion::Range ? 1.0
-                         : criterion_ == Criterion::Rms ? 0.0
-                                                        : weight_;
+    const double share = rangeShare();
     const PositionStudy& study = map_->study;
     double sum = 0.0;
     if (share > 0.0) {
@@ -413,55 +341,6 @@ std::optional<double> ShaftMapModel::change(const Criteria& criteria) const {
         return std::nullopt;
     }
     return weighted(criteria.range, criteria.rms);
-}
-
-/// The sum is convex as its parts are; its best place that can be built is on the front.
-std::optional<BestPosition> ShaftMapModel::bestOfBoth(bool isBuildable) const {
-    if (!map_ || !change({})) {
-        return std::nullopt;
-    }
-    const auto at = [this](const Position& place) {
-        const Criteria criteria = map_->study.at(place);
-        return weighted(criteria.range, criteria.rms);
-    };
-    if (isBuildable) {
-        const auto value = [this](const balance_shaft::FrontPosition& place) {
-            return weighted(place.criteria.range, place.criteria.rms);
-        };
-        const auto least =
-            std::min_element(map_->front.begin(), map_->front.end(),
-                             [&](const auto& a, const auto& b) { return value(a) < value(b); });
-        if (least == map_->front.end()) {
-            return std::nullopt;
-        }
-        // The front has some weights: from its place on to the nearest that is best by this one.
-        Position best = least->position;
-        double lowest = at(best);
-        constexpr int directions = 32;
-        for (double step = 0.05 * map_->view; step > 1e-7 * map_->view;) {
-            bool better = false;
-            for (int i = 0; i < directions; ++i) {
-                const double turn = two_pi * i / directions;
-                const Position next{best.x + step * std::cos(turn), best.y + step * std::sin(turn)};
-                if (const double found = at(next); found < lowest && this->isBuildable(next)) {
-                    lowest = found;
-                    best = next;
-                    better = true;
-                }
-            }
-            step *= better ? 1.0 : 0.5;
-        }
-        return BestPosition{best, map_->study.at(best), 0.0};
-    }
-    const double reach = map_->view;
-    const auto bestY = [&](double x) {
-        return leastBetween(-reach, reach, [&](double y) { return at({x, y}); });
-    };
-    const double x = leastBetween(-reach, reach, [&](double each) {
-        return at({each, bestY(each)});
-    });
-    const Position position{x, bestY(x)};
-    return BestPosition{position, map_->study.at(position), 0.0};
 }
 
 void ShaftMapModel::setCriterion(Criterion criterion) {
@@ -494,8 +373,8 @@ void ShaftMapModel::showCriterion() {
     contours_.clear();
     if (change({})) {
         if (criterion_ == Criterion::Both) {
-            addMarker(Criterion::Both, true, bestOfBoth(true));
-            addMarker(Criterion::Both, false, bestOfBoth(false));
+            addMarker(Criterion::Both, true, map_->study.best_sum_buildable(rangeWeight()));
+            addMarker(Criterion::Both, false, map_->study.best_sum(rangeWeight()));
         }
         addBandMarker();
         const balance_shaft::PositionMap& field = map_->field;
@@ -711,13 +590,8 @@ void ShaftMapModel::goToDistance(double metres) {
     if (!map_ || !(metres > 0.0)) {
         return;
     }
-    const bool byRms = criterion_ == Criterion::Rms;
-    const auto built = bestBuilt(map_->study, metres, [this](const Criteria& criteria) {
-        return change(criteria).value_or(0.0);
-    });
-    const Position best = built   ? built->position
-                          : byRms ? map_->study.best_rms_at(metres).position
-                                  : map_->study.best_range_at(metres).position;
+    const auto built = map_->study.best_buildable_at(metres, rangeWeight());
+    const Position best = (built ? *built : map_->study.best_at(metres, rangeWeight())).position;
     // The step of the angle that is best of those that can be built as this one.
     const double below = std::floor(parts * best.shaft_angle() / degree);
     const bool canBeBuilt = isBuildable(best);

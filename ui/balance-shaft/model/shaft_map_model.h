@@ -21,11 +21,7 @@ struct ShaftMap {
     using Position = balance_shaft::ShaftPosition;
     using Criteria = balance_shaft::PositionCriteria;
 
-    /// A place and its criteria.
-    struct Place {
-        Position position;
-        Criteria criteria;
-    };
+    using Place = balance_shaft::BestPosition;
     /// The best α of each centre distance, of all and of those that can be built.
     struct Distances {
         std::vector<double> distance;
@@ -158,12 +154,13 @@ class ShaftMapModel : public QObject {
     void showMap();
     void showCriterion();
     std::vector<double> chooseLevels() const;
+    double rangeShare() const;
+    double rangeWeight() const;
     double weighted(double range, double rms) const;
     double valueOf(const Criteria& criteria, Criterion by) const;
     void placeShaft(double centreDistance, double shaftAngle);
     void addMarker(Criterion criterion, bool isBuildable,
                    const std::optional<balance_shaft::BestPosition>& best);
-    std::optional<balance_shaft::BestPosition> bestOfBoth(bool isBuildable) const;
 
     BalanceShaftModel* model_;
     BackgroundJob* job_;
