@@ -31,6 +31,7 @@ inline constexpr Unit metre{CORE_TEXT("core", "m").english, 1.0};
 inline constexpr Unit mm{CORE_TEXT("core", "mm").english, 1e-3};
 inline constexpr Unit micrometre{CORE_TEXT("core", "µm").english, 1e-6};
 inline constexpr Unit litre{CORE_TEXT("core", "l").english, 1e-3};
+inline constexpr Unit cm2{CORE_TEXT("core", "cm²").english, 1e-4};
 inline constexpr Unit cm3{CORE_TEXT("core", "cm³").english, 1e-6};
 inline constexpr Unit kg{CORE_TEXT("core", "kg").english, 1.0};
 inline constexpr Unit gram{CORE_TEXT("core", "g").english, 1e-3};

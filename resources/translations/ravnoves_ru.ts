@@ -2458,6 +2458,10 @@
         <source>must be a file, not a pipe or a device</source>
         <translation>должен быть файлом, а не каналом и не устройством</translation>
     </message>
+    <message>
+        <source>cm²</source>
+        <translation>см²</translation>
+    </message>
 </context>
 <context>
     <name>elastic-hinge</name>

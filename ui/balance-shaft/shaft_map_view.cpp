@@ -13,6 +13,7 @@
 
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/model/shaft_map_model.h"
+#include "balance-shaft/model/shown_curves.h"
 #include "balance-shaft/shaft_map_plot.h"
 #include "numerics/units.h"
 #include "plot/plot_view.h"
@@ -27,8 +28,7 @@ namespace ravnoves {
 
 namespace {
 
-constexpr double boxUnit = 1e-4;  ///< cm² in m²
-constexpr int wideFrom = 860;     ///< pixels that map and charts need beside each other
+constexpr int wideFrom = 860;  ///< pixels that map and charts need beside each other
 constexpr int sideWidth = 340;
 
 using Measure = double ShaftMap::Criteria::*;
@@ -357,7 +357,11 @@ void ShaftMapView::showDistances() {
     std::vector<double> size;
     for (std::size_t i = 0; i < x.size(); ++i) {
         const auto& built = byRms ? of.rmsBuilt[i] : of.rangeBuilt[i];
-        size.push_back((built ? *built : byRms ? of.rms[i] : of.range[i]).criteria.size / boxUnit);
+        size.push_back((built   ? *built
+                        : byRms ? of.rms[i]
+                                : of.range[i])
+                           .criteria.size /
+                       units::cm2);
     }
     distances_->setCurve(size_, x, std::move(size));
     const QLocale locale;
@@ -395,7 +399,7 @@ void ShaftMapView::showSizes() {
         if (!change) {
             continue;
         }
-        x.push_back(place.criteria.size / boxUnit);
+        x.push_back(place.criteria.size / units::cm2);
         y.push_back(100.0 * *change);
         texts << map_->placeLines(place.position, 1).join(QLatin1Char('\n'));
         if (*change < least) {  // sizes ascend
@@ -428,7 +432,7 @@ void ShaftMapView::showPresent() {
     const auto change = map_->change(
         {model_->result().M_ups.range, model_->result().M_ups.rms, box.width() * box.height()});
     if (change) {
-        sizes_->setCurve(present_, {box.width() * box.height() / boxUnit}, {100.0 * *change});
+        sizes_->setCurve(present_, {boxArea(box)}, {100.0 * *change});
     } else {
         sizes_->setCurve(present_, {}, {});
     }
@@ -442,7 +446,7 @@ void ShaftMapView::pickSize(double size, double change) {
     }
     const QPointF clicked = sizes_->toPixel(size, change);
     const auto distance = [&](const balance_shaft::FrontPosition& place) {
-        const QPointF away = sizes_->toPixel(place.criteria.size / boxUnit,
+        const QPointF away = sizes_->toPixel(place.criteria.size / units::cm2,
                                              100.0 * map_->change(place.criteria).value_or(0.0)) -
                              clicked;
         return std::hypot(away.x(), away.y());

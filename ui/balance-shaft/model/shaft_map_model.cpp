@@ -279,15 +279,17 @@ double ShaftMapModel::valueOf(const Criteria& criteria, Criterion by) const {
                                   : weighted(criteria.range, criteria.rms);
 }
 
-ShaftMapModel::Position ShaftMapModel::shortened(const Position& exact, Criterion by) const {
+ShaftMapModel::Position ShaftMapModel::shortened(const Position& exact, Criterion by,
+                                                 bool keepsDistance) const {
     constexpr double parts = 100.0;  // of a millimetre and of a degree
     constexpr int around = 3;
-    const double l = std::floor(parts * exact.centre_distance() / units::mm);
+    const double length = parts * exact.centre_distance() / units::mm;
+    const double l = keepsDistance ? std::round(length) : std::floor(length);
     const double alpha = std::floor(parts * exact.shaft_angle() / degree);
     const bool canBeBuilt = isBuildable(exact);
     Position best = exact;
     double least = std::numeric_limits<double>::infinity();
-    for (int i = 1 - around; i <= around; ++i) {
+    for (int i = keepsDistance ? 0 : 1 - around; i <= (keepsDistance ? 0 : around); ++i) {
         for (int k = 1 - around; k <= around; ++k) {
             const Position at = Position::at(std::max(l + i, 0.0) / parts * units::mm,
                                              (alpha + k) / parts * degree);
@@ -503,13 +505,12 @@ QStringList ShaftMapModel::placeLines(const Position& position, int decimals) co
                                    QLatin1Char(')')
                              : value;
     };
-    constexpr double cm2 = 1e-4;
     return {tr("l %1 mm, α %2°")
                 .arg(mm(position.centre_distance(), decimals),
                      degrees(position.shaft_angle(), decimals)),
             withChange(tr("range %1 N·m"), criteria.range, study.range_without()),
             withChange(tr("RMS %1 N·m"), criteria.rms, study.rms_without()),
-            tr("box %1 cm²").arg(fixedNumber(criteria.size / cm2, 0, locale))};
+            tr("box %1 cm²").arg(fixedNumber(criteria.size / units::cm2, 0, locale))};
 }
 
 QString ShaftMapModel::placeText(const Position& position, int decimals) const {
@@ -592,20 +593,7 @@ void ShaftMapModel::goToDistance(double metres) {
     }
     const auto built = map_->study.best_buildable_at(metres, rangeWeight());
     const Position best = (built ? *built : map_->study.best_at(metres, rangeWeight())).position;
-    // The step of the angle that is best of those that can be built as this one.
-    const double below = std::floor(parts * best.shaft_angle() / degree);
-    const bool canBeBuilt = isBuildable(best);
-    Position nearest = best;
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = -1; i <= 2; ++i) {
-        const Position at = Position::at(metres, (below + i) / parts * degree);
-        const double value = valueOf(map_->study.at(at), criterion_);
-        if (isBuildable(at) == canBeBuilt && value < least) {
-            least = value;
-            nearest = at;
-        }
-    }
-    moveTo(nearest);
+    moveTo(shortened(best, criterion_, true));
 }
 
 double ShaftMapModel::largestDistance() const {

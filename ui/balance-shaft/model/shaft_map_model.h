@@ -120,7 +120,8 @@ class ShaftMapModel : public QObject {
     /// The best by a criterion of the places nearby whose l and α are whole 0.01 mm and 0.01°,
     /// among those that can be built as the place itself can, or cannot; the place where there is
     /// none.
-    Position shortened(const Position& exact, Criterion by) const;
+    /// @param keepsDistance  l is whole already and stays
+    Position shortened(const Position& exact, Criterion by, bool keepsDistance = false) const;
     /// Whether the shaft is at best().
     bool isAtBest() const;
     /// Moves the shaft's axis; moves that follow each other are one step of the history.

@@ -11,8 +11,6 @@ namespace ravnoves {
 
 namespace {
 
-constexpr double squareCentimetre = 1e-4;  ///< m²
-
 std::vector<double> in(double unit, std::vector<double> values) {
     for (double& value : values) {
         value /= unit;
@@ -43,7 +41,7 @@ ShownOrders shownOrders(const balance_shaft::Result& result) {
 }
 
 double boxArea(const balance_shaft::Envelope& box) {
-    return box.width() * box.height() / squareCentimetre;
+    return box.width() * box.height() / units::cm2;
 }
 
 ShownSizes shownSizes(const balance_shaft::EnvelopeStudy& study) {
@@ -51,7 +49,7 @@ ShownSizes shownSizes(const balance_shaft::EnvelopeStudy& study) {
     shown.angle = closed(study.shaft_angle_deg, 360.0);
     shown.width = closed(in(units::mm.to_si, study.width));
     shown.height = closed(in(units::mm.to_si, study.height));
-    shown.area = closed(in(squareCentimetre, study.area));
+    shown.area = closed(in(units::cm2.to_si, study.area));
     shown.range = closed(study.range);
     std::vector<double> built = study.range;
     for (std::size_t i = 0; i < built.size(); ++i) {
