@@ -319,11 +319,9 @@ bool CylinderTableModel::setData(const QModelIndex& index, const QVariant& value
 QVariant CylinderTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation == Qt::Vertical) {
         if (role == Qt::ToolTipRole && section < rowCount()) {
-            const auto& engine = model_->result().engine;
-            const auto cylinder = static_cast<std::size_t>(section);
             return tr("Top dead centre %1° from its axis, stroke %2 mm")
-                .arg(fixedNumber(engine.top_dead_centre(cylinder) / degree, 3, QLocale()),
-                     fixedNumber(engine.stroke(cylinder) / units::mm, 2, QLocale()));
+                .arg(fixedNumber(*valueAt(section, TopDeadCentre), 3, QLocale()),
+                     fixedNumber(*valueAt(section, Stroke), 2, QLocale()));
         }
         return role == Qt::DisplayRole ? QVariant(section + 1) : QVariant();
     }
