@@ -389,11 +389,11 @@
     </message>
     <message>
         <source>It cannot be bored with a %1 cutter: a wall of %2 would be left under the thread, and %3 must stay.</source>
-        <translation>Фрезой %1 расточить нельзя: под резьбой осталась бы стенка %2, а должно быть %3.</translation>
+        <translation>Фрезой %1 расфрезеровать нельзя: под резьбой осталась бы стенка %2, а должно быть %3.</translation>
     </message>
     <message>
         <source>It cannot be bored with a %1 cutter: a bore %2 deep is needed, and a bottom of %3 must stay.</source>
-        <translation>Фрезой %1 расточить нельзя: нужна глубина %2, а дно должно остаться %3.</translation>
+        <translation>Фрезой %1 расфрезеровать нельзя: нужна глубина %2, а дно должно остаться %3.</translation>
     </message>
     <message>
         <source>Bore %1 deeper with a %2 cutter, to %3 from the face.</source>
@@ -401,7 +401,7 @@
     </message>
     <message>
         <source>Bore with a %1 cutter to %2 from the face.</source>
-        <translation>Расточить фрезой %1 на глубину %2 от торца.</translation>
+        <translation>Расфрезеровать фрезой %1 на глубину %2 от торца.</translation>
     </message>
     <message>
         <source>works</source>
@@ -882,11 +882,11 @@
     </message>
     <message>
         <source>The method neglects that the plug&apos;s centre of mass moves: bored like this %1 would be left, beyond the %2 allowed. Take off %3 each instead.</source>
-        <translation>Метод пренебрегает смещением центра масс пробки: при такой расточке осталось бы %1 при допустимых %2. Снимите вместо этого с каждой %3.</translation>
+        <translation>Метод пренебрегает смещением центра масс пробки: после такого фрезерования осталось бы %1 при допустимых %2. Снимите вместо этого с каждой %3.</translation>
     </message>
     <message>
         <source>The method neglects that the plug&apos;s centre of mass moves: bored like this %1 would be left, beyond the %2 allowed. Bore to %3 from the face instead, %4 off each plug.</source>
-        <translation>Метод пренебрегает смещением центра масс пробки: при такой расточке осталось бы %1 при допустимых %2. Расточите вместо этого на %3 от торца, по %4 с каждой пробки.</translation>
+        <translation>Метод пренебрегает смещением центра масс пробки: после такого фрезерования осталось бы %1 при допустимых %2. Расфрезеруйте вместо этого на %3 от торца, по %4 с каждой пробки.</translation>
     </message>
     <message>
         <source>new: steel</source>
@@ -9243,15 +9243,15 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>Range against no shaft, %</source>
-        <translation>Размах: изменение, %</translation>
+        <translation>Размах относительно двигателя без вала, %</translation>
     </message>
     <message>
         <source>RMS against no shaft, %</source>
-        <translation>СКЗ: изменение, %</translation>
+        <translation>СКЗ относительно двигателя без вала, %</translation>
     </message>
     <message>
         <source>Weighted sum against no shaft, %</source>
-        <translation>Взвешенная сумма: изменение, %</translation>
+        <translation>Взвешенная сумма относительно двигателя без вала, %</translation>
     </message>
     <message>
         <source>x, mm</source>
@@ -10115,7 +10115,7 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
     <message>
         <source>&amp;3 Weigh-in</source>
-        <translation>&amp;3 Весы</translation>
+        <translation>&amp;3 Взвешивание</translation>
     </message>
     <message>
         <source>&amp;1 Job</source>
