@@ -167,19 +167,72 @@ Json parse_json(std::string_view text) {
     return builder.take();
 }
 
-CaseFile read_case(const Json& document, const std::vector<std::string>& scenes) {
-    ObjectReader reader(document, "");
-    reader.choice("format", {case_format});
-    const int version = reader.integer("version", 1, 1'000'000);
-    if (version > case_version) {
+namespace {
+
+const Json& checked_object(const Json& value, const std::string& pointer) {
+    if (!value.is_object()) {
+        throw InputError(pointer, CORE_TEXT("core", "must be an object"), show(value));
+    }
+    return value;
+}
+
+std::vector<CaseVariant> read_variants(const Json& list) {
+    std::vector<CaseVariant> variants;
+    std::unordered_set<std::string> names;
+    for (const Json& element : list) {
+        ObjectReader reader(element, "/variants/" + std::to_string(variants.size()));
+        CaseVariant variant{reader.text("name"), Json()};
+        if (variant.name.empty()) {
+            throw InputError(reader.pointer_to("name"), CORE_TEXT("core", "must not be empty"));
+        }
+        if (!names.insert(variant.name).second) {
+            throw InputError(reader.pointer_to("name"),
+                             CORE_TEXT("core", "must differ from the names of the other variants"),
+                             show(variant.name));
+        }
+        variant.input = checked_object(reader.raw("input"), reader.pointer_to("input"));
+        reader.finish();
+        variants.push_back(std::move(variant));
+    }
+    return variants;
+}
+
+/// The steps from version 1 on; none yet, as there is no other.
+constexpr std::span<const CaseStep> case_steps{};
+
+}  // namespace
+
+std::vector<Message> bring_up_to_date(Json& document, std::span<const CaseStep> steps, int newest) {
+    std::vector<Message> changes;
+    int version = ObjectReader(document, "").integer("version", 1, 1'000'000);
+    if (version > newest) {
         throw InputError(
             "/version",
             {CORE_TEXT("core",
                        "must be at most %1 (a newer program wrote this case; update to open it)"),
-             case_version},
+             newest},
             Number{1.0 * version});
     }
+    for (; version < newest; ++version) {
+        const auto step = std::find_if(steps.begin(), steps.end(),
+                                       [&](const CaseStep& s) { return s.from == version; });
+        if (step == steps.end()) {
+            throw InputError("/version", CORE_TEXT("core", "is older than this program can read"),
+                             Number{1.0 * version});
+        }
+        changes.push_back(step->bring(document));
+        document["version"] = version + 1;
+    }
+    return changes;
+}
+
+CaseFile read_case(Json document, const std::vector<std::string>& scenes) {
+    ObjectReader(document, "").choice("format", {case_format});
     CaseFile file;
+    file.changes = bring_up_to_date(document, case_steps, case_version);
+    ObjectReader reader(document, "");
+    reader.has("format");
+    reader.has("version");
     file.scene = reader.text("scene");
     if (std::find(scenes.begin(), scenes.end(), file.scene) == scenes.end()) {
         const auto near = nearest_word(file.scene, scenes);
@@ -191,21 +244,50 @@ CaseFile read_case(const Json& document, const std::vector<std::string>& scenes)
                          show(document.at("scene")));
     }
     file.title = reader.text("title", "");
-    const Json& input = reader.raw("input");
-    if (!input.is_object()) {
-        throw InputError("/input", CORE_TEXT("core", "must be an object"), show(input));
+    file.notes = reader.text("notes", "");
+    file.input = checked_object(reader.raw("input"), "/input");
+    if (reader.has("variants")) {
+        file.variants = read_variants(reader.list("variants"));
     }
-    reader.finish();
-    file.input = input;
+    if (reader.has("study")) {
+        file.study = checked_object(reader.raw("study"), "/study");
+    }
+    if (reader.has("kept")) {
+        file.kept = checked_object(reader.raw("kept"), "/kept");
+    }
+    try {
+        reader.finish();
+    } catch (const InputError& error) {
+        if (error.allowed() != "is not a known key") {
+            throw;  // one of ours, misspelt
+        }
+        throw InputError(error.where_message(),
+                         CORE_TEXT("core",
+                                   "is not a known key (a newer program may have written this "
+                                   "case; update to open it)"));
+    }
     return file;
 }
 
 Json write_case(const CaseFile& file) {
-    return {{"format", case_format},
-            {"version", case_version},
-            {"scene", file.scene},
-            {"title", file.title},
-            {"input", file.input}};
+    Json document = {{"format", case_format},
+                     {"version", case_version},
+                     {"scene", file.scene},
+                     {"title", file.title}};
+    if (!file.notes.empty()) {
+        document["notes"] = file.notes;
+    }
+    document["input"] = file.input;
+    for (const CaseVariant& variant : file.variants) {
+        document["variants"].push_back({{"name", variant.name}, {"input", variant.input}});
+    }
+    for (const auto& [key, value] :
+         {std::pair("study", &file.study), std::pair("kept", &file.kept)}) {
+        if (!value->is_null()) {
+            document[key] = *value;
+        }
+    }
+    return document;
 }
 
 void set_input_value(Json& input, const std::string& pointer, Json value) {

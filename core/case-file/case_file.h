@@ -1,27 +1,56 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "case-file/json.h"
+#include "case-file/message.h"
 
 namespace ravnoves {
 
 inline constexpr std::string_view case_format = "ravnoves-case";
 inline constexpr int case_version = 1;  ///< the newest version this program reads and writes
 
+/// Another input of the same scene, kept under a name to be compared with the case's own.
+struct CaseVariant {
+    std::string name;  ///< not empty, of one variant alone
+    Json input;        ///< checked by the scene when it is used
+    friend bool operator==(const CaseVariant&, const CaseVariant&) = default;
+};
+
 /// One case: which scene, its title and its input, not yet checked by the scene.
 struct CaseFile {
     std::string scene;
     std::string title;
     Json input;
+    std::string notes{};  ///< the user's own words
+    std::vector<CaseVariant> variants{};
+    Json study{};  ///< an object that is kept as it is; null where there is none
+    /// What the input does not use now, under the keys that it would have there: an object that is
+    /// kept as it is; null where there is none.
+    Json kept{};
+    std::vector<Message> changes{};  ///< what reading did to a case of an older version
 };
 
-/// Checks the envelope (format, version, scene, unknown keys).
+/// Brings a case of one version to the next, and says what it did.
+struct CaseStep {
+    int from;
+    Message (*bring)(Json& document);
+};
+
+/// Brings a document step by step to the newest version.
+/// @return what was done, oldest first
+/// @throws InputError where the version is newer, or so old that no step leads on
+std::vector<Message> bring_up_to_date(Json& document, std::span<const CaseStep> steps, int newest);
+
+/// Checks the envelope (format, version, scene, unknown keys), of an older version after it was
+/// brought up to date.
 /// @param scenes  the names that a scene may have
 /// @throws InputError
-CaseFile read_case(const Json& document, const std::vector<std::string>& scenes);
+CaseFile read_case(Json document, const std::vector<std::string>& scenes);
+/// What is empty beside title and input is left out.
 Json write_case(const CaseFile& file);
 
 /// Parses JSON text. Syntax errors, NaN and NUL name line and column; a key given twice, a text

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "balance-shaft/scene.h"
@@ -54,12 +55,12 @@ std::span<const SceneSolver> scene_solvers() {
     return scenes;
 }
 
-CaseFile read_case(const Json& document) {
+CaseFile read_case(Json document) {
     std::vector<std::string> names;
     for (const SceneSolver& scene : scene_solvers()) {
         names.emplace_back(scene.name);
     }
-    return read_case(document, names);
+    return read_case(std::move(document), names);
 }
 
 CaseFile parse_case(std::string_view text) {
@@ -70,6 +71,10 @@ std::vector<std::filesystem::path> files_named_by(const CaseFile& file,
                                                   const CaseContext& context) {
     std::vector<std::filesystem::path> files;
     collect_files(file.input, context.directory, files);
+    collect_files(file.kept, context.directory, files);
+    for (const CaseVariant& variant : file.variants) {
+        collect_files(variant.input, context.directory, files);
+    }
     return files;
 }
 

@@ -26,12 +26,12 @@ std::span<const SceneSolver> scene_solvers();
 
 /// read_case() with the names of scene_solvers().
 /// @throws InputError
-CaseFile read_case(const Json& document);
+CaseFile read_case(Json document);
 /// Parses UTF-8 JSON text, then read_case(). Syntax errors name line and column.
 /// @throws InputError
 CaseFile parse_case(std::string_view text);
 
-/// The files that the input names: each text under a key "csv", beside the case.
+/// The files that the case names: each text under a key "csv", beside the case.
 std::vector<std::filesystem::path> files_named_by(const CaseFile& file, const CaseContext& context);
 
 /// Solves a case and wraps the result in its envelope. Never holds NaN or infinity.

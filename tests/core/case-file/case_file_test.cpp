@@ -1,0 +1,132 @@
+#include "case-file/case_file.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "case-file/input_error.h"
+#include "case-file/text_file.h"
+#include "scenes/scenes.h"
+
+namespace ravnoves {
+namespace {
+
+Json envelope(const char* more = "{}") {
+    Json document = parse_json(
+        R"({"format": "ravnoves-case", "version": 1, "scene": "s", "title": "t", "input": {"a": 1}})");
+    document.update(parse_json(more));
+    return document;
+}
+
+std::string refusal(const Json& document) {
+    try {
+        read_case(document, {"s"});
+        return "none";
+    } catch (const InputError& error) {
+        return error.what();
+    }
+}
+
+TEST(CaseFileTest, NotesVariantsStudyAndWhatIsKeptComeBackAsTheyWere) {
+    const Json document = envelope(R"({"notes": "two\nlines",
+        "variants": [{"name": "A", "input": {"a": 2}}, {"name": "Б", "input": {"wrong": []}}],
+        "study": {"vary": {"/a": {"plus_minus": 1}}, "samples": 10},
+        "kept": {"torque": {"csv": "x.csv"}}})");
+    const CaseFile file = read_case(document, {"s"});
+    EXPECT_EQ(file.notes, "two\nlines");
+    ASSERT_EQ(file.variants.size(), 2U);
+    EXPECT_EQ(file.variants[1].name, "Б");
+    EXPECT_EQ(file.variants[0].input, Json({{"a", 2}}));
+    EXPECT_EQ(file.study, document["study"]);
+    EXPECT_EQ(file.kept, document["kept"]);
+    const Json written = write_case(file);
+    EXPECT_TRUE(nlohmann::json(written) == nlohmann::json(document)) << written.dump(2);
+    EXPECT_EQ(read_case(written, {"s"}).variants, file.variants);
+}
+
+TEST(CaseFileTest, WhatIsEmptyIsLeftOut) {
+    EXPECT_EQ(write_case(read_case(envelope(), {"s"})), envelope());
+    EXPECT_EQ(write_case(read_case(envelope(R"({"notes": "", "variants": []})"), {"s"})),
+              envelope());
+}
+
+TEST(CaseFileTest, RefusalsNamePlaceRuleAndFinding) {
+    EXPECT_EQ(refusal(envelope(R"({"notes": 3})")), "/notes: must be a text, got 3");
+    EXPECT_EQ(refusal(envelope(R"({"study": []})")), "/study: must be an object, got []");
+    EXPECT_EQ(refusal(envelope(R"({"kept": 1})")), "/kept: must be an object, got 1");
+    EXPECT_EQ(refusal(envelope(R"({"variants": {}})")), "/variants: must be a list, got {}");
+    EXPECT_EQ(refusal(envelope(R"({"variants": [7]})")), "/variants/0: must be an object, got 7");
+    EXPECT_EQ(refusal(envelope(R"({"variants": [{"input": {}}]})")),
+              "/variants/0/name: is required and missing");
+    EXPECT_EQ(refusal(envelope(R"({"variants": [{"name": "", "input": {}}]})")),
+              "/variants/0/name: must not be empty");
+    EXPECT_EQ(refusal(envelope(R"({"variants": [{"name": "A", "input": {}},
+                                                {"name": "A", "input": {}}]})")),
+              "/variants/1/name: must differ from the names of the other variants, got \"A\"");
+    EXPECT_EQ(refusal(envelope(R"({"variants": [{"name": "A", "input": 1}]})")),
+              "/variants/0/input: must be an object, got 1");
+    EXPECT_EQ(refusal(envelope(R"({"variants": [{"name": "A", "input": {}, "nam": 1}]})")),
+              "/variants/0/nam: is not a known key; the nearest is \"name\"");
+    EXPECT_EQ(refusal(envelope(R"({"note": ""})")),
+              "/note: is not a known key; the nearest is \"notes\"");
+}
+
+TEST(CaseFileTest, ANewerVersionIsRefusedInWords) {
+    EXPECT_EQ(refusal(envelope(R"({"version": 2})")),
+              "/version: must be at most 1 (a newer program wrote this case; update to open it), "
+              "got 2");
+    EXPECT_EQ(refusal(envelope(R"({"tolerances_of_drawing": {}})")),
+              "/tolerances_of_drawing: is not a known key (a newer program may have written this "
+              "case; update to open it)");
+}
+
+TEST(CaseFileTest, AnOlderVersionIsBroughtUpStepByStepAndSaysSo) {
+    // As if "a" had once been "b", and "c" had come later.
+    const std::array steps{
+        CaseStep{1,
+                 [](Json& document) {
+                     document["input"]["a"] = document["input"]["b"];
+                     document["input"].erase("b");
+                     return Message("b is a");
+                 }},
+        CaseStep{2,
+                 [](Json& document) {
+                     document["input"]["c"] = 0;
+                     return Message("c is 0");
+                 }},
+    };
+    Json document = envelope(R"({"input": {"b": 5}})");
+    EXPECT_EQ(bring_up_to_date(document, steps, 3), (std::vector<Message>{"b is a", "c is 0"}));
+    EXPECT_EQ(document["version"], 3);
+    EXPECT_EQ(document["input"], Json({{"a", 5}, {"c", 0}}));
+    EXPECT_TRUE(bring_up_to_date(document, steps, 3).empty());
+    Json old = envelope();
+    EXPECT_THROW(bring_up_to_date(old, std::span(steps).subspan(1), 3), InputError);
+}
+
+/// One case of every version there was; a file here is never changed again.
+TEST(CaseFileTest, EveryVersionThereWasIsRead) {
+    const std::filesystem::path folder =
+        std::filesystem::path(RAVNOVES_EXPECTED).parent_path() / "versions";
+    for (int version = 1; version <= case_version; ++version) {
+        const auto path = folder / (std::to_string(version) + ".case.json");
+        const CaseFile file = parse_case(read_text_file(path));
+        EXPECT_EQ(file.changes.size(), static_cast<std::size_t>(case_version - version));
+        EXPECT_EQ(file.title, "Of version " + std::to_string(version));
+        EXPECT_TRUE(solve_case(file, CaseContext{folder}).contains("result"));
+        const Json written = write_case(file);
+        EXPECT_EQ(written.at("version"), case_version);
+        EXPECT_NO_THROW(solve_case(read_case(written), CaseContext{folder}));
+    }
+}
+
+TEST(CaseFileTest, EveryFileThatACaseNamesIsFound) {
+    CaseFile file{"s", "", {{"torque", {{"csv", "a.csv"}}}}};
+    file.kept = {{"torque", {{"pressure", {{"csv", "b.csv"}}}}}};
+    file.variants.push_back({"A", {{"torque", {{"csv", "c.csv"}}}}});
+    EXPECT_EQ(files_named_by(file, {"/d"}),
+              (std::vector<std::filesystem::path>{"/d/a.csv", "/d/b.csv", "/d/c.csv"}));
+}
+
+}  // namespace
+}  // namespace ravnoves
