@@ -105,3 +105,13 @@ build() {
     shift
     (cd "$root" && cmake --build --preset "$preset" -j "$(build_jobs)" ${1:+--target "$@"})
 }
+
+# build_release TARGET…: in build/release. A build folder that has its tests on keeps them; a new one
+# leaves them out, so that the programs do not need what testing them needs.
+build_release() {
+    if ! [ -f "$root/build/release/build.ninja" ] ||
+        ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$root/build/release/CMakeCache.txt"; then
+        configure release -DRAVNOVES_BUILD_TESTS=OFF
+    fi
+    build release "$@"
+}

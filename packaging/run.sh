@@ -39,13 +39,7 @@ done
 
 install_sections core ui run
 
-# A build folder that has its tests on keeps them; a new one leaves them out, so that running the
-# program does not need what testing it needs.
-if ! [ -f "$root/build/release/build.ninja" ] ||
-    ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$root/build/release/CMakeCache.txt"; then
-    configure release -DRAVNOVES_BUILD_TESTS=OFF
-fi
-build release ravnoves ravnoves-cli
+build_release ravnoves ravnoves-cli
 program=$root/build/release/bin/ravnoves
 cli=$root/build/release/bin/ravnoves-cli
 

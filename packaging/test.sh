@@ -10,7 +10,7 @@ usage: packaging/test.sh [--quick | --full] [--no-install]
 
   1. core-only    core and the command line with Qt hidden from CMake: build, tests
   2. release      the whole program, warnings are errors: build, its other tests (offscreen)
-  3. lint         shellcheck over the scripts
+  3. lint         shellcheck over the scripts; what the desktop reads; the Debian package
   4. with --full  address and undefined-behaviour sanitizers over everything; clang-tidy
 
   --quick        stages 1 and 2 only
@@ -103,8 +103,15 @@ lint_scripts() {
     (cd "$root" && shellcheck -x packaging/*.sh .ci/run tests/*/*.sh)
 }
 
+lint_desktop() {
+    local name=org.ravnoves.ravnoves status=0
+    desktop-file-validate "$root/packaging/desktop/$name.desktop" || status=1
+    appstreamcli validate --no-net "$root/build/release/packaging/$name.metainfo.xml" || status=1
+    return $status
+}
+
 sections=(core ui run test)
-[ $quick = yes ] || sections+=(lint)
+[ $quick = yes ] || sections+=(lint deb)
 [ $install = no ] || stage "packages" install_sections "${sections[@]}"
 
 build_and_test core-only
@@ -112,6 +119,8 @@ build_and_test core-only
 build_and_test release -DRAVNOVES_BUILD_CORE_TESTS=OFF
 if [ $quick = no ]; then
     stage "lint: scripts" lint_scripts || true
+    stage "lint: desktop entry, metainfo" lint_desktop || true
+    stage "lint: Debian package" "$root/packaging/deb.sh" --no-install || true
 fi
 if [ $full = yes ]; then
     build_and_test asan-ubsan -DRAVNOVES_BUILD_UI=ON

@@ -53,6 +53,7 @@ int main(int argc, char** argv) {
     QApplication::setApplicationName(u"Ravnoves"_s);
     QApplication::setOrganizationName(u"Ravnoves"_s);
     QApplication::setApplicationVersion(QStringLiteral(RAVNOVES_VERSION));
+    QGuiApplication::setDesktopFileName(u"org.ravnoves.ravnoves"_s);  // packaging/desktop
 
     QCommandLineParser parser;
     parser.setApplicationDescription(u"The engine-balancing workbench."_s);

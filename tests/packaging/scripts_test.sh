@@ -11,7 +11,7 @@ fault() {
 for script in packaging/*.sh .ci/run tests/*/*.sh; do
     bash -n "$script" || fault "$script does not parse"
 done
-for script in packaging/run.sh packaging/test.sh packaging/report.sh .ci/run; do
+for script in packaging/run.sh packaging/test.sh packaging/report.sh packaging/deb.sh .ci/run; do
     [ -x "$script" ] || fault "$script is not executable"
 done
 # grep reads to the end (no -q): a writer that it left behind would count as a failure.
@@ -20,12 +20,16 @@ packaging/test.sh --help | grep '^usage: packaging/test.sh' >/dev/null || fault 
 if packaging/run.sh --no-such-option 2>/dev/null; then
     fault "run.sh takes an option that it does not know"
 fi
+packaging/deb.sh --help | grep '^usage: packaging/deb.sh' >/dev/null || fault "deb.sh --help says nothing"
+if packaging/deb.sh --no-such-option 2>/dev/null; then
+    fault "deb.sh takes an option that it does not know"
+fi
 if packaging/test.sh --no-such-option 2>/dev/null; then
     fault "test.sh takes an option that it does not know"
 fi
 
 . packaging/common.sh
-all=$(packages_in core ui run test lint benchmark)
+all=$(packages_in core ui run deb test lint benchmark)
 packages_in core | grep -x cmake >/dev/null || fault "section [core] is not read"
 packages_in ui | grep -x qt6-charts-dev >/dev/null || fault "section [ui] is not read"
 ! packages_in core | grep -i qt >/dev/null || fault "section [core] asks for Qt"

@@ -1,0 +1,30 @@
+#compdef ravnoves-cli
+
+local -a commands help
+commands=(
+    'solve:solve a case file'
+    'methods:measure what each numerical method costs, its error, where it fails'
+    'validate:compute every number printed in the four papers and compare'
+)
+help=('(- *)'{-h,--help}'[show the options and exit]')
+if ((CURRENT == 2)); then
+    _arguments $help '(- *)--version[show the version and exit]' '1:command:{_describe command commands}'
+    return
+fi
+local command=$words[2]
+shift words
+((CURRENT--))
+case $command in
+    solve)
+        _arguments $help '(-o --output --batch)'{-o,--output}'[write the result to this file]:file:_files' \
+            '(-o --output *)--batch[read one case per line from standard input]' \
+            '1:case file:_files -g "*.json"'
+        ;;
+    methods)
+        _arguments $help '--csv[write the tables to this file too]:file:_files' \
+            '--kernel[one kernel instead of all]:kernel:(slider-crank cycle-mean moment-range best-angle best-position guide inertia-orders hinge-motion)'
+        ;;
+    validate)
+        _arguments $help '--csv[write the table to this file too]:file:_files'
+        ;;
+esac

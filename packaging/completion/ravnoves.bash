@@ -1,0 +1,32 @@
+# bash completion for ravnoves
+
+_ravnoves() {
+    local word=${COMP_WORDS[COMP_CWORD]} option=${COMP_WORDS[COMP_CWORD - 1]}
+    COMPREPLY=()
+    case $option in
+        --scene)
+            mapfile -t COMPREPLY < <(compgen -W \
+                "balance-shaft elastic-hinge v8-plugs inertia-moments methods" -- "$word")
+            return
+            ;;
+        --theme)
+            mapfile -t COMPREPLY < <(compgen -W "light dark system" -- "$word")
+            return
+            ;;
+        --language)
+            mapfile -t COMPREPLY < <(compgen -W "en ru" -- "$word")
+            return
+            ;;
+        --size | --set) return ;;
+    esac
+    if [[ $word == -* ]]; then
+        mapfile -t COMPREPLY < <(compgen -W "--scene --case --set --screenshot --size --theme
+            --language -h --help --help-all -v --version" -- "$word")
+        return
+    fi
+    compopt -o filenames
+    local suffix=json
+    [ "$option" != --screenshot ] || suffix=png
+    mapfile -t COMPREPLY < <(compgen -f -X "!*.$suffix" -- "$word"; compgen -d -- "$word")
+}
+complete -F _ravnoves ravnoves

@@ -1,0 +1,14 @@
+#compdef ravnoves
+
+_arguments \
+    '--scene[start with this scene]:scene:(balance-shaft elastic-hinge v8-plugs inertia-moments methods)' \
+    '--case[open this case file]:case file:_files -g "*.json"' \
+    '*--set[set a value of the case or of the page]:key=value' \
+    '--screenshot[write the window as a PNG picture and exit]:picture:_files -g "*.png"' \
+    '--size[size of the window, for example 1280x800]:WxH' \
+    '--theme[colours]:theme:(light dark system)' \
+    '--language[language of the program]:language:(en ru)' \
+    '(- *)'{-h,--help}'[show the options and exit]' \
+    '(- *)--help-all[the same with the options of Qt]' \
+    '(- *)'{-v,--version}'[show the version and exit]' \
+    '*:case file:_files -g "*.json"'
