@@ -3,7 +3,9 @@
 #include <QApplication>
 #include <QFontDatabase>
 #include <QProxyStyle>
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "theme/desktop_colour_scheme.h"
 
@@ -67,9 +69,18 @@ void Theme::watchDesktop() {
     scheme->ask();
 }
 
+void Theme::setTextScale(double scale) {
+    textScale_ = std::clamp(scale, 0.8, largestText);
+    QApplication::setFont(font());
+}
+
+int Theme::withText(int pixels) {
+    return static_cast<int>(std::lround(pixels * instance().textScale_));
+}
+
 QFont Theme::font(int pixelSize, bool bold) {
     QFont font(bundledFamily());
-    font.setPixelSize(pixelSize);
+    font.setPixelSize(withText(pixelSize));
     font.setBold(bold);
     font.setHintingPreference(QFont::PreferNoHinting);
     return font;

@@ -49,6 +49,13 @@ class Theme : public QObject {
     static constexpr int displaySize = 20;
     static QFont font(int pixelSize = baseSize, bool bold = false);
 
+    /// All text, in parts of its normal size. What is made afterwards has it.
+    void setTextScale(double scale);
+    double textScale() const { return textScale_; }
+    static constexpr double largestText = 2.0;
+    /// A length that grows with the text: of rows, of fields for so many digits.
+    static int withText(int pixels);
+
     // Spacing scale, pixels.
     static constexpr int gap = 4;
     static constexpr int space = 8;
@@ -65,6 +72,7 @@ class Theme : public QObject {
     Mode mode_ = Mode::System;
     bool dark_ = false;
     bool desktopDark_ = false;
+    double textScale_ = 1.0;
 };
 
 }  // namespace ravnoves
