@@ -9,8 +9,8 @@
 
 namespace ravnoves {
 
-BalanceShaftPage::BalanceShaftPage(QWidget* parent)
-    : ScenePage(parent), model_(new BalanceShaftModel(this)) {
+BalanceShaftPage::BalanceShaftPage(QWidget* parent, SceneModel* kept)
+    : ScenePage(parent), model_(takeOver<BalanceShaftModel>(kept)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     row->setSpacing(Theme::space);

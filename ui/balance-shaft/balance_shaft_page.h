@@ -25,7 +25,7 @@ class BalanceShaftPage : public ScenePage {
     Q_OBJECT
 
   public:
-    explicit BalanceShaftPage(QWidget* parent = nullptr);
+    explicit BalanceShaftPage(QWidget* parent = nullptr, SceneModel* kept = nullptr);
 
     SceneModel* model() override;
     BalanceShaftModel* viewModel() { return model_; }

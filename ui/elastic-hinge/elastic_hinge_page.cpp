@@ -43,8 +43,8 @@ Spring& springOf(Input& input) {
 
 }  // namespace
 
-ElasticHingePage::ElasticHingePage(QWidget* parent)
-    : ScenePage(parent), model_(new ElasticHingeModel(this)) {
+ElasticHingePage::ElasticHingePage(QWidget* parent, SceneModel* kept)
+    : ScenePage(parent), model_(takeOver<ElasticHingeModel>(kept)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     row->setSpacing(Theme::space);

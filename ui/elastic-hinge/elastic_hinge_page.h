@@ -21,7 +21,7 @@ class ElasticHingePage : public ScenePage {
     Q_OBJECT
 
   public:
-    explicit ElasticHingePage(QWidget* parent = nullptr);
+    explicit ElasticHingePage(QWidget* parent = nullptr, SceneModel* kept = nullptr);
 
     SceneModel* model() override;
     ElasticHingeModel* viewModel() { return model_; }

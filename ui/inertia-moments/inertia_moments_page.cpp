@@ -13,8 +13,8 @@ namespace ravnoves {
 
 using Tabs = InertiaMomentsModel::Tabs;
 
-InertiaMomentsPage::InertiaMomentsPage(QWidget* parent)
-    : ScenePage(parent), model_(new InertiaMomentsModel(this)) {
+InertiaMomentsPage::InertiaMomentsPage(QWidget* parent, SceneModel* kept)
+    : ScenePage(parent), model_(takeOver<InertiaMomentsModel>(kept)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     row->setSpacing(Theme::space);

@@ -19,7 +19,7 @@ class InertiaMomentsPage : public ScenePage {
     Q_OBJECT
 
   public:
-    explicit InertiaMomentsPage(QWidget* parent = nullptr);
+    explicit InertiaMomentsPage(QWidget* parent = nullptr, SceneModel* kept = nullptr);
 
     SceneModel* model() override { return model_; }
     InertiaMomentsModel* viewModel() { return model_; }

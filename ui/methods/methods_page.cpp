@@ -108,7 +108,8 @@ QString paragraph(const QString& heading, const QString& text) {
 
 }  // namespace
 
-MethodsPage::MethodsPage(QWidget* parent) : ScenePage(parent), model_(new MethodsModel(this)) {
+MethodsPage::MethodsPage(QWidget* parent, SceneModel* kept)
+    : ScenePage(parent), model_(takeOver<MethodsModel>(kept)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     row->setSpacing(Theme::space);

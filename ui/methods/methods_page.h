@@ -22,7 +22,7 @@ class MethodsPage : public ScenePage {
     Q_OBJECT
 
   public:
-    explicit MethodsPage(QWidget* parent = nullptr);
+    explicit MethodsPage(QWidget* parent = nullptr, SceneModel* kept = nullptr);
 
     SceneModel* model() override;
     MethodsModel* viewModel() { return model_; }

@@ -13,8 +13,8 @@ namespace ravnoves {
 namespace {
 
 template <typename Page>
-ScenePage* makePage(QWidget* parent) {
-    return new Page(parent);
+ScenePage* makePage(QWidget* parent, SceneModel* kept) {
+    return new Page(parent, kept);
 }
 
 QString translated(const char* text) {

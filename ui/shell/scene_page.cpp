@@ -1,5 +1,6 @@
 #include "shell/scene_page.h"
 
+#include <QTabWidget>
 #include <algorithm>
 
 #include "model/background_job.h"
@@ -28,6 +29,24 @@ void ScenePage::setActive(bool active) {
         for (MechanismPicture* picture : findChildren<MechanismPicture*>()) {
             picture->setPlaying(false);
         }
+    }
+}
+
+ScenePage::Left ScenePage::giveWay() {
+    setActive(false);
+    Left left{model(), {}};
+    for (const QTabWidget* tabs : findChildren<QTabWidget*>()) {
+        left.tabs.push_back(tabs->currentIndex());
+    }
+    left.model->setParent(nullptr);
+    return left;
+}
+
+void ScenePage::resume(const Left& left) {
+    const auto tabs = findChildren<QTabWidget*>();
+    const auto count = std::min(tabs.size(), static_cast<qsizetype>(left.tabs.size()));
+    for (qsizetype i = 0; i < count; ++i) {
+        tabs[i]->setCurrentIndex(left.tabs[static_cast<std::size_t>(i)]);
     }
 }
 

@@ -4,6 +4,8 @@
 #include <QList>
 #include <QWidget>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "model/scene_model.h"
 
@@ -36,9 +38,29 @@ class ScenePage : public QWidget {
     /// How to look up what is open on the other pages. Called once, after the page was made.
     virtual void setOpenCases(const OpenCases& /*cases*/) {}
 
+    /// Before the page gives way to one that is made anew over its model, in another language or
+    /// with other units: lets the model go and says what else the new one shall show.
+    struct Left {
+        SceneModel* model;
+        std::vector<int> tabs;
+    };
+    Left giveWay();
+    void resume(const Left& left);
+
   Q_SIGNALS:
     /// A line for the status bar.
     void status(const QString& text);
+
+  protected:
+    /// The model that a page before this one has left, else a new one.
+    template <typename Model, typename... Arguments>
+    Model* takeOver(SceneModel* kept, Arguments&&... arguments) {
+        if (kept == nullptr) {
+            return new Model(std::forward<Arguments>(arguments)..., this);
+        }
+        kept->setParent(this);
+        return static_cast<Model*>(kept);
+    }
 };
 
 }  // namespace ravnoves

@@ -41,10 +41,11 @@ namespace {
 constexpr int sheetWidth = 470;
 }
 
-V8PlugsPage::V8PlugsPage(QWidget* parent) : V8PlugsPage(Journal::defaultPath(), parent) {}
+V8PlugsPage::V8PlugsPage(QWidget* parent, SceneModel* kept)
+    : V8PlugsPage(Journal::defaultPath(), parent, kept) {}
 
-V8PlugsPage::V8PlugsPage(const QString& journalPath, QWidget* parent)
-    : ScenePage(parent), model_(new V8PlugsModel(journalPath, this)) {
+V8PlugsPage::V8PlugsPage(const QString& journalPath, QWidget* parent, SceneModel* kept)
+    : ScenePage(parent), model_(takeOver<V8PlugsModel>(kept, journalPath)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     column->setSpacing(Theme::space);

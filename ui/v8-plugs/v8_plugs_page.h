@@ -24,8 +24,8 @@ class V8PlugsPage : public ScenePage {
     Q_OBJECT
 
   public:
-    explicit V8PlugsPage(QWidget* parent = nullptr);
-    V8PlugsPage(const QString& journalPath, QWidget* parent);
+    explicit V8PlugsPage(QWidget* parent = nullptr, SceneModel* kept = nullptr);
+    V8PlugsPage(const QString& journalPath, QWidget* parent, SceneModel* kept = nullptr);
 
     SceneModel* model() override;
     V8PlugsModel* viewModel() { return model_; }
