@@ -9,6 +9,7 @@
 #include "shell/main_window.h"
 #include "shell/screenshot.h"
 #include "text/language.h"
+#include "text/preferences.h"
 #include "theme/theme.h"
 #include "v8-plugs/model/journal.h"
 
@@ -72,8 +73,10 @@ int main(int argc, char** argv) {
     const QCommandLineOption themeOption(u"theme"_s, u"light, dark or system."_s, u"name"_s);
     const QCommandLineOption languageOption(u"language"_s, u"Language of the program: en, ru."_s,
                                             u"code"_s);
+    const QCommandLineOption textOption(u"text"_s, u"Size of the text in percent, 80 to 200."_s,
+                                        u"percent"_s);
     parser.addOptions({sceneOption, caseOption, setOption, screenshotOption, sizeOption,
-                       themeOption, languageOption});
+                       themeOption, languageOption, textOption});
     if (!parser.parse(QApplication::arguments())) {
         return fail(parser.errorText());
     }
@@ -88,6 +91,7 @@ int main(int argc, char** argv) {
     ravnoves::installLanguage(parser.isSet(languageOption) ? parser.value(languageOption)
                               : screenshot                 ? u"en"_s
                                                            : QString());
+    ravnoves::Preferences::instance().load();
     auto mode = static_cast<ravnoves::Theme::Mode>(QSettings().value(u"view/theme"_s, 0).toInt());
     if (parser.isSet(themeOption) || screenshot) {
         const QString name = parser.value(themeOption);
@@ -101,6 +105,13 @@ int main(int argc, char** argv) {
             return fail(u"--theme: must be light, dark or system, got %1"_s.arg(name));
         }
     }
+    const QString percent = parser.isSet(textOption)
+                                ? parser.value(textOption)
+                                : QSettings().value(u"view/text"_s, 100).toString();
+    if (percent.toInt() < 80 || percent.toInt() > 200) {
+        return fail(u"--text: must be from 80 to 200, got %1"_s.arg(percent));
+    }
+    ravnoves::Theme::instance().setTextScale(percent.toInt() / 100.0);
     ravnoves::Theme::instance().install(mode);
 
     ravnoves::MainWindow window;

@@ -125,7 +125,7 @@ void PlotPainter::layoutAxes() {
         if (!scale.isOwn()) {
             axis->setTickInterval(scale.step);
             axis->setLabelFormat(QStringLiteral("%.%1f").arg(tickDecimals(scale.step)));
-            axis->setRange(scale.low, scale.high);
+            axis->setRange(scale.number(scale.low), scale.number(scale.high));
         }
     };
     apply(0, data_.x, Qt::AlignBottom, data_.area.width(), columnPerTick);

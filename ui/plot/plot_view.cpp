@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plot/accessible_plot.h"
 #include "plot/legend_item.h"
+#include "plot/model/plot_sentence.h"
 #include "plot/plot_painter.h"
 #include "theme/theme.h"
 
@@ -14,6 +16,7 @@ namespace ravnoves {
 
 PlotView::PlotView(const QString& title, QWidget* parent)
     : QWidget(parent), painter_(std::make_unique<PlotPainter>(data_)) {
+    makePlotsAccessible();
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -23,6 +26,10 @@ PlotView::PlotView(const QString& title, QWidget* parent)
 
 PlotView::~PlotView() = default;
 
+QString PlotView::sentence() const {
+    return plotSentence(data_);
+}
+
 void PlotView::setTitle(const QString& title) {
     data_.title = title;
     setAccessibleName(title);
@@ -30,7 +37,7 @@ void PlotView::setTitle(const QString& title) {
 }
 
 void PlotView::setXAxis(const Axis& axis) {
-    data_.x.spec = axis;
+    data_.x.setSpec(axis);
     data_.x.low = axis.min;
     data_.x.high = axis.max;
     data_.zoomed = false;
@@ -43,7 +50,7 @@ void PlotView::setYAxis(Side side, const Axis& axis) {
     if (scale.isOwn()) {
         data_.makeStale();
     }
-    scale.spec = axis;
+    scale.setSpec(axis);
     if (scale.isOwn()) {
         data_.makeStale();
     }

@@ -88,6 +88,8 @@ class PlotView : public QWidget {
     /// curve; nothing removes it.
     void setPresentX(std::optional<double> x) { overlay(data_.presentX, x, data_.presentX != x); }
     QString title() const { return data_.title; }
+    /// What the plot shows, in words, for those who do not see it; made when it is asked for.
+    virtual QString sentence() const;
     /// Pales what is drawn, because newer data are on the way, and says so in the middle.
     void setFaded(bool faded, const QString& text = {});
     bool isFaded() const { return data_.faded; }

@@ -57,7 +57,7 @@ void installLanguage(const QString& code) {
     removeAll();
     QString wanted = code;
     if (wanted.isEmpty()) {
-        wanted = QSettings().value(settingsKey).toString();
+        wanted = chosenLanguage();
     }
     if (wanted.isEmpty()) {
         wanted = QLocale::system().name().section(QLatin1Char('_'), 0, 0);
@@ -89,8 +89,16 @@ QString currentLanguage() {
     return installed();
 }
 
+QString chosenLanguage() {
+    return QSettings().value(settingsKey).toString();
+}
+
 void setChosenLanguage(const QString& code) {
-    QSettings().setValue(settingsKey, code);
+    if (code.isEmpty()) {
+        QSettings().remove(settingsKey);
+    } else {
+        QSettings().setValue(settingsKey, code);
+    }
 }
 
 }  // namespace ravnoves

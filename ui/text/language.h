@@ -19,7 +19,8 @@ std::vector<Language> availableLanguages();
 void installLanguage(const QString& code = {});
 /// The code that installLanguage() settled on.
 QString currentLanguage();
-/// Remembered for the next start.
+/// The user's choice, remembered for the next start; empty: the desktop's.
+QString chosenLanguage();
 void setChosenLanguage(const QString& code);
 
 }  // namespace ravnoves

@@ -2,8 +2,10 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <algorithm>
 
 #include "text/number_text.h"
+#include "text/shown_units.h"
 
 namespace ravnoves {
 
@@ -13,14 +15,18 @@ struct Shown {
     QString operator()(const std::string& word) const { return QString::fromStdString(word); }
     QString operator()(const Message& message) const { return messageText(message); }
     QString operator()(const Number& number) const {
+        const ShownUnit unit = shownUnit(number.unit);
         if (number.digits < 0) {
-            return withUnit(fixedNumber(number.value, -number.digits, QLocale()),
-                            unitText(number.unit.name));
+            return withUnit(fixedNumber(unit.factor * number.value,
+                                        std::max(0, unit.decimals - number.digits), QLocale()),
+                            unit.name);
         }
-        const Message plain(Number{number.value, units::none, number.digits});
+        constexpr int converted = 6;
+        const bool isOwn = unit.factor == 1.0;
+        const Message plain(Number{unit.factor * number.value, units::none,
+                                   isOwn || number.digits > 0 ? number.digits : converted});
         QString digits = QString::fromStdString(plain.english());
-        return withUnit(digits.replace(QLatin1Char('.'), QLocale().decimalPoint()),
-                        unitText(number.unit.name));
+        return withUnit(digits.replace(QLatin1Char('.'), QLocale().decimalPoint()), unit.name);
     }
 };
 

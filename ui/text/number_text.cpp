@@ -1,9 +1,11 @@
 #include "text/number_text.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "case-file/decimal.h"
 #include "text/message_text.h"
+#include "text/preferences.h"
 
 namespace ravnoves {
 
@@ -42,7 +44,23 @@ std::optional<double> readFormNumber(const QString& text) {
     return parse_decimal(text.trimmed().toStdString());
 }
 
+int resultDigits(int usual) {
+    const int chosen = Preferences::instance().digits();
+    return chosen > 0 ? chosen : usual;
+}
+
 QString fixedNumber(double value, int decimals, const QLocale& locale) {
+    const int chosen = Preferences::instance().digits();
+    // What is counted in whole numbers stays whole.
+    const bool isWhole = decimals == 0 && value == std::round(value);
+    if (chosen > 0 && !isWhole && std::isfinite(value) && std::abs(value) > 1e-9) {
+        decimals = std::clamp(
+            chosen - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0, 9);
+    }
+    return fixedDecimals(value, decimals, locale);
+}
+
+QString fixedDecimals(double value, int decimals, const QLocale& locale) {
     if (!std::isfinite(value)) {
         return QStringLiteral("–");
     }

@@ -100,7 +100,7 @@ FormSection::FormSection(const QString& title, QWidget* parent) : QWidget(parent
 NumberField* FormSection::addNumber(const Field& field) {
     auto* number = new NumberField(field, this);
     number->setMaximumWidth(96);
-    addWidget(shownText(field.label), number, unitText(field.unit.name));
+    addWidget(shownText(field.label), number, number->unit());
     return number;
 }
 

@@ -6,6 +6,7 @@
 
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 
 namespace ravnoves {
 
@@ -14,7 +15,9 @@ NumberField::NumberField(QWidget* parent) : ValueEntry(parent) {
 }
 
 NumberField::NumberField(const Field& field, QWidget* parent) : NumberField(parent) {
-    setRange(field.range, unitText(field.unit.name));
+    const ShownUnit unit = shownUnit(field.unit);
+    factor_ = unit.factor;
+    setRange(field.range, unit.name);
     setHint(shownText(field.hint));
     setPlaceholderText(shownText(field.placeholder));
     setAccessibleName(unit_.isEmpty() ? fieldName(field)
@@ -23,9 +26,17 @@ NumberField::NumberField(const Field& field, QWidget* parent) : NumberField(pare
 }
 
 void NumberField::setRange(const Range& range, const QString& unit) {
+    own_ = range;
     range_ = range;
+    range_.min = shown(range.min);
+    range_.max = shown(range.max);
     unit_ = unit;
     describe();
+}
+
+double NumberField::shown(double value) const {
+    constexpr int digits = 6;  // nobody reads more of a number that was converted
+    return factor_ == 1.0 || !std::isfinite(value) ? value : rounded_to(value * factor_, digits);
 }
 
 void NumberField::setDigits(int digits) {
@@ -37,7 +48,7 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
     const int step = event->key() == Qt::Key_Up ? 1 : event->key() == Qt::Key_Down ? -1 : 0;
     if (step == 0 || !whole_ || !value() || isReadOnly()) {
         ValueEntry::keyPressEvent(event);
-    } else if (const double next = *value() + step; range_.contains(next)) {
+    } else if (const double next = shown(*value()) + step; range_.contains(next)) {
         setText(formNumber(next, locale(), digits_));
         Q_EMIT textEdited(text());
     }
@@ -59,11 +70,15 @@ NumberField::Reading NumberField::read(const QString& typed) const {
     if (!range_.contains(*number)) {
         return {{}, tr("The value %1.").arg(rangeText(range_, unit_, locale()))};
     }
-    return {number, {}};
+    constexpr int digits = 15;  // 2 in are 50.8 mm, not 50.799999999999997
+    // What the text's rule allows, the value's allows: its ends are rounded for the text.
+    return {factor_ == 1.0 ? *number
+                           : std::clamp(rounded_to(*number / factor_, digits), own_.min, own_.max),
+            {}};
 }
 
 QString NumberField::written() const {
-    return value() ? formNumber(*value(), locale(), digits_) : QString();
+    return value() ? formNumber(shown(*value()), locale(), digits_) : QString();
 }
 
 QString NumberField::rule() const {

@@ -7,7 +7,8 @@
 
 namespace ravnoves {
 
-/// A field for one number with a range. Takes decimal comma and point.
+/// A field for one number with a range. Takes decimal comma and point. Of a field of core the value
+/// is in the field's unit; what is written and read may be in another that the user has chosen.
 class NumberField : public ValueEntry<std::optional<double>> {
     Q_OBJECT
 
@@ -15,8 +16,10 @@ class NumberField : public ValueEntry<std::optional<double>> {
     explicit NumberField(QWidget* parent = nullptr);
     NumberField(const Field& field, QWidget* parent = nullptr);
 
-    /// The range is in the unit shown; the unit is used in messages and by screen readers.
+    /// The range is in the unit of the value, which is used in messages and by screen readers.
     void setRange(const Range& range, const QString& unit);
+    /// The unit that the text is in.
+    const QString& unit() const { return unit_; }
     /// An empty field is allowed and means "by formula"; its value is then empty.
     void setOptional(bool optional) { optional_ = optional; }
     /// Only whole numbers are allowed; the arrows up and down go to the next.
@@ -38,8 +41,12 @@ class NumberField : public ValueEntry<std::optional<double>> {
     bool same(const std::optional<double>& a, const std::optional<double>& b) const override;
 
   private:
-    Range range_;
-    QString unit_;
+    double shown(double value) const;
+
+    Range own_;            ///< in the unit of the value
+    Range range_;          ///< in the unit shown
+    QString unit_;         ///< as shown
+    double factor_ = 1.0;  ///< numbers shown per number of the value
     int digits_ = 10;
     bool optional_ = false;
     bool whole_ = false;

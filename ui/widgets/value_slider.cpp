@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case-file/range.h"
+#include "text/number_text.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/decimal_spin_box.h"
 
@@ -22,16 +25,16 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
     label_ = new QLabel(label, this);
     slider_ = new QSlider(Qt::Horizontal, this);
     box_ = new DecimalSpinBox(this);
-    box_->setDecimals(decimals);
-    box_->setSingleStep(step);
-    if (!unit.isEmpty()) {
-        box_->setSuffix(unit == QStringLiteral("°") ? unit : QChar(0x00A0) + unit);
-    }
+    const ShownUnit shown = shownUnit(unit);
+    factor_ = shown.factor;
+    box_->setDecimals(std::max(0, decimals + shown.decimals));
+    box_->setSingleStep(factor_ == 1.0 ? step : rounded_to(step * factor_, 1));
+    box_->setSuffix(withUnit({}, shown.name));
     label_->setBuddy(box_);
     QString spoken = label;
     spoken.remove(QLatin1Char('&'));
     slider_->setAccessibleName(spoken);
-    box_->setAccessibleName(spoken + QStringLiteral(", ") + unit);
+    box_->setAccessibleName(spoken + QStringLiteral(", ") + shown.name);
     slider_->setSingleStep(1);
     slider_->setPageStep(std::max(1, static_cast<int>(std::lround(pageStep / step))));
     slider_->setFocusPolicy(Qt::StrongFocus);
@@ -43,7 +46,8 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
     connect(slider_, &QSlider::valueChanged, this, [this](int tick) { edit(valueAt(tick)); });
     connect(slider_, &QSlider::sliderPressed, this, &ValueSlider::pressed);
     connect(slider_, &QSlider::sliderReleased, this, &ValueSlider::released);
-    connect(box_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ValueSlider::edit);
+    connect(box_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+            [this](double shown) { edit(factor_ == 1.0 ? shown : shown / factor_); });
     connect(box_, &QDoubleSpinBox::editingFinished, this, &ValueSlider::released);
 }
 
@@ -53,7 +57,7 @@ void ValueSlider::setRange(double min, double max) {
     const QSignalBlocker quietSlider(slider_);
     const QSignalBlocker quietBox(box_);
     slider_->setRange(0, tickOf(max));
-    box_->setRange(min, max);
+    box_->setRange(min * factor_, max * factor_);
     setValue(std::clamp(value_, min, max));
 }
 
@@ -98,13 +102,13 @@ void ValueSlider::setValue(double value) {
     const QSignalBlocker quietSlider(slider_);
     const QSignalBlocker quietBox(box_);
     slider_->setValue(tickOf(value));
-    box_->setValue(value);
+    box_->setValue(value * factor_);
 }
 
 void ValueSlider::edit(double value) {
     // Whole steps come out as the decimals they stand for (50.1, not 50.10000000000001).
     const double decimals = std::pow(10.0, box_->decimals());
-    value = std::round(value * decimals) / decimals;
+    value = factor_ == 1.0 ? std::round(value * decimals) / decimals : rounded_to(value, 12);
     if (value == value_) {
         return;
     }

@@ -46,6 +46,7 @@ class ValueSlider : public QWidget {
     QLabel* label_;
     QSlider* slider_;
     QDoubleSpinBox* box_;
+    double factor_ = 1.0;  ///< numbers in the box per number of the value
     double min_;
     double max_;
     double step_;

@@ -243,7 +243,8 @@ QString PlotData::csv() const {
         text +=
             quoted(x.spec.title) + format.separator + quoted(curve.style.name) + QLatin1Char('\n');
         for (std::size_t i = 0; i < curve.x.size(); ++i) {
-            text += format.number(curve.x[i]) + format.separator + format.number(curve.y[i]) +
+            text += format.number(curve.x[i] * x.spec.factor) + format.separator +
+                    format.number(curve.y[i] * scale(curve.style.side).spec.factor) +
                     QLatin1Char('\n');
         }
         text += QLatin1Char('\n');

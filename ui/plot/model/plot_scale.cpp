@@ -2,7 +2,10 @@
 
 #include <tuple>
 
+#include "case-file/range.h"
 #include "plot/model/ticks.h"
+#include "text/number_text.h"
+#include "text/shown_units.h"
 
 namespace ravnoves {
 
@@ -13,6 +16,18 @@ int ticksThatFit(double pixels, double pixelsPerTick) {
 }
 
 }  // namespace
+
+void PlotScale::setSpec(const plot::Axis& axis) {
+    const ShownTitle shown = shownTitle(axis.title);
+    spec = axis;
+    spec.title = shown.text;
+    spec.factor = shown.factor;
+}
+
+double PlotScale::number(double value) const {
+    // There and back again makes no tick at the end of the axis fall off it.
+    return spec.factor == 1.0 ? value : rounded_to(spec.factor * value, 12);
+}
 
 void PlotScale::fit(double least, double most) {
     if (fixed) {
@@ -34,8 +49,11 @@ void PlotScale::fit(double least, double most) {
         return;
     }
     const double pad = 0.04 * (most - least);
-    std::tie(low, high) = niceInterval(least < 0.0 || least > pad ? least - pad : least,
-                                       most > 0.0 || most < -pad ? most + pad : most, 6);
+    std::tie(low, high) =
+        niceInterval(spec.factor * (least < 0.0 || least > pad ? least - pad : least),
+                     spec.factor * (most > 0.0 || most < -pad ? most + pad : most), 6);
+    low /= spec.factor;
+    high /= spec.factor;
 }
 
 bool PlotScale::fix(double min, double max) {
@@ -72,12 +90,18 @@ void PlotScale::widen(double span) {
 }
 
 void PlotScale::chooseStep(double pixels, double pixelsPerTick) {
-    step = readableStep(low, high, ticksThatFit(pixels, pixelsPerTick), spec.degrees);
+    step =
+        readableStep(number(low), number(high), ticksThatFit(pixels, pixelsPerTick), spec.degrees);
 }
 
 std::vector<double> PlotScale::ownTicks(double pixels, double pixelsPerTick) const {
     if (spec.logarithmic) {
-        return logarithmicTicks(low, high, ticksThatFit(pixels, pixelsPerTick));
+        std::vector<double> ticks =
+            logarithmicTicks(number(low), number(high), ticksThatFit(pixels, pixelsPerTick));
+        for (double& tick : ticks) {
+            tick /= spec.factor;
+        }
+        return ticks;
     }
     // Of the labels offered those that keep clear of weightier ones.
     const double apart = 0.8 * pixelsPerTick / std::max(pixels, 1.0);
@@ -96,9 +120,9 @@ std::vector<double> PlotScale::ownTicks(double pixels, double pixelsPerTick) con
 
 QString PlotScale::tickText(double value, const QLocale& locale) const {
     if (isOwn()) {
-        return spec.label ? spec.label(value) : powerText(value, locale);
+        return spec.label ? spec.label(number(value)) : powerText(number(value), locale);
     }
-    return locale.toString(value, 'f', tickDecimals(step));
+    return locale.toString(number(value), 'f', tickDecimals(step));
 }
 
 QString PlotScale::readout(double value, const QLocale& locale, int decimals) const {
@@ -106,11 +130,13 @@ QString PlotScale::readout(double value, const QLocale& locale, int decimals) co
         return tickText(value, locale);
     }
     if (!(high > low)) {
-        return locale.toString(value, 'g', 3);
+        return locale.toString(number(value), 'g', 3);
     }
-    const double fine = std::ceil(3.0 - std::log10(high - low));
-    return locale.toString(value, 'f',
-                           decimals >= 0 ? decimals : std::clamp(static_cast<int>(fine), 0, 9));
+    const double fine = std::ceil(3.0 - std::log10(spec.factor * (high - low)));
+    return fixedNumber(
+        number(value),
+        decimals >= 0 && spec.factor == 1.0 ? decimals : std::clamp(static_cast<int>(fine), 0, 9),
+        locale);
 }
 
 }  // namespace ravnoves

@@ -22,7 +22,7 @@ struct Scale {
 };
 
 struct Axis {
-    QString title;     ///< with the unit: "φ, °"
+    QString title;     ///< with the unit at its end: "φ, °"
     double min = 0.0;  ///< ignored for y axes, which follow the data
     double max = 1.0;
     bool degrees = false;  ///< ticks at 15, 30, 45, 90, …
@@ -31,6 +31,8 @@ struct Axis {
     /// Text of ticks and of values read out, for a logarithmic axis or one with a scale of its
     /// own; powers of ten where empty.
     std::function<QString(double)> label = {};
+    double factor =
+        1.0;  ///< numbers shown per number of the data, where the user's unit is another
 };
 
 }  // namespace plot
@@ -42,7 +44,12 @@ struct PlotScale {
     double low = 0.0;  ///< shown interval
     double high = 1.0;
     std::optional<std::pair<double, double>> fixed = {};  ///< what fit() keeps to
-    double step = 1.0;                                    ///< between ticks of a linear axis
+    double step = 1.0;  ///< between ticks of a linear axis, in numbers shown
+
+    /// Takes over what the axis is to be, in the units that the user wants.
+    void setSpec(const plot::Axis& axis);
+    /// A value as a number of the axis.
+    double number(double value) const;
 
     /// Logarithmic or with a scale of its own: neither grid nor labels of Qt Charts fit.
     bool isOwn() const { return spec.logarithmic || spec.scale.place; }

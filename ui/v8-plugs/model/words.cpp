@@ -60,7 +60,7 @@ QString Words::number(double si, Unit unit, int decimals) const {
 }
 
 QString Words::number(double value, int decimals) const {
-    return fixedNumber(value, decimals, locale_);
+    return fixedDecimals(value, decimals, locale_);
 }
 
 QString Words::plain(double value, int decimals) const {

@@ -1,0 +1,130 @@
+#include "plot/model/plot_sentence.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "text/number_text.h"
+#include "text/shown_units.h"
+
+namespace ravnoves {
+
+using plot::Shape;
+
+namespace {
+
+constexpr std::size_t mostCurves = 8;  ///< of a longer list nobody keeps the first in mind
+
+QString said(const char* text) {
+    return QCoreApplication::translate("ravnoves::PlotSentence", text);
+}
+
+/// Numbers of one axis with their unit.
+struct Spoken {
+    const PlotScale& scale;
+    const QLocale& locale;
+
+    QString number(double value) const { return scale.readout(value, locale); }
+    QString withUnit(double value) const {
+        return ravnoves::withUnit(number(value), unitOfTitle(scale.spec.title));
+    }
+};
+
+/// The name of an axis without its unit.
+QString nameOf(const PlotScale& scale) {
+    const QString& title = scale.spec.title;
+    const QString unit = unitOfTitle(title);
+    return unit.size() + 2 <= title.size() ? title.chopped(unit.isEmpty() ? 0 : unit.size() + 2)
+                                           : QString();
+}
+
+QString curveSentence(const PlotData& data, const PlotCurve& curve) {
+    const Spoken x{data.x, data.locale};
+    const Spoken y{data.scale(curve.style.side), data.locale};
+    const auto [least, most] = std::minmax_element(curve.y.begin(), curve.y.end());
+    const auto at = [&](auto place) {
+        return curve.x[static_cast<std::size_t>(place - curve.y.begin())];
+    };
+    const bool hasPoints = curve.style.shape == Shape::Points || curve.style.shape == Shape::Rings;
+    if (curve.y.size() == 1) {
+        return said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence", "%1 at %2"))
+            .arg(y.withUnit(*least), x.withUnit(curve.x.front()));
+    }
+    if (y.number(*least) == y.number(*most)) {
+        return said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence", "constant, %1"))
+            .arg(y.withUnit(*least));
+    }
+    if (!curve.ascending) {
+        const auto [first, last] = std::minmax_element(curve.x.begin(), curve.x.end());
+        return said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence",
+                                      "across from %1 to %2, up from %3 to %4"))
+            .arg(x.number(*first), x.withUnit(*last), y.number(*least), y.withUnit(*most));
+    }
+    const bool rises = std::is_sorted(curve.y.begin(), curve.y.end());
+    if (!hasPoints && (rises || std::is_sorted(curve.y.rbegin(), curve.y.rend()))) {
+        return (rises ? said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence",
+                                               "rises from %1 at %2 to %3 at %4"))
+                      : said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence",
+                                               "falls from %1 at %2 to %3 at %4")))
+            .arg(y.number(curve.y.front()), x.withUnit(curve.x.front()), y.withUnit(curve.y.back()),
+                 x.withUnit(curve.x.back()));
+    }
+    return said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence", "from %1 at %2 to %3 at %4"))
+        .arg(y.number(*least), x.withUnit(at(least)), y.withUnit(*most), x.withUnit(at(most)));
+}
+
+}  // namespace
+
+QString plotSentence(const PlotData& data) {
+    const Spoken x{data.x, data.locale};
+    const QString axis = nameOf(data.x);
+    QString sentence = said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence", "Over %1 from %2 to %3."))
+                           .arg(axis.isEmpty() ? QStringLiteral("x") : axis, x.number(data.x.low),
+                                x.withUnit(data.x.high));
+    QStringList curves;
+    std::size_t left = 0;
+    for (const PlotCurve& curve : data.curves) {
+        if (!curve.shown || curve.y.empty()) {
+            continue;
+        }
+        if (static_cast<std::size_t>(curves.size()) == mostCurves) {
+            ++left;
+            continue;
+        }
+        QString name = curve.style.name;
+        if (name.isEmpty()) {
+            name = nameOf(data.scale(curve.style.side));
+        }
+        curves << (name.isEmpty() ? QString() : name + QStringLiteral(": ")) +
+                      curveSentence(data, curve);
+    }
+    if (data.curves.empty() || (curves.isEmpty() && data.image.isNull())) {
+        return sentence + QLatin1Char(' ') +
+               said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence", "No data."));
+    }
+    if (!curves.isEmpty()) {
+        sentence += QLatin1Char(' ') + curves.join(QStringLiteral("; "));
+        sentence +=
+            left > 0 ? said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence", "; and %1 more.")).arg(left)
+                     : QStringLiteral(".");
+    }
+    QStringList marks;
+    for (const plot::Mark& mark : data.marks) {
+        if (!mark.text.isEmpty() && static_cast<std::size_t>(marks.size()) < mostCurves) {
+            QString text = mark.text;
+            marks << text.replace(QLatin1Char('\n'), QStringLiteral(", "));
+        }
+    }
+    if (!marks.isEmpty()) {
+        sentence +=
+            QLatin1Char(' ') + said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence", "Marked: %1."))
+                                   .arg(marks.join(QStringLiteral("; ")));
+    }
+    if (data.presentX) {
+        sentence +=
+            QLatin1Char(' ') + said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence", "Now at %1."))
+                                   .arg(x.withUnit(*data.presentX));
+    }
+    return sentence;
+}
+
+}  // namespace ravnoves

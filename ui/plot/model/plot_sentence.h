@@ -1,0 +1,13 @@
+#pragma once
+
+#include <QString>
+
+#include "plot/model/plot_data.h"
+
+namespace ravnoves {
+
+/// A plot in words, curve by curve: its extremes and where they are, or how it goes where it only
+/// rises or falls: "Over φ from 0 to 720 °. Mᵤₚ: from −512 at 372 to 551 N·m at 12; …".
+QString plotSentence(const PlotData& data);
+
+}  // namespace ravnoves

@@ -1,0 +1,58 @@
+#include "text/preferences.h"
+
+#include <QSettings>
+#include <algorithm>
+
+#include "text/language.h"
+
+namespace ravnoves {
+
+namespace {
+const QString digitsKey = QStringLiteral("view/digits");
+
+QString unitsKey(std::size_t quantity) {
+    static const std::array names{"length", "mass", "torque", "force", "speed"};
+    return QStringLiteral("units/") + QLatin1String(names.at(quantity));
+}
+
+}  // namespace
+
+Preferences& Preferences::instance() {
+    static Preferences preferences;
+    return preferences;
+}
+
+void Preferences::load() {
+    const int digits = QSettings().value(digitsKey, 0).toInt();
+    digits_ = digits < fewestDigits ? 0 : std::min(digits, mostDigits);
+    for (std::size_t i = 0; i < units_.size(); ++i) {
+        const int chosen = QSettings().value(unitsKey(i), 0).toInt();
+        units_[i] = chosen >= 0 && chosen <= static_cast<int>(Units::RadPerSecond)
+                        ? static_cast<Units>(chosen)
+                        : Units::Own;
+    }
+}
+
+void Preferences::setUnits(Quantity quantity, Units units) {
+    units_[static_cast<std::size_t>(quantity)] = units;
+    QSettings().setValue(unitsKey(static_cast<std::size_t>(quantity)), static_cast<int>(units));
+    Q_EMIT changed();
+}
+
+void Preferences::setDigits(int digits) {
+    digits_ = digits;
+    QSettings().setValue(digitsKey, digits);
+    Q_EMIT changed();
+}
+
+QString Preferences::language() const {
+    return chosenLanguage();
+}
+
+void Preferences::setLanguage(const QString& code) {
+    setChosenLanguage(code);
+    installLanguage();
+    Q_EMIT changed();
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <array>
+
+namespace ravnoves {
+
+/// How the user wants numbers and texts: language, digits, units. One for the application, kept for
+/// the next start; it is read when something is written, so what stands already is made anew at
+/// changed().
+class Preferences : public QObject {
+    Q_OBJECT
+
+  public:
+    static Preferences& instance();
+
+    /// Takes over what the user chose in a session before.
+    void load();
+
+    /// Significant digits of the numbers of results; 0: as many as each page takes.
+    int digits() const { return digits_; }
+    void setDigits(int digits);
+    static constexpr int fewestDigits = 3;
+    static constexpr int mostDigits = 8;
+
+    /// What can be shown in other units than its own.
+    enum Quantity { Length, Mass, Torque, Force, Speed };
+    static constexpr int quantities = 5;
+    /// Own: mm, kg, N·m, N, and of speeds what each page has.
+    enum class Units { Own, Imperial, Gram, Rpm, RadPerSecond };
+    Units units(Quantity quantity) const { return units_[static_cast<std::size_t>(quantity)]; }
+    void setUnits(Quantity quantity, Units units);
+
+    /// The language's code; empty: the desktop's.
+    QString language() const;
+    void setLanguage(const QString& code);
+    /// Something else has changed that shows only in what is made anew, for example the size of the
+    /// text.
+    void tell() { Q_EMIT changed(); }
+
+  Q_SIGNALS:
+    /// All that is shown is to be made anew.
+    void changed();
+
+  private:
+    int digits_ = 0;
+    std::array<Units, quantities> units_{};
+};
+
+}  // namespace ravnoves

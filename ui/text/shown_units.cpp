@@ -1,0 +1,122 @@
+#include "text/shown_units.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <algorithm>
+#include <array>
+
+#include "text/number_text.h"
+#include "text/preferences.h"
+
+namespace ravnoves {
+
+namespace {
+
+using System = Preferences::Units;
+
+/// A unit that gives way to another where the user wants that.
+struct Change {
+    Preferences::Quantity quantity;
+    System system;  ///< what the user wants
+    Unit own;
+    Unit shown;
+    int decimals;  ///< that numbers in it need more
+};
+
+constexpr double inch = 0.0254;
+constexpr double pound = 0.45359237;
+constexpr double ounce = pound / 16.0;
+constexpr double pound_force = pound * 9.80665;
+constexpr double foot = 12.0 * inch;
+
+constexpr Unit unit(const char* name, double si) {
+    return {name, si};
+}
+
+const std::array changes{
+    Change{Preferences::Length, System::Imperial, units::mm,
+           unit(QT_TRANSLATE_NOOP("core", "in"), inch), 2},
+    Change{Preferences::Length, System::Imperial, units::micrometre,
+           unit(QT_TRANSLATE_NOOP("core", "mil"), 1e-3 * inch), 2},
+    Change{Preferences::Length, System::Imperial, units::metre,
+           unit(QT_TRANSLATE_NOOP("core", "ft"), foot), 0},
+    Change{Preferences::Length, System::Imperial, units::cm2,
+           unit(QT_TRANSLATE_NOOP("core", "in²"), inch* inch), 1},
+    Change{Preferences::Length, System::Imperial, units::cm3,
+           unit(QT_TRANSLATE_NOOP("core", "in³"), inch* inch* inch), 1},
+    Change{Preferences::Mass, System::Gram, units::kg, units::gram, -3},
+    Change{Preferences::Mass, System::Imperial, units::kg,
+           unit(QT_TRANSLATE_NOOP("core", "lb"), pound), 0},
+    Change{Preferences::Mass, System::Imperial, units::gram,
+           unit(QT_TRANSLATE_NOOP("core", "oz"), ounce), 2},
+    Change{Preferences::Mass, System::Imperial, units::gram_mm,
+           unit(QT_TRANSLATE_NOOP("core", "oz·in"), ounce* inch), 3},
+    Change{Preferences::Mass, System::Imperial, units::kg_m2,
+           unit(QT_TRANSLATE_NOOP("core", "lb·ft²"), pound* foot* foot), -1},
+    Change{Preferences::Torque, System::Imperial, units::N_m,
+           unit(QT_TRANSLATE_NOOP("core", "lb·ft"), pound_force* foot), 0},
+    Change{Preferences::Force, System::Imperial, units::newton,
+           unit(QT_TRANSLATE_NOOP("core", "lbf"), pound_force), 1},
+    Change{Preferences::Force, System::Imperial, units::kN,
+           unit(QT_TRANSLATE_NOOP("core", "lbf"), pound_force), -2},
+    Change{Preferences::Force, System::Imperial, units::N_per_m,
+           unit(QT_TRANSLATE_NOOP("core", "lbf/in"), pound_force / inch), 2},
+    Change{Preferences::Force, System::Imperial, units::kN_per_m,
+           unit(QT_TRANSLATE_NOOP("core", "lbf/in"), pound_force / inch), 0},
+    Change{Preferences::Speed, System::RadPerSecond, units::rpm, units::rad_per_s, 1},
+    Change{Preferences::Speed, System::Rpm, units::rad_per_s, units::rpm, -1},
+};
+
+const Change* changeOf(const auto& isOwn) {
+    const auto found = std::find_if(changes.begin(), changes.end(), [&](const Change& change) {
+        return Preferences::instance().units(change.quantity) == change.system && isOwn(change.own);
+    });
+    return found == changes.end() ? nullptr : &*found;
+}
+
+ShownUnit shown(const Change& change) {
+    return {unitText(change.shown.name), change.own.to_si / change.shown.to_si, change.decimals};
+}
+
+}  // namespace
+
+ShownUnit shownUnit(const Unit& unit) {
+    const Change* change = changeOf([&](const Unit& own) { return own == unit; });
+    return change != nullptr ? shown(*change) : ShownUnit{unitText(unit.name)};
+}
+
+ShownUnit shownUnit(const QString& name) {
+    const Change* change = changeOf([&](const Unit& own) { return unitText(own.name) == name; });
+    return change != nullptr ? shown(*change) : ShownUnit{name};
+}
+
+QString unitOfTitle(const QString& title) {
+    const qsizetype comma = title.lastIndexOf(QStringLiteral(", "));
+    if (comma >= 0) {
+        return title.mid(comma + 2);
+    }
+    return std::any_of(changes.begin(), changes.end(),
+                       [&](const Change& change) { return unitText(change.own.name) == title; })
+               ? title
+               : QString();
+}
+
+ShownTitle shownTitle(const QString& title) {
+    const QString own = unitOfTitle(title);
+    if (own.isEmpty()) {
+        return {title};
+    }
+    const ShownUnit unit = shownUnit(own);
+    return {title.chopped(own.size()) + unit.name, unit.factor, unit.decimals};
+}
+
+QString shownDigits(double si, const Unit& unit, int decimals) {
+    const ShownUnit shown = shownUnit(unit);
+    return fixedNumber(si / unit * shown.factor, std::max(0, decimals + shown.decimals), QLocale());
+}
+
+QString shownNumber(double si, const Unit& unit, int decimals) {
+    return withUnit(shownDigits(si, unit, decimals), shownUnit(unit).name);
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QString>
+
+#include "numerics/units.h"
+
+namespace ravnoves {
+
+/// A unit as the user wants to see it. Inputs, results and data stay in their own units: only what
+/// is written or read on the screen is in these.
+struct ShownUnit {
+    QString name;         ///< in the language of the program; empty for pure numbers
+    double factor = 1.0;  ///< numbers shown per number in the own unit: 0.0394 for mm as inches
+    int decimals = 0;     ///< that a number needs more than in its own unit
+};
+
+/// The one place for it: how a unit of core is shown now.
+ShownUnit shownUnit(const Unit& unit);
+/// The same for a unit by its name in the language of the program; other words as they are.
+ShownUnit shownUnit(const QString& name);
+
+/// A heading or the title of an axis that ends in a unit ("l, mm", "N·m"), with the one shown in
+/// its place.
+struct ShownTitle {
+    QString text;
+    double factor = 1.0;
+    int decimals = 0;
+};
+ShownTitle shownTitle(const QString& title);
+/// The unit that a title ends in, as it stands there; empty where there is none.
+QString unitOfTitle(const QString& title);
+
+/// An SI value in the unit shown: "46.00 mm", "1.8110 in".
+QString shownNumber(double si, const Unit& unit, int decimals);
+/// The same without the unit.
+QString shownDigits(double si, const Unit& unit, int decimals);
+
+}  // namespace ravnoves
