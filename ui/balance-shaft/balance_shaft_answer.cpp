@@ -9,6 +9,7 @@
 #include "balance-shaft/mechanism_view.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "theme/theme.h"
+#include "widgets/apart.h"
 #include "widgets/form_section.h"
 #include "widgets/mechanism_picture.h"
 #include "widgets/panel.h"
@@ -55,7 +56,7 @@ QWidget* BalanceShaftPage::buildAnswer() {
         button->setMaximumWidth(52);
         button->setAccessibleName(name);
         button->setToolTip(name);
-        best->addWidget(label, row, 0);
+        best->addWidget(new Apart(label, answer), row, 0);
         best->addWidget(button, row, 1);
     };
     addBest(1, bestRange_, goRange_, tr("Go to the α of the least range"));
@@ -73,7 +74,7 @@ QWidget* BalanceShaftPage::buildAnswer() {
     quantities_->horizontalHeader()->hide();
     answerColumn->addWidget(quantities_);
     notes_ = captionLabel({}, answer);
-    notesArea_ = scrolled(notes_, answer);
+    notesArea_ = scrolled(new Apart(notes_), answer);
     notesArea_->setMinimumHeight(4 * notes_->fontMetrics().height());
     notesArea_->viewport()->setAutoFillBackground(false);
     notes_->setAutoFillBackground(false);

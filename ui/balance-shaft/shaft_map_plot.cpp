@@ -129,6 +129,29 @@ void drawGlyph(QPainter& painter, const QPointF& at, const ShaftMapModel::Marker
     painter.drawPath(shape);
 }
 
+/// Each dash a line of its own: a dashed ellipse takes ten times as long, at every step of a drag.
+void drawDashedCircle(QPainter& painter, const QPointF& middle, double radius) {
+    constexpr double dash = 5.6;  // pixels
+    constexpr double period = 8.4;
+    const double turn = two_pi * radius;
+    if (!(turn > period)) {
+        return;
+    }
+    const auto count = static_cast<int>(turn / period);
+    constexpr int most = 2000;  // the rest is far outside
+    const double step = two_pi / std::min(count, most);
+    const double half = 0.5 * step * dash / period;
+    QList<QLineF> dashes;
+    dashes.reserve(std::min(count, most));
+    for (double at = 0.0; at < two_pi - 0.5 * step; at += step) {
+        const auto point = [&](double angle) {
+            return middle + radius * QPointF(std::cos(angle), std::sin(angle));
+        };
+        dashes.append(QLineF(point(at - half), point(at + half)));
+    }
+    painter.drawLines(dashes);
+}
+
 void drawHatch(QPainter& painter, const QRectF& box) {
     constexpr double apart = 7.0;
     painter.setPen(QPen(faint(Theme::instance().text(), 0.42), 1.0));
@@ -612,9 +635,8 @@ void ShaftMapPlot::paintShaft(QPainter& painter) const {
         map_->map() != nullptr ? map_->isBuildable(present) : model_->result().is_buildable;
     const QColor colour = canBeBuilt ? theme.accent() : theme.error();
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(theme.accent(), 1.4, Qt::DashLine));
-    const double l = present.centre_distance() * k;
-    painter.drawEllipse(crank, l, l);
+    painter.setPen(QPen(theme.accent(), 1.4));
+    drawDashedCircle(painter, crank, present.centre_distance() * k);
     painter.setPen(QPen(faint(theme.text(), 0.6), 1.0, Qt::DashDotLine));
     painter.drawLine(crank, axis);
     const double swing = sizes.shaft_swing_radius * k;

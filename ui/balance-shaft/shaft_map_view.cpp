@@ -20,6 +20,7 @@
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
+#include "widgets/apart.h"
 #include "widgets/form.h"
 #include "widgets/panel.h"
 #include "widgets/value_slider.h"
@@ -51,22 +52,6 @@ std::vector<double> valuesOf(const std::vector<std::optional<ShaftMap::Place>>& 
     }
     return values;
 }
-
-/// Holds a label whose text changes at every step of a drag: no layout stands between them, so that
-/// a new text is laid out alone and not with the whole page.
-class Apart : public QWidget {
-  public:
-    Apart(QWidget* held, QWidget* parent) : QWidget(parent), held_(held) { held_->setParent(this); }
-
-  protected:
-    void resizeEvent(QResizeEvent* event) override {
-        QWidget::resizeEvent(event);
-        held_->setGeometry(rect());
-    }
-
-  private:
-    QWidget* held_;
-};
 
 }  // namespace
 

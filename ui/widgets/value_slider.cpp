@@ -42,7 +42,7 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
     row->addWidget(label_);
     row->addWidget(slider_, 1);
     row->addWidget(box_);
-    setRange(min, max);
+    showRange();
     connect(slider_, &QSlider::valueChanged, this, [this](int tick) { edit(valueAt(tick)); });
     connect(slider_, &QSlider::sliderPressed, this, &ValueSlider::pressed);
     connect(slider_, &QSlider::sliderReleased, this, &ValueSlider::released);
@@ -52,13 +52,19 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
 }
 
 void ValueSlider::setRange(double min, double max) {
-    min_ = min;
-    max_ = max;
+    if (min != min_ || max != max_) {  // the box has the whole page laid out anew
+        min_ = min;
+        max_ = max;
+        showRange();
+    }
+}
+
+void ValueSlider::showRange() {
     const QSignalBlocker quietSlider(slider_);
     const QSignalBlocker quietBox(box_);
-    slider_->setRange(0, tickOf(max));
-    box_->setRange(min * factor_, max * factor_);
-    setValue(std::clamp(value_, min, max));
+    slider_->setRange(0, tickOf(max_));
+    box_->setRange(min_ * factor_, max_ * factor_);
+    setValue(std::clamp(value_, min_, max_));
 }
 
 void ValueSlider::setLogarithmic(int stepsPerDecade, int digits) {
@@ -66,7 +72,7 @@ void ValueSlider::setLogarithmic(int stepsPerDecade, int digits) {
     digits_ = digits;
     slider_->setPageStep(stepsPerDecade);
     box_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    setRange(min_, max_);
+    showRange();
 }
 
 int ValueSlider::tickOf(double value) const {

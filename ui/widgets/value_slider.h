@@ -40,6 +40,7 @@ class ValueSlider : public QWidget {
 
   private:
     void edit(double value);
+    void showRange();
     int tickOf(double value) const;
     double valueAt(int tick) const;
 

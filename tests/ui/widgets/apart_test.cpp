@@ -1,0 +1,85 @@
+#include "widgets/apart.h"
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTest>
+#include <QVBoxLayout>
+
+namespace ravnoves {
+namespace {
+
+/// Counts how often the page around the label is laid out anew.
+class LayoutCount : public QWidget {
+  public:
+    using QWidget::QWidget;
+    int count = 0;
+
+  protected:
+    bool event(QEvent* event) override {
+        count += event->type() == QEvent::LayoutRequest ? 1 : 0;
+        return QWidget::event(event);
+    }
+};
+
+class ApartTest : public testing::Test {
+  protected:
+    ApartTest() {
+        label_->setWordWrap(true);
+        label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        auto* column = new QVBoxLayout(&page_);
+        apart_ = new Apart(label_, &page_);
+        column->addWidget(apart_);
+        column->addStretch();
+        page_.resize(300, 400);
+        label_->setText(QStringLiteral("Least range 1000.0 N·m at 50.65°"));
+        page_.show();
+        settle();
+    }
+    void settle() {
+        QTest::qWait(150);
+        page_.count = 0;
+    }
+
+    LayoutCount page_;
+    QLabel* label_ = new QLabel;
+    Apart* apart_ = nullptr;
+};
+
+TEST_F(ApartTest, OtherDigitsLeaveThePageAlone) {
+    const int height = label_->height();
+    label_->setText(QStringLiteral("Least range 1066.7 N·m at 49.12°"));
+    QTest::qWait(150);
+    EXPECT_EQ(page_.count, 0);
+    EXPECT_EQ(label_->height(), height);
+}
+
+TEST_F(ApartTest, ALongerTextGetsItsRoom) {
+    const int height = label_->height();
+    label_->setText(
+        QStringLiteral("Least range 1066.7 N·m at 49.12°, which cannot be built: the "
+                       "counterweight of the shaft meets the cylinder"));
+    QTest::qWait(150);
+    EXPECT_GT(page_.count, 0);
+    EXPECT_GT(label_->height(), height);
+    EXPECT_EQ(label_->height(), label_->heightForWidth(label_->width()));
+}
+
+TEST_F(ApartTest, ATextOfTheSameLengthThatWrapsElsewhereIsFittedAtRest) {
+    const int length = static_cast<int>(label_->text().size());
+    label_->setText(QString(length, QLatin1Char('W')).replace(length / 2, 1, QLatin1Char(' ')));
+    QTest::qWait(150);
+    EXPECT_EQ(label_->height(), label_->heightForWidth(label_->width()));
+}
+
+TEST_F(ApartTest, ItsTextIsSelectedByTheMouse) {
+    QEnterEvent enter(QPointF(5, 5), QPointF(5, 5), QPointF(5, 5));
+    QApplication::sendEvent(apart_, &enter);
+    QTest::mousePress(label_, Qt::LeftButton, {}, QPoint(2, 6));
+    QTest::mouseMove(label_, QPoint(label_->width() - 2, 6));
+    QTest::mouseRelease(label_, Qt::LeftButton, {}, QPoint(label_->width() - 2, 6));
+    EXPECT_TRUE(label_->hasSelectedText());
+}
+
+}  // namespace
+}  // namespace ravnoves

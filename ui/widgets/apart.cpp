@@ -1,0 +1,76 @@
+#include "widgets/apart.h"
+
+#include <QEvent>
+
+namespace ravnoves {
+
+Apart::Apart(QLabel* held, QWidget* parent)
+    : QWidget(parent), held_(held), interaction_(held->textInteractionFlags()) {
+    held_->setParent(this);
+    held_->setTextInteractionFlags(Qt::NoTextInteraction);
+    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
+    constexpr int restMs = 100;
+    rest_.setSingleShot(true);
+    rest_.setInterval(restMs);
+    connect(&rest_, &QTimer::timeout, this, &Apart::fit);
+}
+
+QSize Apart::sizeHint() const {
+    return held_->sizeHint();
+}
+
+QSize Apart::minimumSizeHint() const {
+    return held_->minimumSizeHint();
+}
+
+int Apart::heightForWidth(int width) const {
+    return width == this->width() && height_ > 0 ? height_ : needed(width);
+}
+
+int Apart::needed(int width) const {
+    return held_->hasHeightForWidth() ? held_->heightForWidth(width) : held_->sizeHint().height();
+}
+
+bool Apart::event(QEvent* event) {
+    // The label has another text or another font.
+    if (event->type() == QEvent::LayoutRequest) {
+        if (minimumHeight() == maximumHeight()) {
+            return true;  // its room is given
+        }
+        held_->text().size() == length_ ? rest_.start() : fit();
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void Apart::fit() {
+    rest_.stop();
+    length_ = held_->text().size();
+    if (const int height = needed(width()); height != height_) {
+        height_ = height;
+        updateGeometry();
+    }
+}
+
+void Apart::enterEvent(QEnterEvent* event) {
+    QWidget::enterEvent(event);
+    held_->setTextInteractionFlags(interaction_);
+}
+
+void Apart::leaveEvent(QEvent* event) {
+    QWidget::leaveEvent(event);
+    if (!held_->hasSelectedText()) {
+        held_->setTextInteractionFlags(Qt::NoTextInteraction);
+    }
+}
+
+void Apart::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    held_->setGeometry(rect());
+    height_ = needed(width());
+    length_ = held_->text().size();
+}
+
+}  // namespace ravnoves
