@@ -7,6 +7,7 @@
 #include <initializer_list>
 
 #include "shell/main_window.h"
+#include "shell/scene_list.h"
 #include "shell/screenshot.h"
 #include "text/language.h"
 #include "text/preferences.h"
@@ -60,10 +61,11 @@ int main(int argc, char** argv) {
     parser.setApplicationDescription(u"The engine-balancing workbench."_s);
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument(u"case"_s, u"Case file to open."_s, u"[case]"_s);
+    parser.addPositionalArgument(u"case"_s, u"Case files to open."_s, u"[case…]"_s);
     const QCommandLineOption sceneOption(
         u"scene"_s, u"Start with this scene (balance-shaft, elastic-hinge, …)."_s, u"name"_s);
-    const QCommandLineOption caseOption(u"case"_s, u"Open this case file."_s, u"file"_s);
+    const QCommandLineOption caseOption(u"case"_s, u"Open this case file; may be repeated."_s,
+                                        u"file"_s);
     const QCommandLineOption setOption(
         u"set"_s, u"Set a value of the case or of the page; may be repeated."_s, u"key=value"_s);
     const QCommandLineOption screenshotOption(
@@ -123,11 +125,7 @@ int main(int argc, char** argv) {
         }
         return fail(u"--scene: must be one of %1, got %2"_s.arg(names.join(u", "_s), scene));
     }
-    QString path = parser.value(caseOption);
-    if (path.isEmpty() && !parser.positionalArguments().isEmpty()) {
-        path = parser.positionalArguments().constFirst();
-    }
-    if (!path.isEmpty()) {
+    for (const QString& path : parser.values(caseOption) + parser.positionalArguments()) {
         const QString trouble = window.openCase(path);
         if (!trouble.isEmpty()) {
             return fail(trouble);

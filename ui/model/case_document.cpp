@@ -66,9 +66,14 @@ CaseFile CaseDocument::read(const QString& path) {
 }
 
 void CaseDocument::open(const CaseFile& file, const QString& path) {
-    const CaseContext context{fsPath(QFileInfo(path).absolutePath())};
-    model_->loadCase(file.input, context, QString::fromStdString(file.title));
+    begin(file, {fsPath(QFileInfo(path).absolutePath())});
     setPath(path);
+}
+
+void CaseDocument::begin(const CaseFile& file, const CaseContext& context) {
+    model_->loadCase(file.input, context, QString::fromStdString(file.title));
+    model_->history()->clear();  // undo must not bring another case's values under this one's name
+    setPath({});
 }
 
 QString CaseDocument::saveTo(const QString& path) {
@@ -119,15 +124,6 @@ bool CaseDocument::mayGo() {
     const DocumentDialogs::Answer answer = dialogs_.saveChanges(!path_.isEmpty());
     return answer == DocumentDialogs::Answer::Save ? save()
                                                    : answer == DocumentDialogs::Answer::Discard;
-}
-
-bool CaseDocument::begin() {
-    if (!mayGo()) {
-        return false;
-    }
-    model_->loadDefault();
-    setPath({});
-    return true;
 }
 
 }  // namespace ravnoves

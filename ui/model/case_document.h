@@ -46,9 +46,11 @@ class CaseDocument : public QObject {
     /// A case file, not yet checked by its scene.
     /// @throws InputError
     static CaseFile read(const QString& path);
-    /// Takes over what read() found at the path. A fault leaves all as it was.
+    /// Takes over what read() found at the path, or a case without a file, with a history that
+    /// begins there. A fault leaves all as it was.
     /// @throws InputError
     void open(const CaseFile& file, const QString& path);
+    void begin(const CaseFile& file, const CaseContext& context);
     /// @return an empty string, or what is wrong, with the file's name
     QString saveTo(const QString& path);
 
@@ -57,8 +59,6 @@ class CaseDocument : public QObject {
     bool saveAs();
     /// Before the document goes: what is not saved is asked for.
     bool mayGo();
-    /// Begins a new case.
-    bool begin();
 
     /// The case files last opened or saved, the newest first.
     static QStringList recentPaths();

@@ -13,19 +13,14 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
-#include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <algorithm>
 
-#include "case-file/case_file.h"
-#include "case-file/input_error.h"
-#include "model/open_case.h"
+#include "shell/documents.h"
 #include "shell/help_window.h"
 #include "shell/scene_page.h"
-#include "text/error_text.h"
 #include "text/language.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
@@ -55,17 +50,23 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     setMinimumSize(960, 620);
     resize(1280, 800);
     setAcceptDrops(true);
-    for (SceneInfo& info : sceneList()) {
-        Entry entry;
-        entry.info = std::move(info);
-        entries_.push_back(std::move(entry));
-    }
+    documents_ = new Documents(this);
     buildNavigation();
     buildMenus();
     hint_ = new QLabel(this);
     statusBar()->addWidget(hint_, 1);
     statusBar()->setSizeGripEnabled(false);
-    showEntry(0);
+    connect(documents_, &Documents::currentChanged, this, &MainWindow::showCurrent);
+    connect(documents_, &Documents::titleChanged, this, &MainWindow::updateTitle);
+    connect(documents_, &Documents::historyChanged, this, &MainWindow::updateHistoryActions);
+    connect(documents_, &Documents::changed, this, &MainWindow::updateCaseActions);
+    connect(documents_, &Documents::status, this, [this](const QString& text) {
+        hint_->setText(text.isEmpty() ? documents_->currentScene().summary : text);
+    });
+    connect(documents_, &Documents::saved, this, [this](const QString& path) {
+        statusBar()->showMessage(tr("Saved %1").arg(path), 3000);
+    });
+    documents_->showScene(documents_->scenes().front().name);
 
     const QSettings settings;
     if (settings.contains(QStringLiteral("window/geometry"))) {
@@ -90,34 +91,31 @@ void MainWindow::buildNavigation() {
     auto* column = new QVBoxLayout(navigation);
     column->setContentsMargins(Theme::gap, Theme::space, Theme::gap, Theme::space);
     column->setSpacing(Theme::gap);
-    stack_ = new QStackedWidget(centre);
     sceneGroup_ = new QActionGroup(this);
-    for (std::size_t i = 0; i < entries_.size(); ++i) {
-        Entry& entry = entries_[i];
-        entry.action = new QAction(themedIcon(QStringLiteral("scene-") + entry.info.name),
-                                   entry.info.title, this);
-        entry.action->setCheckable(true);
-        entry.action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + i)));
-        entry.action->setToolTip(entry.info.summary + QStringLiteral(" (Ctrl+%1)").arg(i + 1));
-        entry.action->setStatusTip(entry.info.summary);
-        sceneGroup_->addAction(entry.action);
-        connect(entry.action, &QAction::triggered, this, [this, i] { showEntry(i); });
-        entry.button = new QToolButton(navigation);
-        entry.button->setDefaultAction(entry.action);
-        entry.button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-        entry.button->setIconSize(QSize(28, 28));
-        entry.button->setAutoRaise(true);
-        entry.button->setFont(Theme::font(Theme::smallSize));
-        entry.action->setIconText(inTwoLines(entry.info.title, entry.button->fontMetrics(),
-                                             navigationWidth - 2 * Theme::gap - Theme::space));
-        entry.button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        entry.button->setMinimumHeight(58);
-        entry.button->setFocusPolicy(Qt::TabFocus);
-        column->addWidget(entry.button);
-        entry.holder = new QWidget(stack_);
-        auto* inside = new QVBoxLayout(entry.holder);
-        inside->setContentsMargins(0, 0, 0, 0);
-        stack_->addWidget(entry.holder);
+    for (const SceneInfo& info : documents_->scenes()) {
+        const int key = static_cast<int>(scenes_.size()) + 1;
+        auto* action =
+            new QAction(themedIcon(QStringLiteral("scene-") + info.name), info.title, this);
+        action->setCheckable(true);
+        action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_0 + key)));
+        action->setToolTip(info.summary + QStringLiteral(" (Ctrl+%1)").arg(key));
+        action->setStatusTip(info.summary);
+        sceneGroup_->addAction(action);
+        connect(action, &QAction::triggered, this,
+                [this, name = info.name] { documents_->showScene(name); });
+        auto* button = new QToolButton(navigation);
+        button->setDefaultAction(action);
+        button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+        button->setIconSize(QSize(28, 28));
+        button->setAutoRaise(true);
+        button->setFont(Theme::font(Theme::smallSize));
+        action->setIconText(inTwoLines(info.title, button->fontMetrics(),
+                                       navigationWidth - 2 * Theme::gap - Theme::space));
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        button->setMinimumHeight(58);
+        button->setFocusPolicy(Qt::TabFocus);
+        column->addWidget(button);
+        scenes_.push_back(action);
     }
     column->addStretch();
     row->addWidget(navigation);
@@ -127,7 +125,7 @@ void MainWindow::buildNavigation() {
     line->setForegroundRole(QPalette::Mid);
     line->setFixedWidth(1);
     row->addWidget(line);
-    row->addWidget(stack_, 1);
+    row->addWidget(documents_, 1);
     setCentralWidget(centre);
 }
 
@@ -149,20 +147,22 @@ void MainWindow::buildMenus() {
 
     QMenu* file = menuBar()->addMenu(tr("&File"));
     QAction* fresh = add(file, QStringLiteral("new"), tr("&New case"), QKeySequence::New,
-                         [this] { current().document->begin(); });
+                         [this] { newCase(currentScene()); });
     QAction* open = add(file, QStringLiteral("open"), tr("&Open case…"), QKeySequence::Open,
                         [this] { openWithDialog(); });
     recentMenu_ = file->addMenu(tr("Open &recent"));
     connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentFiles);
     QAction* saveAction = add(file, QStringLiteral("save"), tr("&Save case"), QKeySequence::Save,
-                              [this] { current().document->save(); });
+                              [this] { documents_->current().document->save(); });
     QAction* saveAsAction =
         add(file, {}, tr("Save case &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
-            [this] { current().document->saveAs(); });
+            [this] { documents_->current().document->saveAs(); });
     file->addSeparator();
     QAction* picture = add(file, QStringLiteral("picture"), tr("Save page as &picture…"),
                            QKeySequence(Qt::CTRL | Qt::Key_E), [this] { exportPicture(); });
     file->addSeparator();
+    add(file, {}, tr("&Close case"), QKeySequence(Qt::CTRL | Qt::Key_W),
+        [this] { documents_->closeCurrent(); });
     add(file, {}, tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); });
 
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
@@ -186,9 +186,13 @@ void MainWindow::buildMenus() {
     sceneMenu_ = menuBar()->addMenu(tr("&Scene"));
 
     QMenu* view = menuBar()->addMenu(tr("&View"));
-    for (Entry& entry : entries_) {
-        view->addAction(entry.action);
-    }
+    view->addActions(QList<QAction*>(scenes_.begin(), scenes_.end()));
+    view->addSeparator();
+    nextTab_ = add(view, {}, tr("Ne&xt case"), QKeySequence(Qt::CTRL | Qt::Key_Tab),
+                   [this] { documents_->step(1); });
+    previousTab_ =
+        add(view, {}, tr("Pre&vious case"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Tab),
+            [this] { documents_->step(-1); });
     view->addSeparator();
     QAction* reset =
         add(view, QStringLiteral("reset-zoom"), tr("Reset &zoom of all plots"),
@@ -226,7 +230,7 @@ void MainWindow::buildMenus() {
 
     QMenu* help = menuBar()->addMenu(tr("&Help"));
     add(help, QStringLiteral("help"), tr("&About this page: formulas and sources"),
-        QKeySequence::HelpContents, [this] { showHelp(current().info.name); });
+        QKeySequence::HelpContents, [this] { showHelp(currentScene()); });
     add(help, {}, tr("&Case files and command line"), {},
         [this] { showHelp(QStringLiteral("case-files")); });
     add(help, {}, tr("&Keys and mouse"), {}, [this] { showHelp(QStringLiteral("keys")); });
@@ -249,100 +253,42 @@ void MainWindow::buildMenus() {
     }
 }
 
-MainWindow::Entry* MainWindow::entryOf(const QString& scene) {
-    const auto found = std::find_if(entries_.begin(), entries_.end(),
-                                    [&](const Entry& entry) { return entry.info.name == scene; });
-    return found == entries_.end() ? nullptr : &*found;
-}
-
 bool MainWindow::showScene(const QString& name) {
-    const Entry* entry = entryOf(name);
-    if (entry != nullptr) {
-        showEntry(static_cast<std::size_t>(entry - entries_.data()));
-    }
-    return entry != nullptr;
+    return documents_->showScene(name);
 }
 
 QString MainWindow::currentScene() const {
-    return entries_[current_].info.name;
+    return documents_->currentScene().name;
 }
 
-ScenePage* MainWindow::currentPage() {
-    return current().page;
+ScenePage* MainWindow::currentPage() const {
+    return documents_->current().page;
 }
 
 ScenePage* MainWindow::page(const QString& name) {
-    Entry* entry = entryOf(name);
-    if (entry == nullptr) {
-        return nullptr;
-    }
-    if (entry->page == nullptr) {
-        makePage(*entry);
-    }
-    return entry->page;
+    return documents_->page(name);
 }
 
-void MainWindow::makePage(Entry& entry) {
-    entry.page = entry.info.make(entry.holder);
-    entry.document = new CaseDocument(entry.page->model(), dialogsOf(entry), this);
-    entry.page->setOpenCases([this](const QString& scene) -> std::optional<OpenCase> {
-        const Entry* other = entryOf(scene);
-        return other != nullptr && other->document != nullptr
-                   ? std::optional(other->document->asOpenCase())
-                   : std::nullopt;
-    });
-    connect(entry.document->model(), &SceneModel::historyChanged, this,
-            &MainWindow::updateHistoryActions);
-    connect(entry.document, &CaseDocument::nameChanged, this, &MainWindow::updateTitle);
-    connect(entry.document, &CaseDocument::saved, this, [this](const QString& path) {
-        statusBar()->showMessage(tr("Saved %1").arg(path), 3000);
-    });
-    connect(entry.page, &ScenePage::status, this, [this, &entry](const QString& text) {
-        hint_->setText(text.isEmpty() ? entry.info.summary : text);
-    });
-    entry.holder->layout()->addWidget(entry.page);
+QString MainWindow::openCase(const QString& path) {
+    return documents_->open(path);
 }
 
-DocumentDialogs MainWindow::dialogsOf(Entry& entry) {
-    DocumentDialogs dialogs;
-    dialogs.saveChanges = [this, &entry](bool hasFile) {
-        showScene(entry.info.name);
-        // A case that came from a file goes back to it.
-        if (const auto goOn = hasFile ? std::nullopt : entry.page->askToSave()) {
-            return *goOn ? DocumentDialogs::Answer::Discard : DocumentDialogs::Answer::Stay;
-        }
-        const auto answer = QMessageBox::question(
-            this, tr("Unsaved changes"), tr("Save the changes of “%1”?").arg(entry.info.title),
-            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
-        return answer == QMessageBox::Save      ? DocumentDialogs::Answer::Save
-               : answer == QMessageBox::Discard ? DocumentDialogs::Answer::Discard
-                                                : DocumentDialogs::Answer::Stay;
-    };
-    dialogs.choosePath = [this](const QString& suggestion) {
-        return QFileDialog::getSaveFileName(this, tr("Save case"), suggestion,
-                                            tr("Ravnoves cases (*.case.json)"));
-    };
-    dialogs.tell = [this](const QString& trouble) {
-        QMessageBox::warning(this, tr("Save case"), trouble);
-    };
-    return dialogs;
+bool MainWindow::newCase(const QString& scene) {
+    return documents_->begin(scene);
 }
 
-void MainWindow::showEntry(std::size_t index) {
-    if (ScenePage* old = currentPage(); old != nullptr && index != current_) {
-        old->setActive(false);
-    }
-    current_ = index;
-    Entry& entry = current();
-    ScenePage* shown = page(entry.info.name);
-    entry.action->setChecked(true);
-    stack_->setCurrentWidget(entry.holder);
-    updateCaseActions();
+QString MainWindow::newCase(const CaseFile& file, const CaseContext& context) {
+    return documents_->begin(file, context);
+}
+
+QString MainWindow::saveCase(const QString& path) {
+    return documents_->current().document->saveTo(path);
+}
+
+void MainWindow::showCurrent() {
+    scenes_[documents_->current().scene]->setChecked(true);
+    hint_->setText(documents_->currentScene().summary);
     updateHistoryActions();
-    shown->setActive(true);
-    if (hint_ != nullptr) {
-        hint_->setText(entry.info.summary);
-    }
     updateSceneActions();
     updateTitle();
 }
@@ -356,6 +302,8 @@ void MainWindow::updateCaseActions() {
                                : tr("This page has no case file: its numbers are measured anew. "
                                     "Copy or export them."));
     }
+    nextTab_->setEnabled(documents_->hasSeveralTabs());
+    previousTab_->setEnabled(documents_->hasSeveralTabs());
 }
 
 void MainWindow::updateHistoryActions() {
@@ -392,32 +340,17 @@ void MainWindow::updateSceneActions() {
 }
 
 void MainWindow::updateTitle() {
-    const Entry& entry = current();
-    const QString name = entry.document->name();
-    setWindowTitle((name.isEmpty() ? entry.info.title + QStringLiteral("[*]")
-                                   : name + QStringLiteral("[*] – ") + entry.info.title) +
-                   QStringLiteral(" – Ravnoves"));
-    setWindowModified(entry.document->needsSaving());
-}
-
-QString MainWindow::openCase(const QString& path, bool asks) {
-    try {
-        const CaseFile file = CaseDocument::read(path);
-        const QString scene = QString::fromStdString(file.scene);
-        page(scene);
-        if (asks && !entryOf(scene)->document->mayGo()) {
-            return {};
-        }
-        entryOf(scene)->document->open(file, path);
-        showScene(scene);
-        return {};
-    } catch (const InputError& error) {
-        return path + QStringLiteral(": ") + errorText(error);
-    }
+    const CaseDocument& document = *documents_->current().document;
+    const QString scene = documents_->currentScene().title;
+    const QString name = document.name();
+    setWindowTitle(
+        (name.isEmpty() ? scene + QStringLiteral("[*]") : name + QStringLiteral("[*] – ") + scene) +
+        QStringLiteral(" – Ravnoves"));
+    setWindowModified(document.needsSaving());
 }
 
 void MainWindow::openOrSayWhy(const QString& path) {
-    const QString trouble = openCase(path, true);
+    const QString trouble = openCase(path);
     if (!trouble.isEmpty()) {
         QMessageBox::warning(this, tr("Open case"), trouble);
     }
@@ -425,7 +358,7 @@ void MainWindow::openOrSayWhy(const QString& path) {
 
 void MainWindow::openWithDialog() {
     const QString path = QFileDialog::getOpenFileName(
-        this, tr("Open case"), QFileInfo(current().document->path()).absolutePath(),
+        this, tr("Open case"), QFileInfo(documents_->current().document->path()).absolutePath(),
         tr("Ravnoves cases (*.case.json *.json);;All files (*)"));
     if (!path.isEmpty()) {
         openOrSayWhy(path);
@@ -434,7 +367,7 @@ void MainWindow::openWithDialog() {
 
 void MainWindow::exportPicture() {
     const QString path = QFileDialog::getSaveFileName(this, tr("Save page as picture"),
-                                                      current().info.name + QStringLiteral(".png"),
+                                                      currentScene() + QStringLiteral(".png"),
                                                       tr("PNG picture (*.png)"));
     if (path.isEmpty()) {
         return;
@@ -473,11 +406,9 @@ void MainWindow::showAbout() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    for (const Entry& entry : entries_) {
-        if (entry.document != nullptr && !entry.document->mayGo()) {
-            event->ignore();
-            return;
-        }
+    if (!documents_->mayGo()) {
+        event->ignore();
+        return;
     }
     QSettings().setValue(QStringLiteral("window/geometry"), saveGeometry());
     event->accept();

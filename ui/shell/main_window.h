@@ -3,19 +3,18 @@
 #include <QMainWindow>
 #include <vector>
 
-#include "model/case_document.h"
-#include "shell/scene_list.h"
+#include "case-file/case_context.h"
 
 class QActionGroup;
 class QLabel;
-class QStackedWidget;
-class QToolButton;
 
 namespace ravnoves {
 
+struct CaseFile;
+class Documents;
 class ScenePage;
 
-/// The window: navigation between the scenes, menus, toolbar, status bar, documents.
+/// The window: navigation between the scenes, menus, toolbar, status bar, over its documents.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
@@ -23,20 +22,26 @@ class MainWindow : public QMainWindow {
     explicit MainWindow(QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    /// Brings a scene to the front by its word in case files.
+    /// Brings a scene to the front by its word in case files: the document that was there last.
     /// @return false where there is none
     bool showScene(const QString& name);
     QString currentScene() const;
-    /// The page of a scene, made now if it was not yet; null for a word that is no scene.
+    /// The page of that document, made now if there is none; null for a word that is no scene.
     ScenePage* page(const QString& name);
-    ScenePage* currentPage();
+    ScenePage* currentPage() const;
+    Documents& documents() { return *documents_; }
 
-    /// Opens a case file and shows its scene.
+    /// Opens a case file in a tab of its own and shows it; one that is open comes to the front.
     /// @return an empty string, or what is wrong, with the file's name; all stays as it was then
-    /// @param asks  whether unsaved changes of what it replaces are asked about; no: undo has them
-    QString openCase(const QString& path, bool asks = false);
+    QString openCase(const QString& path);
+    /// Begins a case of a scene in a tab of its own. @return false where there is no such scene
+    bool newCase(const QString& scene);
+    /// The same from a case that stays without a file, as an example.
+    /// @param context  where the files lie that it names
+    /// @return an empty string, or what is wrong
+    QString newCase(const CaseFile& file, const CaseContext& context = {});
     /// Writes the current page's case. The same return.
-    QString saveCase(const QString& path) { return current().document->saveTo(path); }
+    QString saveCase(const QString& path);
 
   protected:
     void closeEvent(QCloseEvent* event) override;
@@ -44,22 +49,9 @@ class MainWindow : public QMainWindow {
     void dropEvent(QDropEvent* event) override;
 
   private:
-    struct Entry {
-        SceneInfo info;
-        ScenePage* page = nullptr;
-        QWidget* holder = nullptr;
-        QToolButton* button = nullptr;
-        QAction* action = nullptr;
-        CaseDocument* document = nullptr;  ///< of the page, as soon as that is made
-    };
-
     void buildNavigation();
     void buildMenus();
-    void showEntry(std::size_t index);
-    Entry* entryOf(const QString& scene);
-    Entry& current() { return entries_[current_]; }
-    DocumentDialogs dialogsOf(Entry& entry);
-    void makePage(Entry& entry);
+    void showCurrent();
     void openOrSayWhy(const QString& path);
     void openWithDialog();
     void exportPicture();
@@ -71,9 +63,8 @@ class MainWindow : public QMainWindow {
     void showHelp(const QString& topic);
     void showAbout();
 
-    std::vector<Entry> entries_;
-    std::size_t current_ = 0;
-    QStackedWidget* stack_ = nullptr;
+    Documents* documents_ = nullptr;
+    std::vector<QAction*> scenes_;  ///< in the order of the navigation
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;
     QActionGroup* sceneGroup_ = nullptr;
@@ -81,6 +72,8 @@ class MainWindow : public QMainWindow {
     QMenu* sceneMenu_ = nullptr;
     QToolBar* toolBar_ = nullptr;
     QLabel* hint_ = nullptr;
+    QAction* nextTab_ = nullptr;
+    QAction* previousTab_ = nullptr;
     QList<QAction*> caseActions_;   ///< need a page with a case file; data: their tip
     QList<QAction*> sceneActions_;  ///< in the toolbar for the present page
 };

@@ -138,13 +138,26 @@ TEST_F(CaseDocumentTest, SaysWhatCannotBeWritten) {
 TEST_F(CaseDocumentTest, AsksBeforeChangesAreLost) {
     open(written("nine.case.json", 9.0));
     model.set("square", 16.0);
-    EXPECT_FALSE(document.begin());
-    EXPECT_EQ(model.root(), 4.0);
+    EXPECT_FALSE(document.mayGo());
     EXPECT_EQ(asked, QStringList{QStringLiteral("save?")});
     answer = Answer::Discard;
-    EXPECT_TRUE(document.begin());
-    EXPECT_EQ(model.root(), 2.0);
+    EXPECT_TRUE(document.mayGo());
+    EXPECT_EQ(model.root(), 4.0);
+}
+
+TEST_F(CaseDocumentTest, UndoNeverCrossesOpenOrBegin) {
+    const QString nine = written("nine.case.json", 9.0);
+    model.set("square", 16.0);
+    open(nine);
+    model.undo();
+    EXPECT_EQ(model.root(), 3.0);
+    EXPECT_EQ(model.history()->count(), 0);
+    model.set("square", 16.0);
+    document.begin(CaseDocument::read(nine), {});
+    model.undo();
+    EXPECT_EQ(model.root(), 3.0);
     EXPECT_TRUE(document.path().isEmpty());
+    EXPECT_EQ(document.name(), QStringLiteral("A title"));
     EXPECT_FALSE(document.needsSaving());
 }
 

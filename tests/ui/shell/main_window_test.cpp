@@ -123,19 +123,6 @@ TEST_F(MainWindowTest, AsksBeforeChangesAreLost) {
     EXPECT_TRUE(window.close());
 }
 
-TEST_F(MainWindowTest, AsksBeforeAnotherFileTakesThePlaceOfChanges) {
-    ASSERT_EQ(window.openCase(example()), QString());
-    ASSERT_EQ(applySetting(window, QStringLiteral("shaft_angle_deg=77")), QString());
-    const Json before = window.currentPage()->model()->inputJson();
-    answer(QMessageBox::Cancel);
-    EXPECT_EQ(window.openCase(example(), true), QString());
-    EXPECT_TRUE(asked.contains(QStringLiteral("Balance shaft")));
-    EXPECT_EQ(window.currentPage()->model()->inputJson(), before);
-    answer(QMessageBox::Discard);
-    EXPECT_EQ(window.openCase(example(), true), QString());
-    EXPECT_NE(window.currentPage()->model()->inputJson(), before);
-}
-
 TEST_F(MainWindowTest, CopiesResults) {
     QTest::keyClick(&window, Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
     const QString text = QApplication::clipboard()->text();

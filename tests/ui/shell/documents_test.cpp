@@ -1,0 +1,328 @@
+// Several cases open as tabs, through the window's keys, mouse and menus.
+
+#include "shell/documents.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QApplication>
+#include <QDropEvent>
+#include <QFile>
+#include <QLabel>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QTabBar>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <QToolButton>
+
+#include "case-file/case_file.h"
+#include "case-file/json.h"
+#include "events.h"
+#include "methods/methods_page.h"
+#include "model/open_case.h"
+#include "shell/main_window.h"
+#include "shell/scene_page.h"
+#include "shell/screenshot.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+
+class DocumentsTest : public ::testing::Test {
+  protected:
+    DocumentsTest() {
+        test::showAt(window, {1280, 800});
+        window.activateWindow();
+    }
+
+    /// Of an example; "honda" is another engine with a balance shaft.
+    QString example(const QString& name) {
+        const QString path = QStringLiteral(RAVNOVES_EXAMPLES "/%1.case.json");
+        if (name != "honda"_L1) {
+            return path.arg(name);
+        }
+        const QString honda = folder.filePath(u"honda.case.json"_s);
+        if (!QFile::exists(honda)) {
+            QFile::copy(path.arg(u"tmz-650d"_s), honda);
+        }
+        return honda;
+    }
+    void open(const QString& name) { ASSERT_EQ(window.openCase(example(name)), QString()); }
+    QTabBar& bar() { return *window.findChild<QTabBar*>(u"documents"_s); }
+    QStringList tabs() {
+        QStringList texts;
+        for (int i = 0; i < bar().count(); ++i) {
+            texts << bar().tabText(i);
+        }
+        return texts;
+    }
+    SceneModel& model() { return *window.currentPage()->model(); }
+    void set(const QString& pair) { ASSERT_EQ(applySetting(window, pair), QString()); }
+    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::ControlModifier) {
+        window.activateWindow();  // a message may have been in front
+        QTest::keyClick(&window, key, modifiers);
+        QApplication::processEvents();
+    }
+    /// Answers the next message box with a button and keeps its text.
+    void answer(QMessageBox::StandardButton button) {
+        QTimer::singleShot(50, &window, [this, button] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            ASSERT_NE(box, nullptr);
+            asked << box->text();
+            box->button(button)->click();
+        });
+    }
+    QAction* action(const QString& begins) {
+        for (QAction* each : window.findChildren<QAction*>()) {
+            if (each->text().remove(u'&').startsWith(begins)) {
+                return each;
+            }
+        }
+        return nullptr;
+    }
+
+    QTemporaryDir folder;
+    MainWindow window;
+    QStringList asked;
+};
+
+TEST_F(DocumentsTest, ACaseThatIsOpenedReplacesNothing) {
+    EXPECT_FALSE(bar().isVisible());
+    open(u"tmz-650d"_s);
+    EXPECT_FALSE(bar().isVisible()) << "took the place of the untouched first document";
+    set(u"shaft_angle_deg=77"_s);
+    open(u"honda"_s);
+    EXPECT_TRUE(bar().isVisible());
+    EXPECT_EQ(tabs(), (QStringList{u"tmz-650d *"_s, u"honda"_s}));
+    EXPECT_EQ(bar().currentIndex(), 1);
+    EXPECT_FALSE(window.isWindowModified());
+    EXPECT_NE(model().inputJson().at("shaft_angle_deg"), 77);
+    press(Qt::Key_Tab);
+    EXPECT_EQ(bar().currentIndex(), 0);
+    EXPECT_TRUE(window.isWindowModified());
+    EXPECT_TRUE(window.windowTitle().startsWith(u"tmz-650d.case.json"_s));
+    EXPECT_EQ(model().inputJson().at("shaft_angle_deg"), 77);
+}
+
+TEST_F(DocumentsTest, UndoNeverCrossesOpen) {
+    set(u"shaft_angle_deg=77"_s);
+    open(u"tmz-650d"_s);
+    const Json opened = model().inputJson();
+    EXPECT_FALSE(action(u"Undo"_s)->isEnabled());
+    press(Qt::Key_Z);
+    EXPECT_EQ(model().inputJson(), opened);
+    EXPECT_FALSE(window.isWindowModified());
+    press(Qt::Key_Backtab, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_TRUE(action(u"Undo"_s)->isEnabled());
+    press(Qt::Key_Z);
+    EXPECT_NE(model().inputJson().at("shaft_angle_deg"), 77);
+    press(Qt::Key_Tab);
+    EXPECT_EQ(model().inputJson(), opened);
+}
+
+TEST_F(DocumentsTest, AFileThatIsOpenComesToTheFront) {
+    const QString link = folder.filePath(u"link.case.json"_s);
+    ASSERT_TRUE(QFile::link(example(u"tmz-650d"_s), link));
+    open(u"tmz-650d"_s);
+    set(u"shaft_angle_deg=77"_s);
+    open(u"vr5-volkswagen"_s);
+    ASSERT_EQ(window.openCase(link), QString());
+    EXPECT_EQ(bar().count(), 2);
+    EXPECT_EQ(window.currentScene(), u"balance-shaft"_s);
+    EXPECT_EQ(model().inputJson().at("shaft_angle_deg"), 77);
+}
+
+TEST_F(DocumentsTest, ABadFileLeavesNoTab) {
+    QFile bad(folder.filePath(u"bad.json"_s));
+    ASSERT_TRUE(bad.open(QIODevice::WriteOnly));
+    bad.write(R"({"format": "ravnoves-case", "version": 1, "scene": "elastic-hinge",
+                  "input": {"lambda": -1}})");
+    bad.close();
+    open(u"tmz-650d"_s);
+    EXPECT_NE(window.openCase(bad.fileName()), QString());
+    EXPECT_EQ(window.documents().all().size(), 1U);
+    EXPECT_EQ(window.currentScene(), u"balance-shaft"_s);
+}
+
+TEST_F(DocumentsTest, TheNavigationFollowsAndBringsASceneSLastTab) {
+    open(u"tmz-650d"_s);
+    open(u"honda"_s);
+    open(u"vr5-volkswagen"_s);
+    const auto checked = [this](const QString& title) { return action(title)->isChecked(); };
+    EXPECT_TRUE(checked(u"Inertia moments"_s));
+    QTest::mouseClick(&bar(), Qt::LeftButton, {}, bar().tabRect(0).center());
+    EXPECT_TRUE(checked(u"Balance shaft"_s));
+    EXPECT_TRUE(window.windowTitle().contains(u"tmz-650d"_s));
+    press(Qt::Key_4);
+    press(Qt::Key_1);
+    EXPECT_TRUE(window.windowTitle().contains(u"tmz-650d"_s)) << "the one shown last";
+    // A scene without a document gets its first.
+    press(Qt::Key_2);
+    EXPECT_EQ(window.currentScene(), u"elastic-hinge"_s);
+    EXPECT_EQ(bar().count(), 4);
+    const QString hint = action(u"Elastic hinges"_s)->statusTip();
+    const auto labels = window.findChildren<QLabel*>();
+    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+        return label->isVisible() && label->text() == hint;
+    }));
+}
+
+TEST_F(DocumentsTest, BrowsingThroughTheScenesNeedsNoTabs) {
+    for (const Qt::Key key : {Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5, Qt::Key_1}) {
+        press(key);
+        EXPECT_FALSE(bar().isVisible());
+        EXPECT_FALSE(action(u"Next case"_s)->isEnabled());
+    }
+    // What one has worked on stays within reach.
+    set(u"shaft_angle_deg=77"_s);
+    press(Qt::Key_2);
+    EXPECT_TRUE(bar().isVisible());
+    EXPECT_EQ(bar().count(), 2);
+}
+
+TEST_F(DocumentsTest, NewBeginsATabOfTheScene) {
+    open(u"tmz-650d"_s);
+    press(Qt::Key_N);
+    EXPECT_EQ(bar().count(), 2);
+    EXPECT_FALSE(window.windowTitle().contains(u"tmz-650d"_s));
+    press(Qt::Key_N);
+    ASSERT_EQ(bar().count(), 3);
+    EXPECT_NE(bar().tabText(1), bar().tabText(2));
+    EXPECT_EQ(window.currentScene(), u"balance-shaft"_s);
+    press(Qt::Key_5);
+    EXPECT_FALSE(action(u"New case"_s)->isEnabled());
+}
+
+TEST_F(DocumentsTest, ACaseWithoutAFileIsBegunFromAnother) {
+    const CaseFile vr5 = CaseDocument::read(example(u"vr5-volkswagen"_s));
+    EXPECT_EQ(window.newCase(vr5), QString());
+    EXPECT_EQ(model().title(), QString::fromStdString(vr5.title));
+    EXPECT_EQ(window.documents().current().document->path(), QString());
+    EXPECT_FALSE(window.isWindowModified());
+    EXPECT_FALSE(model().history()->canUndo());
+    CaseFile bad = vr5;
+    bad.input = {{"cylinders", -1}};
+    EXPECT_NE(window.newCase(bad), QString());
+    EXPECT_FALSE(window.newCase(u"balance-shift"_s));
+}
+
+TEST_F(DocumentsTest, ClosesByKeyByButtonAndByTheMiddleButton) {
+    open(u"tmz-650d"_s);
+    open(u"honda"_s);
+    open(u"vr5-volkswagen"_s);
+    open(u"zotov-energy"_s);
+    press(Qt::Key_W);
+    EXPECT_EQ(tabs(), (QStringList{u"tmz-650d"_s, u"honda"_s, u"vr5-volkswagen"_s}));
+    EXPECT_TRUE(window.windowTitle().contains(u"vr5-volkswagen"_s)) << "the one shown before";
+    auto* button = qobject_cast<QAbstractButton*>(bar().tabButton(0, QTabBar::RightSide));
+    ASSERT_NE(button, nullptr);
+    QTest::mouseClick(button, Qt::LeftButton);
+    EXPECT_EQ(tabs(), (QStringList{u"honda"_s, u"vr5-volkswagen"_s}));
+    QTest::mouseClick(&bar(), Qt::MiddleButton, {}, bar().tabRect(1).center());
+    EXPECT_EQ(window.documents().all().size(), 1U);
+    EXPECT_FALSE(bar().isVisible());
+    // The last leaves what a new document is.
+    press(Qt::Key_W);
+    EXPECT_EQ(window.currentScene(), u"balance-shaft"_s);
+    EXPECT_EQ(window.documents().current().document->path(), QString());
+    press(Qt::Key_W);
+    EXPECT_EQ(window.documents().all().size(), 1U);
+}
+
+TEST_F(DocumentsTest, ClosingAsksForItsOwnChangesAlone) {
+    open(u"tmz-650d"_s);
+    set(u"shaft_angle_deg=77"_s);
+    open(u"honda"_s);
+    press(Qt::Key_W);
+    EXPECT_TRUE(asked.isEmpty());
+    EXPECT_TRUE(window.windowTitle().contains(u"tmz-650d"_s));
+    answer(QMessageBox::Cancel);
+    press(Qt::Key_W);
+    EXPECT_TRUE(window.windowTitle().contains(u"tmz-650d"_s));
+    EXPECT_EQ(model().inputJson().at("shaft_angle_deg"), 77);
+    answer(QMessageBox::Discard);
+    press(Qt::Key_W);
+    EXPECT_FALSE(window.windowTitle().contains(u"tmz-650d"_s));
+    ASSERT_EQ(asked.size(), 2);
+    EXPECT_TRUE(asked[0].contains(u"tmz-650d.case.json"_s));
+}
+
+TEST_F(DocumentsTest, QuittingAsksForEachThatHasChanges) {
+    open(u"tmz-650d"_s);
+    set(u"shaft_angle_deg=77"_s);
+    open(u"vr5-volkswagen"_s);
+    open(u"honda"_s);
+    set(u"shaft_angle_deg=78"_s);
+    open(u"zotov-energy"_s);
+    answer(QMessageBox::Discard);
+    QTimer::singleShot(60, &window, [this] { answer(QMessageBox::Cancel); });
+    EXPECT_FALSE(window.close());
+    ASSERT_EQ(asked.size(), 2);
+    EXPECT_TRUE(asked[0].contains(u"tmz-650d"_s));
+    EXPECT_TRUE(asked[1].contains(u"honda"_s));
+    EXPECT_TRUE(window.windowTitle().contains(u"honda"_s));
+    EXPECT_EQ(window.documents().all().size(), 4U);
+}
+
+TEST_F(DocumentsTest, TabsAreMovedByTheMouse) {
+    open(u"tmz-650d"_s);
+    open(u"honda"_s);
+    open(u"vr5-volkswagen"_s);
+    const QPoint from = bar().tabRect(0).center();
+    const QPoint to = bar().tabRect(2).center() + QPoint(20, 0);
+    QTest::mousePress(&bar(), Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 10; ++i) {
+        QTest::mouseMove(&bar(), from + (to - from) * i / 10);
+        QApplication::processEvents();
+    }
+    QTest::mouseRelease(&bar(), Qt::LeftButton, {}, to);
+    QTest::qWait(400);
+    EXPECT_EQ(tabs(), (QStringList{u"honda"_s, u"vr5-volkswagen"_s, u"tmz-650d"_s}));
+    EXPECT_TRUE(window.windowTitle().contains(u"tmz-650d"_s));
+    press(Qt::Key_Tab);
+    EXPECT_TRUE(window.windowTitle().contains(u"honda"_s));
+}
+
+TEST_F(DocumentsTest, EveryFileThatIsDroppedOpens) {
+    QMimeData files;
+    files.setUrls({QUrl::fromLocalFile(example(u"tmz-650d"_s)),
+                   QUrl::fromLocalFile(example(u"vr5-volkswagen"_s))});
+    QDragEnterEvent enters(QPoint(300, 300), Qt::CopyAction, &files, Qt::LeftButton, {});
+    QApplication::sendEvent(&window, &enters);
+    EXPECT_TRUE(enters.isAccepted());
+    QDropEvent drops(QPointF(300, 300), Qt::CopyAction, &files, Qt::LeftButton, {});
+    QApplication::sendEvent(&window, &drops);
+    EXPECT_EQ(tabs(), (QStringList{u"tmz-650d"_s, u"vr5-volkswagen"_s}));
+}
+
+TEST_F(DocumentsTest, MethodsFollowTheCaseShownLastAndStayOnePage) {
+    open(u"tmz-650d"_s);
+    open(u"honda"_s);
+    press(Qt::Key_Tab);
+    const QString title = model().title();
+    press(Qt::Key_5);
+    auto* page = qobject_cast<MethodsPage*>(window.currentPage());
+    ASSERT_NE(page, nullptr);
+    set(u"kernel=best-angle"_s);
+    EXPECT_EQ(page->viewModel()->caseTitle(), title);
+    press(Qt::Key_1);
+    press(Qt::Key_5);
+    EXPECT_EQ(window.currentPage(), page);
+}
+
+TEST_F(DocumentsTest, SeveralJobsOfTheWorkshopAreOpen) {
+    press(Qt::Key_3);
+    const QString first = u"job/engine_number=A-1"_s;
+    set(first);
+    press(Qt::Key_N);
+    set(u"job/engine_number=B-2"_s);
+    EXPECT_EQ(model().inputJson().at("job").at("engine_number"), "B-2");
+    press(Qt::Key_Tab);
+    EXPECT_EQ(model().inputJson().at("job").at("engine_number"), "A-1");
+}
+
+}  // namespace
+}  // namespace ravnoves

@@ -1,0 +1,435 @@
+#include "shell/documents.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QMouseEvent>
+#include <QSignalBlocker>
+#include <QStackedWidget>
+#include <QTabBar>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "case-file/case_file.h"
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "model/open_case.h"
+#include "numerics/demand.h"
+#include "shell/scene_page.h"
+#include "text/error_text.h"
+#include "theme/icons.h"
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+namespace {
+
+/// Of one file, by whatever path or link.
+QString fileIdentity(const QString& path) {
+    const QFileInfo file(path);
+    const QString canonical = file.canonicalFilePath();
+    return canonical.isEmpty() ? file.absoluteFilePath() : canonical;
+}
+
+}  // namespace
+
+Documents::Documents(QWidget* parent) : QWidget(parent), scenes_(sceneList()) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    tabs_ = new QTabBar(this);
+    tabs_->setObjectName(QStringLiteral("documents"));
+    tabs_->setAccessibleName(tr("Open cases"));
+    tabs_->setDocumentMode(true);
+    tabs_->setDrawBase(true);
+    tabs_->setExpanding(false);
+    tabs_->setMovable(true);
+    tabs_->setTabsClosable(true);
+    tabs_->setUsesScrollButtons(true);
+    tabs_->setElideMode(Qt::ElideMiddle);
+    tabs_->setIconSize(QSize(16, 16));
+    tabs_->setFont(Theme::font(Theme::smallSize));
+    tabs_->installEventFilter(this);
+    tabs_->hide();
+    column->addWidget(tabs_);
+    stack_ = new QStackedWidget(this);
+    column->addWidget(stack_, 1);
+    connect(tabs_, &QTabBar::currentChanged, this, [this](int tab) {
+        if (OpenDocument* document = ofTab(tab)) {
+            bringToFront(*document);
+        }
+    });
+    connect(tabs_, &QTabBar::tabCloseRequested, this, [this](int tab) {
+        if (OpenDocument* document = ofTab(tab)) {
+            close(*document);
+        }
+    });
+    connect(tabs_, &QTabBar::tabMoved, this, &Documents::changed);
+}
+
+Documents::~Documents() {
+    for (const auto& each : documents_) {
+        delete each->document;
+        delete each->page;
+    }
+}
+
+// ------------------------------------------------------------------------------- looking up
+
+std::optional<std::size_t> Documents::indexOf(const QString& scene) const {
+    const auto found = std::find_if(scenes_.begin(), scenes_.end(),
+                                    [&](const SceneInfo& info) { return info.name == scene; });
+    return found == scenes_.end()
+               ? std::nullopt
+               : std::optional(static_cast<std::size_t>(found - scenes_.begin()));
+}
+
+OpenDocument* Documents::lastOf(std::size_t scene) const {
+    OpenDocument* last = nullptr;
+    for (const auto& each : documents_) {
+        if (each->scene == scene && (last == nullptr || each->shown > last->shown)) {
+            last = each.get();
+        }
+    }
+    return last;
+}
+
+OpenDocument* Documents::withFile(const QString& path) const {
+    const QString identity = fileIdentity(path);
+    for (const auto& each : documents_) {
+        const QString other = each->document->path();
+        if (!other.isEmpty() && fileIdentity(other) == identity) {
+            return each.get();
+        }
+    }
+    return nullptr;
+}
+
+OpenDocument* Documents::ofTab(int tab) const {
+    for (const auto& each : documents_) {
+        if (tabs_->tabData(tab).toInt() == each->id) {
+            return each.get();
+        }
+    }
+    return nullptr;
+}
+
+bool Documents::isUntouched(const OpenDocument& document) {
+    const SceneModel& model = *document.document->model();
+    return !model.hasCaseFile() ||
+           (document.document->path().isEmpty() && !model.hasChanges() &&
+            model.history()->count() == 0 && model.inputJson().dump() == document.beginning);
+}
+
+OpenDocument* Documents::untouchedOf(std::size_t scene, const OpenDocument* butNot) const {
+    for (const auto& each : documents_) {
+        if (each->scene == scene && each.get() != butNot && isUntouched(*each)) {
+            return each.get();
+        }
+    }
+    return nullptr;
+}
+
+// ------------------------------------------------------------------------ coming and going
+
+OpenDocument& Documents::add(std::size_t scene) {
+    documents_.push_back(std::make_unique<OpenDocument>());
+    OpenDocument& added = *documents_.back();
+    added.id = ++ids_;
+    added.scene = scene;
+    added.page = scenes_[scene].make(stack_);
+    SceneModel* model = added.page->model();
+    added.document = new CaseDocument(model, dialogsOf(added), this);
+    added.beginning = model->inputJson().dump();
+    added.page->setOpenCases([this](const QString& other) -> std::optional<OpenCase> {
+        const auto index = indexOf(other);
+        const OpenDocument* last = index ? lastOf(*index) : nullptr;
+        return last != nullptr ? std::optional(last->document->asOpenCase()) : std::nullopt;
+    });
+    connect(model, &SceneModel::historyChanged, this, [this, &added] {
+        if (&added == current_) {
+            Q_EMIT historyChanged();
+        }
+    });
+    connect(added.document, &CaseDocument::nameChanged, this, [this, &added] {
+        nameTabs();
+        if (&added == current_) {
+            Q_EMIT titleChanged();
+        }
+        Q_EMIT changed();
+    });
+    connect(added.document, &CaseDocument::saved, this, &Documents::saved);
+    connect(added.page, &ScenePage::status, this, [this, &added](const QString& text) {
+        if (&added == current_) {
+            Q_EMIT status(text);
+        }
+    });
+    stack_->addWidget(added.page);
+    return added;
+}
+
+void Documents::remove(OpenDocument& document) {
+    delete document.document;
+    stack_->removeWidget(document.page);
+    document.page->deleteLater();  // it may be the one that the key was pressed in
+    const auto found = std::find_if(documents_.begin(), documents_.end(),
+                                    [&](const auto& each) { return each.get() == &document; });
+    documents_.erase(found);
+}
+
+OpenDocument& Documents::firstOf(std::size_t scene) {
+    OpenDocument* last = lastOf(scene);
+    return last != nullptr ? *last : add(scene);
+}
+
+bool Documents::showScene(const QString& scene) {
+    const auto index = indexOf(scene);
+    if (index) {
+        bringToFront(firstOf(*index));
+    }
+    return index.has_value();
+}
+
+ScenePage* Documents::page(const QString& scene) {
+    const auto index = indexOf(scene);
+    return index ? firstOf(*index).page : nullptr;
+}
+
+void Documents::bringToFront(OpenDocument& document) {
+    if (current_ == &document) {
+        arrangeTabs();
+        return;
+    }
+    if (current_ != nullptr) {
+        current_->page->setActive(false);
+    }
+    current_ = &document;
+    document.shown = ++shows_;
+    stack_->setCurrentWidget(document.page);
+    arrangeTabs();
+    document.page->setActive(true);
+    Q_EMIT currentChanged();
+    Q_EMIT changed();
+}
+
+void Documents::step(int by) {
+    const int count = tabs_->count();
+    if (OpenDocument* next = ofTab((tabs_->currentIndex() + by + count) % count)) {
+        bringToFront(*next);
+    }
+}
+
+bool Documents::hasSeveralTabs() const {
+    return tabs_->count() > 1;
+}
+
+void Documents::put(const CaseFile& file, const std::function<void(CaseDocument&)>& load) {
+    const auto scene = indexOf(QString::fromStdString(file.scene));
+    RAVNOVES_DEMAND(scene.has_value(), "every scene of a case file has a page");
+    OpenDocument* reused = untouchedOf(*scene, nullptr);
+    OpenDocument& target = reused != nullptr ? *reused : add(*scene);
+    try {
+        load(*target.document);
+    } catch (const InputError&) {
+        if (reused == nullptr) {
+            remove(target);
+        }
+        throw;
+    }
+    if (reused != nullptr) {
+        target.page->resetZoom();
+    }
+    bringToFront(target);
+}
+
+QString Documents::open(const QString& path) {
+    if (OpenDocument* there = withFile(path)) {
+        bringToFront(*there);
+        return {};
+    }
+    try {
+        const CaseFile file = CaseDocument::read(path);
+        put(file, [&](CaseDocument& document) { document.open(file, path); });
+        return {};
+    } catch (const InputError& error) {
+        return path + QStringLiteral(": ") + errorText(error);
+    }
+}
+
+bool Documents::begin(const QString& scene) {
+    const auto index = indexOf(scene);
+    if (!index || !page(scene)->model()->hasCaseFile()) {
+        return false;
+    }
+    // One that is seen is left: something new shall be there.
+    const OpenDocument* seen =
+        current_ != nullptr && current_->page->isVisible() ? current_ : nullptr;
+    OpenDocument* reused = untouchedOf(*index, seen);
+    OpenDocument& target = reused != nullptr ? *reused : add(*index);
+    target.hasTab = true;
+    bringToFront(target);
+    return true;
+}
+
+QString Documents::begin(const CaseFile& file, const CaseContext& context) {
+    try {
+        put(file, [&](CaseDocument& document) { document.begin(file, context); });
+        return {};
+    } catch (const InputError& error) {
+        return errorText(error);
+    }
+}
+
+bool Documents::close(OpenDocument& document) {
+    if (!document.document->mayGo()) {
+        return false;
+    }
+    if (&document == current_) {
+        OpenDocument* next = nullptr;
+        for (const auto& each : documents_) {
+            if (each.get() != current_ && each->hasTab &&
+                (next == nullptr || each->shown > next->shown)) {
+                next = each.get();
+            }
+        }
+        if (next == nullptr && isUntouched(document)) {
+            return true;  // the next would be like it
+        }
+        if (next == nullptr) {
+            next = untouchedOf(document.scene, &document);
+        }
+        bringToFront(next != nullptr ? *next : add(document.scene));
+    }
+    remove(document);
+    arrangeTabs();
+    Q_EMIT changed();
+    return true;
+}
+
+bool Documents::mayGo() {
+    return std::all_of(documents_.begin(), documents_.end(),
+                       [](const auto& each) { return each->document->mayGo(); });
+}
+
+DocumentDialogs Documents::dialogsOf(OpenDocument& document) {
+    DocumentDialogs dialogs;
+    dialogs.saveChanges = [this, &document](bool hasFile) {
+        bringToFront(document);
+        // A case that came from a file goes back to it.
+        if (const auto goOn = hasFile ? std::nullopt : document.page->askToSave()) {
+            return *goOn ? DocumentDialogs::Answer::Discard : DocumentDialogs::Answer::Stay;
+        }
+        const QString scene = scenes_[document.scene].title;
+        const QString name = nameOf(document);
+        const auto answer = QMessageBox::question(
+            window(), tr("Unsaved changes"),
+            tr("Save the changes of “%1”?")
+                .arg(name == scene ? scene : name + QStringLiteral(" – ") + scene),
+            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+        return answer == QMessageBox::Save      ? DocumentDialogs::Answer::Save
+               : answer == QMessageBox::Discard ? DocumentDialogs::Answer::Discard
+                                                : DocumentDialogs::Answer::Stay;
+    };
+    dialogs.choosePath = [this, &document](const QString& suggestion) {
+        const QString path = QFileDialog::getSaveFileName(window(), tr("Save case"), suggestion,
+                                                          tr("Ravnoves cases (*.case.json)"));
+        const OpenDocument* other = path.isEmpty() ? nullptr : withFile(path);
+        if (other != nullptr && other != &document) {
+            QMessageBox::warning(window(), tr("Save case"),
+                                 tr("%1 is open in another tab. Close that first, or choose "
+                                    "another name.")
+                                     .arg(path));
+            return QString();
+        }
+        return path;
+    };
+    dialogs.tell = [this](const QString& trouble) {
+        QMessageBox::warning(window(), tr("Save case"), trouble);
+    };
+    return dialogs;
+}
+
+// ------------------------------------------------------------------------------------- tabs
+
+QString Documents::nameOf(const OpenDocument& document) const {
+    const QString name = document.document->name();
+    return name.isEmpty() ? scenes_[document.scene].title : name;
+}
+
+void Documents::arrangeTabs() {
+    const QSignalBlocker blocker(tabs_);
+    for (const auto& each : documents_) {
+        each->hasTab = each->hasTab || !isUntouched(*each);
+    }
+    const auto belongs = [this](const OpenDocument& document) {
+        return document.hasTab || &document == current_;
+    };
+    for (int tab = tabs_->count(); tab-- > 0;) {
+        const OpenDocument* document = ofTab(tab);
+        if (document == nullptr || !belongs(*document)) {
+            tabs_->removeTab(tab);
+        }
+    }
+    for (const auto& each : documents_) {
+        int tab = 0;
+        while (tab < tabs_->count() && ofTab(tab) != each.get()) {
+            ++tab;
+        }
+        if (belongs(*each) && tab == tabs_->count()) {
+            tabs_->addTab(themedIcon(QStringLiteral("scene-") + scenes_[each->scene].name), {});
+            tabs_->setTabData(tab, each->id);
+            if (QWidget* button = tabs_->tabButton(tab, QTabBar::RightSide)) {
+                button->setToolTip(
+                    tr("Close (%1)")
+                        .arg(QKeySequence(QKeySequence::Close).toString(QKeySequence::NativeText)));
+            }
+        }
+        if (each.get() == current_) {
+            tabs_->setCurrentIndex(tab);
+        }
+    }
+    nameTabs();
+    tabs_->setVisible(hasSeveralTabs());
+    // Who has stood in the bar beside others does not vanish from it.
+    current_->hasTab = current_->hasTab || hasSeveralTabs();
+}
+
+void Documents::nameTabs() {
+    QStringList names;
+    for (int tab = 0; tab < tabs_->count(); ++tab) {
+        const OpenDocument& document = *ofTab(tab);
+        const QString path = document.document->path();
+        QString name = nameOf(document);
+        for (const QString& ending : {QStringLiteral(".json"), QStringLiteral(".case")}) {
+            if (!path.isEmpty() && name.endsWith(ending)) {
+                name.chop(ending.size());
+            }
+        }
+        // Two of one name differ by their number.
+        const QString wanted = name;
+        for (int number = 2; names.contains(name); ++number) {
+            name = wanted + QStringLiteral(" (%1)").arg(number);
+        }
+        names << name;
+        tabs_->setTabText(
+            tab, QString(name).replace(QLatin1Char('&'), QStringLiteral("&&")) +
+                     (document.document->needsSaving() ? QStringLiteral(" *") : QString()));
+        tabs_->setTabToolTip(tab, scenes_[document.scene].title +
+                                      (path.isEmpty() ? QString() : QStringLiteral("\n") + path));
+    }
+}
+
+bool Documents::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::MouseButtonRelease) {
+        const auto* mouse = static_cast<QMouseEvent*>(event);
+        if (mouse->button() == Qt::MiddleButton) {
+            if (OpenDocument* document = ofTab(tabs_->tabAt(mouse->pos()))) {
+                close(*document);
+                return true;
+            }
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace ravnoves

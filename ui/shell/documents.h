@@ -1,0 +1,117 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "case-file/case_context.h"
+#include "model/case_document.h"
+#include "shell/scene_list.h"
+
+class QStackedWidget;
+class QTabBar;
+
+namespace ravnoves {
+
+class ScenePage;
+
+/// A case that is open, or a page without cases.
+struct OpenDocument {
+    int id = 0;
+    std::size_t scene = 0;  ///< its place in the list of scenes
+    ScenePage* page = nullptr;
+    CaseDocument* document = nullptr;
+    std::string beginning;  ///< the input that the page was made with, as text
+    bool hasTab = false;
+    int shown = 0;  ///< the larger, the later it was in front; 0: never
+};
+
+/// What is open: the documents as tabs over the page of the one in front. Each has a page, a
+/// history and a file of its own.
+///
+/// The first document of a scene is made when the scene is shown; while it is untouched and has no
+/// file, a case that is opened may take its place, and it gets a tab only in front. With one tab
+/// there is no bar.
+class Documents : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit Documents(QWidget* parent = nullptr);
+    ~Documents() override;
+
+    const std::vector<SceneInfo>& scenes() const { return scenes_; }
+    /// The one in front; there is one from the first showScene() on.
+    OpenDocument& current() { return *current_; }
+    const SceneInfo& currentScene() const { return scenes_[current_->scene]; }
+    const std::vector<std::unique_ptr<OpenDocument>>& all() const { return documents_; }
+
+    /// Brings the document of a scene to the front that was there last, or makes its first.
+    /// @return false for a word that is no scene
+    bool showScene(const QString& scene);
+    /// The page of that document, which stays where it is; null for a word that is no scene.
+    ScenePage* page(const QString& scene);
+    void bringToFront(OpenDocument& document);
+    /// The next tab, or with −1 the one before; round about.
+    void step(int by);
+    bool hasSeveralTabs() const;
+
+    /// Opens a case file; one that is open already comes to the front.
+    /// @return an empty string, or what is wrong, with the file's name; all stays as it was then
+    QString open(const QString& path);
+    /// Begins a case without a file and brings it to the front: what a new document of the scene
+    /// starts with.
+    /// @return false for a word that is no scene
+    bool begin(const QString& scene);
+    /// The same from a case, as an example is. The same return as open().
+    QString begin(const CaseFile& file, const CaseContext& context);
+
+    /// Closes the document, or the one in front. What is not saved is asked for.
+    /// @return false where the user wants to stay
+    bool close(OpenDocument& document);
+    bool closeCurrent() { return close(*current_); }
+    /// Before all of them go: what is not saved is asked for.
+    bool mayGo();
+
+  Q_SIGNALS:
+    /// Another document is in front.
+    void currentChanged();
+    /// What is open, in which order or under which names is another.
+    void changed();
+    /// Of the document in front: name() or needsSaving(); what there is to undo or redo.
+    void titleChanged();
+    void historyChanged();
+    /// A line for the status bar; empty: what the scene is for.
+    void status(const QString& text);
+    void saved(const QString& path);
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    std::optional<std::size_t> indexOf(const QString& scene) const;
+    OpenDocument* lastOf(std::size_t scene) const;
+    OpenDocument* withFile(const QString& path) const;
+    OpenDocument* ofTab(int tab) const;
+    OpenDocument& firstOf(std::size_t scene);
+    OpenDocument& add(std::size_t scene);
+    void remove(OpenDocument& document);
+    static bool isUntouched(const OpenDocument& document);
+    OpenDocument* untouchedOf(std::size_t scene, const OpenDocument* butNot) const;
+    /// Brings a case into a document of its own; one that is refused leaves none behind.
+    void put(const CaseFile& file, const std::function<void(CaseDocument&)>& load);
+    DocumentDialogs dialogsOf(OpenDocument& document);
+    QString nameOf(const OpenDocument& document) const;
+    void arrangeTabs();
+    void nameTabs();
+
+    std::vector<SceneInfo> scenes_;
+    std::vector<std::unique_ptr<OpenDocument>> documents_;
+    OpenDocument* current_ = nullptr;
+    int ids_ = 0;
+    int shows_ = 0;
+    QTabBar* tabs_ = nullptr;
+    QStackedWidget* stack_ = nullptr;
+};
+
+}  // namespace ravnoves
