@@ -2,12 +2,14 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "case-file/input_error.h"
@@ -16,8 +18,8 @@ namespace ravnoves {
 
 namespace {
 
-InputError not_written(const std::string& reason) {
-    return {"", {CORE_TEXT("core", "cannot be written: %1"), reason}};
+InputError not_written() {
+    return {"", {CORE_TEXT("core", "cannot be written: %1"), std::strerror(errno)}};
 }
 
 InputError not_read() {
@@ -54,6 +56,119 @@ std::size_t read_some(int descriptor, std::vector<char>& block) {
         } else if (errno != EINTR) {
             throw not_read();
         }
+    }
+}
+
+void write_all(int descriptor, std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t count = ::write(descriptor, text.data(), text.size());
+        if (count >= 0) {
+            text.remove_prefix(static_cast<std::size_t>(count));
+        } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
+            pollfd wait{descriptor, POLLOUT, 0};
+            ::poll(&wait, 1, -1);
+        } else if (errno != EINTR) {
+            throw not_written();
+        }
+    }
+}
+
+/// While it lives, what asks the program to end waits: no half of a file stays behind.
+class SignalsWait {
+  public:
+    SignalsWait() {
+        sigset_t ends;
+        sigemptyset(&ends);
+        for (const int each : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+            sigaddset(&ends, each);
+        }
+        ::pthread_sigmask(SIG_BLOCK, &ends, &before_);
+    }
+    SignalsWait(const SignalsWait&) = delete;
+    SignalsWait& operator=(const SignalsWait&) = delete;
+    ~SignalsWait() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+  private:
+    sigset_t before_{};
+};
+
+/// A name beside the target that nothing has; `make` gives it to a file and fails where it is
+/// taken, also by a link that somebody planted there.
+template <typename Make>
+std::filesystem::path make_beside(const std::filesystem::path& target, Make make) {
+    constexpr int tries = 1000;
+    for (int i = 0; i < tries; ++i) {
+        std::filesystem::path partial = target;
+        partial += ".part" + std::to_string(::getpid()) + "-" + std::to_string(i);
+        if (make(partial.c_str())) {
+            return partial;
+        }
+        if (errno != EEXIST) {
+            break;
+        }
+    }
+    throw not_written();
+}
+
+/// The bytes are on the disk before their name is, and the name before this returns.
+void replace_file(const std::filesystem::path& target, std::string_view text) {
+    std::filesystem::path folder = target.parent_path();
+    if (folder.empty()) {
+        folder = ".";
+    }
+    struct stat old {};
+    const bool is_there = ::stat(target.c_str(), &old) == 0;
+    constexpr mode_t anybody_writes = S_IWUSR | S_IWGRP | S_IWOTH;
+    if (is_there && ((old.st_mode & anybody_writes) == 0 || ::access(target.c_str(), W_OK) != 0)) {
+        errno = EACCES;
+        throw not_written();
+    }
+    // A file without a name goes by itself, whatever ends the program while it is written.
+    Descriptor file(::access("/proc/self/fd", X_OK) == 0
+                        ? ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666)
+                        : -1);
+    const bool has_no_name = file.number >= 0;
+    std::optional<SignalsWait> wait;
+    std::filesystem::path partial;
+    if (!has_no_name) {
+        wait.emplace();
+        partial = make_beside(target, [&](const char* name) {
+            file.number = ::open(name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+            return file.number >= 0;
+        });
+    }
+    try {
+        if (is_there) {
+            // Its rights, and as far as that is allowed its owner.
+            [[maybe_unused]] const int owned = ::fchown(file.number, old.st_uid, old.st_gid);
+            if (::fchmod(file.number, old.st_mode & 07777U) != 0) {
+                throw not_written();
+            }
+        }
+        write_all(file.number, text);
+        if (::fsync(file.number) != 0) {
+            throw not_written();
+        }
+        if (has_no_name) {
+            wait.emplace();
+            const std::string open_file = "/proc/self/fd/" + std::to_string(file.number);
+            partial = make_beside(target, [&](const char* name) {
+                return ::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW) ==
+                       0;
+            });
+        }
+        if (::rename(partial.c_str(), target.c_str()) != 0) {
+            throw not_written();
+        }
+    } catch (const InputError&) {
+        if (!partial.empty()) {
+            ::unlink(partial.c_str());
+        }
+        throw;
+    }
+    const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (directory.number >= 0) {
+        ::fsync(directory.number);  // some file systems have no such thing
     }
 }
 
@@ -143,31 +258,15 @@ void write_text_file(const std::filesystem::path& path, std::string_view text) {
     }
     if (in_place) {
         // A device or a pipe has no place beside it: write straight through.
-        std::ofstream stream(path, std::ios::binary);
-        stream << text << std::flush;
-        if (!stream) {
-            throw not_written(std::strerror(errno));
+        const Descriptor device(
+            ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOCTTY | O_CLOEXEC, 0666));
+        if (device.number < 0) {
+            throw not_written();
         }
+        write_all(device.number, text);
         return;
     }
-    std::filesystem::path partial = target;
-    partial += ".part" + std::to_string(::getpid());
-    {
-        std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
-        stream << text << std::flush;
-        if (!stream) {
-            const std::string reason = std::strerror(errno);
-            stream.close();
-            std::filesystem::remove(partial, error);
-            throw not_written(reason);
-        }
-    }
-    std::filesystem::rename(partial, target, error);
-    if (error) {
-        const std::string reason = error.message();
-        std::filesystem::remove(partial, error);
-        throw not_written(reason);
-    }
+    replace_file(target, text);
 }
 
 }  // namespace ravnoves

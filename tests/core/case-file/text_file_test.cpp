@@ -1,0 +1,130 @@
+#include "case-file/text_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "case-file/input_error.h"
+
+namespace ravnoves {
+namespace {
+
+namespace fs = std::filesystem;
+
+class TextFile : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string pattern = fs::temp_directory_path() / "ravnoves-text-XXXXXX";
+        ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+        folder_ = pattern;
+        path_ = folder_ / "engine.case.json";
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::size_t files() const {
+        return static_cast<std::size_t>(
+            std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+    }
+    static unsigned rights(const fs::path& path) {
+        struct stat status {};
+        ::stat(path.c_str(), &status);
+        return status.st_mode & 07777U;
+    }
+
+    fs::path folder_;
+    fs::path path_;
+};
+
+TEST_F(TextFile, IsReplacedWhole) {
+    write_text_file(path_, "one");
+    write_text_file(path_, "two, which is longer");
+    EXPECT_EQ(read_text_file(path_), "two, which is longer");
+    EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(TextFile, ANewOneHasTheUsualRights) {
+    const mode_t before = ::umask(027);
+    write_text_file(path_, "text");
+    ::umask(before);
+    EXPECT_EQ(rights(path_), 0640U);
+}
+
+TEST_F(TextFile, OneThatIsReplacedKeepsItsRights) {
+    for (const unsigned mode : {0600U, 0664U, 0755U}) {
+        write_text_file(path_, "before");
+        ::chmod(path_.c_str(), mode);
+        write_text_file(path_, "after");
+        EXPECT_EQ(rights(path_), mode);
+        EXPECT_EQ(read_text_file(path_), "after");
+    }
+}
+
+TEST_F(TextFile, AReadOnlyOneStaysAsItIs) {
+    write_text_file(path_, "before");
+    ::chmod(path_.c_str(), 0444);
+    EXPECT_THROW(write_text_file(path_, "after"), InputError);
+    EXPECT_EQ(read_text_file(path_), "before");
+    EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(TextFile, PlantedLinksAreNotFollowed) {
+    const fs::path victim = folder_ / "victim";
+    std::ofstream(victim) << "precious";
+    write_text_file(path_, "before");
+    const std::string partial = path_.string() + ".part" + std::to_string(::getpid());
+    fs::create_symlink(victim, partial);
+    for (int i = 0; i < 20; ++i) {
+        fs::create_symlink(victim, partial + "-" + std::to_string(i));
+    }
+    const std::size_t before = files();
+    write_text_file(path_, "after");
+    EXPECT_EQ(read_text_file(victim), "precious");
+    EXPECT_EQ(read_text_file(path_), "after");
+    EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(path_)));
+    EXPECT_EQ(files(), before);
+}
+
+TEST_F(TextFile, ALinkIsFollowed) {
+    const fs::path target = folder_ / "target";
+    write_text_file(target, "before");
+    fs::create_symlink(target, path_);
+    write_text_file(path_, "after");
+    EXPECT_TRUE(fs::is_symlink(fs::symlink_status(path_)));
+    EXPECT_EQ(read_text_file(target), "after");
+}
+
+/// A program that writes again and again is ended at any moment.
+class EndedWriter : public TextFile, public testing::WithParamInterface<int> {};
+
+TEST_P(EndedWriter, LeavesAWholeFileAndNothingElse) {
+    const std::string texts[] = {std::string(3'000'000, 'a'), std::string(3'000'000, 'b')};
+    write_text_file(path_, texts[0]);
+    for (int round = 0; round < 25; ++round) {
+        const pid_t writer = ::fork();
+        ASSERT_GE(writer, 0);
+        if (writer == 0) {
+            for (unsigned i = 0;; ++i) {
+                write_text_file(path_, texts[i % 2]);
+            }
+        }
+        ::usleep(static_cast<useconds_t>(500 + 700 * round));
+        ::kill(writer, GetParam());
+        int status = 0;
+        ::waitpid(writer, &status, 0);
+        EXPECT_TRUE(WIFSIGNALED(status));
+        const std::string found = read_text_file(path_);
+        EXPECT_TRUE(found == texts[0] || found == texts[1]);
+        EXPECT_EQ(files(), 1U);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, EndedWriter, testing::Values(SIGINT, SIGTERM, SIGHUP));
+
+}  // namespace
+}  // namespace ravnoves
