@@ -122,7 +122,7 @@ void visit_torque(FieldVisitor& visitor, Input& input) {
         }
         if (pressure) {
             visitor.object_of(field::pressure, true, true, [&] {
-                visitor.text(field::csv, source.csv);
+                visitor.text(field::csv, source.trace_csv);
                 visit_cylinder(visitor, input);
             });
         }

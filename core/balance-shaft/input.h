@@ -57,8 +57,9 @@ struct TorqueSource {
     };
     Kind kind = Kind::table;
     TorqueTable table;       ///< the rows, for table and csv
-    std::string csv;         ///< path as the case file has it, for csv and pressure
+    std::string csv;         ///< path as the case file has it, of the file that holds the table
     PressureTrace trace;     ///< for pressure
+    std::string trace_csv;   ///< path of the file that holds it
     GasCycle cycle;          ///< for cycle
     CylinderSizes cylinder;  ///< for pressure and cycle
 

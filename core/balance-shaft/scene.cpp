@@ -6,6 +6,7 @@
 #include "balance-shaft/crank_balance.h"
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/envelope_study.h"
+#include "balance-shaft/fields.h"
 #include "balance-shaft/gear_error.h"
 #include "balance-shaft/position_study.h"
 #include "balance-shaft/speed_study.h"
@@ -274,7 +275,7 @@ Input read_input(const Json& json, const CaseContext& context) {
                         [](const std::string& text) { return parse_torque_table(text).table; });
     } else if (source.kind == TorqueSource::Kind::pressure) {
         source.trace =
-            read_beside(source.csv, "/input/torque/pressure/csv", context,
+            read_beside(source.trace_csv, "/input/torque/pressure/csv", context,
                         [](const std::string& text) { return parse_pressure_trace(text).trace; });
     }
     check_input(input);
@@ -283,6 +284,108 @@ Input read_input(const Json& json, const CaseContext& context) {
 
 Json write_input(const Input& input) {
     return write_fields(input);
+}
+
+Json write_kept(const Input& input) {
+    using Kind = TorqueSource::Kind;
+    const TorqueSource& source = input.torque;
+    Json torque = Json::object();
+    const auto keep = [&](Kind kind) {
+        Input other = input;
+        other.torque.kind = kind;
+        other.rod_length = input.effective_rod_length();
+        torque.update(write_input(other).at("torque"));
+    };
+    if (source.is_computed() && !source.csv.empty()) {
+        keep(Kind::csv);
+    } else if (source.is_computed() && source.table.size() > 0) {
+        keep(Kind::table);
+    }
+    if (source.kind != Kind::pressure && !source.trace_csv.empty()) {
+        keep(Kind::pressure);
+    }
+    if (source.kind != Kind::cycle && (source.cycle.heat || source.cycle.imep)) {
+        keep(Kind::cycle);
+    }
+    return torque.empty() ? Json() : Json{{"torque", torque}};
+}
+
+namespace {
+
+/// One kept source, read as if it were in use; files are not read.
+TorqueSource read_kept_source(const Input& input, const Json& torque) {
+    Json json = write_input(input);
+    json.erase("rod_length_mm");
+    json.erase("offset_mm");
+    json["torque"] = torque;
+    try {
+        TorqueSource source = read_fields<Input>(json).torque;
+        if (source.kind == TorqueSource::Kind::table) {
+            check_torque_table(source.table, "/input/torque/torque_Nm");
+        }
+        return source;
+    } catch (const InputError& error) {
+        std::string place = error.where();
+        const std::string root = "/input";
+        if (place.starts_with(root)) {
+            place.replace(0, root.size(), "/kept");
+        }
+        throw InputError(place, error.allowed_message(), error.found_message());
+    }
+}
+
+}  // namespace
+
+void read_kept(const Json& kept, const CaseContext& context, Input& input) {
+    using Kind = TorqueSource::Kind;
+    if (kept.is_null()) {
+        return;
+    }
+    ObjectReader reader(kept, "/kept");
+    if (!reader.has("torque")) {
+        reader.finish();
+        return;
+    }
+    const auto keys = reader.object("torque").keys();
+    reader.finish();
+    TorqueSource& source = input.torque;
+    const auto take = [&](const Json& torque) {
+        const TorqueSource other = read_kept_source(input, torque);
+        // A file that is not there may come back; until then its numbers are missing.
+        try {
+            if (other.kind == Kind::csv) {
+                source.csv = other.csv;
+                source.table =
+                    parse_torque_table(read_text_file(context.directory / other.csv)).table;
+            } else if (other.kind == Kind::pressure) {
+                source.trace_csv = other.trace_csv;
+                source.trace =
+                    parse_pressure_trace(read_text_file(context.directory / other.trace_csv)).trace;
+            } else if (other.kind == Kind::table) {
+                source.table = other.table;
+            } else {
+                source.cycle = other.cycle;
+            }
+        } catch (const InputError&) {
+            return;
+        }
+        if (other.is_computed() && !source.is_computed()) {
+            source.cylinder.bore = other.cylinder.bore;
+            source.cylinder.crankcase_pressure = other.cylinder.crankcase_pressure;
+        }
+    };
+    Json table = Json::object();
+    for (const std::string& key : keys) {
+        const Json& value = kept.at("torque").at(key);
+        if (key == field::pressure.key || key == field::cycle.key || key == field::csv.key) {
+            take({{key, value}});
+        } else {
+            table[key] = value;
+        }
+    }
+    if (!table.empty()) {
+        take(table);
+    }
 }
 
 Json write_result(const Result& result) {

@@ -13,6 +13,12 @@ namespace ravnoves::balance_shaft {
 Input read_input(const Json& input, const CaseContext& context);
 /// The "input" object that reads back to the same Input.
 Json write_input(const Input& input);
+/// The sources of torque that the input holds but does not use, as "kept" of its case; null where
+/// there are none.
+Json write_kept(const Input& input);
+/// Takes them over into an input that was read. A file that cannot be read stays named.
+/// @throws InputError that names the JSON pointer
+void read_kept(const Json& kept, const CaseContext& context, Input& input);
 /// The "result" object of the contract without what is computed beside the result.
 Json write_result(const Result& result);
 /// The "result" object of the contract, with what this program adds: the result and what is

@@ -29,17 +29,35 @@ void check_finite(const Json& value, const std::string& pointer) {
     }
 }
 
-void collect_files(const Json& value, const std::filesystem::path& directory,
-                   std::vector<std::filesystem::path>& files) {
+/// Calls `visit` with each text under a key "csv".
+template <typename Value, typename Visit>
+void visit_files(Value& value, const Visit& visit) {
     if (!value.is_structured()) {
         return;
     }
-    for (const auto& item : value.items()) {
+    for (auto& item : value.items()) {
         if (item.value().is_string() && value.is_object() && item.key() == "csv") {
-            files.push_back(directory / item.value().get_ref<const std::string&>());
+            visit(item.value());
         }
-        collect_files(item.value(), directory, files);
+        visit_files(item.value(), visit);
     }
+}
+
+template <typename File, typename Visit>
+void visit_files_of_case(File& file, const Visit& visit) {
+    visit_files(file.input, visit);
+    visit_files(file.kept, visit);
+    for (auto& variant : file.variants) {
+        visit_files(variant.input, visit);
+    }
+}
+
+/// Without links and detours, as far as the path exists.
+std::filesystem::path plain_path(const std::filesystem::path& path) {
+    std::error_code fault;
+    auto plain = std::filesystem::weakly_canonical(std::filesystem::absolute(path), fault);
+    plain = fault ? std::filesystem::absolute(path).lexically_normal() : plain;
+    return plain.has_filename() ? plain : plain.parent_path();
 }
 
 }  // namespace
@@ -70,12 +88,27 @@ CaseFile parse_case(std::string_view text) {
 std::vector<std::filesystem::path> files_named_by(const CaseFile& file,
                                                   const CaseContext& context) {
     std::vector<std::filesystem::path> files;
-    collect_files(file.input, context.directory, files);
-    collect_files(file.kept, context.directory, files);
-    for (const CaseVariant& variant : file.variants) {
-        collect_files(variant.input, context.directory, files);
-    }
+    visit_files_of_case(file, [&](const Json& name) {
+        files.push_back(context.directory / name.get_ref<const std::string&>());
+    });
     return files;
+}
+
+void move_files(CaseFile& file, const CaseContext& from, const CaseContext& to) {
+    const std::filesystem::path folder = plain_path(to.directory);
+    const bool is_same = folder == plain_path(from.directory);
+    visit_files_of_case(file, [&](Json& name) {
+        const std::filesystem::path given = name.get<std::string>();
+        if (given.empty() || (is_same && given.is_relative())) {
+            return;
+        }
+        const std::filesystem::path whole = plain_path(from.directory / given);
+        const std::filesystem::path moved = whole.lexically_relative(folder);
+        const bool is_below = !moved.empty() && *moved.begin() != "..";
+        if (is_below || given.is_relative()) {
+            name = (moved.empty() ? whole : moved).generic_string();
+        }
+    });
 }
 
 Json solve_case(const CaseFile& file, const CaseContext& context) {

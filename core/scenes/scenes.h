@@ -34,6 +34,11 @@ CaseFile parse_case(std::string_view text);
 /// The files that the case names: each text under a key "csv", beside the case.
 std::vector<std::filesystem::path> files_named_by(const CaseFile& file, const CaseContext& context);
 
+/// Rewrites the names of these files for a case that moves: they are the same files from there.
+/// What lies below its folder is named by a short path; what was named by a whole path elsewhere
+/// stays.
+void move_files(CaseFile& file, const CaseContext& from, const CaseContext& to);
+
 /// Solves a case and wraps the result in its envelope. Never holds NaN or infinity.
 /// @throws InputError for bad input, std::logic_error for a fault of ours
 Json solve_case(const CaseFile& file, const CaseContext& context);

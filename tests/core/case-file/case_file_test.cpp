@@ -128,5 +128,21 @@ TEST(CaseFileTest, EveryFileThatACaseNamesIsFound) {
               (std::vector<std::filesystem::path>{"/d/a.csv", "/d/b.csv", "/d/c.csv"}));
 }
 
+TEST(CaseFileTest, ACaseThatMovesNamesTheSameFiles) {
+    const auto moved = [](const char* name, const char* from, const char* to) {
+        CaseFile file{"s", "", {{"torque", {{"csv", name}}}}};
+        move_files(file, {from}, {to});
+        return file.input["torque"]["csv"].get<std::string>();
+    };
+    EXPECT_EQ(moved("a.csv", "/none/x", "/none/x"), "a.csv");
+    EXPECT_EQ(moved("../b/a.csv", "/none/x/.", "/none/x"), "../b/a.csv");
+    EXPECT_EQ(moved("a.csv", "/none/x", "/none"), "x/a.csv");
+    EXPECT_EQ(moved("a.csv", "/none/x", "/none/y/z"), "../../x/a.csv");
+    EXPECT_EQ(moved("мотор/a.csv", "/none/x", "/none/ы"), "../x/мотор/a.csv");
+    EXPECT_EQ(moved("/none/x/a.csv", "/none/q", "/none/x"), "a.csv");
+    EXPECT_EQ(moved("/none/x/a.csv", "/none/x", "/none/x"), "a.csv");
+    EXPECT_EQ(moved("/other/a.csv", "/none/x", "/none/y"), "/other/a.csv");
+}
+
 }  // namespace
 }  // namespace ravnoves

@@ -1,0 +1,86 @@
+// Sources of the torque that a case keeps while another is in use.
+
+#include <gtest/gtest.h>
+
+#include "balance-shaft/scene.h"
+#include "case-file/case_file.h"
+#include "case-file/text_file.h"
+#include "test_cases.h"
+
+namespace ravnoves::balance_shaft {
+namespace {
+
+using Kind = TorqueSource::Kind;
+
+std::filesystem::path folder_of_traces() {
+    const auto folder = std::filesystem::temp_directory_path() / "ravnoves-kept";
+    std::filesystem::create_directories(folder);
+    std::string text = "deg;bar\n";
+    for (int angle = 0; angle <= 720; angle += 10) {
+        text += std::to_string(angle) + ";" + std::to_string(angle > 340 && angle < 400 ? 40 : 1) +
+                "\n";
+    }
+    write_text_file(folder / "trace.csv", text);
+    write_text_file(folder / "table.csv", "0;0\n180;-50\n360;0\n540;50\n720;0\n");
+    return folder;
+}
+
+/// The input after it went through a case with another source in use.
+Input through_case(const Input& input, const CaseContext& context) {
+    Input read = read_input(parse_json(write_input(input).dump()), context);
+    const Json kept = write_kept(input);
+    read_kept(kept.is_null() ? kept : parse_json(kept.dump()), context, read);
+    return read;
+}
+
+TEST(KeptTorque, EverySourceComesBackWhicheverIsInUse) {
+    const CaseContext context{folder_of_traces()};
+    Input input = test::diesel();
+    input.torque.table = preset_tmz_650d().torque.table;
+    input.torque.trace_csv = "trace.csv";
+    input.torque.trace =
+        parse_pressure_trace(read_text_file(context.directory / "trace.csv")).trace;
+    for (const Kind kind : {Kind::table, Kind::pressure, Kind::cycle}) {
+        input.torque.kind = kind;
+        EXPECT_EQ(through_case(input, context), input) << static_cast<int>(kind);
+    }
+    input.torque.csv = "table.csv";
+    input.torque.table = parse_torque_table(read_text_file(context.directory / "table.csv")).table;
+    for (const Kind kind : {Kind::csv, Kind::pressure, Kind::cycle}) {
+        input.torque.kind = kind;
+        EXPECT_EQ(through_case(input, context), input) << static_cast<int>(kind);
+    }
+}
+
+TEST(KeptTorque, NothingIsKeptWhereThereIsOneSource) {
+    EXPECT_TRUE(write_kept(preset_tmz_650d()).is_null());
+    EXPECT_TRUE(write_kept(test::diesel()).is_null());
+}
+
+TEST(KeptTorque, AFileThatIsNotThereStaysNamed) {
+    const CaseContext nowhere{"/nonexistent"};
+    Input input = test::diesel();
+    const Json kept = {{"torque", {{"csv", "gone.csv"}}}};
+    read_kept(kept, nowhere, input);
+    EXPECT_EQ(input.torque.table.size(), 0U);
+    EXPECT_EQ(write_kept(input), kept);
+}
+
+TEST(KeptTorque, RefusalsNameThePlace) {
+    const auto refusal = [](const char* kept) {
+        Input input = preset_tmz_650d();
+        return test::error_of([&] { read_kept(parse_json(kept), {}, input); });
+    };
+    EXPECT_EQ(refusal(R"({"torques": {}})"),
+              "/kept/torques: is not a known key; the nearest is \"torque\"");
+    EXPECT_EQ(refusal(R"({"torque": 1})"), "/kept/torque: must be an object, got 1");
+    EXPECT_EQ(refusal(R"({"torque": {"csv": 3}})"), "/kept/torque/csv: must be a text, got 3");
+    EXPECT_EQ(refusal(R"({"torque": {"cycle": {"bore_mm": -1}}})"),
+              "/kept/torque/cycle/bore_mm: must be greater than 0 and at most 10000, got -1");
+    EXPECT_NE(refusal(R"({"torque": {"crank_angle_deg": [0, 720], "torque_Nm": [0]}})"),
+              "no error");
+    EXPECT_EQ(refusal("{}"), "no error");
+}
+
+}  // namespace
+}  // namespace ravnoves::balance_shaft
