@@ -1,5 +1,6 @@
 #include "model/case_document.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QSettings>
 #include <utility>
@@ -28,10 +29,29 @@ void remember(const QString& path) {
     QSettings().setValue(recentKey, files.mid(0, recentFiles));
 }
 
+/// The title is an example's, and so is the engine.
+bool isExample(const CaseFile& file) {
+    const QDir folder(QStringLiteral(":/examples"));
+    for (const QString& name : folder.entryList()) {
+        QFile example(folder.filePath(name));
+        if (example.open(QIODevice::ReadOnly)) {
+            const CaseFile known = parse_case(example.readAll().toStdString());
+            if (known.scene == file.scene && known.title == file.title &&
+                known.input == file.input) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 }  // namespace
 
 CaseDocument::CaseDocument(SceneModel* model, DocumentDialogs dialogs, QObject* parent)
-    : QObject(parent), model_(model), dialogs_(std::move(dialogs)) {
+    : QObject(parent),
+      model_(model),
+      dialogs_(std::move(dialogs)),
+      rest_(std::make_unique<CaseFile>()) {
     connect(model, &SceneModel::historyChanged, this, [this] {
         if (std::exchange(neededSaving_, needsSaving()) != neededSaving_) {
             Q_EMIT nameChanged();
@@ -40,12 +60,21 @@ CaseDocument::CaseDocument(SceneModel* model, DocumentDialogs dialogs, QObject* 
     connect(model, &SceneModel::titleChanged, this, &CaseDocument::nameChanged);
 }
 
+CaseDocument::~CaseDocument() = default;
+
 QString CaseDocument::name() const {
     return path_.isEmpty() ? model_->title() : QFileInfo(path_).fileName();
 }
 
 OpenCase CaseDocument::asOpenCase() const {
     return {model_->title(), model_->inputJson(), model_->context()};
+}
+
+CaseFile CaseDocument::asFile() const {
+    CaseFile file = model_->caseFile();
+    file.variants = rest_->variants;
+    file.study = rest_->study;
+    return file;
 }
 
 QStringList CaseDocument::recentPaths() {
@@ -71,16 +100,25 @@ void CaseDocument::open(const CaseFile& file, const QString& path) {
 }
 
 void CaseDocument::begin(const CaseFile& file, const CaseContext& context) {
-    model_->loadCase(file.input, context, QString::fromStdString(file.title));
+    model_->loadFile(file, context, isExample(file));
     model_->history()->clear();  // undo must not bring another case's values under this one's name
+    *rest_ = file;
     setPath({});
+}
+
+Json* CaseDocument::fileNamedAt(CaseFile& file, const InputError& error) {
+    const std::string place = error.where();
+    const std::string_view root = "/input/";
+    return place.starts_with(root) && place.ends_with("/csv")
+               ? &file.input[Json::json_pointer(place.substr(root.size() - 1))]
+               : nullptr;
 }
 
 QString CaseDocument::saveTo(const QString& path) {
     model_->keepTyped();
     try {
-        const CaseFile file{model_->sceneName().toStdString(), model_->title().toStdString(),
-                            model_->inputJson()};
+        CaseFile file = asFile();
+        move_files(file, model_->context(), {fsPath(QFileInfo(path).absolutePath())});
         write_text_file(fsPath(path), write_case(file).dump(2) + "\n");
     } catch (const InputError& error) {
         return path + QStringLiteral(": ") + errorText(error);

@@ -4,6 +4,7 @@
 #include <QString>
 #include <QStringList>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "model/scene_model.h"
@@ -11,6 +12,7 @@
 namespace ravnoves {
 
 struct CaseFile;
+class InputError;
 
 /// What a document asks its user. The window shows it; a test answers it.
 struct DocumentDialogs {
@@ -33,6 +35,7 @@ class CaseDocument : public QObject {
   public:
     /// The model outlives the document.
     CaseDocument(SceneModel* model, DocumentDialogs dialogs, QObject* parent = nullptr);
+    ~CaseDocument() override;
 
     SceneModel* model() const { return model_; }
     /// Of the file; empty while there is none.
@@ -42,6 +45,8 @@ class CaseDocument : public QObject {
     bool needsSaving() const { return model_->hasChanges(); }
     /// For other pages to refer to.
     OpenCase asOpenCase() const;
+    /// All that its file holds, as it stands now; files are named from the model's folder.
+    CaseFile asFile() const;
 
     /// A case file, not yet checked by its scene.
     /// @throws InputError
@@ -51,6 +56,9 @@ class CaseDocument : public QObject {
     /// @throws InputError
     void open(const CaseFile& file, const QString& path);
     void begin(const CaseFile& file, const CaseContext& context);
+    /// Where the case names the file that open() could not read; null where something else is
+    /// wrong.
+    static Json* fileNamedAt(CaseFile& file, const InputError& error);
     /// @return an empty string, or what is wrong, with the file's name
     QString saveTo(const QString& path);
 
@@ -74,6 +82,7 @@ class CaseDocument : public QObject {
     SceneModel* model_;
     DocumentDialogs dialogs_;
     QString path_;
+    std::unique_ptr<CaseFile> rest_;  ///< of the file, what the model does not know
     bool neededSaving_ = false;
 };
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -24,6 +25,11 @@ namespace ravnoves {
 ///     QString defaultTitle() const;
 ///     Input read(const Json&, const CaseContext&) const;  // throws InputError
 ///     Json write(const Input&) const;
+///     // where an input keeps what it does not use, as "kept" of the case:
+///     void keep(Input&, const Json& kept, const CaseContext&) const;  // throws InputError
+///     Json kept(const Input&) const;
+///     // where not all of an input makes it another engine:
+///     bool isSameEngine(const Input&, const Input&) const;
 ///     Solved solve(const Input&) const;  // throws InputError for an input that is refused
 ///
 /// A change is solved once, when it is made, and again only when the history comes back to it.
@@ -76,11 +82,29 @@ class CaseModel : public SceneModel {
         });
     }
 
+    void editText(const QString& title, const QString& notes) override {
+        State next = state();
+        next.title = title;
+        next.notes = notes;
+        if (next == state()) {
+            return;
+        }
+        if (title != this->title()) {
+            next.named.reset();
+        }
+        keepTyped();
+        push(textName(), state(), std::move(next), -1);
+    }
+
     // In case_model_json.h.
     Json inputJson() const override;
-    void loadCase(const Json& json, const CaseContext& context, const QString& title) override;
+    Json keptJson() const override;
+    void loadFile(const CaseFile& file, const CaseContext& context, bool isExample) override;
+    void loadInput(const Json& input, const CaseContext& context) override;
     void loadDefault() override {
-        load(newName(), {scene_.defaultInput(), scene_.defaultTitle(), context().directory});
+        load(
+            newName(),
+            {scene_.defaultInput(), scene_.defaultTitle(), {}, defaultName(), context().directory});
     }
 
   protected:
@@ -88,7 +112,8 @@ class CaseModel : public SceneModel {
         : SceneModel(parent),
           scene_(std::move(scene)),
           input_(scene_.defaultInput()),
-          solved_(solve(input_)) {
+          solved_(solve(input_)),
+          named_(defaultName()) {
         setTitle(scene_.defaultTitle());
     }
 
@@ -139,10 +164,17 @@ class CaseModel : public SceneModel {
     }
 
   private:
+    /// The preset or example that the title names, and goes with.
+    struct Named {
+        QString title;
+        Input input;
+    };
     /// What a step of the history brings back.
     struct State {
         Input input;
         QString title;
+        QString notes;
+        std::shared_ptr<const Named> named;
         std::filesystem::path directory;  ///< of the files that the case names
         friend bool operator==(const State&, const State&) = default;
     };
@@ -152,19 +184,43 @@ class CaseModel : public SceneModel {
         State before;
     };
 
+    Input readInput(const Json& json, const Json& kept, const CaseContext& context) const;
     Solved solve(const Input& input) const {
         clear_vector_state();  // painting may have left it in use
         return scene_.solve(input);
     }
-    State state() const { return {input_, title(), context().directory}; }
+    State state() const { return {input_, title(), notes(), named_, context().directory}; }
+    std::shared_ptr<const Named> nameOf(const QString& title, const Input& input) const {
+        return std::make_shared<const Named>(Named{title, input});
+    }
+    std::shared_ptr<const Named> defaultName() const {
+        return nameOf(scene_.defaultTitle(), scene_.defaultInput());
+    }
+    /// The title that a preset or an example gives an input that may have changed since.
+    QString namedTitle(const Input& input) const {
+        bool isSame = input == named_->input;
+        if constexpr (requires { scene_.isSameEngine(input, input); }) {
+            isSame = isSame || scene_.isSameEngine(input, named_->input);
+        }
+        return isSame || named_->title.isEmpty() ? named_->title : changedTitle(named_->title);
+    }
+    /// The title goes with the input, unless it is the user's.
+    void retitle(State& next) const {
+        if (named_ && next.title == namedTitle(input_)) {
+            next.title = namedTitle(next.input);
+        }
+    }
     QString change(const QString& name, const std::function<void(Input&)>& mutate,
                    const QString& title, bool merges) {
         State next = state();
         mutate(next.input);
         if (!title.isEmpty()) {
             next.title = title;
+            next.named = nameOf(title, next.input);
+        } else {
+            retitle(next);
         }
-        if (next == state()) {
+        if (next.input == input_ && next.title == this->title()) {
             return {};
         }
         try {
@@ -175,7 +231,7 @@ class CaseModel : public SceneModel {
             return why;
         }
         if (joinEditing(name)) {
-            apply(next.input);
+            take(next);
             settle();
         } else {
             push(name, state(), std::move(next), merges ? stepOf(name) : -1);
@@ -218,7 +274,12 @@ class CaseModel : public SceneModel {
             return;
         }
         typed_.reset();
+        take(state);
+    }
+    void take(const State& state) {
         setContext({state.directory});
+        named_ = state.named;
+        setNotes(state.notes);
         setTitle(state.title);
         apply(state.input);
     }
@@ -234,7 +295,8 @@ class CaseModel : public SceneModel {
     Scene scene_;
     Input input_;
     Solved solved_;
-    std::optional<Solved> prepared_;  ///< of the change that is being made
+    std::shared_ptr<const Named> named_;  ///< none: the title is the user's
+    std::optional<Solved> prepared_;      ///< of the change that is being made
     std::optional<Typed> typed_;
     bool isApplied_ = false;  ///< what the step that is pushed changes holds already
 };

@@ -44,6 +44,32 @@ void SceneModel::sayRefused(const QString& why) {
     }
 }
 
+Json SceneModel::keptJson() const {
+    return nullptr;
+}
+
+CaseFile SceneModel::caseFile() const {
+    CaseFile file{sceneName().toStdString(), title_.toStdString(), inputJson()};
+    file.notes = notes_.toStdString();
+    file.kept = keptJson();
+    return file;
+}
+
+void SceneModel::loadCase(const Json& input, const CaseContext& context, const QString& title) {
+    loadFile({sceneName().toStdString(), title.toStdString(), input}, context, false);
+}
+
+void SceneModel::loadInput(const Json& input, const CaseContext& context) {
+    CaseFile file = caseFile();
+    file.input = input;
+    loadFile(file, context, false);
+}
+
+void SceneModel::editText(const QString& title, const QString& notes) {
+    setTitle(title);
+    setNotes(notes);
+}
+
 bool SceneModel::setViewOption(const QString& /*key*/, const QString& /*value*/) {
     return false;
 }

@@ -16,6 +16,7 @@
 
 namespace ravnoves {
 
+struct CaseFile;
 struct OpenCase;
 
 /// Looks up the open case of a scene by its word; nothing where its page was never shown.
@@ -40,13 +41,17 @@ class SceneModel : public QObject {
     virtual bool hasCaseFile() const { return true; }
     /// The case's "input" object as it stands now.
     virtual Json inputJson() const = 0;
-    /// Takes over a case as one step of the history. A fault leaves all as it was.
+    /// What the input does not use now, for the case to keep; null where there is nothing.
+    virtual Json keptJson() const;
+    /// The case as it stands: scene, title, notes, input and what is kept.
+    CaseFile caseFile() const;
+    /// Takes over the same of a case as one step of the history. A fault leaves all as it was.
+    /// @param isExample  the title is that of the engine loaded, not the user's: it goes with it
     /// @throws InputError
-    virtual void loadCase(const Json& input, const CaseContext& context, const QString& title) = 0;
-    /// The same under the present title.
-    void loadInput(const Json& input, const CaseContext& context) {
-        loadCase(input, context, title_);
-    }
+    virtual void loadFile(const CaseFile& file, const CaseContext& context, bool isExample) = 0;
+    void loadCase(const Json& input, const CaseContext& context, const QString& title);
+    /// Another input under the present title and notes.
+    virtual void loadInput(const Json& input, const CaseContext& context);
     /// The "result" object, the same that the command line prints.
     virtual Json resultJson() const = 0;
     /// The input that a new document starts with.
@@ -71,6 +76,9 @@ class SceneModel : public QObject {
 
     QString title() const { return title_; }
     void setTitle(const QString& title);
+    QString notes() const { return notes_; }
+    /// Title and notes as the user wants them, as one step of the history.
+    virtual void editText(const QString& title, const QString& notes);
     const CaseContext& context() const { return context_; }
     QUndoStack* history() { return &history_; }
     const QUndoStack* history() const { return &history_; }
@@ -130,9 +138,14 @@ class SceneModel : public QObject {
                      std::initializer_list<const char*> words);
     static QString openName() { return tr("Open case"); }
     static QString newName() { return tr("New case"); }
+    static QString textName() { return tr("Title and notes"); }
+    /// Of an engine that was a preset or an example, and is not any more.
+    static QString changedTitle(const QString& title) { return tr("%1 (changed)").arg(title); }
+    void setNotes(const QString& notes) { notes_ = notes; }
 
   private:
     QString title_;
+    QString notes_;
     int step_ = 0;
     QString lastName_;
     bool editing_ = false;

@@ -20,7 +20,7 @@ using Answer = DocumentDialogs::Answer;
 
 class CaseDocumentTest : public ::testing::Test {
   protected:
-    QString file(const char* name) const { return folder.filePath(QString::fromLatin1(name)); }
+    QString file(const char* name) const { return folder.filePath(QString::fromUtf8(name)); }
     void open(const QString& path) { document.open(CaseDocument::read(path), path); }
     /// A case file with the value.
     QString written(const char* name, double square) {
@@ -206,6 +206,24 @@ TEST_F(CaseDocumentTest, RemembersTheLastFiles) {
     EXPECT_EQ(recent[0], file("5.case.json"));
     EXPECT_EQ(recent[1], file("9.case.json"));
     EXPECT_EQ(recent.count(file("5.case.json")), 1);
+}
+
+TEST_F(CaseDocumentTest, KeepsNotesVariantsAndStudyOfTheFile) {
+    CaseFile written{"balance-shaft", "t", {{"crank_radius_mm", 9.0}}};
+    written.notes = "Notes, кириллица";
+    written.variants.push_back({"A", {{"crank_radius_mm", 4.0}}});
+    written.study = {{"samples", 10}};
+    document.open(written, file("a.case.json"));
+    EXPECT_EQ(model.notes(), QStringLiteral("Notes, кириллица"));
+    EXPECT_EQ(document.saveTo(file("Дело №1.case.json")), QString());
+    const CaseFile read = CaseDocument::read(file("Дело №1.case.json"));
+    EXPECT_EQ(read.notes, written.notes);
+    EXPECT_EQ(read.variants, written.variants);
+    EXPECT_EQ(read.study, written.study);
+    EXPECT_TRUE(read.kept.is_null());
+    document.begin({"balance-shaft", "t", {{"crank_radius_mm", 9.0}}}, {});
+    EXPECT_EQ(document.saveTo(file("b.case.json")), QString());
+    EXPECT_TRUE(CaseDocument::read(file("b.case.json")).variants.empty());
 }
 
 }  // namespace

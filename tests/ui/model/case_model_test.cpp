@@ -4,6 +4,7 @@
 
 #include <QSignalSpy>
 
+#include "case-file/case_file.h"
 #include "model/root_model.h"
 
 namespace ravnoves {
@@ -289,6 +290,64 @@ TEST_F(CaseModelTest, ValuesAreSetByTheirKeys) {
                  InputError);
     EXPECT_THROW(model.setByKey(QStringLiteral("radius"), QStringLiteral("9")), InputError);
     EXPECT_EQ(model.root(), 3.0);
+}
+
+TEST_F(CaseModelTest, ThePresetsNameGoesWithItsEngine) {
+    const QString fresh = model.title();
+    model.set("square", 9.0);
+    EXPECT_EQ(model.title(), QStringLiteral("Root of four (changed)"));
+    model.set("square", 4.0);  // the hand comes back
+    EXPECT_EQ(model.title(), fresh);
+    EXPECT_TRUE(model.history()->isClean());
+    model.step("preset", 9.0, QStringLiteral("Nine"));
+    model.step("square", 16.0);
+    EXPECT_EQ(model.title(), QStringLiteral("Nine (changed)"));
+    model.loadInput({{"crank_radius_mm", 9.0}}, {});
+    EXPECT_EQ(model.title(), QStringLiteral("Nine"));
+    model.undo();
+    EXPECT_EQ(model.title(), QStringLiteral("Nine (changed)"));
+    model.undo();
+    EXPECT_EQ(model.title(), QStringLiteral("Nine"));
+    model.beginEditing();
+    model.step("square", 25.0);
+    EXPECT_EQ(model.title(), QStringLiteral("Nine (changed)"));
+    model.step("square", 9.0);
+    EXPECT_EQ(model.title(), QStringLiteral("Nine"));
+    model.endEditing();
+    EXPECT_EQ(model.history()->index(), 1);
+}
+
+TEST_F(CaseModelTest, TheUsersTitleStaysWhateverChanges) {
+    model.editText(QStringLiteral("Mine"), {});
+    model.set("square", 9.0);
+    EXPECT_EQ(model.title(), QStringLiteral("Mine"));
+    model.loadCase({{"crank_radius_mm", 16.0}}, {}, QStringLiteral("Of a file"));
+    model.set("square", 25.0);
+    EXPECT_EQ(model.title(), QStringLiteral("Of a file"));
+    CaseFile file{"balance-shaft", "An example", {{"crank_radius_mm", 16.0}}};
+    model.loadFile(file, {}, true);
+    model.set("square", 25.0);
+    EXPECT_EQ(model.title(), QStringLiteral("An example (changed)"));
+}
+
+TEST_F(CaseModelTest, TitleAndNotesAreOneStepThatSolvesNothing) {
+    model.editText(QStringLiteral("Mine"), QStringLiteral("Two\nlines"));
+    EXPECT_EQ(model.title(), QStringLiteral("Mine"));
+    EXPECT_EQ(model.notes(), QStringLiteral("Two\nlines"));
+    EXPECT_EQ(model.history()->count(), 1);
+    EXPECT_TRUE(model.hasChanges());
+    EXPECT_EQ(model.caseFile().notes, "Two\nlines");
+    model.editText(QStringLiteral("Mine"), QStringLiteral("Two\nlines"));
+    EXPECT_EQ(model.history()->count(), 1);
+    model.undo();
+    EXPECT_EQ(model.title(), QStringLiteral("Root of four"));
+    EXPECT_EQ(model.notes(), QString());
+    model.redo();
+    EXPECT_EQ(model.notes(), QStringLiteral("Two\nlines"));
+    model.set("square", 9.0);
+    EXPECT_EQ(model.notes(), QStringLiteral("Two\nlines"));
+    model.loadDefault();
+    EXPECT_EQ(model.notes(), QString());
 }
 
 }  // namespace

@@ -51,6 +51,14 @@ Json BalanceShaftScene::write(const Input& input) {
     return balance_shaft::write_input(input);
 }
 
+void BalanceShaftScene::keep(Input& input, const Json& kept, const CaseContext& context) {
+    balance_shaft::read_kept(kept, context, input);
+}
+
+Json BalanceShaftScene::kept(const Input& input) {
+    return balance_shaft::write_kept(input);
+}
+
 template class CaseModel<BalanceShaftScene>;
 
 BalanceShaftModel::BalanceShaftModel(QObject* parent) : CaseModel({}, parent) {}
@@ -88,7 +96,8 @@ void fillCylinder(Input& input) {
 QString BalanceShaftModel::setTorqueKind(balance_shaft::TorqueSource::Kind kind) {
     using Kind = balance_shaft::TorqueSource::Kind;
     return edit(tr("Torque source"), [&](Input& input) {
-        input.torque.kind = kind;
+        // The table is that of its file, as long as nobody changes it.
+        input.torque.kind = kind == Kind::table && !input.torque.csv.empty() ? Kind::csv : kind;
         input.strokes = input.strokes_of_torque();
         if (!input.torque.is_computed()) {
             return;
@@ -107,6 +116,20 @@ QString BalanceShaftModel::setTorqueKind(balance_shaft::TorqueSource::Kind kind)
     });
 }
 
+QString BalanceShaftModel::tabulateTorque() {
+    return edit(tr("Torque table"), [this](Input& input) {
+        balance_shaft::TorqueTable& table = input.torque.table;
+        table.crank_angle_deg = result().curves.crank_angle_deg;
+        table.torque = result().curves.M_gas;
+        const auto& inertia = result().curves.M_inertia;
+        std::transform(table.torque.begin(), table.torque.end(), inertia.begin(),
+                       table.torque.begin(), std::plus<>());
+        table.torque.back() = table.torque.front();  // one instant of the cycle
+        input.torque.csv.clear();
+        input.torque.kind = balance_shaft::TorqueSource::Kind::table;
+    });
+}
+
 QString BalanceShaftModel::importPressureTrace(const QString& path, QString& described) {
     QString why;
     try {
@@ -115,7 +138,7 @@ QString BalanceShaftModel::importPressureTrace(const QString& path, QString& des
         why = edit(tr("Pressure trace"), [&](Input& input) {
             input.torque.kind = balance_shaft::TorqueSource::Kind::pressure;
             input.torque.trace = read.trace;
-            input.torque.csv = path.toStdString();
+            input.torque.trace_csv = path.toStdString();
             input.strokes = input.strokes_of_torque();
             fillCylinder(input);
         });

@@ -24,6 +24,13 @@ struct BalanceShaftScene {
     static QString defaultTitle() { return QStringLiteral("TMZ-650D"); }
     static Input read(const Json& input, const CaseContext& context);
     static Json write(const Input& input);
+    static void keep(Input& input, const Json& kept, const CaseContext& context);
+    static Json kept(const Input& input);
+    /// Its shaft may stand elsewhere.
+    static bool isSameEngine(Input a, const Input& b) {
+        a.shaft_angle = b.shaft_angle;
+        return a == b;
+    }
     Solved solve(const Input& input) const {
         last = balance_shaft::Solver(input, last ? &*last : nullptr);
         return {*last, last->result(), {}, {}};
@@ -54,6 +61,8 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     /// Where the torque comes from; a source used for the first time starts with values made from
     /// what is there (rod length, bore, the table's mean torque). Returns as edit().
     QString setTorqueKind(balance_shaft::TorqueSource::Kind kind);
+    /// Makes a table of the torque as it is now, at the angles of the curves. Returns as edit().
+    QString tabulateTorque();
     /// Reads a measured trace and computes the torque from it.
     /// @param described  what was read
     /// @return an empty string, or what is wrong, with the file's name

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "case-file/case_file.h"
 #include "case-file/decimal.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
@@ -62,8 +63,9 @@ Json MethodsModel::inputJson() const {
     return Json::object();
 }
 
-void MethodsModel::loadCase(const Json& input, const CaseContext& /*context*/,
-                            const QString& /*title*/) {
+void MethodsModel::loadFile(const CaseFile& file, const CaseContext& /*context*/,
+                            bool /*isExample*/) {
+    const Json& input = file.input;
     const std::string place = input.empty() ? "/input" : "/input/" + input.begin().key();
     throw InputError(place, CORE_TEXT("core",
                                       "is nothing that this page can be told; it knows kernel, "

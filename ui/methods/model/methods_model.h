@@ -27,7 +27,7 @@ class MethodsModel : public SceneModel {
     bool hasCaseFile() const override { return false; }
     Json inputJson() const override;
     /// @throws InputError always: no case has this page's word
-    void loadCase(const Json& input, const CaseContext& context, const QString& title) override;
+    void loadFile(const CaseFile& file, const CaseContext& context, bool isExample) override;
     /// The measured table.
     Json resultJson() const override;
     void loadDefault() override { setKernel(0); }
