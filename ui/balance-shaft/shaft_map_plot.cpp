@@ -11,6 +11,7 @@
 #include "balance-shaft/mechanism.h"
 #include "numerics/constants.h"
 #include "numerics/units.h"
+#include "plot/picture_file.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
@@ -557,7 +558,8 @@ void ShaftMapPlot::paintTop(QPainter& painter) {
     const QRectF area = plotArea();
     painter.save();
     painter.setClipRect(area);
-    if (painter.device() != this) {  // an exported picture has pixels of its own
+    // An exported picture has pixels of its own, or none.
+    if (painter.device() != this || drawsVectors(painter)) {
         paintMechanism(painter);
         paintLabels(painter);
     } else {

@@ -23,7 +23,7 @@ class ShaftMapPlot : public PlotView {
     ShaftMapModel::Position placeAt(const QPointF& pixel) const;
     bool isDragging() const { return dragging_; }
     /// The field under the picture.
-    QString dataAsCsv() const override { return map_->fieldCsv(); }
+    QString csv(const CsvFormat& format) const override { return map_->fieldCsv(format); }
     /// A number at a contour or a marker.
     struct Label {
         QRectF box;

@@ -11,6 +11,7 @@
 #include "methods/model/method_words.h"
 #include "methods/sweep_value_field.h"
 #include "plot/model/ticks.h"
+#include "plot/picture_file.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
@@ -430,13 +431,12 @@ void MethodPlots::showStale() {
 }
 
 QString MethodPlots::exportPicture(const QString& path) {
-    return PlotView::writePicture(
-        path, size(), work_->title(), [this](QPainter& painter, double scale) {
-            for (PlotView* plot : {work_, stability_}) {
-                const QRectF target(plot->geometry());
-                plot->renderTo(painter, QRectF(target.topLeft() * scale, target.size() * scale));
-            }
-        });
+    return writePicture(path, size(), work_->title(), [this](QPainter& painter, double scale) {
+        for (PlotView* plot : {work_, stability_}) {
+            const QRectF target(plot->geometry());
+            plot->renderTo(painter, QRectF(target.topLeft() * scale, target.size() * scale));
+        }
+    });
 }
 
 }  // namespace ravnoves

@@ -2,13 +2,13 @@
 
 #include <QEvent>
 #include <QPainter>
-#include <QSvgGenerator>
 #include <algorithm>
 #include <cmath>
 
 #include "plot/accessible_plot.h"
 #include "plot/legend_item.h"
 #include "plot/model/plot_sentence.h"
+#include "plot/picture_file.h"
 #include "plot/plot_painter.h"
 #include "theme/theme.h"
 
@@ -265,6 +265,11 @@ void PlotView::layoutChart() {
 }
 
 void PlotView::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    if (drawsVectors(painter)) {  // the page is written as a drawing
+        drawChart(painter);
+        return;
+    }
     if (pictureStale_) {
         layoutChart();
         const qreal ratio = devicePixelRatioF();
@@ -278,17 +283,16 @@ void PlotView::paintEvent(QPaintEvent* /*event*/) {
         }
         if (axesStale_) {
             axesPicture_.fill(Theme::instance().panel());
-            QPainter painter(&axesPicture_);
-            painter_->paintAxes(painter);
-            paintGround(painter);
+            QPainter axes(&axesPicture_);
+            painter_->paintAxes(axes);
+            paintGround(axes);
             axesStale_ = false;
         }
-        QPainter painter(&picture_);
-        painter.drawPixmap(0, 0, axesPicture_);
-        painter_->paintCurves(painter);
+        QPainter picture(&picture_);
+        picture.drawPixmap(0, 0, axesPicture_);
+        painter_->paintCurves(picture);
         pictureStale_ = false;
     }
-    QPainter painter(this);
     painter.drawPixmap(0, 0, picture_);
     painter_->paintOverlay(painter);
     paintTop(painter);
@@ -297,57 +301,6 @@ void PlotView::paintEvent(QPaintEvent* /*event*/) {
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
     }
-}
-
-void PlotView::renderTo(QPainter& painter, const QRectF& target) {
-    layoutChart();
-    painter.save();
-    painter.translate(target.topLeft());
-    painter.scale(target.width() / width(), target.height() / height());
-    painter.fillRect(QRectF(rect()), Theme::instance().panel());
-    painter_->paintAxes(painter);
-    paintGround(painter);
-    painter_->paintCurves(painter);
-    painter_->paintOverlay(painter);
-    paintTop(painter);
-    for (const LegendItem* item : legend_) {
-        if (item != nullptr && item->isChecked() && !item->isHidden()) {
-            item->draw(painter, QRectF(item->geometry()));
-        }
-    }
-    painter.restore();
-    pictureStale_ = true;
-}
-
-QString PlotView::exportPicture(const QString& path) {
-    return writePicture(path, size(), data_.title, [this](QPainter& painter, double scale) {
-        renderTo(painter, QRectF(QPointF(), QSizeF(size()) * scale));
-    });
-}
-
-QString PlotView::writePicture(const QString& path, const QSize& size, const QString& title,
-                               const std::function<void(QPainter&, double)>& draw) {
-    if (path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)) {
-        QSvgGenerator generator;
-        generator.setFileName(path);
-        generator.setResolution(96);  // or text comes out at three quarters of its size
-        generator.setSize(size);
-        generator.setViewBox(QRect(QPoint(), size));
-        generator.setTitle(title);
-        QPainter painter;
-        if (!painter.begin(&generator)) {
-            return tr("%1 cannot be written.").arg(path);
-        }
-        draw(painter, 1.0);
-        return {};
-    }
-    constexpr int scale = 2;
-    QImage image(size * scale, QImage::Format_RGB32);
-    image.fill(Theme::instance().window());
-    QPainter painter(&image);
-    draw(painter, scale);
-    painter.end();
-    return image.save(path, "PNG") ? QString() : tr("%1 cannot be written.").arg(path);
 }
 
 void PlotView::resizeEvent(QResizeEvent* /*event*/) {

@@ -2,7 +2,6 @@
 
 #include <QPixmap>
 #include <QWidget>
-#include <functional>
 
 #include "plot/model/plot_data.h"
 
@@ -10,6 +9,7 @@ namespace ravnoves {
 
 class LegendItem;
 class PlotPainter;
+struct CsvFormat;
 
 /// One chart: a title, a legend whose entries switch curves, curves over a common x axis with one
 /// or two y axes, marks, a line at the present value, and a cursor that reads the curves.
@@ -120,18 +120,18 @@ class PlotView : public QWidget {
     std::optional<double> valueAt(int curve, double x) const {
         return data_.valueAt(data_.curve(curve), x);
     }
-    /// The data of the shown curves as CSV text: x, then one column per curve.
-    virtual QString dataAsCsv() const { return data_.csv(); }
-    /// Draws title, legend, chart and marks onto any device; used for pictures, SVG and print.
+    /// The data of the shown curves as a table (PlotData::csv()).
+    virtual QString csv(const CsvFormat& format) const { return data_.csv(format); }
+    /// The same as the user's spreadsheet reads it.
+    QString dataAsCsv() const;
+    /// Draws title, legend, chart and marks onto any device; used for pictures, SVG, PDF and print.
+    /// What only follows the mouse is left out.
     void renderTo(QPainter& painter, const QRectF& target);
-    /// Writes a PNG (twice the size on screen) or SVG, by the file's ending.
+    /// Writes a PNG, SVG or PDF, or the data as CSV with decimal points, by the file's ending.
+    /// @param pixels  width of a PNG; 0: 300 to the inch that is 96 on screen
     /// @return an empty string, or what went wrong
-    QString exportPicture(const QString& path);
-    /// Writes what `draw` draws as exportPicture() does, for pages that put several plots into one.
-    /// @param draw  gets the painter and the pixels that one of the size stands for
-    static QString writePicture(const QString& path, const QSize& size, const QString& title,
-                                const std::function<void(QPainter&, double)>& draw);
-
+    QString exportTo(const QString& path, int pixels = 0);
+    QString exportPicture(const QString& path, int pixels = 0);
     QSize sizeHint() const override { return {420, 260}; }
     QSize minimumSizeHint() const override { return {200, 140}; }
 
@@ -182,6 +182,7 @@ class PlotView : public QWidget {
     void chartChanged();
     void layoutHeader();
     void layoutChart();
+    void drawChart(QPainter& painter);
     void showTheme();
     void zoom(double factorX, double factorY, const QPointF& about);
     void moveCursor(const QPointF& position);

@@ -1,12 +1,6 @@
 #include <QApplication>
-#include <QClipboard>
-#include <QContextMenuEvent>
-#include <QFileDialog>
 #include <QKeyEvent>
-#include <QMenu>
-#include <QMessageBox>
 #include <QMouseEvent>
-#include <QPainter>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -155,33 +149,6 @@ void PlotView::keyPressEvent(QKeyEvent* event) {
             break;
     }
     QWidget::keyPressEvent(event);
-}
-
-void PlotView::contextMenuEvent(QContextMenuEvent* event) {
-    QMenu menu(this);
-    menu.addAction(tr("Reset zoom"), this, &PlotView::resetZoom);
-    menu.addSeparator();
-    menu.addAction(tr("Copy data as CSV"), this,
-                   [this] { QApplication::clipboard()->setText(dataAsCsv()); });
-    menu.addAction(tr("Copy picture"), this, [this] {
-        QImage image(size() * 2, QImage::Format_RGB32);
-        QPainter painter(&image);
-        renderTo(painter, QRectF(QPointF(), QSizeF(image.size())));
-        painter.end();
-        QApplication::clipboard()->setImage(image);
-    });
-    menu.addAction(tr("Save picture…"), this, [this] {
-        const QString path = QFileDialog::getSaveFileName(
-            this, tr("Save picture"), QString(), tr("PNG picture (*.png);;SVG drawing (*.svg)"));
-        if (path.isEmpty()) {
-            return;
-        }
-        const QString trouble = exportPicture(path);
-        if (!trouble.isEmpty()) {
-            QMessageBox::warning(this, tr("Save picture"), trouble);
-        }
-    });
-    menu.exec(event->globalPos());
 }
 
 }  // namespace ravnoves

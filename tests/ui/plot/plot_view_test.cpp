@@ -12,6 +12,7 @@
 #include "events.h"
 #include "plot/legend_item.h"
 #include "plot/model/ticks.h"
+#include "plot/picture_file.h"
 
 namespace ravnoves {
 namespace {
@@ -241,11 +242,11 @@ TEST_F(PlotViewTest, ExportsPictureAndData) {
     QFile file(svg);
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     EXPECT_TRUE(file.readAll().contains("<text"));
-    EXPECT_EQ(QImage(png).size(), plot.size() * 2);
+    EXPECT_EQ(QImage(png).width(), printedWidth(plot.size()));
     EXPECT_NE(plot.exportPicture(QStringLiteral("/dev/null/x.png")), QString());
     const QString csv = plot.dataAsCsv();
     EXPECT_TRUE(csv.startsWith(QStringLiteral("\"φ, °\",\"sine\"\n0,0\n")));
-    EXPECT_EQ(csv.count(QLatin1Char('\n')), 721 + 2);
+    EXPECT_EQ(csv.count(QLatin1Char('\n')), 721 + 1);
 }
 
 TEST_F(PlotViewTest, EqualScaleKeepsCirclesRound) {

@@ -601,11 +601,10 @@ double ShaftMapModel::largestDistance() const {
     return std::max(map_ ? map_->view : 0.0, present * (map_ ? 1.0 : 2.0));
 }
 
-QString ShaftMapModel::fieldCsv() const {
+QString ShaftMapModel::fieldCsv(const CsvFormat& csv) const {
     if (!map_ || map_->obstacles.empty()) {
         return {};
     }
-    const CsvFormat csv;
     const balance_shaft::PositionMap& field = map_->field;
     QString text =
         QStringList{csv.field(tr("x, mm")), csv.field(tr("y, mm")), csv.field(tr("ΔMᵤₚₛ, N·m")),

@@ -14,6 +14,7 @@
 namespace ravnoves {
 
 class BackgroundJob;
+struct CsvFormat;
 
 /// What a range and an RMS over the places of the shaft's axis look like, and what is best. None of
 /// it depends on where the axis stands now. Lengths in m, moments in N·m.
@@ -138,7 +139,7 @@ class ShaftMapModel : public QObject {
     double largestDistance() const;  ///< that a slider should reach, m
 
     /// All three criteria, changes and obstacles over a grid of places.
-    QString fieldCsv() const;
+    QString fieldCsv(const CsvFormat& csv) const;
 
   Q_SIGNALS:
     /// The map, the criterion or what follows them is new.

@@ -1,9 +1,12 @@
 #include "plot/model/plot_data.h"
 
+#include <algorithm>
+#include <functional>
 #include <limits>
 
 #include "plot/model/thin_polyline.h"
 #include "text/csv_format.h"
+#include "text/shown_units.h"
 
 namespace ravnoves {
 
@@ -229,27 +232,74 @@ std::optional<PlotData::Point> PlotData::nextPoint(int by) const {
     return points[static_cast<std::size_t>(next)];
 }
 
-QString PlotData::csv() const {
-    const CsvFormat format;
-    const auto quoted = [](QString text) {
-        return QLatin1Char('"') + text.replace(QLatin1Char('"'), QLatin1String("\"\"")) +
-               QLatin1Char('"');
+QString PlotData::csv(const CsvFormat& format) const {
+    struct Column {
+        QString heading;
+        std::vector<QString> cells;
     };
-    QString text;
+    const auto isAscending = [](const PlotCurve& curve) {
+        return std::adjacent_find(curve.x.begin(), curve.x.end(), std::greater_equal<>()) ==
+               curve.x.end();
+    };
+    const auto text = [&](double value, const PlotScale& scale) {
+        return format.number(value * scale.spec.factor);
+    };
+    std::vector<double> common;
+    for (const PlotCurve& curve : curves) {
+        if (curve.shown && isAscending(curve)) {
+            common.insert(common.end(), curve.x.begin(), curve.x.end());
+        }
+    }
+    std::sort(common.begin(), common.end());
+    common.erase(std::unique(common.begin(), common.end()), common.end());
+    std::vector<Column> columns;
+    if (!common.empty()) {
+        columns.push_back({x.spec.title, {}});
+        for (const double value : common) {
+            columns.back().cells.push_back(text(value, x));
+        }
+    }
     for (const PlotCurve& curve : curves) {
         if (!curve.shown || curve.x.empty()) {
             continue;
         }
-        text +=
-            quoted(x.spec.title) + format.separator + quoted(curve.style.name) + QLatin1Char('\n');
-        for (std::size_t i = 0; i < curve.x.size(); ++i) {
-            text += format.number(curve.x[i] * x.spec.factor) + format.separator +
-                    format.number(curve.y[i] * scale(curve.style.side).spec.factor) +
-                    QLatin1Char('\n');
+        const PlotScale& y = scale(curve.style.side);
+        const bool shares = isAscending(curve);
+        if (!shares) {
+            columns.push_back({curve.style.name + QStringLiteral(": ") + x.spec.title, {}});
+            for (const double value : curve.x) {
+                columns.back().cells.push_back(text(value, x));
+            }
         }
-        text += QLatin1Char('\n');
+        const QString unit = unitOfTitle(y.spec.title);
+        columns.push_back({curve.style.name.isEmpty() ? y.spec.title
+                           : unit.isEmpty()           ? curve.style.name
+                                            : curve.style.name + QStringLiteral(", ") + unit,
+                           {}});
+        for (std::size_t i = 0; i < curve.y.size(); ++i) {
+            while (shares && common[columns.back().cells.size()] != curve.x[i]) {
+                columns.back().cells.emplace_back();
+            }
+            columns.back().cells.push_back(text(curve.y[i], y));
+        }
     }
-    return text;
+    std::size_t rows = 0;
+    QStringList line;
+    for (const Column& column : columns) {
+        QString heading = column.heading;
+        line << QLatin1Char('"') + heading.replace(QLatin1Char('"'), QLatin1String("\"\"")) +
+                    QLatin1Char('"');
+        rows = std::max(rows, column.cells.size());
+    }
+    QString table = line.isEmpty() ? QString() : line.join(format.separator) + QLatin1Char('\n');
+    for (std::size_t row = 0; row < rows; ++row) {
+        line.clear();
+        for (const Column& column : columns) {
+            line << (row < column.cells.size() ? column.cells[row] : QString());
+        }
+        table += line.join(format.separator) + QLatin1Char('\n');
+    }
+    return table;
 }
 
 }  // namespace ravnoves

@@ -11,6 +11,8 @@
 
 namespace ravnoves {
 
+struct CsvFormat;
+
 namespace plot {
 
 enum class Side { Left, Right };
@@ -165,8 +167,9 @@ struct PlotData {
     std::optional<Point> nearestPoint(const QPointF& pixel, double reach = 14.0) const;
     /// The readable point after or before pointRead, in a round; the first or last where none is.
     std::optional<Point> nextPoint(int by) const;
-    /// The data of the shown curves as CSV text.
-    QString csv() const;
+    /// The data of the shown curves as a table: one x, then a column for each curve, empty where it
+    /// has no point there. A curve that goes back and forth in x has its own x beside it.
+    QString csv(const CsvFormat& format) const;
 };
 
 }  // namespace ravnoves

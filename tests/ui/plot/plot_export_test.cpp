@@ -1,0 +1,192 @@
+// What leaves a plot: pictures, drawings, data.
+
+#include <gtest/gtest.h>
+
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QFile>
+#include <QInputDialog>
+#include <QMenu>
+#include <QMimeData>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTimer>
+
+#include "events.h"
+#include "plot/picture_file.h"
+#include "plot/plot_view.h"
+#include "text/csv_format.h"
+
+namespace ravnoves {
+namespace {
+
+QByteArray contents(const QString& path) {
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
+    return file.readAll();
+}
+
+class PlotExportTest : public ::testing::Test {
+  protected:
+    PlotExportTest() {
+        plot.setXAxis({QStringLiteral("φ, °"), 0.0, 720.0, true});
+        plot.setYAxis(PlotView::Side::Left, {QStringLiteral("M, N·m")});
+        const int first = plot.addCurve({.name = QStringLiteral("first")});
+        const int second = plot.addCurve({.name = QStringLiteral("second"), .colour = 1});
+        plot.setCurve(first, {0.0, 360.0, 720.0}, {1.5, 2.5, 1.5});
+        plot.setCurve(second, {0.0, 180.0, 360.0}, {-1.0, -2.0, 1e-3});
+        test::showAt(plot, {600, 360});
+    }
+    QString file(const char* name) const { return folder.filePath(QString::fromUtf8(name)); }
+    QImage drawn() {
+        QImage image(plot.size(), QImage::Format_RGB32);
+        QPainter painter(&image);
+        plot.renderTo(painter, QRectF(QPointF(), QSizeF(plot.size())));
+        return image;
+    }
+    /// Chooses an entry of the context menu.
+    void chooseInMenu(const char* text) {
+        QTimer::singleShot(30, &plot, [text] {
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            ASSERT_NE(menu, nullptr);
+            for (QAction* action : menu->actions()) {
+                if (action->text() == QString::fromUtf8(text)) {
+                    menu->setActiveAction(action);
+                    QTest::keyClick(menu, Qt::Key_Return);
+                    return;
+                }
+            }
+            ADD_FAILURE() << text;
+            menu->close();
+        });
+        QContextMenuEvent event(QContextMenuEvent::Keyboard, {}, {});
+        QApplication::sendEvent(&plot, &event);
+        QApplication::processEvents();
+    }
+
+    QTemporaryDir folder;
+    PlotView plot{QStringLiteral("Torque")};
+};
+
+TEST_F(PlotExportTest, EveryFileIsWhatItsEndingSays) {
+    for (const char* name : {"график.pdf", "график.png", "график.SVG", "график.csv"}) {
+        ASSERT_EQ(plot.exportTo(file(name)), QString()) << name;
+    }
+    EXPECT_TRUE(contents(file("график.pdf")).startsWith("%PDF-"));
+    EXPECT_TRUE(contents(file("график.png")).startsWith("\x89PNG\r\n"));
+    EXPECT_TRUE(contents(file("график.SVG")).startsWith("<?xml"));
+    EXPECT_TRUE(contents(file("график.csv")).startsWith("\"φ, °\",\"first, N·m\","));
+    for (const char* name : {"plot.jpg", "plot.eps", "plot"}) {
+        EXPECT_TRUE(plot.exportTo(file(name)).contains(QStringLiteral(".svg"))) << name;
+        EXPECT_FALSE(QFile::exists(file(name))) << name;
+    }
+    for (const char* name :
+         {"/dev/null/x.pdf", "/dev/null/x.svg", "/dev/null/x.png", "/dev/null/x.csv"}) {
+        EXPECT_NE(plot.exportTo(QString::fromUtf8(name)), QString()) << name;
+    }
+}
+
+TEST_F(PlotExportTest, ThePdfHoldsTextAndLinesRatherThanPixels) {
+    ASSERT_EQ(plot.exportTo(file("plot.pdf")), QString());
+    EXPECT_FALSE(contents(file("plot.pdf")).contains("/Subtype /Image"));
+    const QString program = QStandardPaths::findExecutable(QStringLiteral("pdftotext"));
+    if (program.isEmpty()) {
+        GTEST_SKIP() << "pdftotext is not installed";
+    }
+    QProcess reader;
+    reader.start(program, {file("plot.pdf"), QStringLiteral("-")});
+    ASSERT_TRUE(reader.waitForFinished());
+    // With ligatures taken apart.
+    const QString text =
+        QString::fromUtf8(reader.readAllStandardOutput()).normalized(QString::NormalizationForm_KC);
+    for (const char* word : {"Torque", "first", "second", "φ, °", "M, N·m", "360"}) {
+        EXPECT_TRUE(text.contains(QString::fromUtf8(word))) << word << "\n" << text.toStdString();
+    }
+}
+
+TEST_F(PlotExportTest, APngHasThreeHundredDotsToTheInchOrThePixelsChosen) {
+    ASSERT_EQ(plot.exportTo(file("a.png")), QString());
+    const QImage printed(file("a.png"));
+    EXPECT_EQ(printed.width(), 1875);
+    EXPECT_EQ(printed.height(), 1125);
+    EXPECT_NEAR(printed.dotsPerMeterX() * 0.0254, 300.0, 0.1);
+    ASSERT_EQ(plot.exportTo(file("b.png"), 1000), QString());
+    EXPECT_EQ(QImage(file("b.png")).size(), QSize(1000, 600));
+}
+
+TEST_F(PlotExportTest, NothingOfTheMouseIsInAnyPicture) {
+    const QImage before = drawn();
+    const QString lines = plot.dataAsCsv();
+    plot.exportTo(file("before.svg"));
+    plot.setCursorX(200.0);
+    EXPECT_EQ(drawn(), before);
+    plot.exportTo(file("after.svg"));
+    EXPECT_EQ(contents(file("before.svg")), contents(file("after.svg")));
+    EXPECT_EQ(plot.dataAsCsv(), lines);
+    // On the screen it is still there.
+    const QImage shown = plot.grab().toImage();
+    plot.setCursorX(std::nullopt);
+    EXPECT_NE(plot.grab().toImage(), shown);
+}
+
+TEST_F(PlotExportTest, TheDataAreOneTableOverOneX) {
+    EXPECT_EQ(plot.csv(CsvFormat(QLocale::c())),
+              QStringLiteral("\"φ, °\",\"first, N·m\",\"second, N·m\"\n"
+                             "0,1.5,-1\n"
+                             "180,,-2\n"
+                             "360,2.5,0.001\n"
+                             "720,1.5,\n"));
+    EXPECT_TRUE(plot.csv(CsvFormat(QLocale(QLocale::Russian)))
+                    .startsWith(QStringLiteral("\"φ, °\";\"first, N·m\"")));
+    plot.setCurveShown(0, false);
+    EXPECT_EQ(plot.csv(CsvFormat(QLocale::c())).count(QLatin1Char('\n')), 4);
+}
+
+TEST_F(PlotExportTest, ACurveThatComesBackHasAnXOfItsOwn) {
+    const int round = plot.addCurve({.name = QStringLiteral("round")});
+    plot.setCurve(round, {0.0, 1.0, 0.0}, {0.0, 1.0, 2.0});
+    const QStringList lines =
+        plot.csv(CsvFormat(QLocale::c())).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    ASSERT_EQ(lines.size(), 5);
+    EXPECT_TRUE(lines[0].endsWith(QStringLiteral(",\"round: φ, °\",\"round, N·m\"")))
+        << lines[0].toStdString();
+    EXPECT_TRUE(lines[2].endsWith(QStringLiteral(",1,1")));
+    EXPECT_TRUE(lines[4].endsWith(QStringLiteral(",,")));
+}
+
+TEST_F(PlotExportTest, PictureAndDataAreCopiedFromTheMenu) {
+    chooseInMenu("Copy data");
+    const QString text = QApplication::clipboard()->text();
+    EXPECT_TRUE(text.startsWith(QStringLiteral("\"φ, °\"\t\"first, N·m\"\t")))
+        << text.toStdString();
+    chooseInMenu("Copy picture");
+    EXPECT_EQ(QApplication::clipboard()->image().size(), plot.size() * 2);
+}
+
+TEST_F(PlotExportTest, TheMenuSavesWithTheWidthThatIsAsked) {
+    const FileChoosers before = fileChoosers();
+    QString filters;
+    fileChoosers().save = [&](QWidget*, const QString&, const QString&, const QString& offered,
+                              QString*) {
+        filters = offered;
+        // After it the width is asked for.
+        QTimer::singleShot(30, &plot, [] {
+            auto* ask = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+            ASSERT_NE(ask, nullptr);
+            EXPECT_EQ(ask->intValue(), 1875);
+            ask->setIntValue(300);
+            QTest::keyClick(ask, Qt::Key_Return);
+        });
+        return file("Вариант");
+    };
+    chooseInMenu("Save picture or data…");
+    EXPECT_EQ(QImage(file("Вариант.png")).width(), 300);
+    for (const char* suffix : {"*.png", "*.svg", "*.pdf", "*.csv"}) {
+        EXPECT_TRUE(filters.contains(QString::fromUtf8(suffix))) << filters.toStdString();
+    }
+    fileChoosers() = before;
+}
+
+}  // namespace
+}  // namespace ravnoves

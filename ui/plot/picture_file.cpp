@@ -1,0 +1,137 @@
+#include "plot/picture_file.h"
+
+#include <QCoreApplication>
+#include <QImage>
+#include <QInputDialog>
+#include <QMessageBox>
+#include <QPageSize>
+#include <QPaintEngine>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSvgGenerator>
+#include <algorithm>
+#include <cmath>
+
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+namespace {
+
+constexpr double screenDots = 96.0;  ///< to the inch
+constexpr double printDots = 300.0;
+
+QString say(const char* text) {
+    return QCoreApplication::translate("ravnoves::PictureFile", text);
+}
+
+bool endsIn(const QString& path, const char* suffix) {
+    return path.endsWith(QLatin1String(suffix), Qt::CaseInsensitive);
+}
+
+bool drawOn(QPaintDevice& device, const DrawPicture& draw) {
+    QPainter painter;
+    if (!painter.begin(&device)) {
+        return false;
+    }
+    draw(painter, 1.0);
+    return painter.end();
+}
+
+bool writeSvg(const QString& path, const QSize& size, const QString& title,
+              const DrawPicture& draw) {
+    QSvgGenerator generator;
+    generator.setFileName(path);
+    generator.setResolution(static_cast<int>(screenDots));  // or text comes out smaller
+    generator.setSize(size);
+    generator.setViewBox(QRect(QPoint(), size));
+    generator.setTitle(title);
+    return drawOn(generator, draw);
+}
+
+bool writePdf(const QString& path, const QSize& size, const QString& title,
+              const DrawPicture& draw) {
+    QPdfWriter writer(path);
+    writer.setResolution(static_cast<int>(screenDots));
+    writer.setPageSize(
+        QPageSize(QSizeF(size) * (72.0 / screenDots), QPageSize::Point, {}, QPageSize::ExactMatch));
+    writer.setPageMargins({});
+    writer.setTitle(title);
+    return drawOn(writer, draw);
+}
+
+bool writePng(const QString& path, const QSize& size, const DrawPicture& draw, int pixels) {
+    const double scale = static_cast<double>(pixels) / size.width();
+    QImage image(pixels, static_cast<int>(std::lround(size.height() * scale)),
+                 QImage::Format_RGB32);
+    const int dotsPerMetre = static_cast<int>(std::lround(scale * screenDots / 0.0254));
+    image.setDotsPerMeterX(dotsPerMetre);
+    image.setDotsPerMeterY(dotsPerMetre);
+    image.fill(Theme::instance().window());
+    QPainter painter(&image);
+    draw(painter, scale);
+    painter.end();
+    return image.save(path, "PNG");
+}
+
+}  // namespace
+
+int printedWidth(const QSize& size) {
+    return static_cast<int>(std::lround(size.width() * printDots / screenDots));
+}
+
+QString writePicture(const QString& path, const QSize& size, const QString& title,
+                     const DrawPicture& draw, int pixels) {
+    bool isWritten = false;
+    if (endsIn(path, ".svg")) {
+        isWritten = writeSvg(path, size, title, draw);
+    } else if (endsIn(path, ".pdf")) {
+        isWritten = writePdf(path, size, title, draw);
+    } else if (endsIn(path, ".png")) {
+        isWritten = writePng(path, size, draw, pixels > 0 ? pixels : printedWidth(size));
+    } else {
+        return say(QT_TRANSLATE_NOOP("ravnoves::PictureFile",
+                                     "%1: a picture is written as .png, .svg or .pdf."))
+            .arg(path);
+    }
+    return isWritten
+               ? QString()
+               : say(QT_TRANSLATE_NOOP("ravnoves::PictureFile", "%1 cannot be written.")).arg(path);
+}
+
+void savePictureWithDialog(QWidget* parent, const QString& title, const QString& name,
+                           const QSize& size, const QList<FileFormat>& others,
+                           const std::function<QString(const QString&, int)>& write) {
+    const QString path = askSavePath(parent, title, name, pictureFormats() + others);
+    if (path.isEmpty()) {
+        return;
+    }
+    int pixels = 0;
+    if (endsIn(path, ".png")) {
+        constexpr int least = 100;
+        constexpr int most = 12000;
+        bool isGiven = false;
+        pixels = QInputDialog::getInt(
+            parent, title,
+            say(QT_TRANSLATE_NOOP("ravnoves::PictureFile",
+                                  "Width in pixels; %1 print with 300 dots to the inch:"))
+                .arg(printedWidth(size)),
+            std::min(printedWidth(size), most), least, most, 1, &isGiven);
+        if (!isGiven) {
+            return;
+        }
+    }
+    const QString trouble = write(path, pixels);
+    if (!trouble.isEmpty()) {
+        QMessageBox::warning(parent, title, trouble);
+    }
+}
+
+bool drawsVectors(const QPainter& painter) {
+    const QPaintEngine* engine = painter.paintEngine();
+    return engine != nullptr &&
+           (engine->type() == QPaintEngine::Pdf || engine->type() == QPaintEngine::SVG ||
+            engine->type() == QPaintEngine::Picture);
+}
+
+}  // namespace ravnoves
