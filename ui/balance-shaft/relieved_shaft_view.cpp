@@ -1,7 +1,6 @@
 #include "balance-shaft/relieved_shaft_view.h"
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QMessageBox>
 #include <QPainter>
@@ -15,6 +14,7 @@
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
+#include "widgets/file_dialogs.h"
 #include "widgets/form.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
@@ -234,9 +234,8 @@ void RelievedShaftView::showShaft() {
 }
 
 void RelievedShaftView::chooseFile() {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Export drawing"),
-                                                      QStringLiteral("balance-shaft.dxf"),
-                                                      tr("DXF drawings (*.dxf)"));
+    const QString path =
+        askSavePath(this, tr("Export drawing"), QStringLiteral("balance-shaft.dxf"), {dxfFormat()});
     if (path.isEmpty()) {
         return;
     }

@@ -1,7 +1,6 @@
 #include "balance-shaft/torque_source_editor.h"
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMessageBox>
@@ -16,6 +15,7 @@
 #include "text/message_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/file_dialogs.h"
 #include "widgets/form.h"
 
 namespace ravnoves {
@@ -61,6 +61,7 @@ TorqueSourceEditor::TorqueSourceEditor(BalanceShaftModel* model, QWidget* parent
     trouble_->setContentsMargins(Theme::margin, 0, Theme::margin, 0);
     column->addWidget(trouble_);
     column->addWidget(buildCheck());
+    column->addWidget(buildNoTable());
     forms_ = new QStackedWidget(this);
     table_ = new TorqueTableEditor(model_, forms_);
     forms_->addWidget(table_);
@@ -69,8 +70,11 @@ TorqueSourceEditor::TorqueSourceEditor(BalanceShaftModel* model, QWidget* parent
     column->addWidget(forms_, 1);
 
     connect(choice_, &QComboBox::activated, this, [this](int page) {
-        if (page == PressurePage && model_->input().torque.trace.pressure.empty()) {
-            forms_->setCurrentIndex(page);  // nothing to solve until a file is read
+        const TorqueSource& torque = model_->input().torque;
+        const bool isEmpty = page == PressurePage ? torque.trace.pressure.empty()
+                                                  : page == TablePage && torque.table.size() == 0;
+        if (isEmpty) {
+            showForm(page);  // nothing to solve until there are numbers
             return;
         }
         trouble_->say(model_->setTorqueKind(page == TablePage      ? TorqueSource::Kind::table
@@ -83,6 +87,28 @@ TorqueSourceEditor::TorqueSourceEditor(BalanceShaftModel* model, QWidget* parent
         showInput();
     });
     showInput();
+}
+
+QWidget* TorqueSourceEditor::buildNoTable() {
+    noTable_ = new QWidget(this);
+    auto* column = new QVBoxLayout(noTable_);
+    column->setContentsMargins(Theme::margin, 0, Theme::margin, Theme::gap);
+    column->setSpacing(Theme::gap);
+    column->addWidget(captionLabel(
+        tr("The torque is still the computed one: there is no table yet. Paste one, import a CSV "
+           "file, or take over the computed torque."),
+        noTable_));
+    auto* take = new QPushButton(tr("Take over as table"), noTable_);
+    take->setObjectName(QStringLiteral("take_computed_torque"));
+    take->setToolTip(
+        tr("Make a table of the computed torque, with a row for each step of the "
+           "curves. From then on it follows neither speed nor masses."));
+    column->addWidget(take);
+    connect(take, &QPushButton::clicked, this, [this] {
+        trouble_->say(model_->tabulateTorque());
+        showInput();
+    });
+    return noTable_;
 }
 
 QWidget* TorqueSourceEditor::buildCheck() {
@@ -161,8 +187,7 @@ QWidget* TorqueSourceEditor::buildPressure() {
     cylinder->addWide(captionLabel(tr("The rod length is on the Inputs tab."), form));
     static_cast<QVBoxLayout*>(form->layout())->addStretch();
     connect(import, &QPushButton::clicked, this, [this] {
-        const QString path =
-            QFileDialog::getOpenFileName(this, tr("Read pressure trace"), QString(),
+        const QString path = askOpenPath(this, tr("Read pressure trace"), {},
                                          tr("Tables (*.csv *.txt *.tsv);;All files (*)"));
         if (path.isEmpty()) {
             return;
@@ -226,10 +251,19 @@ QString TorqueSourceEditor::importTrace(const QString& path) {
     return why;
 }
 
-void TorqueSourceEditor::showInput() {
-    const int page = pageOf(model_->input().torque.kind);
+void TorqueSourceEditor::showForm(int page) {
     choice_->setCurrentIndex(page);
     forms_->setCurrentIndex(page);
+    const TorqueSource& torque = model_->input().torque;
+    noTable_->setVisible(page == TablePage && torque.is_computed());
+    if (torque.trace.pressure.empty() && !torque.trace_csv.empty()) {
+        trace_->setText(tr("%1 cannot be read; read it again from where it is now.")
+                            .arg(QString::fromStdString(torque.trace_csv)));
+    }
+}
+
+void TorqueSourceEditor::showInput() {
+    showForm(pageOf(model_->input().torque.kind));
     showCheck();
 }
 

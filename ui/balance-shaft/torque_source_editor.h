@@ -39,6 +39,8 @@ class TorqueSourceEditor : public QWidget {
     void showInput();
     void showCheck();
     QWidget* buildCheck();
+    QWidget* buildNoTable();
+    void showForm(int page);
 
     BalanceShaftModel* model_;
     QComboBox* choice_ = nullptr;
@@ -47,6 +49,7 @@ class TorqueSourceEditor : public QWidget {
     QLabel* trace_ = nullptr;
     TroubleLine* trouble_ = nullptr;
     QWidget* check_ = nullptr;
+    QWidget* noTable_ = nullptr;
     QLabel* checkText_ = nullptr;
     QWidget* remedies_ = nullptr;
 };

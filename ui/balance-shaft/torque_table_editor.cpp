@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QLabel>
 #include <QMessageBox>
 #include <QTableView>
@@ -14,6 +13,7 @@
 #include "case-file/text_file.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
+#include "widgets/file_dialogs.h"
 
 namespace ravnoves {
 
@@ -54,8 +54,7 @@ TorqueTableEditor::TorqueTableEditor(BalanceShaftModel* model, TorqueTableModel*
 }
 
 void TorqueTableEditor::importWithDialog() {
-    const QString path =
-        QFileDialog::getOpenFileName(this, tr("Import torque table"), QString(),
+    const QString path = askOpenPath(this, tr("Import torque table"), {},
                                      tr("Tables (*.csv *.txt *.tsv);;All files (*)"));
     const QString trouble = path.isEmpty() ? QString() : importFile(path);
     if (!trouble.isEmpty()) {
@@ -64,8 +63,8 @@ void TorqueTableEditor::importWithDialog() {
 }
 
 void TorqueTableEditor::exportWithDialog() {
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Export torque table"), QStringLiteral("torque.csv"), tr("CSV tables (*.csv)"));
+    const QString path =
+        askSavePath(this, tr("Export torque table"), QStringLiteral("torque.csv"), {csvFormat()});
     if (path.isEmpty()) {
         return;
     }

@@ -2,13 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <QClipboard>
 #include <QComboBox>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <cmath>
 
 #include "balance-shaft/balance_shaft_page.h"
 #include "balance-shaft/cycle_view.h"
 #include "balance-shaft/model/balance_shaft_model.h"
+#include "balance-shaft/torque_table_editor.h"
+#include "case-file/case_file.h"
 #include "case-file/text_file.h"
 #include "events.h"
 #include "widgets/number_field.h"
@@ -112,6 +116,47 @@ TEST_F(TorqueSourceTest, ReadsAPressureTrace) {
     write_text_file(path.toStdString(), "0;1\n360;x\n720;1\n");
     EXPECT_TRUE(source->importTrace(path).contains(QStringLiteral("line 2")));
     EXPECT_EQ(model->input().torque.kind, Kind::pressure);
+}
+
+TEST_F(TorqueSourceTest, ACaseWithAComputedCycleAloneLeadsToATable) {
+    choose(2);
+    Json input = model->inputJson();
+    model->loadCase(input, {}, QStringLiteral("Cycle"));  // no other source is known now
+    ASSERT_EQ(model->input().torque.table.size(), 0U);
+    const double range = model->result().M_up.range;
+    choose(0);
+    EXPECT_EQ(model->input().torque.kind, Kind::cycle);
+    EXPECT_EQ(source->choice()->currentIndex(), 0);
+    auto* take = test::named<QPushButton>(*source, "take_computed_torque");
+    page.findChild<QTabWidget*>()->setCurrentWidget(source);
+    ASSERT_TRUE(take->isVisible());
+    QTest::mouseClick(take, Qt::LeftButton);
+    EXPECT_EQ(model->input().torque.kind, Kind::table);
+    EXPECT_EQ(model->input().torque.table.size(), 721U);
+    EXPECT_NEAR(model->result().M_up.range, range, 2e-3 * range);
+    EXPECT_FALSE(take->isVisible());
+    // Undone, the cycle is there, and so is the way.
+    model->undo();
+    EXPECT_EQ(model->input().torque.kind, Kind::cycle);
+    choose(0);
+    EXPECT_TRUE(take->isVisible());
+    QApplication::clipboard()->setText(QStringLiteral("0;0\n180;-50\n360;0\n540;50\n720;0\n"));
+    source->tableEditor()->paste();
+    EXPECT_EQ(model->input().torque.kind, Kind::table);
+    EXPECT_EQ(model->input().torque.table.size(), 5U);
+}
+
+TEST_F(TorqueSourceTest, SourcesOutOfUseGoIntoTheCaseAndComeBack) {
+    const auto table = model->input().torque.table;
+    choose(2);
+    const CaseFile file = model->caseFile();
+    ASSERT_TRUE(file.kept.contains("torque")) << file.kept.dump();
+    model->loadDefault();
+    model->loadFile(file, {}, false);
+    EXPECT_EQ(model->input().torque.table, table);
+    choose(0);
+    EXPECT_EQ(model->input().torque.kind, Kind::table);
+    EXPECT_TRUE(model->keptJson().at("torque").contains("cycle"));
 }
 
 }  // namespace
