@@ -1,13 +1,14 @@
 #include "elastic-hinge/guide_export_form.h"
 
-#include <QFileDialog>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "elastic-hinge/fields.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/file_dialogs.h"
 
 namespace ravnoves {
 
@@ -39,20 +40,20 @@ GuideExportForm::GuideExportForm(ElasticHingeModel* model, QWidget* parent)
         field::table_step, [this] { return std::optional(stepDeg_); },
         [this](std::optional<double> value) { stepDeg_ = *value; });
     const auto button = [&](const char* name, const QString& label, const QString& hint,
-                            const QString& filter, const QString& ending) {
+                            const QString& suffix) {
         auto* write = new QPushButton(themedIcon(QStringLiteral("export")), label, this);
         write->setObjectName(QLatin1String(name));
         write->setToolTip(hint);
         column->addWidget(write);
-        connect(write, &QPushButton::clicked, this, [=, this] { ask(filter, ending); });
+        connect(write, &QPushButton::clicked, this, [=, this] { ask(suffix); });
         return write;
     };
     dxf_ = button("export_dxf", tr("Write D&XF…"),
                   tr("Closed polylines in mm, 1:1: layers PROFILE, ROLLER_PATH, AXIS, NOTE"),
-                  tr("DXF drawing (*.dxf)"), QStringLiteral(".dxf"));
+                  QStringLiteral("dxf"));
     csv_ = button("export_csv", tr("Write &CSV…"),
                   tr("Crank angle, polar angle, radius, x and y of path and profile; °, mm"),
-                  tr("CSV table (*.csv)"), QStringLiteral(".csv"));
+                  QStringLiteral("csv"));
     note_ = captionLabel({}, this);
     column->addWidget(note_);
     column->addStretch();
@@ -107,13 +108,15 @@ QString GuideExportForm::exportTo(const QString& path) {
     return model_->exportGuide(path, hinge(), drawing_, stepDeg_);
 }
 
-void GuideExportForm::ask(const QString& filter, const QString& ending) {
-    QString path = QFileDialog::getSaveFileName(this, tr("Export guide"), QString(), filter);
+void GuideExportForm::ask(const QString& suffix) {
+    QList<FileFormat> formats{dxfFormat(), csvFormat()};
+    if (formats.back().suffix == suffix) {
+        std::swap(formats.front(), formats.back());
+    }
+    const QString path =
+        askSavePath(this, tr("Export guide"), QStringLiteral("guide.") + suffix, formats);
     if (path.isEmpty()) {
         return;
-    }
-    if (!path.endsWith(ending, Qt::CaseInsensitive)) {
-        path += ending;
     }
     const QString trouble = exportTo(path);
     if (trouble.isEmpty()) {

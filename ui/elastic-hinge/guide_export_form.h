@@ -26,7 +26,7 @@ class GuideExportForm : public Form {
     void showGuide();
     QComboBox* addChoice(const char* name, const QString& label, const QStringList& words,
                          const QString& hint);
-    void ask(const QString& filter, const QString& ending);
+    void ask(const QString& suffix);
     elastic_hinge::Hinge hinge() const;
 
     ElasticHingeModel* model_;

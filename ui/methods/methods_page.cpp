@@ -1,8 +1,6 @@
 #include "methods/methods_page.h"
 
 #include <QComboBox>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -27,6 +25,7 @@
 #include "text/number_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/file_dialogs.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
 #include "widgets/panel.h"
@@ -492,19 +491,11 @@ void MethodsPage::exportWithDialog() {
     const QString name =
         report ? QStringLiteral("validation")
                : QStringLiteral("methods-") + QString::fromStdString(model_->kernel().id);
-    QString chosen;
-    QString path = QFileDialog::getSaveFileName(
-        this, tr("Export"), name + QStringLiteral(".csv"),
-        report ? tr("Table (*.csv)")
-               : tr("Table (*.csv);;Charts, SVG (*.svg);;Charts, PNG (*.png)"),
-        &chosen);
+    const QString path =
+        askSavePath(this, tr("Export"), name + QStringLiteral(".csv"),
+                    report ? QList{csvFormat()} : QList{csvFormat()} + pictureFormats());
     if (path.isEmpty()) {
         return;
-    }
-    if (QFileInfo(path).suffix().isEmpty()) {
-        path += chosen.contains(QLatin1String("svg"))   ? QStringLiteral(".svg")
-                : chosen.contains(QLatin1String("png")) ? QStringLiteral(".png")
-                                                        : QStringLiteral(".csv");
     }
     const QString trouble = exportTo(path);
     if (trouble.isEmpty()) {

@@ -1,7 +1,6 @@
 #include "v8-plugs/journal_dialog.h"
 
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -15,6 +14,7 @@
 #include "v8-plugs/checked_field.h"
 #include "v8-plugs/model/v8_names.h"
 #include "v8-plugs/model/v8_text.h"
+#include "widgets/file_dialogs.h"
 
 namespace ravnoves {
 
@@ -243,8 +243,8 @@ QString JournalDialog::exportTo(const QString& file) {
 }
 
 void JournalDialog::exportWithDialog() {
-    const QString file = QFileDialog::getSaveFileName(
-        this, tr("Export list"), QStringLiteral("journal.csv"), tr("CSV table (*.csv)"));
+    const QString file =
+        askSavePath(this, tr("Export list"), QStringLiteral("journal.csv"), {csvFormat()});
     if (file.isEmpty()) {
         return;
     }

@@ -2,7 +2,6 @@
 
 #include <QActionGroup>
 #include <QApplication>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMenu>
@@ -32,6 +31,7 @@
 #include "v8-plugs/shift_plot.h"
 #include "v8-plugs/weigh_in_sheet.h"
 #include "widgets/entry_field.h"
+#include "widgets/file_dialogs.h"
 #include "widgets/form_section.h"
 #include "widgets/result_table.h"
 
@@ -390,10 +390,10 @@ void V8PlugsPage::exportCard() {
             c = QLatin1Char('_');
         }
     }
-    const QString file = QFileDialog::getSaveFileName(
-        this, tr("Job card as PDF"),
-        (name.isEmpty() ? QStringLiteral("job-card") : name) + QStringLiteral(".pdf"),
-        tr("PDF (*.pdf)"));
+    const QString file =
+        askSavePath(this, tr("Job card as PDF"),
+                    (name.isEmpty() ? QStringLiteral("job-card") : name) + QStringLiteral(".pdf"),
+                    {pdfFormat()});
     if (file.isEmpty()) {
         return;
     }
