@@ -1,9 +1,9 @@
 #include "shell/documents.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QMouseEvent>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QTabBar>
@@ -17,8 +17,10 @@
 #include "numerics/demand.h"
 #include "shell/scene_page.h"
 #include "text/error_text.h"
+#include "text/message_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/file_dialogs.h"
 
 namespace ravnoves {
 
@@ -242,18 +244,53 @@ void Documents::put(const CaseFile& file, const std::function<void(CaseDocument&
     bringToFront(target);
 }
 
-QString Documents::open(const QString& path) {
+QString Documents::open(const QString& path, bool locates) {
     if (OpenDocument* there = withFile(path)) {
         bringToFront(*there);
         return {};
     }
-    try {
-        const CaseFile file = CaseDocument::read(path);
-        put(file, [&](CaseDocument& document) { document.open(file, path); });
-        return {};
-    } catch (const InputError& error) {
-        return path + QStringLiteral(": ") + errorText(error);
+    CaseFile file;
+    for (bool isMoved = false;; isMoved = true) {
+        try {
+            if (!isMoved) {
+                file = CaseDocument::read(path);
+            }
+            put(file, [&](CaseDocument& document) {
+                document.open(file, path);
+                // Where a file is now, and what an older version has become, is to be saved.
+                if (isMoved || !file.changes.empty()) {
+                    document.model()->history()->resetClean();
+                }
+            });
+            QStringList changes;
+            for (const Message& change : file.changes) {
+                changes << messageText(change);
+            }
+            Q_EMIT status(changes.join(QLatin1Char(' ')));
+            return {};
+        } catch (const InputError& error) {
+            const QString trouble = path + QStringLiteral(": ") + errorText(error);
+            Json* const name = locates ? CaseDocument::fileNamedAt(file, error) : nullptr;
+            if (name == nullptr) {
+                return trouble;
+            }
+            const QString found = locate(QString::fromStdString(name->get<std::string>()), trouble);
+            if (found.isEmpty()) {
+                return {};
+            }
+            *name = QFileInfo(found).absoluteFilePath().toStdString();
+        }
     }
+}
+
+QString Documents::locate(const QString& name, const QString& trouble) {
+    QMessageBox box(QMessageBox::Warning, tr("Open case"), trouble, QMessageBox::Cancel, this);
+    const QPushButton* locate = box.addButton(tr("&Locate file…"), QMessageBox::AcceptRole);
+    box.exec();
+    return box.clickedButton() == locate
+               ? askOpenPath(this, tr("Where is %1?").arg(QFileInfo(name).fileName()), {},
+                             tr("Tables (*.csv *.txt *.tsv);;All files (*)"))
+               : QString();
 }
 
 bool Documents::begin(const QString& scene) {
@@ -331,8 +368,8 @@ DocumentDialogs Documents::dialogsOf(OpenDocument& document) {
                                                 : DocumentDialogs::Answer::Stay;
     };
     dialogs.choosePath = [this, &document](const QString& suggestion) {
-        const QString path = QFileDialog::getSaveFileName(window(), tr("Save case"), suggestion,
-                                                          tr("Ravnoves cases (*.case.json)"));
+        const QString path = askSavePath(window(), tr("Save case"), suggestion,
+                                         {{QStringLiteral("case.json"), tr("Ravnoves case")}});
         const OpenDocument* other = path.isEmpty() ? nullptr : withFile(path);
         if (other != nullptr && other != &document) {
             QMessageBox::warning(window(), tr("Save case"),

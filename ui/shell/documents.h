@@ -57,8 +57,9 @@ class Documents : public QWidget {
     bool hasSeveralTabs() const;
 
     /// Opens a case file; one that is open already comes to the front.
+    /// @param locates  the user is asked for files that the case names and that cannot be read
     /// @return an empty string, or what is wrong, with the file's name; all stays as it was then
-    QString open(const QString& path);
+    QString open(const QString& path, bool locates = false);
     /// Begins a case without a file and brings it to the front: what a new document of the scene
     /// starts with.
     /// @return false for a word that is no scene
@@ -100,6 +101,9 @@ class Documents : public QWidget {
     OpenDocument* untouchedOf(std::size_t scene, const OpenDocument* butNot) const;
     /// Brings a case into a document of its own; one that is refused leaves none behind.
     void put(const CaseFile& file, const std::function<void(CaseDocument&)>& load);
+    /// Asks where the file is that could not be read.
+    /// @return an empty text where the user gives up
+    QString locate(const QString& name, const QString& trouble);
     DocumentDialogs dialogsOf(OpenDocument& document);
     QString nameOf(const OpenDocument& document) const;
     void arrangeTabs();

@@ -5,19 +5,21 @@
 #include <QClipboard>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPainter>
 #include <QSettings>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "plot/picture_file.h"
+#include "shell/case_properties.h"
 #include "shell/documents.h"
 #include "shell/help_window.h"
 #include "shell/scene_page.h"
@@ -183,6 +185,14 @@ void MainWindow::buildMenus() {
         statusBar()->showMessage(tr("Results copied as CSV"), 3000);
     });
 
+    edit->addSeparator();
+    QAction* properties =
+        add(edit, {}, tr("Title and &notes…"), QKeySequence(Qt::CTRL | Qt::Key_I), [this] {
+            auto* dialog = new CaseProperties(currentPage()->model(), this);
+            dialog->setAttribute(Qt::WA_DeleteOnClose);
+            dialog->open();
+        });
+
     sceneMenu_ = menuBar()->addMenu(tr("&Scene"));
 
     QMenu* view = menuBar()->addMenu(tr("&View"));
@@ -247,7 +257,7 @@ void MainWindow::buildMenus() {
     toolBar_->addSeparator();
     toolBar_->addActions({copyText, picture, reset});
     toolBar_->addSeparator();
-    caseActions_ = {fresh, saveAction, saveAsAction};
+    caseActions_ = {fresh, saveAction, saveAsAction, properties};
     for (QAction* action : caseActions_) {
         action->setData(action->toolTip());
     }
@@ -350,32 +360,34 @@ void MainWindow::updateTitle() {
 }
 
 void MainWindow::openOrSayWhy(const QString& path) {
-    const QString trouble = openCase(path);
+    const QString trouble = documents_->open(path, true);
     if (!trouble.isEmpty()) {
         QMessageBox::warning(this, tr("Open case"), trouble);
     }
 }
 
 void MainWindow::openWithDialog() {
-    const QString path = QFileDialog::getOpenFileName(
-        this, tr("Open case"), QFileInfo(documents_->current().document->path()).absolutePath(),
-        tr("Ravnoves cases (*.case.json *.json);;All files (*)"));
+    const QString file = documents_->current().document->path();
+    const QString path =
+        askOpenPath(this, tr("Open case"), file.isEmpty() ? file : QFileInfo(file).absolutePath(),
+                    tr("Ravnoves cases (*.case.json *.json);;All files (*)"));
     if (!path.isEmpty()) {
         openOrSayWhy(path);
     }
 }
 
 void MainWindow::exportPicture() {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save page as picture"),
-                                                      currentScene() + QStringLiteral(".png"),
-                                                      tr("PNG picture (*.png)"));
-    if (path.isEmpty()) {
-        return;
-    }
-    if (!currentPage()->grab().save(path, "PNG")) {
-        QMessageBox::warning(this, tr("Save page as picture"),
-                             tr("%1 cannot be written.").arg(path));
-    }
+    ScenePage* page = currentPage();
+    const auto draw = [page](QPainter& painter, double scale) {
+        painter.scale(scale, scale);
+        page->render(&painter);
+    };
+    savePictureWithDialog(this, tr("Save page as picture"), currentScene() + QStringLiteral(".png"),
+                          page->size(), {}, [&](const QString& path, int pixels) {
+                              return writePicture(path, page->size(),
+                                                  documents_->current().document->name(), draw,
+                                                  pixels);
+                          });
 }
 
 void MainWindow::fillRecentFiles() {

@@ -63,6 +63,7 @@ class DocumentsTest : public ::testing::Test {
     void set(const QString& pair) { ASSERT_EQ(applySetting(window, pair), QString()); }
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::ControlModifier) {
         window.activateWindow();  // a message may have been in front
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
         QTest::keyClick(&window, key, modifiers);
         QApplication::processEvents();
     }

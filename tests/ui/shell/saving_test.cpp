@@ -1,0 +1,234 @@
+// Cases and pages as files, through the real window.
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QFile>
+#include <QInputDialog>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPlainTextEdit>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTimer>
+
+#include "case-file/json.h"
+#include "case-file/text_file.h"
+#include "events.h"
+#include "shell/case_properties.h"
+#include "shell/main_window.h"
+#include "shell/scene_page.h"
+#include "shell/screenshot.h"
+#include "text/file_path.h"
+#include "widgets/file_dialogs.h"
+
+namespace ravnoves {
+namespace {
+
+class SavingTest : public ::testing::Test {
+  protected:
+    SavingTest() {
+        fileChoosers().save = [this](QWidget*, const QString&, const QString&, const QString&,
+                                     QString*) {
+            return typed.isEmpty() ? QString() : typed.takeFirst();
+        };
+        fileChoosers().open = [this](QWidget*, const QString& title, const QString&,
+                                     const QString&) {
+            asked << title;
+            return typed.isEmpty() ? QString() : typed.takeFirst();
+        };
+        test::showAt(window, {1280, 800});
+    }
+    ~SavingTest() override { fileChoosers() = before; }
+
+    QString file(const char* name) const { return folder.filePath(QString::fromUtf8(name)); }
+    static Json read(const QString& path) { return parse_json(read_text_file(fsPath(path))); }
+    SceneModel& model() { return *window.currentPage()->model(); }
+    /// Clicks a button of the next message box, by its words.
+    void answer(const char* button) {
+        QTimer::singleShot(50, &window, [this, button] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            ASSERT_NE(box, nullptr) << button;
+            asked << box->text();
+            for (QAbstractButton* one : box->buttons()) {
+                if (one->text().remove(QLatin1Char('&')) == QString::fromUtf8(button)) {
+                    QTest::mouseClick(one, Qt::LeftButton);
+                    return;
+                }
+            }
+            ADD_FAILURE() << button;
+            box->reject();
+        });
+    }
+    void saveAs() { QTest::keyClick(&window, Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier); }
+    /// The example with its torque in a file beside it.
+    QString caseWithTable(const char* folderName) {
+        EXPECT_TRUE(QDir(folder.path()).mkpath(QString::fromUtf8(folderName)));
+        const QString path = file(folderName) + QStringLiteral("/engine.case.json");
+        Json document = read(QStringLiteral(RAVNOVES_EXAMPLES "/tmz-650d.case.json"));
+        document["title"] = "Mine";
+        const Json torque = document["input"]["torque"];
+        std::string table;
+        for (std::size_t i = 0; i < torque["torque_Nm"].size(); ++i) {
+            table +=
+                torque["crank_angle_deg"][i].dump() + "," + torque["torque_Nm"][i].dump() + "\n";
+        }
+        write_text_file(fsPath(file(folderName) + QStringLiteral("/момент.csv")), table);
+        document["input"]["torque"] = {{"csv", "момент.csv"}};
+        write_text_file(fsPath(path), document.dump());
+        return path;
+    }
+
+    FileChoosers before = fileChoosers();
+    QTemporaryDir folder;
+    QStringList typed;  ///< what the dialogs answer, in order
+    QStringList asked;
+    MainWindow window;
+};
+
+TEST_F(SavingTest, SaveAsAsksBeforeItReplacesWhereTheProgramAddsTheSuffix) {
+    const QString there = file("honda.case.json");
+    write_text_file(fsPath(there), "old");
+    typed = QStringList{file("honda")};
+    answer("No");
+    saveAs();
+    EXPECT_EQ(read_text_file(fsPath(there)), "old");
+    typed = QStringList{file("honda")};
+    answer("Yes");
+    saveAs();
+    EXPECT_EQ(read(there).at("scene"), "balance-shaft");
+    ASSERT_EQ(asked.size(), 2);
+    EXPECT_TRUE(asked[0].contains(QStringLiteral("honda.case.json")));
+}
+
+TEST_F(SavingTest, TitleAndNotesAreFieldsThatAreSavedAndUndone) {
+    press(Qt::Key_I);
+    auto* dialog = window.findChild<CaseProperties*>();
+    ASSERT_NE(dialog, nullptr);
+    auto* title = test::named<QLineEdit>(*dialog, "case_title");
+    EXPECT_EQ(title->text(), QStringLiteral("TMZ-650D"));
+    title->selectAll();
+    QTest::keyClicks(title, QStringLiteral("My engine"));
+    auto* notes = test::named<QPlainTextEdit>(*dialog, "case_notes");
+    QTest::keyClicks(notes, QStringLiteral("Measured on Monday"));
+    QTest::keyClick(title, Qt::Key_Return);
+    EXPECT_EQ(model().title(), QStringLiteral("My engine"));
+    EXPECT_TRUE(window.windowTitle().contains(QStringLiteral("My engine")));
+    EXPECT_TRUE(window.isWindowModified());
+    ASSERT_EQ(window.saveCase(file("мой.case.json")), QString());
+    const Json written = read(file("мой.case.json"));
+    EXPECT_EQ(written.at("title"), "My engine");
+    EXPECT_EQ(written.at("notes"), "Measured on Monday");
+    model().undo();
+    EXPECT_EQ(model().title(), QStringLiteral("TMZ-650D"));
+    EXPECT_EQ(model().notes(), QString());
+    model().redo();
+    EXPECT_EQ(model().notes(), QStringLiteral("Measured on Monday"));
+}
+
+TEST_F(SavingTest, AnExamplesNameDoesNotStickToAnotherEngine) {
+    const QString example = QStringLiteral(RAVNOVES_EXAMPLES "/tmz-650d.case.json");
+    ASSERT_EQ(window.openCase(example), QString());
+    const QString title = model().title();
+    ASSERT_EQ(applySetting(window, QStringLiteral("crank_radius_mm=50")), QString());
+    EXPECT_EQ(model().title(), title + QStringLiteral(" (changed)"));
+    model().undo();
+    EXPECT_EQ(model().title(), title);
+    // A title of the user's stays.
+    ASSERT_EQ(window.openCase(caseWithTable("a")), QString());
+    ASSERT_EQ(applySetting(window, QStringLiteral("crank_radius_mm=50")), QString());
+    EXPECT_EQ(model().title(), QStringLiteral("Mine"));
+}
+
+TEST_F(SavingTest, ACaseWithATableOfItsOwnSurvivesAnotherFolder) {
+    ASSERT_EQ(window.openCase(caseWithTable("папка")), QString());
+    const Json result = model().resultJson();
+    const QString copy = file("other.case.json");
+    ASSERT_EQ(window.saveCase(copy), QString());
+    EXPECT_EQ(read(copy).at("input").at("torque").at("csv"), "папка/момент.csv");
+    // Saved again in a third place, then opened there.
+    ASSERT_TRUE(QDir(folder.path()).mkpath(QStringLiteral("x/y")));
+    const QString deep = file("x/y/deep.case.json");
+    ASSERT_EQ(window.saveCase(deep), QString());
+    EXPECT_EQ(read(deep).at("input").at("torque").at("csv"), "../../папка/момент.csv");
+    MainWindow other;
+    ASSERT_EQ(other.openCase(deep), QString());
+    EXPECT_EQ(other.currentPage()->model()->resultJson(), result);
+}
+
+TEST_F(SavingTest, AMissingTableIsLookedForWithTheUser) {
+    const QString path = caseWithTable("a");
+    ASSERT_TRUE(QDir(folder.path()).mkpath(QStringLiteral("b")));
+    ASSERT_TRUE(QFile::rename(file("a/момент.csv"), file("b/there.csv")));
+    const QString trouble = window.openCase(path);
+    EXPECT_TRUE(trouble.contains(QStringLiteral("момент.csv"))) << trouble.toStdString();
+    typed = QStringList{path, file("b/there.csv")};
+    answer("Locate file…");
+    press(Qt::Key_O);
+    EXPECT_EQ(asked.size(), 3);
+    EXPECT_EQ(model().title(), QStringLiteral("Mine"));
+    EXPECT_TRUE(window.isWindowModified());
+    ASSERT_EQ(window.saveCase(path), QString());
+    EXPECT_FALSE(window.isWindowModified());
+    MainWindow other;
+    EXPECT_EQ(other.openCase(path), QString());
+}
+
+TEST_F(SavingTest, GivingUpTheSearchLeavesAllAsItWas) {
+    const QString path = caseWithTable("a");
+    ASSERT_TRUE(QFile::remove(file("a/момент.csv")));
+    typed = QStringList{path};
+    answer("Cancel");
+    press(Qt::Key_O);
+    EXPECT_EQ(asked.size(), 2);
+    EXPECT_EQ(model().title(), QStringLiteral("TMZ-650D"));
+}
+
+TEST_F(SavingTest, SourcesOfTorqueOutOfUseStayInTheFile) {
+    const QString path = caseWithTable("a");
+    Json document = read(path);
+    document["kept"] = {{"torque",
+                         {{"cycle",
+                           {{"bore_mm", 95.5},
+                            {"rod_length_mm", 150},
+                            {"compression_ratio", 17},
+                            {"indicated_mean_effective_pressure_bar", 7},
+                            {"combustion_start_deg", 352},
+                            {"combustion_duration_deg", 60}}}}}};
+    write_text_file(fsPath(path), document.dump());
+    ASSERT_EQ(window.openCase(path), QString());
+    ASSERT_EQ(window.saveCase(path), QString());
+    EXPECT_EQ(read(path).at("kept").at("torque").at("cycle").at("compression_ratio"), 17);
+}
+
+TEST_F(SavingTest, ThePageIsWrittenAsADrawing) {
+    typed = QStringList{file("страница.pdf")};
+    press(Qt::Key_E);
+    QFile written(file("страница.pdf"));
+    ASSERT_TRUE(written.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(written.readAll().startsWith("%PDF-"));
+    typed = QStringList{file("page.svg")};
+    press(Qt::Key_E);
+    EXPECT_TRUE(read_text_file(fsPath(file("page.svg"))).starts_with("<?xml"));
+    typed = QStringList{file("page.jpg")};
+    answer("OK");
+    press(Qt::Key_E);
+    EXPECT_FALSE(QFile::exists(file("page.jpg")));
+    const QString program = QStandardPaths::findExecutable(QStringLiteral("pdftotext"));
+    if (program.isEmpty()) {
+        GTEST_SKIP() << "pdftotext is not installed";
+    }
+    QProcess reader;
+    reader.start(program, {file("страница.pdf"), QStringLiteral("-")});
+    ASSERT_TRUE(reader.waitForFinished());
+    const QString text =
+        QString::fromUtf8(reader.readAllStandardOutput()).normalized(QString::NormalizationForm_KC);
+    // Of a form, of a table and of the axis of a plot.
+    for (const char* word : {"Crank radius", "range", "360"}) {
+        EXPECT_TRUE(text.contains(QString::fromUtf8(word))) << word << "\n" << text.toStdString();
+    }
+}
+
+}  // namespace
+}  // namespace ravnoves

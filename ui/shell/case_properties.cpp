@@ -1,0 +1,50 @@
+#include "shell/case_properties.h"
+
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "model/scene_model.h"
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+CaseProperties::CaseProperties(SceneModel* model, QWidget* parent)
+    : QDialog(parent), model_(model) {
+    setWindowTitle(tr("Title and notes"));
+    auto* column = new QVBoxLayout(this);
+    column->setSpacing(Theme::gap);
+    const auto add = [&](const QString& name, const QString& hint, auto* field) {
+        auto* label = new QLabel(name, this);
+        label->setBuddy(field);
+        field->setToolTip(hint);
+        field->setAccessibleDescription(hint);
+        column->addWidget(label);
+        column->addWidget(field);
+        return field;
+    };
+    title_ = add(tr("&Title"), tr("What the case is called, in its file and in the window"),
+                 new QLineEdit(model->title(), this));
+    title_->setObjectName(QStringLiteral("case_title"));
+    notes_ = add(tr("&Notes"),
+                 tr("Your own text on the case: sources, assumptions, what is left to do. It is "
+                    "saved with it."),
+                 new QPlainTextEdit(model->notes(), this));
+    notes_->setObjectName(QStringLiteral("case_notes"));
+    notes_->setTabChangesFocus(true);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    column->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &CaseProperties::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &CaseProperties::reject);
+    resize(480, 320);
+}
+
+void CaseProperties::accept() {
+    model_->editText(title_->text().trimmed(), notes_->toPlainText());
+    QDialog::accept();
+}
+
+}  // namespace ravnoves
