@@ -28,6 +28,20 @@ bool given(int argc, char** argv, std::initializer_list<QByteArrayView> options)
     });
 }
 
+/// The value of an option before Qt may parse it: "--name value" or "--name=value".
+QByteArray valueOf(int argc, char** argv, const QByteArray& name) {
+    for (int i = 1; i < argc; ++i) {
+        const QByteArray argument(argv[i]);
+        if (argument == name && i + 1 < argc) {
+            return argv[i + 1];
+        }
+        if (argument.startsWith(name + '=')) {
+            return argument.mid(name.size() + 1);
+        }
+    }
+    return {};
+}
+
 int fail(const QString& text) {
     std::fprintf(stderr, "%s\n", qPrintable(text));
     return 2;
@@ -39,8 +53,10 @@ int main(int argc, char** argv) {
     const bool screenshot = given(argc, argv, {"--screenshot"});
     if (screenshot) {
         // The same pixels everywhere: no scaling.
-        qunsetenv("QT_SCALE_FACTOR");
         qunsetenv("QT_FONT_DPI");
+        // Before Qt starts: what an option says, or none.
+        const QByteArray scale = valueOf(argc, argv, "--scale");
+        scale.isEmpty() ? qunsetenv("QT_SCALE_FACTOR") : qputenv("QT_SCALE_FACTOR", scale);
     }
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") && qEnvironmentVariableIsEmpty("DISPLAY") &&
         qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") && !given(argc, argv, {"-platform"})) {
@@ -73,12 +89,15 @@ int main(int argc, char** argv) {
     const QCommandLineOption sizeOption(u"size"_s, u"Size of the window, for example 1280x800."_s,
                                         u"WxH"_s, u"1280x800"_s);
     const QCommandLineOption themeOption(u"theme"_s, u"light, dark or system."_s, u"name"_s);
+    const QCommandLineOption scaleOption(
+        u"scale"_s, u"With --screenshot: pixels of the picture for one of the window, 1 or 2."_s,
+        u"factor"_s, u"1"_s);
     const QCommandLineOption languageOption(u"language"_s, u"Language of the program: en, ru."_s,
                                             u"code"_s);
     const QCommandLineOption textOption(u"text"_s, u"Size of the text in percent, 80 to 200."_s,
                                         u"percent"_s);
     parser.addOptions({sceneOption, caseOption, setOption, screenshotOption, sizeOption,
-                       themeOption, languageOption, textOption});
+                       themeOption, languageOption, textOption, scaleOption});
     if (!parser.parse(QApplication::arguments())) {
         return fail(parser.errorText());
     }

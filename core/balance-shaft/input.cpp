@@ -194,6 +194,15 @@ void check_limits(const PlaceLimits& limits) {
         if (pair.from && pair.to && !(*pair.from < *pair.to)) {
             const bool is_given = &pair.low != &field::shaft_angle_from || limits.shaft_angle_to;
             const Field& wrong = is_given ? pair.high : pair.low;
+            if (&pair.high == &field::shaft_angle_to && is_given) {
+                // Angles from 350 to 20 are meant across 0.
+                throw InputError(
+                    pointer(wrong, parent),
+                    {CORE_TEXT("balance-shaft", "must be greater than %1; across 0° write %2"),
+                     Number{from_si(pair.low, *pair.from), wrong.unit, 6},
+                     Number{from_si(pair.high, *pair.to + two_pi), wrong.unit, 6}},
+                    shown(wrong, *pair.to));
+            }
             throw InputError(
                 pointer(wrong, parent),
                 {is_given ? CORE_TEXT("core", "must be greater than %1")

@@ -20,8 +20,8 @@ namespace ravnoves {
 
 QWidget* BalanceShaftPage::buildAnswer() {
     auto* holder = new QWidget(this);
-    holder->setMinimumWidth(312);
-    holder->setMaximumWidth(440);
+    holder->setMinimumWidth(Theme::withText(312));
+    holder->setMaximumWidth(Theme::withText(440));
     auto* column = new QVBoxLayout(holder);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(Theme::space);
@@ -53,7 +53,7 @@ QWidget* BalanceShaftPage::buildAnswer() {
     const auto addBest = [&](int row, QLabel* label, QPushButton* button, const QString& name) {
         label->setWordWrap(true);
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        button->setMaximumWidth(52);
+        button->setMaximumWidth(Theme::withText(52));
         button->setAccessibleName(name);
         button->setToolTip(name);
         best->addWidget(new Apart(label, answer), row, 0);

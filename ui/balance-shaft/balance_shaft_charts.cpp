@@ -23,6 +23,7 @@
 #include "balance-shaft/speed_view.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
+#include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 #include "widgets/value_slider.h"
@@ -31,6 +32,12 @@ namespace ravnoves {
 
 using balance_shaft::MomentMetrics;
 using balance_shaft::Result;
+
+namespace {
+
+constexpr int chartPair = 420;  ///< designed pixels of two charts beside each other
+
+}  // namespace
 
 QWidget* BalanceShaftPage::buildPlots() {
     auto* holder = new QWidget(this);
@@ -43,12 +50,13 @@ QWidget* BalanceShaftPage::buildPlots() {
     barRow->setContentsMargins(Theme::margin, Theme::gap, Theme::margin, Theme::gap);
     barRow->setSpacing(Theme::margin);
     angle_ =
-        new ValueSlider(tr("Shaft angle &α"), 0.0, 360.0, 0.1, 10.0, 1, QStringLiteral("°"), bar);
+        new ValueSlider(tr("Shaft angle &α"), 0.0, 360.0, 0.1, 10.0, 2, QStringLiteral("°"), bar);
     angle_->setHint(
         tr("Angle from the cylinder axis to the line of centres, in the direction of "
            "rotation; 90° is beside the crank. 0 to 360°, steps of 0.1°."));
     angle_->slider()->setObjectName(QStringLiteral("shaft_angle_slider"));
     angle_->box()->setObjectName(QStringLiteral("shaft_angle_deg"));
+    angle_->setModel(model_);
     connect(angle_, &ValueSlider::valueEdited, model_, &BalanceShaftModel::setShaftAngleDeg);
     connect(angle_, &ValueSlider::released, model_, &BalanceShaftModel::finishDrag);
     barRow->addWidget(angle_, 1);
@@ -71,8 +79,7 @@ QWidget* BalanceShaftPage::buildPlots() {
     column->addWidget(views_, 1);
     cycle_ = new CycleView(model_, views_);
     const auto addView = [this](QWidget* view, const char* name, const QString& title) {
-        view->setObjectName(QString::fromLatin1(name));
-        views_->addTab(view, title);
+        addScrolledTab(views_, view, QString::fromLatin1(name), title);
     };
     addView(buildMoments(), "moments", tr("Moments"));
     addView(new ShaftMapView(model_, views_), "map", tr("Map"));
@@ -114,8 +121,7 @@ QWidget* BalanceShaftPage::buildMoments() {
     connect(moments_, &PlotView::curveToggled, this, &BalanceShaftPage::showShaft);
     column->addWidget(moments_, 5);
 
-    auto* lower = new QHBoxLayout;
-    lower->setSpacing(Theme::space);
+    auto* lower = new FoldingRow(chartPair, holder);
     range_ = new PlotView(tr("Range and RMS over α"), holder);
     range_->setXAxis({angleAxis, 0.0, 360.0, true});
     range_->setYAxis(PlotView::Side::Left, {newtonMetre});
@@ -153,11 +159,11 @@ QWidget* BalanceShaftPage::buildMoments() {
                                      .pen = Qt::DashLine,
                                      .toolTip = tr("Node mean of Mᵤₚ plus that of Mₛ")});
     for (PlotView* plot : {range_, means_}) {
-        lower->addWidget(plot, 1);
+        lower->add(plot);
         connect(plot, &PlotView::picked, this,
                 [this](double x) { model_->setShaftAngleDeg(std::round(x * 10.0) / 10.0); });
     }
-    column->addLayout(lower, 4);
+    column->addWidget(lower, 4);
     return holder;
 }
 

@@ -8,7 +8,9 @@
 #include "balance-shaft/torque_source_editor.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "theme/theme.h"
 #include "widgets/form.h"
+#include "widgets/page_columns.h"
 
 namespace ravnoves {
 
@@ -95,7 +97,7 @@ void BalanceShaftPage::addMasses(Form* form) {
     });
 }
 
-QWidget* BalanceShaftPage::buildInputs() {
+QTabWidget* BalanceShaftPage::buildInputs() {
     auto* form = new Form(model_);
     addEngine(form);
     addMasses(form);
@@ -125,7 +127,7 @@ QWidget* BalanceShaftPage::buildInputs() {
 
     auto* tabs = new QTabWidget(this);
     tabs->setDocumentMode(true);
-    tabs->setFixedWidth(300);
+    tabs->setFixedWidth(PageColumns::inputsWidth());
     auto* scroll = scrolled(form, tabs);
     tabs->addTab(scroll, tr("Inputs"));
     source_ = new TorqueSourceEditor(model_, tabs);

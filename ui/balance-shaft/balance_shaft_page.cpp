@@ -1,22 +1,23 @@
 #include "balance-shaft/balance_shaft_page.h"
 
-#include <QHBoxLayout>
+#include <QTabWidget>
+#include <QVBoxLayout>
 
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/torque_source_editor.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/page_columns.h"
 
 namespace ravnoves {
 
 BalanceShaftPage::BalanceShaftPage(QWidget* parent, SceneModel* kept)
     : ScenePage(parent), model_(takeOver<BalanceShaftModel>(kept)) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
-    row->setSpacing(Theme::space);
-    row->addWidget(buildInputs());
-    row->addWidget(buildPlots(), 5);
-    row->addWidget(buildAnswer(), 2);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    QTabWidget* inputs = buildInputs();
+    whole->addWidget(new PageColumns(
+        {.inputs = inputs, .tabs = inputs, .plots = buildPlots(), .results = buildAnswer()}, this));
 
     bestRangeAction_ = new QAction(themedIcon(QStringLiteral("best")),
                                    tr("Go to the α of the least &range"), this);

@@ -44,7 +44,7 @@ class BalanceShaftPage : public ScenePage {
     QTabWidget* views() const { return views_; }
 
   private:
-    QWidget* buildInputs();
+    QTabWidget* buildInputs();
     QWidget* buildPlots();
     QWidget* buildMoments();
     QWidget* buildAnswer();

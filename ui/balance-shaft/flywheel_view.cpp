@@ -1,6 +1,5 @@
 #include "balance-shaft/flywheel_view.h"
 
-#include <QHBoxLayout>
 #include <QVBoxLayout>
 
 #include "balance-shaft/fields.h"
@@ -9,6 +8,7 @@
 #include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form.h"
+#include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 
@@ -33,13 +33,13 @@ FlywheelView::FlywheelView(BalanceShaftModel* model, QWidget* parent)
     connect(plot_, &PlotView::cursorMoved, model_, &BalanceShaftModel::setCrankAngleDeg);
     column->addWidget(plot_, 3);
 
-    auto* lower = new QHBoxLayout;
-    lower->setSpacing(Theme::space);
+    constexpr int pairWidth = 540;
+    auto* lower = new FoldingRow(pairWidth, this);
     auto* formPanel = new Panel(this);
     auto* formColumn = new QVBoxLayout(formPanel);
     formColumn->setContentsMargins(0, 0, 0, 0);
     formColumn->addWidget(buildForm());
-    lower->addWidget(formPanel, 1);
+    lower->add(formPanel);
     auto* answerPanel = new Panel(this);
     auto* answerColumn = new QVBoxLayout(answerPanel);
     answerColumn->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
@@ -48,8 +48,8 @@ FlywheelView::FlywheelView(BalanceShaftModel* model, QWidget* parent)
     table_->setColumns({tr("Flywheel"), tr("Value"), tr("Unit")});
     answerColumn->addWidget(table_);
     answerColumn->addStretch();
-    lower->addWidget(answerPanel, 1);
-    column->addLayout(lower, 2);
+    lower->add(answerPanel);
+    column->addWidget(lower, 2);
 
     connect(model_, &SceneModel::changed, this, [this] {
         if (isVisible()) {

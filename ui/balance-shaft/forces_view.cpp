@@ -36,6 +36,7 @@ ForcesView::ForcesView(BalanceShaftModel* model, QWidget* parent) : QWidget(pare
     auto* crank = new Form(model_, this);
     share_ = new ValueSlider(shownText(field::crank_share.label), field::crank_share.range.min,
                              field::crank_share.range.max, 0.01, 0.1, 2, {}, crank);
+    share_->setModel(model_);
     share_->setHint(shownText(field::crank_share.hint));
     connect(share_, &ValueSlider::valueEdited, this, [this](double value) {
         model_->drag(fieldName(field::crank_share),

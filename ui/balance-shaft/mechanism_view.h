@@ -1,5 +1,6 @@
 #pragma once
 
+#include "theme/theme.h"
 #include "widgets/drawing.h"
 #include "widgets/mechanism_picture.h"
 
@@ -17,7 +18,7 @@ class MechanismView : public MechanismPicture {
     explicit MechanismView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
     QSize sizeHint() const override { return {300, 300}; }
-    QSize minimumSizeHint() const override { return {180, 180}; }
+    QSize minimumSizeHint() const override { return {Theme::withText(180), Theme::withText(180)}; }
 
   protected:
     void paintEvent(QPaintEvent* event) override;

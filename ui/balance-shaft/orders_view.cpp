@@ -45,8 +45,7 @@ OrdersView::OrdersView(BalanceShaftModel* model, QWidget* parent) : QWidget(pare
     table_->setAccessibleName(tr("Order spectrum"));
     table_->setColumns(
         {tr("Order"), tr("Mᵤₚ, N·m"), tr("phase, °"), tr("Mᵤₚₛ, N·m"), tr("phase, °")});
-    table_->setMinimumHeight(120);
-    table_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+    table_->setShownRows(5);
     inside->addWidget(table_);
     column->addWidget(panel, 2);
 

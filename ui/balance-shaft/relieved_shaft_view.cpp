@@ -16,6 +16,7 @@
 #include "theme/theme.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/form.h"
+#include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 
@@ -131,10 +132,10 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, Theme::space, 0, 0);
     column->setSpacing(Theme::space);
-    auto* upper = new QHBoxLayout;
-    upper->setSpacing(Theme::space);
-    column->addLayout(upper, 2);
-    upper->addWidget(buildForm(model), 2);
+    constexpr int pairWidth = 540;
+    auto* upper = new FoldingRow(pairWidth, this);
+    column->addWidget(upper, 2);
+    upper->add(buildForm(model), 2);
 
     auto* answerPanel = new Panel(this);
     auto* answerColumn = new QVBoxLayout(answerPanel);
@@ -146,7 +147,7 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     table_->setColumns({tr("Shaft"), tr("Value"), tr("Unit")});
     answerColumn->addWidget(table_);
     answerColumn->addStretch();
-    upper->addWidget(answerPanel, 3);
+    upper->add(answerPanel, 3);
 
     drawing_ = new RelievedShaftDrawing(this);
     column->addWidget(drawing_, 1);

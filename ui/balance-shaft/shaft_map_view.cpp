@@ -29,7 +29,7 @@ namespace ravnoves {
 
 namespace {
 
-constexpr int wideFrom = 860;  ///< pixels that map and charts need beside each other
+constexpr int wideFrom = 860;  ///< designed pixels that map and charts need beside each other
 constexpr int sideWidth = 340;
 
 using Measure = double ShaftMap::Criteria::*;
@@ -84,7 +84,7 @@ ShaftMapView::ShaftMapView(BalanceShaftModel* model, QWidget* parent)
     tabs_->addTab(buildLimits(), tr("Limits"));
     body->addWidget(tabs_, 1);
     side_ = new QWidget(this);
-    side_->setFixedWidth(sideWidth);
+    side_->setFixedWidth(Theme::withText(sideWidth));
     sideColumn_ = new QVBoxLayout(side_);
     sideColumn_->setContentsMargins(0, 0, 0, 0);
     sideColumn_->setSpacing(Theme::space);
@@ -116,6 +116,7 @@ QWidget* ShaftMapView::buildBar() {
     distance_->setHint(tr("From the crank's axis to the shaft's; α stays. Steps of 0.1 mm."));
     distance_->slider()->setObjectName(QStringLiteral("centre_distance_slider"));
     distance_->box()->setObjectName(QStringLiteral("centre_distance_box"));
+    distance_->setModel(model_);
     connect(distance_, &ValueSlider::valueEdited, this,
             [this](double value) { map_->setDistance(value * units::mm); });
     connect(distance_, &ValueSlider::released, model_, &SceneModel::finishDrag);
@@ -129,7 +130,7 @@ QWidget* ShaftMapView::buildBar() {
     // As wide as there is room: a narrow window keeps the button whole.
     criterion_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     criterion_->setMinimumContentsLength(4);
-    criterion_->setMaximumWidth(180);
+    criterion_->setMaximumWidth(Theme::withText(180));
     criterion_->setObjectName(QStringLiteral("map_criterion"));
     criterion_->setAccessibleName(tr("Criterion of the places of the shaft"));
     criterion_->setToolTip(
@@ -176,7 +177,7 @@ QWidget* ShaftMapView::buildLimits() {
         section));
     static_cast<QVBoxLayout*>(form->layout())->addStretch();
     constexpr int enough = 340;  // no field stands far from its name
-    form->setMaximumWidth(enough);
+    form->setMaximumWidth(Theme::withText(enough));
     QScrollArea* limits = scrolled(form, tabs_);
     limits->setObjectName(QStringLiteral("limits"));
     return limits;
@@ -248,7 +249,7 @@ bool ShaftMapView::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void ShaftMapView::arrange() {
-    const bool wide = width() >= wideFrom;
+    const bool wide = width() >= Theme::withText(wideFrom);
     if (wide_ == wide) {
         return;
     }
@@ -280,7 +281,7 @@ void ShaftMapView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     arrange();
     // Room for the words, so that the map rests while they change.
-    const int rows = width() < 500 ? 5 : 3;
+    const int rows = width() < Theme::withText(500) ? 5 : 3;
     wordsRoom_->setFixedHeight(rows * words_->fontMetrics().lineSpacing() + 2);
 }
 

@@ -1,14 +1,15 @@
 #include "balance-shaft/speed_view.h"
 
 #include <QComboBox>
-#include <QGridLayout>
 #include <QImage>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "balance-shaft/buildable_bands.h"
 #include "balance-shaft/fields.h"
@@ -18,6 +19,7 @@
 #include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form.h"
+#include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/value_slider.h"
 
@@ -27,6 +29,8 @@ using balance_shaft::SpeedBand;
 namespace field = balance_shaft::field;
 
 namespace {
+
+constexpr int pairWidth = 480;  ///< designed pixels of two parts beside each other
 
 /// A colour of a dark-to-light scale that reads the same in grey, 0…1.
 QRgb mapColour(double part) {
@@ -48,21 +52,41 @@ QRgb paled(QRgb colour) {
     return qRgb(mix(qRed(colour)), mix(qGreen(colour)), mix(qBlue(colour)));
 }
 
+/// Curves of an angle over speed: broken where the angle passes 0, which is no jump.
+struct Broken {
+    std::vector<double> speed;
+    std::vector<double> angle;
+};
+
+Broken brokenAtZero(const std::vector<double>& speed, const std::vector<double>& angle) {
+    Broken broken;
+    for (std::size_t i = 0; i < speed.size(); ++i) {
+        if (i > 0 && std::abs(angle[i] - angle[i - 1]) > 180.0) {
+            broken.speed.push_back(speed[i]);
+            broken.angle.push_back(std::numeric_limits<double>::quiet_NaN());
+        }
+        broken.speed.push_back(speed[i]);
+        broken.angle.push_back(angle[i]);
+    }
+    return broken;
+}
+
 }  // namespace
 
 SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
     : QWidget(parent), model_(model), study_(new SpeedStudyModel(model, this)) {
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(0, Theme::space, 0, 0);
-    grid->setSpacing(Theme::space);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, Theme::space, 0, 0);
+    column->setSpacing(Theme::space);
 
     auto* bar = new Panel(this);
-    auto* barRow = new QHBoxLayout(bar);
-    barRow->setContentsMargins(Theme::margin, 0, 0, 0);
-    barRow->setSpacing(Theme::margin);
-    barRow->addWidget(buildSliders(), 1);
-    barRow->addWidget(buildForm());
-    grid->addWidget(bar, 0, 0, 1, 2);
+    auto* barColumn = new QVBoxLayout(bar);
+    barColumn->setContentsMargins(Theme::margin, 0, 0, 0);
+    auto* barRow = new FoldingRow(pairWidth, bar);
+    barRow->add(buildSliders(), 3);
+    barRow->add(buildForm(), 2);
+    barColumn->addWidget(barRow);
+    column->addWidget(bar);
 
     angles_ = new PlotView(tr("Best α over speed"), this);
     angles_->setYAxis(PlotView::Side::Left, {tr("α, °")});
@@ -70,19 +94,23 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
     rangeAngle_ = angles_->addCurve({.name = tr("range"),
                                      .colour = 2,
                                      .width = 1.8,
-                                     .toolTip = tr("α of the least range at each speed")});
+                                     .toolTip = tr("α of the least range at each speed"),
+                                     .gaps = true});
     rmsAngle_ = angles_->addCurve({.name = tr("RMS"),
                                    .colour = 3,
                                    .width = 1.8,
-                                   .toolTip = tr("α of the least RMS at each speed")});
+                                   .toolTip = tr("α of the least RMS at each speed"),
+                                   .gaps = true});
     map_ = new PlotView(tr("Map over α and speed"), this);
     map_->setXAxis({tr("α, °"), 0.0, 360.0, true});
     map_->setYAxis(PlotView::Side::Left, {tr("n, min⁻¹")});
     map_->setPickable(true);
-    bestLine_ = map_->addCurve({.name = tr("best α"), .colour = 7, .width = 2.0});
+    bestLine_ = map_->addCurve({.name = tr("best α"), .colour = 7, .width = 2.0, .gaps = true});
     connect(map_, &PlotView::pickedAt, study_, &SpeedStudyModel::pick);
-    grid->addWidget(angles_, 1, 0);
-    grid->addWidget(map_, 1, 1);
+    auto* charts = new FoldingRow(pairWidth, this);
+    charts->add(angles_);
+    charts->add(map_);
+    column->addWidget(charts, 1);
 
     auto* panel = new Panel(this);
     auto* row = new QHBoxLayout(panel);
@@ -92,14 +120,11 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
     answer_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     row->addWidget(answer_, 1);
     goLeastBad_ = new QPushButton(tr("Go"), panel);
-    goLeastBad_->setMaximumWidth(52);
+    goLeastBad_->setMaximumWidth(Theme::withText(52));
     goLeastBad_->setAccessibleName(tr("Go to the α that is least bad over the band"));
     goLeastBad_->setToolTip(goLeastBad_->accessibleName());
     row->addWidget(goLeastBad_);
-    grid->addWidget(panel, 2, 0, 1, 2);
-    grid->setRowStretch(1, 1);
-    grid->setColumnStretch(0, 1);
-    grid->setColumnStretch(1, 1);
+    column->addWidget(panel);
 
     connect(goLeastBad_, &QPushButton::clicked, study_, &SpeedStudyModel::goToLeastBad);
     connect(study_, &SpeedStudyModel::studied, this, &SpeedView::showStudy);
@@ -127,6 +152,7 @@ QWidget* SpeedView::buildSliders() {
     load_->setHint(tr("Indicated mean effective pressure of the computed cycle."));
     connect(load_, &ValueSlider::valueEdited, study_, &SpeedStudyModel::setLoad);
     for (ValueSlider* slider : {speed_, load_}) {
+        slider->setModel(model_);
         connect(slider, &ValueSlider::released, model_, &SceneModel::finishDrag);
         column->addWidget(slider);
     }
@@ -211,8 +237,10 @@ void SpeedView::showStudy() {
     }
     const auto& [speed, rangeAngle, rmsAngle] = study_->curves();
     angles_->setXAxis({tr("n, min⁻¹"), speed.front(), speed.back()});
-    angles_->setCurve(rangeAngle_, speed, rangeAngle);
-    angles_->setCurve(rmsAngle_, speed, rmsAngle);
+    const Broken range = brokenAtZero(speed, rangeAngle);
+    const Broken rms = brokenAtZero(speed, rmsAngle);
+    angles_->setCurve(rangeAngle_, range.speed, range.angle);
+    angles_->setCurve(rmsAngle_, rms.speed, rms.angle);
     const double best = study_->leastBadDeg();
     angles_->setLines(
         {{best, Qt::Horizontal, 7, tr("least bad %1°").arg(fixedNumber(best, 1, QLocale())),
@@ -220,7 +248,8 @@ void SpeedView::showStudy() {
     angles_->setBands(unbuildableBands(study_->buildable(), Qt::Vertical));
     map_->setBands(unbuildableBands(study_->buildable()));
     map_->setYRange(PlotView::Side::Left, speed.front(), speed.back());
-    map_->setCurve(bestLine_, criterion_->currentIndex() == 0 ? rangeAngle : rmsAngle, speed);
+    const Broken& line = criterion_->currentIndex() == 0 ? range : rms;
+    map_->setCurve(bestLine_, line.angle, line.speed);
     showMap(speed.front(), speed.back());
 }
 

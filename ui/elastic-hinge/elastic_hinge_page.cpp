@@ -22,6 +22,7 @@
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/mechanism_picture.h"
+#include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 #include "widgets/value_slider.h"
@@ -35,7 +36,7 @@ namespace field = elastic_hinge::field;
 
 namespace {
 
-constexpr int boxWidth = 118;  ///< pixels, for "20000.0 kN/m"
+constexpr int boxWidth = 122;  ///< pixels, for "20000.0 kN/m"
 
 Spring& springOf(Input& input) {
     return input.spring ? *input.spring : input.spring.emplace();
@@ -45,13 +46,12 @@ Spring& springOf(Input& input) {
 
 ElasticHingePage::ElasticHingePage(QWidget* parent, SceneModel* kept)
     : ScenePage(parent), model_(takeOver<ElasticHingeModel>(kept)) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
-    row->setSpacing(Theme::space);
-    row->addWidget(buildInputs());
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    QWidget* inputs = buildInputs();
     plots_ = new HingePlots(model_, this);
-    row->addWidget(plots_, 5);
-    row->addWidget(buildAnswer(), 2);
+    whole->addWidget(new PageColumns(
+        {.inputs = inputs, .tabs = forms_, .plots = plots_, .results = buildAnswer()}, this));
 
     connect(model_, &SceneModel::changed, this, &ElasticHingePage::showInput);
     connect(model_, &SceneModel::changed, this, &ElasticHingePage::showAnswer);
@@ -80,6 +80,7 @@ ValueSlider* ElasticHingePage::addSlider(QWidget* parent, const char* name, cons
     slider->slider()->setObjectName(QString::fromLatin1(name) + QLatin1String("_slider"));
     slider->box()->setObjectName(QLatin1String(name));
     slider->setHint(shownText(field.hint));
+    slider->setModel(model_);
     const auto write = [this, value, unit, step = fieldName(field)](double shown) {
         const QString trouble = model_->drag(step, [&](Input& input) {
             if (double* si = value(input)) {
@@ -125,15 +126,15 @@ QWidget* ElasticHingePage::buildSliders() {
         labels = std::max(labels, each.slider->findChild<QLabel*>()->sizeHint().width());
     }
     for (const Slider& each : sliders_) {
-        each.slider->findChild<QLabel*>()->setFixedWidth(labels);
-        each.slider->box()->setFixedWidth(boxWidth);
+        each.slider->setLabelWidth(labels);
+        each.slider->box()->setFixedWidth(Theme::withText(boxWidth));
     }
     return panel;
 }
 
 QWidget* ElasticHingePage::buildInputs() {
     auto* holder = new QWidget(this);
-    holder->setFixedWidth(300);
+    holder->setFixedWidth(PageColumns::inputsWidth());
     auto* column = new QVBoxLayout(holder);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(Theme::space);
@@ -157,8 +158,8 @@ QWidget* ElasticHingePage::buildInputs() {
 
 QWidget* ElasticHingePage::buildAnswer() {
     auto* holder = new QWidget(this);
-    holder->setMinimumWidth(312);
-    holder->setMaximumWidth(460);
+    holder->setMinimumWidth(Theme::withText(312));
+    holder->setMaximumWidth(Theme::withText(460));
     auto* column = new QVBoxLayout(holder);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(Theme::space);

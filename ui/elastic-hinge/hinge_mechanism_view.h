@@ -1,5 +1,6 @@
 #pragma once
 
+#include "theme/theme.h"
 #include "widgets/drawing.h"
 #include "widgets/mechanism_picture.h"
 
@@ -22,7 +23,7 @@ class HingeMechanismView : public MechanismPicture {
     double slowness() const;
 
     QSize sizeHint() const override { return {300, 210}; }
-    QSize minimumSizeHint() const override { return {180, 130}; }
+    QSize minimumSizeHint() const override { return {Theme::withText(180), Theme::withText(130)}; }
 
   protected:
     void paintEvent(QPaintEvent* event) override;

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "theme/theme.h"
+#include "widgets/page_columns.h"
 #include "widgets/panel.h"
 
 namespace ravnoves {
@@ -67,7 +68,7 @@ HingePlots::HingePlots(ElasticHingeModel* model, QWidget* parent) : QTabWidget(p
     connect(model, &SceneModel::changed, this, &HingePlots::refresh);
     connect(model, &ElasticHingeModel::viewChanged, this, &HingePlots::refresh);
     connect(model, &ElasticHingeModel::motionsChanged, this, [this] {
-        if (currentWidget() == tabs_.back()) {
+        if (tabs_[currentIndex()] == tabs_.back()) {
             tabs_.back()->refresh();
         }
     });
@@ -77,9 +78,8 @@ HingePlots::HingePlots(ElasticHingeModel* model, QWidget* parent) : QTabWidget(p
 }
 
 void HingePlots::append(HingePlotTab* tab, const QString& name, const QString& title) {
-    tab->setObjectName(name);
     tabs_ << tab;
-    addTab(tab, title);
+    addScrolledTab(this, tab, name, title);
 }
 
 void HingePlots::refresh() {

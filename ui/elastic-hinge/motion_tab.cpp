@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "elastic-hinge/hinge_plots.h"
+#include "theme/theme.h"
 #include "widgets/form_section.h"
 
 namespace ravnoves {
@@ -21,7 +22,7 @@ void addProgress(QHBoxLayout* bar, MotionRunner* runner) {
     auto* progress = new QProgressBar;
     progress->setRange(0, 1000);
     progress->setTextVisible(false);
-    progress->setFixedWidth(110);
+    progress->setFixedWidth(Theme::withText(110));
     progress->setAccessibleName(HingePlots::tr("Part of the motion computed"));
     auto* cancel = new QPushButton(HingePlots::tr("Cancel"));
     cancel->setToolTip(HingePlots::tr("Stop computing the motion"));

@@ -2,6 +2,8 @@
 
 #include <QWidget>
 
+#include "theme/theme.h"
+
 namespace ravnoves {
 
 class InertiaMomentsModel;
@@ -14,7 +16,7 @@ class CounterweightView : public QWidget {
   public:
     explicit CounterweightView(InertiaMomentsModel* model, QWidget* parent = nullptr);
     QSize sizeHint() const override { return {420, 260}; }
-    QSize minimumSizeHint() const override { return {240, 160}; }
+    QSize minimumSizeHint() const override { return {Theme::withText(240), Theme::withText(160)}; }
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -30,7 +32,7 @@ class FiringWheel : public QWidget {
   public:
     explicit FiringWheel(InertiaMomentsModel* model, QWidget* parent = nullptr);
     QSize sizeHint() const override { return {420, 260}; }
-    QSize minimumSizeHint() const override { return {240, 160}; }
+    QSize minimumSizeHint() const override { return {Theme::withText(240), Theme::withText(160)}; }
 
   protected:
     void paintEvent(QPaintEvent* event) override;

@@ -257,6 +257,7 @@ EngineSliders::EngineSliders(InertiaMomentsModel* model, QWidget* parent)
         slider->slider()->setObjectName(name + QStringLiteral("_slider"));
         slider->box()->setObjectName(name);
         slider->setHint(shownText(field.hint));
+        slider->setModel(model_);
         connect(slider, &ValueSlider::valueEdited, model_, set);
         connect(slider, &ValueSlider::released, model_, &InertiaMomentsModel::finishDrag);
         grid->addWidget(slider, cell / 2, cell % 2);

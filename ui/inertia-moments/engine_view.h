@@ -3,6 +3,7 @@
 #include <QRectF>
 #include <utility>
 
+#include "theme/theme.h"
 #include "widgets/mechanism_picture.h"
 
 namespace ravnoves {
@@ -18,7 +19,7 @@ class EngineView : public MechanismPicture {
     explicit EngineView(InertiaMomentsModel* model, QWidget* parent = nullptr);
 
     QSize sizeHint() const override { return {320, 360}; }
-    QSize minimumSizeHint() const override { return {200, 220}; }
+    QSize minimumSizeHint() const override { return {Theme::withText(200), Theme::withText(220)}; }
 
   protected:
     void paintEvent(QPaintEvent* event) override;

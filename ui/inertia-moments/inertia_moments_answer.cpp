@@ -18,8 +18,8 @@ using Model = InertiaMomentsModel;
 
 InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
-    setMinimumWidth(332);
-    setMaximumWidth(480);
+    setMinimumWidth(Theme::withText(332));
+    setMaximumWidth(Theme::withText(480));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(Theme::space);
@@ -42,8 +42,6 @@ InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* 
     tabs_ = new QTabWidget(panel);
     tabs_->setDocumentMode(true);
     tabs_->setUsesScrollButtons(false);
-    // Its long tables scroll: the picture has the same share of the height.
-    tabs_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
     addTable(tr("Orders"), tr("Amplitudes and phases by order and plane"), model_->orderColumns(),
              &Model::orderRows);
     addTable(tr("±kω"), tr("Forward and backward rotating parts by order"),
@@ -73,7 +71,7 @@ void InertiaMomentsAnswer::addTable(const QString& title, const QString& name,
     auto* table = new ResultTable(tabs_);
     table->setAccessibleName(name);
     table->setColumns(columns);
-    table->setMinimumHeight(100);  // long tables scroll
+    table->setShownRows(4);  // the picture has the same share of the height
     tabs_->setTabToolTip(tabs_->addTab(table, title), name);
     tables_.push_back({table, rows});
 }

@@ -15,6 +15,7 @@
 #include "inertia-moments/shaft_view.h"
 #include "plot/plot_view.h"
 #include "theme/theme.h"
+#include "widgets/page_columns.h"
 
 namespace ravnoves {
 
@@ -23,7 +24,8 @@ using inertia_moments::Result;
 
 namespace {
 
-constexpr int cycleDegrees = 720;  // the paper's Fig. 6 shows two turns
+constexpr int hodographPair = 420;  ///< designed pixels of both beside each other
+constexpr int cycleDegrees = 720;   // the paper's Fig. 6 shows two turns
 
 // Curves of the moment plots, in the order in which they are added.
 enum MomentCurve {
@@ -107,10 +109,8 @@ void InertiaMomentsCharts::addMoments() {
 }
 
 void InertiaMomentsCharts::addHodographs() {
-    auto* pair = new QWidget(tabs_);
-    auto* row = new QHBoxLayout(pair);
-    row->setContentsMargins(0, Theme::gap, 0, 0);
-    row->setSpacing(Theme::space);
+    auto* pair = new FoldingRow(hodographPair, tabs_);
+    pair->setContentsMargins(0, Theme::gap, 0, 0);
     for (std::size_t i = 0; i < hodographs_.size(); ++i) {
         auto* plot = new PlotView(i == 0 ? tr("Forces") : tr("Moments"), pair);
         plot->setEqualScale(true);
@@ -131,7 +131,7 @@ void InertiaMomentsCharts::addHodographs() {
                         .colour = 3,
                         .toolTip = tr("All orders with rotating masses, and with the "
                                       "counterweights and shafts that are on")});
-        row->addWidget(plot, 1);
+        pair->add(plot);
     }
     tabs_->addTab(pair, tr("Hodographs"));
 }

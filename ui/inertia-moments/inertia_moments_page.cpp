@@ -1,6 +1,5 @@
 #include "inertia-moments/inertia_moments_page.h"
 
-#include <QHBoxLayout>
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -8,6 +7,8 @@
 #include "inertia-moments/cylinder_editor.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/form_section.h"
+#include "widgets/page_columns.h"
 
 namespace ravnoves {
 
@@ -15,24 +16,20 @@ using Tabs = InertiaMomentsModel::Tabs;
 
 InertiaMomentsPage::InertiaMomentsPage(QWidget* parent, SceneModel* kept)
     : ScenePage(parent), model_(takeOver<InertiaMomentsModel>(kept)) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
-    row->setSpacing(Theme::space);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
     QTabWidget* inputs = makeInputs();
-    row->addWidget(inputs);
-    // The sliders over plots and picture: they need length.
-    auto* right = new QVBoxLayout;
-    right->setSpacing(Theme::space);
     sliders_ = new EngineSliders(model_, this);
-    right->addWidget(sliders_);
-    auto* lower = new QHBoxLayout;
-    lower->setSpacing(Theme::space);
     charts_ = new InertiaMomentsCharts(model_, this);
-    lower->addWidget(charts_, 5);
     answer_ = new InertiaMomentsAnswer(model_, this);
-    lower->addWidget(answer_, 3);
-    right->addLayout(lower, 1);
-    row->addLayout(right, 1);
+    // The sliders over plots and picture: they need length.
+    whole->addWidget(new PageColumns({.inputs = inputs,
+                                      .tabs = inputs,
+                                      .plots = scrolled(charts_, this),
+                                      .results = answer_,
+                                      .resultShare = 3,
+                                      .top = sliders_},
+                                     this));
 
     followTabs(inputs, Tabs::Inputs);
     followTabs(charts_->tabs(), Tabs::Charts);
@@ -44,7 +41,7 @@ InertiaMomentsPage::InertiaMomentsPage(QWidget* parent, SceneModel* kept)
 QTabWidget* InertiaMomentsPage::makeInputs() {
     auto* inputs = new QTabWidget(this);
     inputs->setDocumentMode(true);
-    inputs->setFixedWidth(300);
+    inputs->setFixedWidth(PageColumns::inputsWidth());
     engine_ = new EngineForm(model_);
     inputs->addTab(scrolled(engine_, inputs), tr("Engine"));
     cylinders_ = new CylinderEditor(model_, inputs);

@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "theme/theme.h"
+
 namespace ravnoves {
 
 class InertiaMomentsModel;
@@ -29,7 +31,7 @@ class OrderBars : public QWidget {
     std::vector<std::array<Group, 3>> groups() const;
 
     QSize sizeHint() const override { return {420, 260}; }
-    QSize minimumSizeHint() const override { return {240, 160}; }
+    QSize minimumSizeHint() const override { return {Theme::withText(240), Theme::withText(160)}; }
 
   protected:
     void paintEvent(QPaintEvent* event) override;

@@ -43,7 +43,7 @@ class ShaftRow : public QWidget {
         order_ = new QSpinBox(this);
         order_->setRange(1, inertia_moments::highest_order);
         order_->setPrefix(tr("k "));
-        order_->setMaximumWidth(52);
+        order_->setMaximumWidth(Theme::withText(52));
         order_->setKeyboardTracking(false);
         name(order_, field::shaft_order, "shaft_order_%1");
         connect(order_, qOverload<int>(&QSpinBox::valueChanged), this,
@@ -140,7 +140,7 @@ class ShaftRow : public QWidget {
         name(target, field, objectName);
         target->setHint(shownText(field.hint));
         target->setPlaceholderText(shownText(field.placeholder));
-        target->setMinimumWidth(36);
+        target->setMinimumWidth(Theme::withText(46));
         auto* label = new QLabel(
             QStringLiteral("&") + QString::fromStdString(std::string(field.symbol)), holder);
         label->setBuddy(target);

@@ -103,13 +103,19 @@ void ShaftView::paintShaft(QPainter& painter, int index, const QRectF& area) con
 
     painter.setFont(Theme::font(Theme::smallSize, true));
     painter.setPen(on ? theme.good() : theme.mutedText());
+    const QString state = on ? tr("on") : tr("off");
+    const QFontMetricsF small(Theme::font(Theme::smallSize));
+    const double room = area.width() - 12.0;
+    const auto fitted = [&](const QString& words, double width) {
+        return painter.fontMetrics().elidedText(words, Qt::ElideRight, static_cast<int>(width));
+    };
     painter.drawText(area.adjusted(6, 3, -6, 0), Qt::AlignTop | Qt::AlignLeft,
-                     (on ? QStringLiteral("\u25CF ") : QStringLiteral("\u25CB ")) +
-                         model_->shaftTitle(design.shaft));
+                     fitted((on ? QStringLiteral("\u25CF ") : QStringLiteral("\u25CB ")) +
+                                model_->shaftTitle(design.shaft),
+                            room - small.horizontalAdvance(state) - 4.0));
     painter.setFont(Theme::font(Theme::smallSize));
     painter.setPen(theme.mutedText());
-    painter.drawText(area.adjusted(6, 3, -6, 0), Qt::AlignTop | Qt::AlignRight,
-                     on ? tr("on") : tr("off"));
+    painter.drawText(area.adjusted(6, 3, -6, 0), Qt::AlignTop | Qt::AlignRight, state);
 
     const QString unit = moment ? tr("N·m") : tr("N");
     QStringList lines{tr("mρ %1 g·mm").arg(short4(design.unbalance * 1e6))};
@@ -119,13 +125,16 @@ void ShaftView::paintShaft(QPainter& painter, int index, const QRectF& area) con
     lines << tr("%1 → %2 %3")
                  .arg(fixedNumber(design.before, 0, QLocale()),
                       fixedNumber(design.remaining, 0, QLocale()), unit);
+    for (QString& line : lines) {
+        line = fitted(line, room + 4.0);
+    }
     painter.setPen(theme.text());
     const double row = painter.fontMetrics().height();
     const double text = row * static_cast<double>(lines.size()) + 5.0;
     painter.drawText(area.adjusted(6, area.height() - text, -2, 0), Qt::AlignTop | Qt::AlignLeft,
                      lines.join(QLatin1Char('\n')));
 
-    const QRectF figure = area.adjusted(6, 20, -6, -text);
+    const QRectF figure = area.adjusted(6, row + 5.0, -6, -text);
     const double radius = 0.5 * std::min(figure.width(), figure.height()) - 6.0;
     if (radius < 12.0) {
         return;

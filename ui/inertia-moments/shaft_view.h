@@ -2,6 +2,8 @@
 
 #include <QWidget>
 
+#include "theme/theme.h"
+
 namespace ravnoves {
 
 class InertiaMomentsModel;
@@ -19,7 +21,7 @@ class ShaftView : public QWidget {
     QRectF cell(int index) const;
 
     QSize sizeHint() const override { return {420, 260}; }
-    QSize minimumSizeHint() const override { return {240, 160}; }
+    QSize minimumSizeHint() const override { return {Theme::withText(240), Theme::withText(160)}; }
 
   protected:
     void paintEvent(QPaintEvent* event) override;

@@ -1,8 +1,8 @@
 #include "methods/method_plots.h"
 
-#include <QHBoxLayout>
 #include <QLocale>
 #include <QPainter>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,6 +15,7 @@
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
+#include "widgets/page_columns.h"
 
 namespace ravnoves {
 
@@ -89,16 +90,18 @@ std::pair<double, double> around(const SweepInfo& sweep, const std::vector<doubl
 }  // namespace
 
 MethodPlots::MethodPlots(MethodsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(Theme::space);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    constexpr int pairWidth = 480;
+    auto* row = new FoldingRow(pairWidth, this);
+    column->addWidget(row);
     work_ = new PlotView(tr("Time and error"), this);
     work_->setObjectName(QStringLiteral("work_plot"));
     stability_ = new PlotView(tr("Error along the hard parameter"), this);
     stability_->setObjectName(QStringLiteral("stability_plot"));
     stability_->setPickable(true);
-    row->addWidget(work_, 1);
-    row->addWidget(stability_, 1);
+    row->add(work_);
+    row->add(stability_);
     connect(stability_, &PlotView::picked, this, [this](double x) {
         if (model_->shown() != nullptr && &model_->shown()->sweep() == &model_->sweep()) {
             model_->setValue(roundedForHand(model_->sweep(), x));

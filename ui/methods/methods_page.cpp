@@ -28,6 +28,7 @@
 #include "widgets/file_dialogs.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
+#include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 
@@ -113,7 +114,7 @@ MethodsPage::MethodsPage(QWidget* parent, SceneModel* kept)
     row->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     row->setSpacing(Theme::space);
     auto* left = new QWidget(this);
-    left->setFixedWidth(300);
+    left->setFixedWidth(PageColumns::inputsWidth());
     auto* column = new QVBoxLayout(left);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(Theme::space);
@@ -254,7 +255,6 @@ QWidget* MethodsPage::buildResults() {
     tabs_ = new QTabWidget(this);
     tabs_->setDocumentMode(true);
     auto* charts = new QWidget(tabs_);
-    charts->setObjectName(QStringLiteral("charts"));
     auto* column = new QVBoxLayout(charts);
     column->setContentsMargins(0, Theme::space, 0, 0);
     column->setSpacing(Theme::space);
@@ -267,8 +267,7 @@ QWidget* MethodsPage::buildResults() {
     table_ = new ResultTable(panel);
     table_->setObjectName(QStringLiteral("methods_table"));
     table_->setAccessibleName(tr("Methods as measured"));
-    table_->setMinimumHeight(150);
-    table_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // rows never cost a chart
+    table_->setShownRows(6);  // further ones never cost a chart
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setColumns({tr("Method"), tr("Setting"), tr("Time, ns"), tr("Error"), tr("Operations"),
                         tr("Order"), tr("Beyond the tolerance")});
@@ -290,14 +289,13 @@ QWidget* MethodsPage::buildResults() {
     limits_->setContentsMargins(Theme::space, 0, Theme::space, 0);
     inside->addWidget(limits_);
     column->addWidget(panel, 2);
-    tabs_->addTab(charts, tr("Speed and accuracy"));
+    addScrolledTab(tabs_, charts, QStringLiteral("charts"), tr("Speed and accuracy"));
     validation_ = new ValidationView(tabs_);
-    validation_->setObjectName(QStringLiteral("validation"));
     connect(validation_, &ValidationView::status, this, &ScenePage::status);
-    tabs_->addTab(validation_, tr("Validation report"));
+    addScrolledTab(tabs_, validation_, QStringLiteral("validation"), tr("Validation report"));
     connect(tabs_, &QTabWidget::currentChanged, this, [this] {
         updateActive();
-        if (tabs_->currentWidget() == validation_) {
+        if (showsReport()) {
             validation_->load();
         }
     });
@@ -446,12 +444,16 @@ void MethodsPage::showRunning() {
     table_->setEnabled(!model_->isStale());
 }
 
+bool MethodsPage::showsReport() const {
+    return tabs_->currentIndex() == 1;
+}
+
 QString MethodsPage::resultsAsText() const {
-    return tabs_->currentWidget() == validation_ ? validation_->asText() : table_->asText();
+    return showsReport() ? validation_->asText() : table_->asText();
 }
 
 QString MethodsPage::resultsAsCsv() const {
-    if (tabs_->currentWidget() == validation_) {
+    if (showsReport()) {
         return validation_->asCsv();
     }
     const MethodMeasurement* shown = model_->shown();
@@ -467,7 +469,7 @@ void MethodsPage::setActive(bool active) {
 
 void MethodsPage::updateActive() {
     // Nothing is measured behind the report: it would only disturb.
-    model_->setActive(active_ && tabs_->currentWidget() != validation_);
+    model_->setActive(active_ && !showsReport());
 }
 
 void MethodsPage::setOpenCases(const OpenCases& cases) {
@@ -487,7 +489,7 @@ QString MethodsPage::exportTo(const QString& path) {
 }
 
 void MethodsPage::exportWithDialog() {
-    const bool report = tabs_->currentWidget() == validation_;
+    const bool report = showsReport();
     const QString name =
         report ? QStringLiteral("validation")
                : QStringLiteral("methods-") + QString::fromStdString(model_->kernel().id);

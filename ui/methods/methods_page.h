@@ -48,6 +48,7 @@ class MethodsPage : public ScenePage {
     QWidget* buildWords();
     QWidget* buildResults();
     void updateActive();
+    bool showsReport() const;
     void showKernel();
     void showSweep();
     void showValue();

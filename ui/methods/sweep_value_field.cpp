@@ -44,7 +44,7 @@ SweepValueField::SweepValueField(QWidget* parent) : QWidget(parent) {
     slider_->setFocusPolicy(Qt::StrongFocus);
     field_ = new NumberField(this);
     field_->setObjectName(QStringLiteral("value"));
-    field_->setFixedWidth(fieldWidth);
+    field_->setFixedWidth(Theme::withText(fieldWidth));
     unit_ = new QLabel(this);
     setFocusProxy(field_);
     row->addWidget(slider_, 1);

@@ -95,8 +95,8 @@ QWidget* ValidationView::buildTable() {
     table_->setTabKeyNavigation(false);
     table_->setWordWrap(false);
     table_->verticalHeader()->hide();
-    table_->verticalHeader()->setDefaultSectionSize(20);
-    table_->verticalHeader()->setMinimumSectionSize(18);
+    table_->verticalHeader()->setDefaultSectionSize(Theme::withText(20));
+    table_->verticalHeader()->setMinimumSectionSize(Theme::withText(18));
     QHeaderView* headings = table_->horizontalHeader();
     headings->setHighlightSections(false);
     headings->setFont(Theme::font(Theme::smallSize + 1, true));
@@ -104,9 +104,8 @@ QWidget* ValidationView::buildTable() {
     // Fixed widths: measuring hundreds of rows would cost more than a frame.
     const QList<int> widths{104, 132, 0, 50, 66, 78, 86, 116};
     for (int i = 0; i < widths.size(); ++i) {
-        table_->setColumnWidth(i, widths[i]);
+        table_->setColumnWidth(i, Theme::withText(widths[i]));
     }
-    headings->setSectionResizeMode(ValidationModel::Quantity, QHeaderView::Stretch);
     table_->installEventFilter(this);
     inside->addWidget(table_, 1);
     reason_ = captionLabel({}, panel);
@@ -160,11 +159,18 @@ QWidget* ValidationView::buildFilters() {
         QApplication::clipboard()->setText(asCsv());
         Q_EMIT status(tr("Report copied as CSV"));
     });
+    for (QComboBox* box : {papers_, verdicts_}) {
+        constexpr int letters = 7;
+        constexpr int most = 220;
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(letters);
+        box->setMaximumWidth(Theme::withText(most));
+    }
     const auto addLabelled = [&](const QString& text, QWidget* field) {
         auto* label = new QLabel(text, holder);
         label->setBuddy(field);
         row->addWidget(label);
-        row->addWidget(field);
+        row->addWidget(field, 1);
     };
     addLabelled(tr("&Paper"), papers_);
     row->addSpacing(Theme::space);
@@ -186,7 +192,21 @@ void ValidationView::showReason() {
                            : tr("Choose a row to read why it has its verdict."));
 }
 
+void ValidationView::fitQuantity() {
+    // It takes what the others leave, or the table scrolls.
+    int others = 0;
+    for (int i = 0; i < ValidationModel::Columns; ++i) {
+        others += i == ValidationModel::Quantity ? 0 : table_->columnWidth(i);
+    }
+    constexpr int least = 150;
+    table_->setColumnWidth(ValidationModel::Quantity,
+                           std::max(Theme::withText(least), table_->viewport()->width() - others));
+}
+
 bool ValidationView::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == table_ && (event->type() == QEvent::Resize || event->type() == QEvent::Show)) {
+        QMetaObject::invokeMethod(this, &ValidationView::fitQuantity, Qt::QueuedConnection);
+    }
     if (watched == table_ && event->type() == QEvent::KeyPress &&
         static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy)) {
         copySelection();

@@ -37,6 +37,7 @@ class ValidationView : public QWidget {
     void copySelection();
     void showReport();
     void showReason();
+    void fitQuantity();
 
     ValidationModel* model_;
     QComboBox* papers_ = nullptr;

@@ -72,8 +72,11 @@ void LegendItem::draw(QPainter& painter, const QRectF& rect) const {
     font.setStrikeOut(!isChecked());
     painter.setFont(font);
     painter.setPen(isChecked() ? Theme::instance().text() : Theme::instance().mutedText());
-    painter.drawText(rect.adjusted(2 * inset + strokeLength, 0, 0, 0),
-                     Qt::AlignLeft | Qt::AlignVCenter, text());
+    const QRectF room = rect.adjusted(2 * inset + strokeLength, 0, 0, 0);
+    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
+                     isElided() ? painter.fontMetrics().elidedText(text(), Qt::ElideRight,
+                                                                   static_cast<int>(room.width()))
+                                : text());
 }
 
 void LegendItem::paintEvent(QPaintEvent* /*event*/) {

@@ -20,6 +20,8 @@ class LegendItem : public QAbstractButton {
     void draw(QPainter& painter, const QRectF& rect) const;
 
     QSize sizeHint() const override;
+    /// True where there is too little room for the name.
+    bool isElided() const { return width() < sizeHint().width(); }
 
   protected:
     void paintEvent(QPaintEvent* event) override;

@@ -17,9 +17,17 @@ using plot::Side;
 namespace {
 
 constexpr int labelGap = 6;
-constexpr double columnPerTick = 56.0;    // pixels along x that a tick label needs
-constexpr double chartRowPerTick = 28.0;  // and along y
-constexpr double rowPerTick = 36.0;       // along y with labels of our own: powers stand higher
+// Pixels that a tick label needs, for text of the designed size.
+double columnPerTick() {
+    return Theme::withText(56);
+}
+double chartRowPerTick() {
+    return Theme::withText(28);
+}
+/// With labels of our own: powers stand higher.
+double rowPerTick() {
+    return Theme::withText(36);
+}
 
 void dot(QPainter& painter, const QPointF& at, double radius, const QPen& pen, const QBrush& fill) {
     painter.setPen(pen);
@@ -30,6 +38,15 @@ void dot(QPainter& painter, const QPointF& at, double radius, const QPen& pen, c
 QColor veil(QColor colour, float opacity) {
     colour.setAlphaF(opacity);
     return colour;
+}
+
+/// A text from its base point on, over whatever is drawn there.
+void drawOnVeil(QPainter& painter, const QPointF& base, const QString& text) {
+    const QFontMetricsF metrics(painter.font());
+    const QRectF box(base.x(), base.y() - metrics.ascent(), metrics.horizontalAdvance(text),
+                     metrics.height());
+    painter.fillRect(box.adjusted(-2, 0, 2, 0), veil(Theme::instance().panel(), 0.7F));
+    painter.drawText(base, text);
 }
 
 }  // namespace
@@ -75,10 +92,10 @@ void PlotPainter::layoutArea() {
     const auto margin = [&](PlotScale& scale) {
         std::vector<double> ticks{scale.low, scale.high};
         if (scale.isOwn()) {
-            ticks = scale.ownTicks(height, rowPerTick);
+            ticks = scale.ownTicks(height, rowPerTick());
         }
         // The ticks that the axis will get decide how many decimals the labels have.
-        scale.chooseStep(height, chartRowPerTick);
+        scale.chooseStep(height, chartRowPerTick());
         double widest = 0.0;
         for (const double tick : ticks) {
             widest =
@@ -128,10 +145,10 @@ void PlotPainter::layoutAxes() {
             axis->setRange(scale.number(scale.low), scale.number(scale.high));
         }
     };
-    apply(0, data_.x, Qt::AlignBottom, data_.area.width(), columnPerTick);
-    apply(1, data_.left, Qt::AlignLeft, data_.area.height(), chartRowPerTick);
+    apply(0, data_.x, Qt::AlignBottom, data_.area.width(), columnPerTick());
+    apply(1, data_.left, Qt::AlignLeft, data_.area.height(), chartRowPerTick());
     if (data_.sideUsed(Side::Right)) {
-        apply(2, data_.right, Qt::AlignRight, data_.area.height(), chartRowPerTick);
+        apply(2, data_.right, Qt::AlignRight, data_.area.height(), chartRowPerTick());
     }
     chart_->layout()->activate();
 }
@@ -157,7 +174,7 @@ void PlotPainter::paintAxes(QPainter& painter) {
         painter.restore();
     }
     for (const plot::Band& band : data_.bands) {
-        paintBand(painter, band);
+        paintBand(painter, band, false);
     }
     paintOwnAxis(painter, data_.x, Qt::BottomEdge);
     paintOwnAxis(painter, data_.left, Qt::LeftEdge);
@@ -168,7 +185,7 @@ void PlotPainter::paintAxes(QPainter& painter) {
     scene_->render(&painter, whole, whole);
 }
 
-void PlotPainter::paintBand(QPainter& painter, const plot::Band& band) const {
+void PlotPainter::paintBand(QPainter& painter, const plot::Band& band, bool words) const {
     const QRectF& area = data_.area;
     const bool alongX = band.orientation == Qt::Horizontal;
     const auto edge = [&](double value, const QPointF& corner) {
@@ -178,16 +195,24 @@ void PlotPainter::paintBand(QPainter& painter, const plot::Band& band) const {
     const QRectF shade = QRectF(edge(band.from, area.topLeft()), edge(band.to, area.bottomRight()))
                              .normalized()
                              .intersected(area);
-    painter.fillRect(shade, band.colour);
+    if (!words) {
+        painter.fillRect(shade, band.colour);
+        return;
+    }
     painter.setFont(Theme::font(Theme::smallSize));
     double widest = 0.0;
     for (const QString& word : band.text.split(QLatin1Char(' '))) {
         widest = std::max<double>(widest, painter.fontMetrics().horizontalAdvance(word));
     }
     if (widest > 0.0 && shade.width() > widest + 8.0) {
+        const int flags = Qt::AlignTop | Qt::AlignHCenter | Qt::TextWordWrap;
+        const QRectF room = shade.adjusted(4, 2, -4, -2);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(veil(Theme::instance().panel(), 0.7F));
+        painter.drawRoundedRect(painter.boundingRect(room, flags, band.text).adjusted(-2, 0, 2, 0),
+                                3, 3);
         painter.setPen(Theme::instance().mutedText());
-        painter.drawText(shade.adjusted(4, 2, -4, -2),
-                         Qt::AlignTop | Qt::AlignHCenter | Qt::TextWordWrap, band.text);
+        painter.drawText(room, flags, band.text);
     }
 }
 
@@ -203,7 +228,7 @@ void PlotPainter::paintOwnAxis(QPainter& painter, const PlotScale& scale, Qt::Ed
     const double side = edge == Qt::RightEdge ? area.right() : area.left();
     painter.setFont(font);
     const std::vector<double> ticks =
-        scale.ownTicks(flat ? area.width() : area.height(), flat ? columnPerTick : rowPerTick);
+        scale.ownTicks(flat ? area.width() : area.height(), flat ? columnPerTick() : rowPerTick());
     std::vector<QRectF> taken;
     for (const double tick : ticks) {
         const QString text = scale.tickText(tick, data_.locale);
@@ -349,6 +374,9 @@ void PlotPainter::paintOverlay(QPainter& painter) const {
     }
     painter.save();
     painter.setClipRect(area);
+    for (const plot::Band& band : data_.bands) {
+        paintBand(painter, band, true);
+    }
     paintLines(painter);
     if (data_.presentX) {
         const double x = across(*data_.presentX);
@@ -387,14 +415,17 @@ void PlotPainter::paintLines(QPainter& painter) const {
         if (line.orientation == Qt::Horizontal) {
             const double y = data_.toPixel(data_.x.low, line.at, line.side).y();
             painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
-            painter.drawText(QPointF(area.left() + labelGap, y - 4), line.text);
+            drawOnVeil(painter, QPointF(area.left() + labelGap, y - 4), line.text);
             continue;
         }
         const double x = across(line.at);
         painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
         const double wide = painter.fontMetrics().horizontalAdvance(line.text);
         const bool fits = x + 4.0 + wide <= area.right();
-        painter.drawText(QPointF(fits ? x + 4.0 : x - 4.0 - wide, area.top() + 14), line.text);
+        drawOnVeil(
+            painter,
+            QPointF(fits ? x + 4.0 : x - 4.0 - wide, area.top() + painter.fontMetrics().height()),
+            line.text);
     }
 }
 

@@ -39,7 +39,8 @@ class PlotPainter {
 
     void layoutArea();
     void layoutAxes();
-    void paintBand(QPainter& painter, const plot::Band& band) const;
+    /// @param words  its text instead of its shade
+    void paintBand(QPainter& painter, const plot::Band& band, bool words) const;
     void paintOwnAxis(QPainter& painter, const PlotScale& scale, Qt::Edge edge) const;
     void paintBars(QPainter& painter, const PlotCurve& curve) const;
     void paintErrorBars(QPainter& painter, const PlotCurve& curve) const;

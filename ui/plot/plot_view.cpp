@@ -196,6 +196,12 @@ void PlotView::setFaded(bool faded, const QString& text) {
     }
 }
 
+QSize PlotView::minimumSizeHint() const {
+    constexpr int chart = 106;  // with its axis
+    const int header = static_cast<int>(std::ceil(data_.headerHeight));
+    return {Theme::withText(200), std::max(Theme::withText(140), header + Theme::withText(chart))};
+}
+
 void PlotView::setPickable(bool pickable) {
     pickable_ = pickable;
     setCursor(pickable ? Qt::PointingHandCursor : Qt::ArrowCursor);
@@ -224,6 +230,7 @@ void PlotView::showTheme() {
 }
 
 void PlotView::layoutHeader() {
+    const double header = data_.headerHeight;
     // Title and legend in one row where they fit, else the legend flows in rows below the title.
     const QFontMetricsF metrics(Theme::font(Theme::baseSize, true));
     const double row = std::ceil(metrics.height()) + Theme::gap;
@@ -236,6 +243,7 @@ void PlotView::layoutHeader() {
     }
     const double right = width() - Theme::space;
     const bool oneRow = titleWidth + legendWidth <= right;
+    const double x0 = Theme::margin - Theme::gap;
     double x = oneRow ? right - legendWidth : Theme::margin - Theme::gap;
     double y = Theme::gap + (oneRow ? 0.0 : row);
     data_.headerHeight = y + row;
@@ -243,7 +251,9 @@ void PlotView::layoutHeader() {
         if (item == nullptr || item->isHidden()) {
             continue;
         }
-        const int itemWidth = item->sizeHint().width();
+        // Long names share a row, elided, rather than take a row each.
+        const int most = static_cast<int>(right - x0) / (legendWidth > 1.5 * (right - x0) ? 2 : 1);
+        const int itemWidth = std::min(item->sizeHint().width(), most);
         if (!oneRow && x + itemWidth > right && x > Theme::margin) {
             x = Theme::margin - Theme::gap;
             y += row;
@@ -256,6 +266,9 @@ void PlotView::layoutHeader() {
         data_.headerHeight = Theme::gap;
     }
     data_.headerHeight += keyHeight();
+    if (data_.headerHeight != header) {
+        updateGeometry();
+    }
 }
 
 void PlotView::layoutChart() {

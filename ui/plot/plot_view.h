@@ -133,7 +133,7 @@ class PlotView : public QWidget {
     QString exportTo(const QString& path, int pixels = 0);
     QString exportPicture(const QString& path, int pixels = 0);
     QSize sizeHint() const override { return {420, 260}; }
-    QSize minimumSizeHint() const override { return {200, 140}; }
+    QSize minimumSizeHint() const override;
 
   Q_SIGNALS:
     /// A click or drag in a pickable plot.

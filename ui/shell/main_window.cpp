@@ -49,7 +49,7 @@ QString inTwoLines(QString title, const QFontMetrics& metrics, int room) {
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     setWindowIcon(QIcon(QStringLiteral(":/icons/ravnoves.svg")));
-    setMinimumSize(960, 620);
+    setMinimumSize(800, 500);
     resize(1280, 800);
     setAcceptDrops(true);
     documents_ = new Documents(this);
@@ -88,7 +88,7 @@ void MainWindow::buildNavigation() {
     row->setSpacing(0);
 
     auto* navigation = new QWidget(centre);
-    navigation->setFixedWidth(navigationWidth);
+    navigation->setFixedWidth(Theme::withText(navigationWidth));
     navigation->setAutoFillBackground(true);
     auto* column = new QVBoxLayout(navigation);
     column->setContentsMargins(Theme::gap, Theme::space, Theme::gap, Theme::space);
@@ -108,13 +108,14 @@ void MainWindow::buildNavigation() {
         auto* button = new QToolButton(navigation);
         button->setDefaultAction(action);
         button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-        button->setIconSize(QSize(28, 28));
+        button->setIconSize(QSize(Theme::withText(28), Theme::withText(28)));
         button->setAutoRaise(true);
         button->setFont(Theme::font(Theme::smallSize));
-        action->setIconText(inTwoLines(info.title, button->fontMetrics(),
-                                       navigationWidth - 2 * Theme::gap - Theme::space));
+        action->setIconText(
+            inTwoLines(info.title, button->fontMetrics(),
+                       Theme::withText(navigationWidth) - 2 * Theme::gap - Theme::space));
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        button->setMinimumHeight(58);
+        button->setMinimumHeight(Theme::withText(58));
         button->setFocusPolicy(Qt::TabFocus);
         column->addWidget(button);
         scenes_.push_back(action);
@@ -250,7 +251,7 @@ void MainWindow::buildMenus() {
     toolBar_ = addToolBar(tr("Main toolbar"));
     toolBar_->setObjectName(QStringLiteral("main-toolbar"));
     toolBar_->setMovable(false);
-    toolBar_->setIconSize(QSize(20, 20));
+    toolBar_->setIconSize(QSize(Theme::withText(20), Theme::withText(20)));
     toolBar_->addActions({fresh, open, saveAction});
     toolBar_->addSeparator();
     toolBar_->addActions({undo_, redo_});

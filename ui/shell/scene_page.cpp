@@ -5,6 +5,7 @@
 
 #include "model/background_job.h"
 #include "plot/plot_view.h"
+#include "widgets/elided_tips.h"
 #include "widgets/mechanism_picture.h"
 #include "widgets/mnemonics.h"
 #include "widgets/wheel_guard.h"
@@ -13,6 +14,7 @@ namespace ravnoves {
 
 ScenePage::ScenePage(QWidget* parent) : QWidget(parent) {
     guardWheel();
+    showElidedTips();
     keepMnemonicsApart(this);
 }
 

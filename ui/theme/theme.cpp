@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QFontDatabase>
 #include <QProxyStyle>
+#include <QScreen>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,15 +14,27 @@ namespace ravnoves {
 
 namespace {
 
-/// Fusion with narrower tabs, so that seven of them fit beside each other in a small window.
+/// Fusion with narrower tabs, so that seven of them fit beside each other in a small window, and
+/// with marks and handles that go with the text.
 class DenseTabs : public QProxyStyle {
   public:
     DenseTabs() : QProxyStyle(QStringLiteral("Fusion")) {}
 
     int pixelMetric(PixelMetric metric, const QStyleOption* option,
                     const QWidget* widget) const override {
-        return metric == PM_TabBarTabHSpace ? 2 * Theme::space
-                                            : QProxyStyle::pixelMetric(metric, option, widget);
+        switch (metric) {
+            case PM_TabBarTabHSpace:
+                return 2 * Theme::space;
+            case PM_IndicatorWidth:
+            case PM_IndicatorHeight:
+            case PM_ExclusiveIndicatorWidth:
+            case PM_ExclusiveIndicatorHeight:
+            case PM_ScrollBarExtent:
+                return std::max(Theme::withText(14),
+                                QProxyStyle::pixelMetric(metric, option, widget));
+            default:
+                return QProxyStyle::pixelMetric(metric, option, widget);
+        }
     }
 };
 
@@ -45,6 +58,12 @@ Theme& Theme::instance() {
 
 void Theme::install(Mode mode) {
     QApplication::setStyle(new DenseTabs);
+    if (const QScreen* screen = QGuiApplication::primaryScreen()) {
+        // The desktop's large text; what differs little from the usual resolution is that.
+        constexpr double usualDpi = 96.0;
+        const double wanted = screen->logicalDotsPerInchY() / usualDpi;
+        desktopScale_ = wanted > 1.1 ? std::min(wanted, largestText) : 1.0;
+    }
     QApplication::setFont(font());
     mode_ = mode;
     watchDesktop();
@@ -75,7 +94,7 @@ void Theme::setTextScale(double scale) {
 }
 
 int Theme::withText(int pixels) {
-    return static_cast<int>(std::lround(pixels * instance().textScale_));
+    return static_cast<int>(std::lround(pixels * instance().textScale_ * instance().desktopScale_));
 }
 
 QFont Theme::font(int pixelSize, bool bold) {

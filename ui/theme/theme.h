@@ -73,6 +73,7 @@ class Theme : public QObject {
     bool dark_ = false;
     bool desktopDark_ = false;
     double textScale_ = 1.0;
+    double desktopScale_ = 1.0;  ///< of the desktop's text
 };
 
 }  // namespace ravnoves

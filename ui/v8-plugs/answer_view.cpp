@@ -12,12 +12,15 @@
 #include "v8-plugs/sheet_form.h"
 #include "v8-plugs/shift_plot.h"
 #include "widgets/form_section.h"
+#include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {
 
 namespace {
+
+constexpr int besideEachOther = 520;  ///< designed pixels that bob weights and plots need
 
 QLabel* namedLabel(QWidget* parent, const char* name, int pixelSize, bool bold = false) {
     QLabel* label = SheetForm::wrapped(parent, pixelSize, bold);
@@ -39,15 +42,16 @@ AnswerView::AnswerView(V8PlugsModel* model, QWidget* parent) : QWidget(parent), 
     column->setSpacing(Theme::space);
     column->addWidget(buildAdvice());
 
-    auto* lower = new QHBoxLayout;
-    lower->setSpacing(Theme::space);
-    auto* left = new QVBoxLayout;
+    auto* lower = new FoldingRow(besideEachOther, this);
+    auto* leftHolder = new QWidget(lower);
+    auto* left = new QVBoxLayout(leftHolder);
+    left->setContentsMargins(0, 0, 0, 0);
     left->setSpacing(Theme::space);
     left->addWidget(buildBobWeights());
     left->addWidget(new PlugView(model_, this), 1);
-    lower->addLayout(left, 7);
-    lower->addWidget(buildPlots(), 6);
-    column->addLayout(lower, 1);
+    lower->add(leftHolder, 7);
+    lower->add(buildPlots(), 6);
+    column->addWidget(lower, 1);
 
     connect(model_, &SceneModel::changed, this, &AnswerView::showAnswer);
     connect(&Theme::instance(), &Theme::changed, this, &AnswerView::showAnswer);

@@ -50,7 +50,7 @@ void EngineSheet::addPlugs(const QString& label, const QString& name, const QStr
             });
         }));
     there->setFont(Theme::font(Theme::baseSize, true));
-    there->setMinimumHeight(fieldHeight - 6);
+    there->setMinimumHeight(Theme::withText(fieldHeight - 6));
     addValues(group);
 }
 
@@ -69,7 +69,7 @@ void EngineSheet::addOwnEngineButtons() {
     const auto button = [&](const QString& name, const QString& label) {
         auto* made = new QPushButton(label, this);
         made->setObjectName(name);
-        made->setMinimumHeight(fieldHeight);
+        made->setMinimumHeight(Theme::withText(fieldHeight));
         row->addWidget(made);
         return made;
     };

@@ -20,7 +20,7 @@ JournalBanner::JournalBanner(V8PlugsModel* model, QWidget* parent) : Panel(paren
     const auto button = [&](const QString& name, const QString& text) {
         auto* made = new QPushButton(text, this);
         made->setObjectName(name);
-        made->setMinimumHeight(SheetForm::fieldHeight);
+        made->setMinimumHeight(Theme::withText(SheetForm::fieldHeight));
         row->addWidget(made);
         return made;
     };

@@ -76,7 +76,7 @@ JournalDialog::JournalDialog(Journal* journal, QWidget* parent)
         name->setBuddy(field);
         QString spoken = label;
         field->setAccessibleName(spoken.remove(QLatin1Char('&')));
-        field->setMinimumHeight(buttonHeight - 4);
+        field->setMinimumHeight(Theme::withText(buttonHeight - 4));
         row->addWidget(name);
         row->addWidget(field, stretch);
     };
@@ -88,12 +88,12 @@ JournalDialog::JournalDialog(Journal* journal, QWidget* parent)
     from_ = new CheckedField(dayTrouble, this);
     from_->setObjectName(QStringLiteral("journal_from"));
     from_->setPlaceholderText(tr("any day"));
-    from_->setMaximumWidth(110);
+    from_->setMaximumWidth(Theme::withText(110));
     add(tr("&from"), from_, 0);
     to_ = new CheckedField(dayTrouble, this);
     to_->setObjectName(QStringLiteral("journal_to"));
     to_->setPlaceholderText(tr("any day"));
-    to_->setMaximumWidth(110);
+    to_->setMaximumWidth(Theme::withText(110));
     add(tr("&to"), to_, 0);
     column->addLayout(row);
 
@@ -107,7 +107,7 @@ JournalDialog::JournalDialog(Journal* journal, QWidget* parent)
     table_->setShowGrid(false);
     table_->setTabKeyNavigation(false);
     table_->verticalHeader()->hide();
-    table_->verticalHeader()->setDefaultSectionSize(30);
+    table_->verticalHeader()->setDefaultSectionSize(Theme::withText(30));
     table_->setColumnCount(6);
     table_->setHorizontalHeaderLabels({tr("Date"), tr("Engine number"), tr("Customer"),
                                        tr("Engine"), tr("Technician"), tr("Result")});
@@ -115,7 +115,7 @@ JournalDialog::JournalDialog(Journal* journal, QWidget* parent)
     table_->horizontalHeader()->setStretchLastSection(true);
     const int widths[] = {92, 150, 170, 84, 130};
     for (int i = 0; i < 5; ++i) {
-        table_->setColumnWidth(i, widths[i]);
+        table_->setColumnWidth(i, Theme::withText(widths[i]));
     }
     column->addWidget(table_, 1);
 
@@ -127,7 +127,7 @@ JournalDialog::JournalDialog(Journal* journal, QWidget* parent)
     const auto button = [&](const QString& name, const QString& text) {
         auto* made = new QPushButton(text, this);
         made->setObjectName(name);
-        made->setMinimumHeight(buttonHeight);
+        made->setMinimumHeight(Theme::withText(buttonHeight));
         made->setAutoDefault(false);
         buttons->addWidget(made);
         return made;

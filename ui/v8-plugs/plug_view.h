@@ -2,6 +2,8 @@
 
 #include <QWidget>
 
+#include "theme/theme.h"
+
 namespace ravnoves {
 
 class V8PlugsModel;
@@ -14,7 +16,7 @@ class PlugView : public QWidget {
     explicit PlugView(V8PlugsModel* model, QWidget* parent = nullptr);
 
     QSize sizeHint() const override { return {300, 200}; }
-    QSize minimumSizeHint() const override { return {200, 130}; }
+    QSize minimumSizeHint() const override { return {Theme::withText(200), Theme::withText(130)}; }
 
   protected:
     void paintEvent(QPaintEvent* event) override;

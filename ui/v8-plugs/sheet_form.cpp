@@ -24,12 +24,12 @@ constexpr int textWidth = 290;
 SheetForm::SheetForm(V8PlugsModel* model, QWidget* parent) : Form(model, parent), model_(model) {}
 
 void SheetForm::enlarge(QWidget* field) {
-    field->setMinimumHeight(fieldHeight);
+    field->setMinimumHeight(Theme::withText(fieldHeight));
     field->setFont(Theme::font(Theme::titleSize + 1));
 }
 
 NumberField* SheetForm::large(NumberField* field) {
-    field->setMaximumWidth(numberWidth);
+    field->setMaximumWidth(Theme::withText(numberWidth));
     field->setOptional(true);
     enlarge(field);
     return ordered(field);
@@ -52,7 +52,7 @@ QComboBox* SheetForm::choice(const char* pointer) {
 void SheetForm::text(const char* pointer, int longest) {
     QLineEdit* field = ordered(Form::text(pointer));
     field->setMaxLength(longest);
-    field->setMinimumWidth(textWidth);
+    field->setMinimumWidth(Theme::withText(textWidth));
     enlarge(field);
 }
 

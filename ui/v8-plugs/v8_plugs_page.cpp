@@ -55,7 +55,7 @@ V8PlugsPage::V8PlugsPage(const QString& journalPath, QWidget* parent, SceneModel
     row->setSpacing(Theme::space);
     row->addWidget(buildSheets());
     answer_ = new AnswerView(model_, this);
-    row->addWidget(answer_, 1);
+    row->addWidget(scrolled(answer_, this), 1);
     column->addLayout(row, 1);
     buildActions();
 
@@ -82,7 +82,7 @@ PlotView* V8PlugsPage::shiftPlot() const {
 QWidget* V8PlugsPage::buildSheets() {
     sheets_ = new QTabWidget(this);
     sheets_->setDocumentMode(true);
-    sheets_->setFixedWidth(sheetWidth);
+    sheets_->setFixedWidth(Theme::withText(sheetWidth));
     addSheet(new JobSheet(model_), tr("&1 Job"));
     auto* engine = new EngineSheet(model_);
     connect(engine, &EngineSheet::status, this, &ScenePage::status);

@@ -57,7 +57,7 @@ WeighInSheet::WeighInSheet(V8PlugsModel* model, QWidget* parent)
             });
         }));
     QComboBox* numbering = choice("/weigh_in/cylinder_numbering");
-    numbering->setMinimumHeight(cellHeight);
+    numbering->setMinimumHeight(Theme::withText(cellHeight));
     numbering->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     numbering->setMinimumContentsLength(10);  // the grid below says how wide the sheet is
     buildGrid();
@@ -72,7 +72,7 @@ void WeighInSheet::buildGrid() {
     columnOf(this)->addLayout(grid);
     grid->setHorizontalSpacing(Theme::gap);
     grid->setVerticalSpacing(2);
-    grid->setColumnMinimumWidth(0, 58);
+    grid->setColumnMinimumWidth(0, Theme::withText(58));
     for (int row = 0; row < rows; ++row) {
         put(grid, row + 1, 0, table_->headerData(row, Qt::Vertical, Qt::DisplayRole).toString(),
             row < WeighInTable::firstCylinder ? Theme::smallSize : Theme::titleSize);
@@ -122,8 +122,8 @@ NumberField* WeighInSheet::addCell(int row, int column) {
     field->setAccessibleName(cell.data(Qt::AccessibleTextRole).toString());
     field->setHint(cell.data(Qt::ToolTipRole).toString());
     field->setOptional(true);
-    field->setMinimumWidth(44);
-    field->setMinimumHeight(cellHeight);
+    field->setMinimumWidth(Theme::withText(44));
+    field->setMinimumHeight(Theme::withText(cellHeight));
     field->setFont(Theme::font(Theme::titleSize));
     field->installEventFilter(this);
     bind(
@@ -149,7 +149,7 @@ void WeighInSheet::buildFindings() {
     move_ = new QPushButton(tr("&Move them here"), this);
     move_->setObjectName(QStringLiteral("move_parts"));
     move_->setToolTip(tr("The weights change places on this sheet as the parts do."));
-    move_->setMinimumHeight(cellHeight);
+    move_->setMinimumHeight(Theme::withText(cellHeight));
     connect(move_, &QPushButton::clicked, this, [this] {
         if (const auto assignment = model_->solution().assignment) {
             model_->edit(tr("Move parts"), [&](Input& input) {

@@ -40,6 +40,12 @@ QValidator::State DecimalSpinBox::validate(QString& text, int& /*position*/) con
     return QValidator::Intermediate;
 }
 
+void DecimalSpinBox::fixup(QString& text) const {
+    if (const QString number = bare(text); !number.isEmpty()) {
+        Q_EMIT refused(number);
+    }
+}
+
 double DecimalSpinBox::valueFromText(const QString& text) const {
     return readFormNumber(bare(text)).value_or(value());
 }

@@ -19,6 +19,12 @@ class DecimalSpinBox : public QDoubleSpinBox {
     bool event(QEvent* event) override;
     QValidator::State validate(QString& text, int& position) const override;
     double valueFromText(const QString& text) const override;
+    /// What was typed is no value of the range: the value from before comes back, and refused()
+    /// says so.
+    void fixup(QString& text) const override;
+
+  Q_SIGNALS:
+    void refused(const QString& text) const;
 
   private:
     QString bare(const QString& text) const;

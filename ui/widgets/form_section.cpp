@@ -1,18 +1,70 @@
 #include "widgets/form_section.h"
 
+#include <QPainter>
+#include <QScrollBar>
+#include <algorithm>
+
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
 
+namespace {
+
+/// Takes the focus only to scroll what has no field of its own, and shows that it has it.
+class Scrolled final : public QScrollArea {
+  public:
+    Scrolled(QWidget* content, QWidget* parent) : QScrollArea(parent) {
+        setFrameShape(QFrame::NoFrame);
+        setWidgetResizable(true);
+        setWidget(content);
+        setFocusPolicy(Qt::NoFocus);
+        setViewportMargins(1, 1, 1, 1);
+    }
+
+    QSize minimumSizeHint() const override {
+        const int bar = verticalScrollBar()->sizeHint().width();
+        return {widget()->minimumSizeHint().width() + bar + 2, Theme::withText(leastHeight)};
+    }
+
+  protected:
+    bool event(QEvent* event) override {
+        const bool done = QScrollArea::event(event);
+        if (event->type() == QEvent::Paint && hasFocus()) {
+            QPainter painter(this);
+            painter.setPen(Theme::instance().accent());
+            painter.drawRect(rect().adjusted(0, 0, -1, -1));
+        } else if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize) {
+            setFocusPolicy(isOver() && !hasStop() ? Qt::StrongFocus : Qt::NoFocus);
+        }
+        return done;
+    }
+    void focusInEvent(QFocusEvent* event) override {
+        QScrollArea::focusInEvent(event);
+        update();
+    }
+    void focusOutEvent(QFocusEvent* event) override {
+        QScrollArea::focusOutEvent(event);
+        update();
+    }
+
+  private:
+    static constexpr int leastHeight = 60;
+
+    bool isOver() const { return verticalScrollBar()->maximum() > 0; }
+    bool hasStop() const {
+        const auto inside = widget()->findChildren<QWidget*>();
+        return std::any_of(inside.begin(), inside.end(), [](const QWidget* each) {
+            return (each->focusPolicy() & Qt::TabFocus) != 0;
+        });
+    }
+};
+
+}  // namespace
+
 QScrollArea* scrolled(QWidget* form, QWidget* parent) {
-    auto* scroll = new QScrollArea(parent);
-    scroll->setWidget(form);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    return scroll;
+    return new Scrolled(form, parent);
 }
 
 void colourText(QLabel* label, const QColor& colour) {
@@ -92,14 +144,15 @@ FormSection::FormSection(const QString& title, QWidget* parent) : QWidget(parent
     grid_->setHorizontalSpacing(Theme::space);
     grid_->setVerticalSpacing(Theme::gap);
     grid_->setColumnStretch(0, 1);
-    grid_->setColumnMinimumWidth(1, 84);
-    grid_->setColumnMinimumWidth(2, 40);  // the widest unit, so that all sections line up
+    grid_->setColumnMinimumWidth(1, Theme::withText(84));
+    grid_->setColumnMinimumWidth(
+        2, Theme::withText(40));  // the widest unit, so that all sections line up
     column->addLayout(grid_);
 }
 
 NumberField* FormSection::addNumber(const Field& field) {
     auto* number = new NumberField(field, this);
-    number->setMaximumWidth(96);
+    number->setMaximumWidth(Theme::withText(96));
     addWidget(shownText(field.label), number, number->unit());
     return number;
 }
@@ -143,6 +196,7 @@ void FormSection::addWide(QWidget* widget) {
 
 QLabel* FormSection::addResult(const QString& label, const QString& hint) {
     auto* name = new QLabel(label, this);
+    name->setWordWrap(true);
     auto* value = new QLabel(this);
     value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     value->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -53,7 +53,7 @@ class FormSection : public QWidget {
     int row_ = 0;
 };
 
-/// A form that scrolls up and down where it is higher than its place.
+/// A form, or another part of a page, that scrolls where it is larger than its place.
 QScrollArea* scrolled(QWidget* form, QWidget* parent = nullptr);
 /// Gives a label's text a colour of its own.
 void colourText(QLabel* label, const QColor& colour);

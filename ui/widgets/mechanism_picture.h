@@ -55,7 +55,8 @@ class PicturePanel : public Panel {
     ValueSlider* slider() const { return slider_; }
     /// Plays and pauses, for menu and toolbar.
     QAction* action() const { return action_; }
-    /// Puts another control into a row of its own above the bar: the angle's slider needs its width.
+    /// Puts another control into a row of its own above the bar: the angle's slider needs its
+    /// width.
     void addControl(QWidget* control);
 
   private:

@@ -6,6 +6,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QPainter>
 #include <algorithm>
 
 #include "text/csv_format.h"
@@ -22,8 +23,8 @@ ResultTable::ResultTable(QWidget* parent) : QTableWidget(parent) {
     setFont(Theme::font(Theme::baseSize - 1));
     setTabKeyNavigation(false);
     verticalHeader()->hide();
-    verticalHeader()->setDefaultSectionSize(20);
-    verticalHeader()->setMinimumSectionSize(18);
+    verticalHeader()->setDefaultSectionSize(Theme::withText(20));
+    verticalHeader()->setMinimumSectionSize(Theme::withText(18));
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     horizontalHeader()->setFont(Theme::font(Theme::smallSize + 1, true));
@@ -132,6 +133,15 @@ void ResultTable::copySelection() {
     QApplication::clipboard()->setText(joined(QLatin1Char('\t'), some));
 }
 
+void ResultTable::paintEvent(QPaintEvent* event) {
+    QTableWidget::paintEvent(event);
+    if (hasFocus()) {
+        QPainter painter(viewport());
+        painter.setPen(Theme::instance().accent());
+        painter.drawRect(viewport()->rect().adjusted(0, 0, -1, -1));
+    }
+}
+
 void ResultTable::keyPressEvent(QKeyEvent* event) {
     if (event->matches(QKeySequence::Copy)) {
         copySelection();
@@ -150,10 +160,17 @@ void ResultTable::contextMenuEvent(QContextMenuEvent* event) {
     menu.exec(event->globalPos());
 }
 
+void ResultTable::setShownRows(int rows) {
+    shownRows_ = rows;
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    updateGeometry();
+}
+
 QSize ResultTable::sizeHint() const {
     const int heading =
         horizontalHeader()->isHidden() ? 0 : horizontalHeader()->sizeHint().height();
-    const int height = heading + rowCount() * verticalHeader()->defaultSectionSize() + 2;
+    const int rows = shownRows_ > 0 ? shownRows_ : rowCount();
+    const int height = heading + rows * verticalHeader()->defaultSectionSize() + 2;
     return {240, height};
 }
 

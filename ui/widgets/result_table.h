@@ -21,6 +21,9 @@ class ResultTable : public QTableWidget {
     void setRows(const QVector<QStringList>& rows);
     void setCellToolTip(int row, int column, const QString& text);
 
+    /// It asks for no more height than so many rows need; further ones scroll.
+    void setShownRows(int rows);
+
     QString asText() const;  ///< the whole table, tab-separated
     QString asCsv() const;   ///< the whole table, comma-separated, quoted where needed
 
@@ -28,6 +31,7 @@ class ResultTable : public QTableWidget {
     QSize minimumSizeHint() const override;
 
   protected:
+    void paintEvent(QPaintEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
 
@@ -36,6 +40,7 @@ class ResultTable : public QTableWidget {
     void copySelection();
     void fitColumns();
 
+    int shownRows_ = 0;  ///< 0: all
     bool fitted_ = false;
 };
 

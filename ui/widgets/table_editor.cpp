@@ -53,9 +53,9 @@ TableEditor::TableEditor(EditableTable* table, const QString& name, const QStrin
     view_->setAlternatingRowColors(true);
     view_->setAccessibleName(name);
     view_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    view_->horizontalHeader()->setMinimumSectionSize(30);
-    view_->verticalHeader()->setDefaultSectionSize(22);
-    view_->verticalHeader()->setMinimumWidth(22);
+    view_->horizontalHeader()->setMinimumSectionSize(Theme::withText(30));
+    view_->verticalHeader()->setDefaultSectionSize(Theme::withText(22));
+    view_->verticalHeader()->setMinimumWidth(Theme::withText(22));
     view_->setFont(Theme::font(Theme::baseSize - 1));
     view_->setSelectionMode(QAbstractItemView::ContiguousSelection);
     view_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
@@ -82,7 +82,7 @@ QToolButton* TableEditor::addTool(const QString& icon, const QString& tip,
     button->setToolTip(tip);
     button->setAccessibleName(tip);
     button->setAutoRaise(true);
-    button->setIconSize(QSize(18, 18));
+    button->setIconSize(QSize(Theme::withText(18), Theme::withText(18)));
     connect(button, &QToolButton::clicked, this, std::move(use));
     tools_->insertWidget(toolCount_++, button);
     return button;

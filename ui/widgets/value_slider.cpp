@@ -1,31 +1,49 @@
 #include "widgets/value_slider.h"
 
 #include <QEvent>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
+#include <QScopedValueRollback>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <algorithm>
 #include <cmath>
 
 #include "case-file/range.h"
+#include "model/scene_model.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/decimal_spin_box.h"
+#include "widgets/form_section.h"
+#include "widgets/number_field.h"
 
 namespace ravnoves {
 
+namespace {
+
+constexpr int leastSlider = 116;  ///< designed pixels with which a slider can be used
+
+}  // namespace
+
 ValueSlider::ValueSlider(const QString& label, double min, double max, double step, double pageStep,
                          int decimals, const QString& unit, QWidget* parent)
-    : QWidget(parent), min_(min), max_(max), step_(step) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(Theme::space);
+    : QWidget(parent),
+      grid_(new QGridLayout(this)),
+
+      min_(min),
+      max_(max),
+      step_(step) {
+    grid_->setContentsMargins(0, 0, 0, 0);
+    grid_->setHorizontalSpacing(Theme::space);
+    grid_->setVerticalSpacing(0);
+    grid_->setColumnStretch(1, 1);
     label_ = new QLabel(label, this);
     slider_ = new QSlider(Qt::Horizontal, this);
     box_ = new DecimalSpinBox(this);
     const ShownUnit shown = shownUnit(unit);
+    unit_ = shown.name;
     factor_ = shown.factor;
     box_->setDecimals(std::max(0, decimals + shown.decimals));
     box_->setSingleStep(factor_ == 1.0 ? step : rounded_to(step * factor_, 1));
@@ -39,9 +57,12 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
     slider_->setPageStep(std::max(1, static_cast<int>(std::lround(pageStep / step))));
     slider_->setFocusPolicy(Qt::StrongFocus);
     slider_->installEventFilter(this);
-    row->addWidget(label_);
-    row->addWidget(slider_, 1);
-    row->addWidget(box_);
+    trouble_ = new TroubleLine(this);
+    // One row: label, slider, box. Two: the slider below both.
+    grid_->addWidget(label_, 0, 0);
+    grid_->addWidget(slider_, 0, 1);
+    grid_->addWidget(box_, 0, 2);
+    grid_->addWidget(trouble_, 2, 0, 1, 3);
     showRange();
     connect(slider_, &QSlider::valueChanged, this, [this](int tick) { edit(valueAt(tick)); });
     connect(slider_, &QSlider::sliderPressed, this, &ValueSlider::pressed);
@@ -49,6 +70,78 @@ ValueSlider::ValueSlider(const QString& label, double min, double max, double st
     connect(box_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
             [this](double shown) { edit(factor_ == 1.0 ? shown : shown / factor_); });
     connect(box_, &QDoubleSpinBox::editingFinished, this, &ValueSlider::released);
+    connect(box_, &DecimalSpinBox::refused, this, &ValueSlider::sayOutOfRange);
+    connect(box_->findChild<QLineEdit*>(), &QLineEdit::textEdited, this, [this] { refuse({}); });
+}
+
+QDoubleSpinBox* ValueSlider::box() const {
+    return box_;
+}
+
+void ValueSlider::refuse(const QString& why) {
+    if (why != trouble_->text()) {
+        trouble_->say(why);
+        box_->setAccessibleDescription(why);
+    }
+}
+
+QString ValueSlider::trouble() const {
+    return trouble_->text();
+}
+
+void ValueSlider::setModel(SceneModel* model) {
+    connect(model, &SceneModel::refused, this, [this](const QString& why) {
+        if (isPassing_) {
+            refuse(why);
+        }
+    });
+}
+
+void ValueSlider::sayOutOfRange(const QString& typed) {
+    const QString rule =
+        readFormNumber(typed)
+            ? NumberField::tr("The value %1.")
+                  .arg(rangeText(Range::between(box_->minimum(), box_->maximum()), unit_, locale()))
+            : NumberField::tr("“%1” is not a number.").arg(typed);
+    refuse(tr("“%1” is refused. %2").arg(typed, rule));
+}
+
+void ValueSlider::setLabelWidth(int width) {
+    label_->setFixedWidth(width);
+}
+
+int ValueSlider::widthInOneRow() const {
+    const auto wide = [](const QWidget* widget) {
+        return widget->minimumWidth() > 0 ? widget->minimumWidth() : widget->sizeHint().width();
+    };
+    return wide(label_) + Theme::withText(leastSlider) + wide(box_) + 2 * Theme::space;
+}
+
+QSize ValueSlider::minimumSizeHint() const {
+    const int inTwo =
+        std::max(label_->minimumSizeHint().width() + Theme::space + box_->minimumSizeHint().width(),
+                 Theme::withText(leastSlider));
+    return {inTwo, grid_->minimumSize().height()};
+}
+
+void ValueSlider::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+void ValueSlider::arrange() {
+    const bool folded = width() < widthInOneRow();
+    if (folded == folded_) {
+        return;
+    }
+    folded_ = folded;
+    grid_->removeWidget(slider_);
+    if (folded) {
+        grid_->addWidget(slider_, 1, 0, 1, 3);
+    } else {
+        grid_->addWidget(slider_, 0, 1);
+    }
+    updateGeometry();
 }
 
 void ValueSlider::setRange(double min, double max) {
@@ -104,6 +197,9 @@ void ValueSlider::setTickInterval(double interval) {
 }
 
 void ValueSlider::setValue(double value) {
+    if (value != value_ && !isPassing_) {
+        refuse({});
+    }
     value_ = value;
     const QSignalBlocker quietSlider(slider_);
     const QSignalBlocker quietBox(box_);
@@ -115,10 +211,12 @@ void ValueSlider::edit(double value) {
     // Whole steps come out as the decimals they stand for (50.1, not 50.10000000000001).
     const double decimals = std::pow(10.0, box_->decimals());
     value = factor_ == 1.0 ? std::round(value * decimals) / decimals : rounded_to(value, 12);
+    refuse({});
     if (value == value_) {
         return;
     }
     setValue(value);
+    const QScopedValueRollback passing(isPassing_, true);
     Q_EMIT valueEdited(value);
 }
 

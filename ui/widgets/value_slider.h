@@ -3,13 +3,20 @@
 #include <QWidget>
 
 class QDoubleSpinBox;
+class QGridLayout;
 class QLabel;
 class QSlider;
 
 namespace ravnoves {
 
+class DecimalSpinBox;
+class SceneModel;
+class TroubleLine;
+
 /// A slider with a spin box for one value: drag, arrow keys (one step), page keys (a larger step),
-/// wheel; a double click on the slider goes to the box to type.
+/// wheel; a double click on the slider goes to the box to type. Where the row is too narrow for a
+/// slider that can be used it stands below label and box. What is refused is said below, until
+/// another value is given.
 class ValueSlider : public QWidget {
     Q_OBJECT
 
@@ -27,7 +34,15 @@ class ValueSlider : public QWidget {
     /// to `digits` significant digits when the slider is moved. The range must be positive.
     void setLogarithmic(int stepsPerDecade, int digits);
     QSlider* slider() const { return slider_; }
-    QDoubleSpinBox* box() const { return box_; }
+    QDoubleSpinBox* box() const;
+    /// Says why the value that the user gave is refused; with nothing, that this is over.
+    void refuse(const QString& why);
+    QString trouble() const;
+    /// What this model refuses of the values passed on is said below.
+    void setModel(SceneModel* model);
+    /// Gives the label this width, so that the sliders of a column stand in line.
+    void setLabelWidth(int width);
+    QSize minimumSizeHint() const override;
 
   Q_SIGNALS:
     /// The user moved it.
@@ -37,16 +52,25 @@ class ValueSlider : public QWidget {
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
+    void arrange();
+    int widthInOneRow() const;
+    void sayOutOfRange(const QString& typed);
     void edit(double value);
     void showRange();
     int tickOf(double value) const;
     double valueAt(int tick) const;
 
+    QGridLayout* grid_;
     QLabel* label_;
     QSlider* slider_;
-    QDoubleSpinBox* box_;
+    DecimalSpinBox* box_;
+    TroubleLine* trouble_;
+    QString unit_;
+    bool folded_ = false;
+    bool isPassing_ = false;
     double factor_ = 1.0;  ///< numbers in the box per number of the value
     double min_;
     double max_;

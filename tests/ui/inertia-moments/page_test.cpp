@@ -422,8 +422,8 @@ TEST_F(InertiaMomentsPageTest, ARefusedCellIsNamedUntilItIsMended) {
         return table->setData(table->index(row, column), QString::fromLatin1(text), Qt::EditRole);
     };
     EXPECT_FALSE(put(1, CylinderTableModel::KnuckleRadius, "-5"));
-    EXPECT_TRUE(line->text().startsWith(
-        QStringLiteral("Cylinder 2, knuckle radius: must be from 0 to")))
+    EXPECT_TRUE(
+        line->text().startsWith(QStringLiteral("Cylinder 2, knuckle radius: must be from 0 to")))
         << line->text().toStdString();
     EXPECT_TRUE(line->text().endsWith(QLatin1Char('5'))) << line->text().toStdString();
     EXPECT_TRUE(line->isVisible());
@@ -727,9 +727,9 @@ TEST_F(InertiaMomentsPageTest, EveryTabOfEveryLayoutDrawsInBothThemes) {
 
 TEST_F(InertiaMomentsPageTest, NoFormIsWiderThanItsColumn) {
     for (QScrollArea* area : page.findChildren<QScrollArea*>()) {
-        if (area->widget() != nullptr &&
-            area->horizontalScrollBarPolicy() == Qt::ScrollBarAlwaysOff) {
-            EXPECT_LE(area->widget()->minimumSizeHint().width(), 284)
+        if (area->widget() != nullptr && area->isVisible() &&
+            area->widget()->findChild<QLabel*>() != nullptr) {
+            EXPECT_LE(area->widget()->minimumSizeHint().width(), area->viewport()->width())
                 << area->widget()->findChild<QLabel*>()->text().toStdString();
         }
     }

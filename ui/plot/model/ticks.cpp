@@ -63,7 +63,8 @@ std::pair<double, double> niceInterval(double min, double max, int wanted) {
 int tickDecimals(double step) {
     for (int decimals = 0; decimals < 12; ++decimals) {
         const double scaled = step * std::pow(10.0, decimals);
-        if (std::abs(scaled - std::round(scaled)) < 1e-6 * std::max(1.0, scaled)) {
+        // A step that would read 0 needs more.
+        if (scaled > 0.5 && std::abs(scaled - std::round(scaled)) < 1e-6 * std::max(1.0, scaled)) {
             return decimals;
         }
     }

@@ -1,0 +1,114 @@
+#include "widgets/elided_tips.h"
+
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QHelpEvent>
+#include <QPointer>
+#include <QStyle>
+#include <QStyleOptionComboBox>
+#include <QToolTip>
+
+#include "plot/legend_item.h"
+#include "plot/plot_view.h"
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+namespace {
+
+bool isElided(const QString& text, const QFont& font, int room) {
+    return QFontMetrics(font).horizontalAdvance(text) > room;
+}
+
+/// The text at a place of a widget where it is elided, else nothing.
+QString elidedHeading(const QHeaderView& header, const QPoint& at) {
+    const int section = header.logicalIndexAt(at);
+    if (section < 0 || header.orientation() != Qt::Horizontal) {
+        return {};
+    }
+    const QString text =
+        header.model()->headerData(section, Qt::Horizontal, Qt::DisplayRole).toString();
+    return isElided(text, header.font(), header.sectionSize(section) - 6) ? text : QString();
+}
+
+QString elidedCell(const QAbstractItemView& view, const QPoint& at) {
+    const QModelIndex cell = view.indexAt(at);
+    const QString text = cell.data(Qt::DisplayRole).toString();
+    const QVariant font = cell.data(Qt::FontRole);
+    const int room = view.visualRect(cell).width() - 6;
+    return cell.isValid() &&
+                   isElided(text, font.isValid() ? font.value<QFont>() : view.font(), room)
+               ? text
+               : QString();
+}
+
+QString elidedChoice(const QComboBox& box) {
+    QStyleOptionComboBox option;
+    option.initFrom(&box);
+    const QRect room = box.style()->subControlRect(QStyle::CC_ComboBox, &option,
+                                                   QStyle::SC_ComboBoxEditField, &box);
+    return isElided(box.currentText(), box.font(), room.width()) ? box.currentText() : QString();
+}
+
+class ElidedTips : public QObject {
+  public:
+    using QObject::QObject;
+
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() != QEvent::ToolTip || !watched->isWidgetType()) {
+            return false;
+        }
+        auto* widget = static_cast<QWidget*>(watched);
+        const auto* help = static_cast<QHelpEvent*>(event);
+        const auto [text, tip] = textAndTip(widget, help->pos());
+        if (text.isEmpty()) {
+            return false;
+        }
+        QToolTip::showText(help->globalPos(), tip.isEmpty() ? text : text + QLatin1Char('\n') + tip,
+                           widget);
+        return true;
+    }
+
+  private:
+    static std::pair<QString, QString> textAndTip(QWidget* widget, const QPoint& at) {
+        if (const auto* item = qobject_cast<const LegendItem*>(widget)) {
+            return {item->isElided() ? item->text() : QString(), item->toolTip()};
+        }
+        if (const auto* plot = qobject_cast<const PlotView*>(widget)) {
+            const QFont font = Theme::font(Theme::baseSize, true);
+            const bool inTitle = at.y() < QFontMetrics(font).height() + 2 * Theme::gap;
+            return {inTitle && isElided(plot->title(), font, plot->width() - 2 * Theme::margin)
+                        ? plot->title()
+                        : QString(),
+                    plot->toolTip()};
+        }
+        if (const auto* box = qobject_cast<const QComboBox*>(widget)) {
+            return {elidedChoice(*box), box->toolTip()};
+        }
+        if (const auto* header = qobject_cast<const QHeaderView*>(widget->parentWidget())) {
+            return {
+                elidedHeading(*header, at),
+                header->model()
+                    ->headerData(header->logicalIndexAt(at), header->orientation(), Qt::ToolTipRole)
+                    .toString()};
+        }
+        if (const auto* view = qobject_cast<const QAbstractItemView*>(widget->parentWidget())) {
+            return {elidedCell(*view, at), view->indexAt(at).data(Qt::ToolTipRole).toString()};
+        }
+        return {};
+    }
+};
+
+}  // namespace
+
+void showElidedTips() {
+    static QPointer<ElidedTips> tips;
+    if (tips.isNull()) {
+        tips = new ElidedTips(qApp);
+        qApp->installEventFilter(tips);
+    }
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <QString>
+#include <QWidget>
+
+class QBoxLayout;
+class QGridLayout;
+class QScrollArea;
+class QTabWidget;
+
+namespace ravnoves {
+
+/// The columns of a page: inputs, plots, results. Where the window is too narrow for three (or its
+/// text too large), the results become the last tab of the inputs; a column that is too high for
+/// the window scrolls.
+class PageColumns : public QWidget {
+    Q_OBJECT
+
+  public:
+    struct Parts {
+        QWidget* inputs;   ///< as wide as it says
+        QTabWidget* tabs;  ///< of the inputs, or the inputs themselves
+        QWidget* plots;
+        QWidget* results;  ///< at least as wide as it says
+        int plotShare = 5;
+        int resultShare = 2;
+        QWidget* top = nullptr;  ///< over plots and results
+    };
+
+    explicit PageColumns(const Parts& parts, QWidget* parent = nullptr);
+
+    /// Of the inputs of every page.
+    static int inputsWidth();
+
+    bool isFolded() const { return folded_; }
+    QSize minimumSizeHint() const override;
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+  private:
+    void arrange();
+    int widthForAll() const;
+
+    Parts parts_;
+    QGridLayout* grid_;
+    QScrollArea* results_;
+    int resultsWidth_;  ///< that they need beside the plots
+    int most_ = 0;
+    bool folded_ = false;
+};
+
+/// Widgets beside each other where there is room for them, else one below the other.
+class FoldingRow : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// @param unfoldedFrom  the width that all need beside each other, designed pixels
+    explicit FoldingRow(int unfoldedFrom, QWidget* parent = nullptr);
+
+    void add(QWidget* widget, int share = 1);
+    bool isFolded() const;
+    QSize minimumSizeHint() const override;
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+  private:
+    QBoxLayout* row_;
+    int unfoldedFrom_;
+};
+
+/// Adds a view to tabs so that it scrolls where it is larger than they are; `name` is that of the
+/// tab for pictures.
+void addScrolledTab(QTabWidget* tabs, QWidget* view, const QString& name, const QString& title);
+
+}  // namespace ravnoves
