@@ -87,6 +87,9 @@ void GuideTab::buildBar() {
     hingeChoice_->setObjectName(QStringLiteral("guide_shown"));
     hingeChoice_->addItems({HingePlots::tr("crank, for M"), HingePlots::tr("crank, for M₁"),
                             HingePlots::tr("rod, for M₁₂")});
+    constexpr int letters = 8;  // the slider beside it needs its length
+    hingeChoice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    hingeChoice_->setMinimumContentsLength(letters);
     hingeChoice_->setAccessibleName(HingePlots::tr("Which guide is shown"));
     hingeChoice_->setToolTip(HingePlots::tr(
         "The hinge between frame and crank alone (M), the same beside the rod's hinge (M₁), or "
@@ -96,7 +99,7 @@ void GuideTab::buildBar() {
     auto* label = new QLabel(HingePlots::tr("&Guide"), this);
     label->setBuddy(hingeChoice_);
     row->addWidget(label);
-    row->addWidget(hingeChoice_);
+    row->addWidget(hingeChoice_, 1);
     exaggeration_ = new ValueSlider(HingePlots::tr("&Relief ×"), 1.0, 1e5, 1.0, 10.0, 0, {}, this);
     exaggeration_->setLogarithmic(12, 2);
     exaggeration_->slider()->setObjectName(QStringLiteral("exaggeration_slider"));
@@ -104,7 +107,7 @@ void GuideTab::buildBar() {
         HingePlots::tr("The pictures enlarge the guide's relief by this factor; 1 is to scale"));
     connect(exaggeration_, &ValueSlider::valueEdited, this,
             [this](double factor) { model_->setExaggeration(factor); });
-    row->addWidget(exaggeration_, 1);
+    row->addWidget(exaggeration_, 3);
     automatic_ = new QCheckBox(HingePlots::tr("a&uto"), this);
     automatic_->setObjectName(QStringLiteral("exaggeration_auto"));
     automatic_->setToolTip(HingePlots::tr("Choose the factor by the relief"));

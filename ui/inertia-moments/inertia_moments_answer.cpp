@@ -41,7 +41,6 @@ InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* 
     answerColumn->setSpacing(Theme::gap);
     tabs_ = new QTabWidget(panel);
     tabs_->setDocumentMode(true);
-    tabs_->setUsesScrollButtons(false);
     addTable(tr("Orders"), tr("Amplitudes and phases by order and plane"), model_->orderColumns(),
              &Model::orderRows);
     addTable(tr("±kω"), tr("Forward and backward rotating parts by order"),

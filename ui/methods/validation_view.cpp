@@ -160,7 +160,7 @@ QWidget* ValidationView::buildFilters() {
         Q_EMIT status(tr("Report copied as CSV"));
     });
     for (QComboBox* box : {papers_, verdicts_}) {
-        constexpr int letters = 7;
+        constexpr int letters = 5;
         constexpr int most = 220;
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(letters);
