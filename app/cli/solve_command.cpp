@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
@@ -24,7 +25,7 @@ bool is_same_file(const std::filesystem::path& file, const std::filesystem::path
            std::filesystem::equivalent(file, other, ignored);
 }
 
-int solve_file(const std::string& case_path, const std::string& result_path) {
+int solve_file(const std::string& case_path, const std::string& result_path, const Wanted& wanted) {
     if (is_same_file(case_path, result_path)) {
         complain(result_path, "is the case itself; the result must go to another file");
         return exit_bad_input;
@@ -40,7 +41,7 @@ int solve_file(const std::string& case_path, const std::string& result_path) {
                      "is a file that the case reads; the result must go to another file");
             return exit_bad_input;
         }
-        text = solve_case(file, context).dump(2) + "\n";
+        text = solve_case(file, context, wanted).dump(2) + "\n";
     } catch (const InputError& error) {
         complain(case_path, error.what());
         return exit_bad_input;
@@ -49,7 +50,7 @@ int solve_file(const std::string& case_path, const std::string& result_path) {
 }
 
 /// @throws InputError where standard input cannot be read
-int solve_batch() {
+int solve_batch(const CaseContext& context, const Wanted& wanted) {
     LineReader lines(STDIN_FILENO);
     std::string line;
     while (lines.next(line)) {
@@ -59,7 +60,7 @@ int solve_batch() {
             if (line.find_first_not_of(" \t\r") == std::string::npos) {
                 continue;
             }
-            answer = solve_case(parse_case(line), CaseContext{});
+            answer = solve_case(parse_case(line), context, wanted);
         } catch (const std::bad_alloc&) {
             answer = Json{{"error", no_memory}, {"line", lines.number()}};
         } catch (const std::exception& error) {  // a bad line is answered in its place
@@ -86,10 +87,19 @@ class SolveCommand final : public Command {
         CLI::Option* output_option =
             app_->add_option("-o,--output", result_path_, "Write the result to this file instead");
         output_option->type_name("FILE");
-        app_->add_flag("--batch", batch_,
-                       "Read one case per line from standard input, print one result per line")
-            ->excludes(case_option)
-            ->excludes(output_option);
+        CLI::Option* batch_option =
+            app_->add_flag("--batch", batch_,
+                           "Read one case per line from standard input, print one result per line")
+                ->excludes(case_option)
+                ->excludes(output_option);
+        app_->add_option("--only", only_,
+                         "Compute and print only these values of the result: JSON pointers below "
+                         "it, such as /metrics/M_ups/range_Nm,/optimum")
+            ->delimiter(',')
+            ->type_name("POINTER[,POINTER...]");
+        app_->add_flag("--allow-files", allow_files_,
+                       "Let the cases of --batch read files outside the working directory")
+            ->needs(batch_option);
     }
 
     void check() const override {
@@ -99,15 +109,24 @@ class SolveCommand final : public Command {
     }
 
     int run() override {
+        Wanted wanted;
+        try {
+            wanted = Wanted(only_);
+        } catch (const InputError& error) {
+            complain("--only", error.what());
+            return exit_bad_input;
+        }
         if (batch_) {
+            CaseContext context;
+            context.stays_in_directory = !allow_files_;
             try {
-                return solve_batch();
+                return solve_batch(context, wanted);
             } catch (const InputError& error) {
                 complain("ravnoves-cli", std::string("standard input ") + error.what());
                 return exit_bad_input;
             }
         }
-        return solve_file(case_path_, result_path_);
+        return solve_file(case_path_, result_path_, wanted);
     }
 
     std::string file() const override { return case_path_; }
@@ -115,7 +134,9 @@ class SolveCommand final : public Command {
   private:
     std::string case_path_;
     std::string result_path_;
+    std::vector<std::string> only_;
     bool batch_ = false;
+    bool allow_files_ = false;
 };
 
 }  // namespace

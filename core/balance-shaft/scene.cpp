@@ -28,6 +28,13 @@ auto read_beside(const std::string& name, const std::string& place, const CaseCo
     if (name.find('\0') != std::string::npos || name.empty()) {
         throw InputError(place, CORE_TEXT("core", "must be a file name"), show(Json(name)));
     }
+    if (!context.may_read(name)) {
+        throw InputError(place,
+                         CORE_TEXT("core",
+                                   "must be a file in the folder of the case, unless "
+                                   "--allow-files is given"),
+                         show(Json(name)));
+    }
     try {
         return parse(read_text_file(context.directory / name));
     } catch (const InputError& error) {
@@ -458,32 +465,46 @@ Json write_result(const Result& result) {
     return json;
 }
 
-Json write_result(const Solver& solver, const Result& result) {
+Json write_result(const Solver& solver, const Result& result, const Wanted& wanted) {
     Json json = write_result(result);
-    json["clearances"] = write_clearances(solver.front_view(), result.shaft_angle);
-    json["crank_only"] = write_crank_balance(crank_balance(solver));
-    json["envelope_study"] = write_envelope_study(envelope_study(solver));
-    const PositionStudy positions(solver);
-    const BestPositions buildable = positions.best_buildable();
-    json["best_position"] = write(positions.best());
-    json["best_position_buildable"] = write(buildable);
-    json["best_position_buildable"]["front"] = write_front(positions.front(buildable));
-    json["gear_error"] = write_gear_error(gear_error(solver, result.shaft_angle));
+    const auto put = [&](const char* key, auto&& compute) {
+        if (wanted.wants(std::string("/") + key)) {
+            json[key] = compute();
+        }
+    };
+    put("clearances", [&] { return write_clearances(solver.front_view(), result.shaft_angle); });
+    put("crank_only", [&] { return write_crank_balance(crank_balance(solver)); });
+    put("envelope_study", [&] { return write_envelope_study(envelope_study(solver)); });
+    if (wanted.wants("/best_position") || wanted.wants("/best_position_buildable")) {
+        const PositionStudy positions(solver);
+        put("best_position", [&] { return write(positions.best()); });
+        put("best_position_buildable", [&] {
+            const BestPositions buildable = positions.best_buildable();
+            Json found = write(buildable);
+            if (wanted.wants("/best_position_buildable/front")) {
+                found["front"] = write_front(positions.front(buildable));
+            }
+            return found;
+        });
+    }
+    put("gear_error", [&] { return write_gear_error(gear_error(solver, result.shaft_angle)); });
     if (solver.input().relieved_shaft) {
-        json["relieved_shaft"] = write_relieved_shaft(relieved_shaft(solver));
+        put("relieved_shaft", [&] { return write_relieved_shaft(relieved_shaft(solver)); });
     }
     if (const auto& band = solver.input().speed_band) {
-        const SpeedStudy study(solver.input(), *band);
-        constexpr std::size_t map_angles = 360;
-        json["speed_band"] =
-            write_speed_study(study, band->map ? study.map(map_angles) : std::nullopt);
+        put("speed_band", [&] {
+            const SpeedStudy study(solver.input(), *band);
+            constexpr std::size_t map_angles = 360;
+            const bool map = band->map && wanted.wants("/speed_band/map");
+            return write_speed_study(study, map ? study.map(map_angles) : std::nullopt);
+        });
     }
     return json;
 }
 
-Json solve_scene(const Json& input, const CaseContext& context) {
+Json solve_scene(const Json& input, const CaseContext& context, const Wanted& wanted) {
     const Solver solver(read_input(input, context));
-    return write_result(solver, solver.result());
+    return write_result(solver, solver.result(), wanted);
 }
 
 }  // namespace ravnoves::balance_shaft

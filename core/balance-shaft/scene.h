@@ -5,6 +5,7 @@
 #include "balance-shaft/solver.h"
 #include "case-file/case_context.h"
 #include "case-file/json_fwd.h"
+#include "case-file/wanted.h"
 
 namespace ravnoves::balance_shaft {
 
@@ -22,12 +23,12 @@ void read_kept(const Json& kept, const CaseContext& context, Input& input);
 /// The "result" object of the contract without what is computed beside the result.
 Json write_result(const Result& result);
 /// The "result" object of the contract, with what this program adds: the result and what is
-/// computed beside it (crank-only balancing, gear error) at the result's α. Page and command line
-/// both print this.
-Json write_result(const Solver& solver, const Result& result);
+/// computed beside it (crank-only balancing, gear error) at the result's α, where that is wanted.
+/// Page and command line both print this.
+Json write_result(const Solver& solver, const Result& result, const Wanted& wanted = {});
 
 /// The scene as the case file sees it.
 /// @throws InputError
-Json solve_scene(const Json& input, const CaseContext& context);
+Json solve_scene(const Json& input, const CaseContext& context, const Wanted& wanted = {});
 
 }  // namespace ravnoves::balance_shaft

@@ -222,7 +222,7 @@ Json write_result(const Input& input, const Result& result) {
     return json;
 }
 
-Json solve_scene(const Json& json, const CaseContext& /*context*/) {
+Json solve_scene(const Json& json, const CaseContext& /*context*/, const Wanted& /*wanted*/) {
     const Input input = read_input(json);
     return write_result(input, solve(input));
 }

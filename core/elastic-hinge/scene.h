@@ -2,6 +2,7 @@
 
 #include "case-file/case_context.h"
 #include "case-file/json_fwd.h"
+#include "case-file/wanted.h"
 #include "elastic-hinge/input.h"
 #include "elastic-hinge/result.h"
 
@@ -28,6 +29,6 @@ Json write_motions(const Input& input, const Result& result);
 
 /// The scene as the case file sees it.
 /// @throws InputError
-Json solve_scene(const Json& input, const CaseContext& context);
+Json solve_scene(const Json& input, const CaseContext& context, const Wanted& wanted = {});
 
 }  // namespace ravnoves::elastic_hinge

@@ -256,7 +256,7 @@ Json write_result(const Input& input, const Result& result) {
     return json;
 }
 
-Json solve_scene(const Json& input, const CaseContext& /*context*/) {
+Json solve_scene(const Json& input, const CaseContext& /*context*/, const Wanted& /*wanted*/) {
     const Input checked = read_input(input);
     return write_result(checked, solve(checked));
 }

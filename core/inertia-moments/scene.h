@@ -2,6 +2,7 @@
 
 #include "case-file/case_context.h"
 #include "case-file/json_fwd.h"
+#include "case-file/wanted.h"
 #include "inertia-moments/input.h"
 #include "inertia-moments/result.h"
 
@@ -23,6 +24,6 @@ Json write_result(const Input& input, const Result& result);
 
 /// The scene as the case file sees it.
 /// @throws InputError
-Json solve_scene(const Json& input, const CaseContext& context);
+Json solve_scene(const Json& input, const CaseContext& context, const Wanted& wanted = {});
 
 }  // namespace ravnoves::inertia_moments

@@ -111,14 +111,14 @@ void move_files(CaseFile& file, const CaseContext& from, const CaseContext& to) 
     });
 }
 
-Json solve_case(const CaseFile& file, const CaseContext& context) {
+Json solve_case(const CaseFile& file, const CaseContext& context, const Wanted& wanted) {
     const auto scenes = scene_solvers();
     const auto scene = std::find_if(scenes.begin(), scenes.end(),
                                     [&](const SceneSolver& s) { return s.name == file.scene; });
     if (scene == scenes.end()) {
         throw InputError("/scene", CORE_TEXT("core", "must be a known scene"), file.scene);
     }
-    Json result = scene->solve(file.input, context);
+    Json result = wanted.pick(scene->solve(file.input, context, wanted));
     check_finite(result, "/result");
     return {{"format", result_format},
             {"version", case_version},

@@ -8,6 +8,7 @@
 #include "case-file/case_context.h"
 #include "case-file/case_file.h"
 #include "case-file/json_fwd.h"
+#include "case-file/wanted.h"
 
 namespace ravnoves {
 
@@ -15,10 +16,11 @@ inline constexpr std::string_view result_format = "ravnoves-result";
 
 /// A scene as the case file sees it. solve() takes the case's "input" object (its pointer is
 /// "/input") and returns the "result" object; it throws InputError for bad input. A design that
-/// cannot exist is a result with `"feasible": false` and a reason.
+/// cannot exist is a result with `"feasible": false` and a reason. Of what is not wanted it
+/// computes what the scene computes in any case.
 struct SceneSolver {
     std::string_view name;  ///< the word in the case file, for example "balance-shaft"
-    Json (*solve)(const Json& input, const CaseContext& context);
+    Json (*solve)(const Json& input, const CaseContext& context, const Wanted& wanted);
 };
 
 /// The scenes that have a solver, in the order of the navigation.
@@ -39,8 +41,9 @@ std::vector<std::filesystem::path> files_named_by(const CaseFile& file, const Ca
 /// stays.
 void move_files(CaseFile& file, const CaseContext& from, const CaseContext& to);
 
-/// Solves a case and wraps the result in its envelope. Never holds NaN or infinity.
+/// Solves a case and wraps the result, or what is wanted of it, in its envelope. Never holds NaN or
+/// infinity.
 /// @throws InputError for bad input, std::logic_error for a fault of ours
-Json solve_case(const CaseFile& file, const CaseContext& context);
+Json solve_case(const CaseFile& file, const CaseContext& context, const Wanted& wanted = {});
 
 }  // namespace ravnoves

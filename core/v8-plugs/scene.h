@@ -3,6 +3,7 @@
 #include "case-file/case_context.h"
 #include "case-file/field_reader.h"
 #include "case-file/json_fwd.h"
+#include "case-file/wanted.h"
 #include "v8-plugs/input.h"
 #include "v8-plugs/result.h"
 
@@ -20,6 +21,6 @@ Json write_result(const Input& input, const Result& result);
 
 /// The scene as the case file sees it.
 /// @throws InputError
-Json solve_scene(const Json& input, const CaseContext& context);
+Json solve_scene(const Json& input, const CaseContext& context, const Wanted& wanted = {});
 
 }  // namespace ravnoves::v8_plugs

@@ -21,7 +21,7 @@ _ravnoves_cli() {
             ;;
     esac
     case $command in
-        solve) words+=" -o --output --batch" ;;
+        solve) words+=" -o --output --batch --only --allow-files" ;;
         methods) words+=" --kernel --csv" ;;
         validate) words+=" --csv" ;;
         *) return ;;

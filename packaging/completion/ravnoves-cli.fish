@@ -9,5 +9,7 @@ complete -c ravnoves-cli -n __fish_use_subcommand -a validate -d 'Compute every 
 complete -c ravnoves-cli -n '__fish_seen_subcommand_from solve' -a '(__fish_complete_suffix .json)'
 complete -c ravnoves-cli -n '__fish_seen_subcommand_from solve' -s o -l output -r -F -d 'Write the result to this file'
 complete -c ravnoves-cli -n '__fish_seen_subcommand_from solve' -l batch -d 'Read one case per line from standard input'
+complete -c ravnoves-cli -n '__fish_seen_subcommand_from solve' -l only -x -d 'Print only these values of the result'
+complete -c ravnoves-cli -n '__fish_seen_subcommand_from solve' -l allow-files -d 'Let the cases of --batch read files elsewhere'
 complete -c ravnoves-cli -n '__fish_seen_subcommand_from methods' -l kernel -x -a 'slider-crank cycle-mean moment-range best-angle best-position guide inertia-orders hinge-motion' -d 'One kernel instead of all'
 complete -c ravnoves-cli -n '__fish_seen_subcommand_from methods validate' -l csv -r -F -d 'Write the table to this file too'

@@ -18,6 +18,8 @@ case $command in
     solve)
         _arguments $help '(-o --output --batch)'{-o,--output}'[write the result to this file]:file:_files' \
             '(-o --output *)--batch[read one case per line from standard input]' \
+            '*--only[print only these values of the result]:JSON pointers' \
+            '--allow-files[let the cases of --batch read files elsewhere]' \
             '1:case file:_files -g "*.json"'
         ;;
     methods)

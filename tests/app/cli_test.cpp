@@ -276,6 +276,77 @@ TEST_F(CommandLine, BatchAnswersEveryLineInItsPlace) {
     EXPECT_EQ(Json::parse(lines[3]).at("title"), "second");
 }
 
+TEST_F(CommandLine, OnlyWhatIsAskedForIsPrintedUnderItsOwnPath) {
+    write("case.json", example().dump());
+    const Json whole = Json::parse(run("solve case.json").out).at("result");
+    const Outcome some = run(
+        "solve case.json --only /optimum/range/range_Nm,/metrics/M_ups --only /curves/M_s_Nm/3");
+    EXPECT_EQ(some.status, 0);
+    EXPECT_EQ(Json::parse(some.out).at("scene"), "balance-shaft");
+    EXPECT_EQ(Json::parse(some.out).at("result"),
+              (Json{{"optimum", {{"range", {{"range_Nm", whole["optimum"]["range"]["range_Nm"]}}}}},
+                    {"metrics", {{"M_ups", whole["metrics"]["M_ups"]}}},
+                    {"curves", {{"M_s_Nm", {{"3", whole["curves"]["M_s_Nm"][3]}}}}}}));
+    // Each value alone is what it is among all.
+    for (const auto& value : whole.items()) {
+        const Outcome one = run("solve case.json --only /" + value.key());
+        EXPECT_EQ(Json::parse(one.out).at("result"), (Json{{value.key(), value.value()}}));
+    }
+    // What lies in something asked for comes with it.
+    EXPECT_EQ(Json::parse(run("solve case.json --only /optimum/range,/optimum").out).at("result"),
+              (Json{{"optimum", whole["optimum"]}}));
+    EXPECT_EQ(Json::parse(run("solve case.json --only /best_position_buildable/range/range_Nm").out)
+                  .at("result")
+                  .at("best_position_buildable")
+                  .at("range"),
+              (Json{{"range_Nm", whole["best_position_buildable"]["range"]["range_Nm"]}}));
+}
+
+TEST_F(CommandLine, OnlyRefusesWhatTheResultHasNot) {
+    write("case.json", example().dump());
+    expect_refused(run("solve case.json --only /relieved_shaft"),
+                   "case.json: /result/relieved_shaft: must be a value that the result has\n");
+    for (const char* pointer : {"optimum", "''", "/a~2b"}) {
+        expect_refused(run(std::string("solve case.json --only ") + pointer),
+                       "--only: must be a JSON pointer below the result");
+    }
+    const auto lines = lines_of(
+        run("solve --batch --only /no,/such", example().dump() + "\n" + example().dump()).out);
+    ASSERT_EQ(lines.size(), 2U);
+    EXPECT_EQ(lines[1], R"({"error":"/result/no: must be a value that the result has","line":2})");
+}
+
+TEST_F(CommandLine, BatchReadsNoFilesOfOtherFolders) {
+    fs::create_directory(folder / "service");
+    write("secret.csv", "0;1\n360;5\n720;1\n");
+    write("service/own.csv", "0;1\n360;5\n720;1\n");
+    fs::create_symlink(folder / "secret.csv", folder / "service" / "link.csv");
+    Json named = example();
+    std::string cases;
+    for (const std::string& name : {std::string("own.csv"), std::string("../secret.csv"),
+                                   (folder / "secret.csv").string(), std::string("link.csv")}) {
+        named["input"]["torque"] = {{"csv", name}};
+        cases += named.dump() + "\n";
+    }
+    const auto lines = lines_of(run("solve --batch", cases, "cd service; ").out);
+    ASSERT_EQ(lines.size(), 4U);
+    EXPECT_TRUE(Json::parse(lines[0]).contains("result")) << lines[0];
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        EXPECT_EQ(Json::parse(lines[i]).at("error").get<std::string>().find(
+                      "/input/torque/csv: must be a file in the folder of the case"),
+                  0U)
+            << lines[i];
+    }
+    for (const std::string& line :
+         lines_of(run("solve --batch --allow-files", cases, "cd service; ").out)) {
+        EXPECT_TRUE(Json::parse(line).contains("result")) << line;
+    }
+    // A case that one names oneself may.
+    write("service/case.json", named.dump());
+    EXPECT_EQ(run("solve service/case.json").status, 0);
+    expect_refused(run("solve service/case.json --allow-files"), "ravnoves-cli: ");
+}
+
 TEST_F(CommandLine, BatchTakesNoFiles) {
     expect_refused(run("solve --batch case.json"), "ravnoves-cli: ");
     expect_refused(run("solve --batch -o result.json"), "ravnoves-cli: ");

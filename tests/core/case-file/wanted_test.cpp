@@ -1,0 +1,57 @@
+#include "case-file/wanted.h"
+
+#include <gtest/gtest.h>
+
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+
+namespace ravnoves {
+namespace {
+
+TEST(Wanted, NothingSaidIsAll) {
+    const Json result = {{"a", {{"b", 1}}}, {"c", 2}};
+    EXPECT_TRUE(Wanted().wants("/a/b"));
+    EXPECT_EQ(Wanted().pick(result), result);
+}
+
+TEST(Wanted, AsksForWhatIsAroundAndWithin) {
+    const Wanted wanted({"/a/b", "/list/2/x"});
+    for (const char* pointer : {"/a", "/a/b", "/a/b/c", "/list", "/list/2", "/list/2/x"}) {
+        EXPECT_TRUE(wanted.wants(pointer)) << pointer;
+    }
+    for (const char* pointer : {"/a/bc", "/a/c", "/ab", "/list/1", "/b"}) {
+        EXPECT_FALSE(wanted.wants(pointer)) << pointer;
+    }
+}
+
+TEST(Wanted, PicksValuesWholeUnderTheirOwnPaths) {
+    const Json result = {{"a", {{"b", 1}, {"c", {1, 2, 3}}}}, {"a/b", 5}, {"d", 4}};
+    EXPECT_EQ(Wanted({"/a/c", "/a~1b"}).pick(result),
+              (Json{{"a", {{"c", {1, 2, 3}}}}, {"a/b", 5}}));
+    EXPECT_EQ(Wanted({"/a/c/1", "/a"}).pick(result), (Json{{"a", result["a"]}}));
+    EXPECT_EQ(Wanted({"/a/c/1", "/a/c/2"}).pick(result),
+              (Json{{"a", {{"c", {{"1", 2}, {"2", 3}}}}}}));
+}
+
+TEST(Wanted, WhatLiesInAnotherComesWithIt) {
+    const Json result = {{"a", {{"b", {1, 2}}, {"c", 2}}}, {"a-b", 3}};
+    EXPECT_EQ(Wanted({"/a/b/1", "/a", "/a-b", "/a/b"}).pick(result), result);
+}
+
+TEST(Wanted, RefusesWhatIsNoPointerOrNotThere) {
+    for (const char* pointer : {"", "a", "/~2"}) {
+        EXPECT_THROW(Wanted({pointer}), InputError) << pointer;
+    }
+    try {
+        Wanted({"/a/x"}).pick({{"a", {{"b", 1}}}});
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.where(), "/result/a/x");
+    }
+    EXPECT_THROW(Wanted({"/list/7"}).pick({{"list", {1, 2}}}), InputError);
+    EXPECT_THROW(Wanted({"/list/01"}).pick({{"list", {1, 2}}}), InputError);
+    EXPECT_THROW(Wanted({"/list/x"}).pick({{"list", {1, 2}}}), InputError);
+}
+
+}  // namespace
+}  // namespace ravnoves
