@@ -120,8 +120,7 @@ void replace_file(const std::filesystem::path& target, std::string_view text) {
     const bool is_there = ::stat(target.c_str(), &old) == 0;
     constexpr mode_t anybody_writes = S_IWUSR | S_IWGRP | S_IWOTH;
     if (is_there && ((old.st_mode & anybody_writes) == 0 || ::access(target.c_str(), W_OK) != 0)) {
-        errno = EACCES;
-        throw not_written();
+        throw InputError("", CORE_TEXT("core", "is read-only and stays as it is"));
     }
     // A file without a name goes by itself, whatever ends the program while it is written.
     Descriptor file(::access("/proc/self/fd", X_OK) == 0

@@ -22,10 +22,9 @@ const QString recentKey = QStringLiteral("files/recent");
 constexpr int recentFiles = 8;
 
 void remember(const QString& path) {
-    const QString absolute = QFileInfo(path).absoluteFilePath();
     QStringList files = CaseDocument::recentPaths();
-    files.removeAll(absolute);
-    files.prepend(absolute);
+    files.removeAll(path);
+    files.prepend(path);
     QSettings().setValue(recentKey, files.mid(0, recentFiles));
 }
 
@@ -82,10 +81,11 @@ QStringList CaseDocument::recentPaths() {
 }
 
 void CaseDocument::setPath(const QString& path) {
-    path_ = path;
+    path_ = path.isEmpty() ? path : QFileInfo(path).absoluteFilePath();
     if (!path.isEmpty()) {
-        remember(path);
+        remember(path_);
     }
+    disk_.setPath(path_);
     model_->history()->setClean();
     Q_EMIT nameChanged();
 }
@@ -100,9 +100,8 @@ void CaseDocument::open(const CaseFile& file, const QString& path) {
 }
 
 void CaseDocument::begin(const CaseFile& file, const CaseContext& context) {
-    model_->loadFile(file, context, isExample(file));
+    load(file, context);
     model_->history()->clear();  // undo must not bring another case's values under this one's name
-    *rest_ = file;
     setPath({});
 }
 
@@ -112,6 +111,36 @@ Json* CaseDocument::fileNamedAt(CaseFile& file, const InputError& error) {
     return place.starts_with(root) && place.ends_with("/csv")
                ? &file.input[Json::json_pointer(place.substr(root.size() - 1))]
                : nullptr;
+}
+
+void CaseDocument::load(const CaseFile& file, const CaseContext& context) {
+    model_->loadFile(file, context, isExample(file));
+    *rest_ = file;
+}
+
+void CaseDocument::restore(const CaseFile& file, const CaseContext& context, const QString& path,
+                           const QByteArray& known) {
+    begin(file, context);
+    path_ = path;
+    disk_.setPath(path, known);
+    model_->history()->resetClean();
+    Q_EMIT nameChanged();
+}
+
+QString CaseDocument::reload() {
+    try {
+        load(read(path_), {fsPath(QFileInfo(path_).absolutePath())});
+    } catch (const InputError& error) {
+        return path_ + QStringLiteral(": ") + errorText(error);
+    }
+    setPath(path_);
+    return {};
+}
+
+void CaseDocument::keepMine() {
+    disk_.accept();
+    model_->history()->resetClean();
+    Q_EMIT nameChanged();
 }
 
 QString CaseDocument::saveTo(const QString& path) {
@@ -131,10 +160,15 @@ bool CaseDocument::save() {
     if (path_.isEmpty()) {
         return saveAs();
     }
+    if (disk_.check() == FileOnDisk::State::Changed && dialogs_.overwrite) {
+        const DocumentDialogs::Overwrite answer = dialogs_.overwrite(path_);
+        if (answer != DocumentDialogs::Overwrite::Yes) {
+            return answer == DocumentDialogs::Overwrite::Elsewhere && saveAs();
+        }
+    }
     const QString trouble = saveTo(path_);
     if (!trouble.isEmpty()) {
-        dialogs_.tell(trouble);
-        return false;
+        return saveElsewhere(trouble);
     }
     Q_EMIT saved(path_);
     return true;
@@ -149,10 +183,15 @@ bool CaseDocument::saveAs() {
         path += ending;
     }
     const QString trouble = saveTo(path);
-    if (!trouble.isEmpty()) {
-        dialogs_.tell(trouble);
+    return trouble.isEmpty() || saveElsewhere(trouble);
+}
+
+bool CaseDocument::saveElsewhere(const QString& trouble) {
+    if (dialogs_.elsewhere) {
+        return dialogs_.elsewhere(trouble) && saveAs();
     }
-    return trouble.isEmpty();
+    dialogs_.tell(trouble);
+    return false;
 }
 
 bool CaseDocument::mayGo() {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "model/file_on_disk.h"
 #include "model/scene_model.h"
 
 namespace ravnoves {
@@ -25,6 +26,11 @@ struct DocumentDialogs {
     std::function<QString(const QString& suggestion)> choosePath;
     /// The case could not be saved.
     std::function<void(const QString& trouble)> tell;
+    /// The same; @return true where the user wants to choose another place.
+    std::function<bool(const QString& trouble)> elsewhere{};
+    /// The file was changed by others since it was read or written.
+    enum class Overwrite { Yes, Elsewhere, No };
+    std::function<Overwrite(const QString& path)> overwrite{};
 };
 
 /// A case between its file and its model: where it came from, whether it has to be saved, and what
@@ -38,7 +44,7 @@ class CaseDocument : public QObject {
     ~CaseDocument() override;
 
     SceneModel* model() const { return model_; }
-    /// Of the file; empty while there is none.
+    /// Of the file, absolute; empty while there is none.
     QString path() const { return path_; }
     /// The file's name, else the case's title, which may be empty.
     QString name() const;
@@ -59,8 +65,21 @@ class CaseDocument : public QObject {
     /// Where the case names the file that open() could not read; null where something else is
     /// wrong.
     static Json* fileNamedAt(CaseFile& file, const InputError& error);
+    /// Takes over what was not saved, with the file that it belongs to, and needs saving.
+    /// @param known  FileOnDisk::digest() of that file
+    /// @throws InputError
+    void restore(const CaseFile& file, const CaseContext& context, const QString& path,
+                 const QByteArray& known);
     /// @return an empty string, or what is wrong, with the file's name
     QString saveTo(const QString& path);
+
+    /// The file, as others may change it.
+    FileOnDisk& disk() { return disk_; }
+    /// Takes over what the file holds now, as one step of the history.
+    /// @return an empty string, or what is wrong, with the file's name
+    QString reload();
+    /// What is here stays, whatever others did to the file, and needs saving.
+    void keepMine();
 
     // With the user's help; false where the user wants to stay, or the file could not be written.
     bool save();
@@ -78,11 +97,14 @@ class CaseDocument : public QObject {
 
   private:
     void setPath(const QString& path);
+    void load(const CaseFile& file, const CaseContext& context);
+    bool saveElsewhere(const QString& trouble);
 
     SceneModel* model_;
     DocumentDialogs dialogs_;
     QString path_;
     std::unique_ptr<CaseFile> rest_;  ///< of the file, what the model does not know
+    FileOnDisk disk_;
     bool neededSaving_ = false;
 };
 

@@ -1,0 +1,284 @@
+// What is kept for a crash, and what others do to a file meanwhile.
+
+#include "model/recovery.h"
+
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "model/case_document.h"
+#include "model/root_model.h"
+#include "text/file_path.h"
+
+namespace ravnoves {
+namespace {
+
+constexpr int soon = 900;  // ms; less than a second
+
+class RecoveryTest : public ::testing::Test {
+  protected:
+    QStringList kept() const {
+        return QDir(keptIn()).entryList({QStringLiteral("*.json")}, QDir::Files);
+    }
+    QString keptIn() const { return folder.filePath(QStringLiteral("kept")); }
+    QString file(const char* name) const { return folder.filePath(QString::fromUtf8(name)); }
+    void watch(Recovery& recovery) {
+        recovery.watch(&document, [] { return QStringLiteral("a draft"); });
+    }
+
+    QTemporaryDir folder;
+    test::RootModel model;
+    CaseDocument document{&model, {}};
+};
+
+TEST_F(RecoveryTest, KeepsWhatIsNotSavedWithinASecond) {
+    Recovery recovery(keptIn());
+    watch(recovery);
+    QTest::qWait(soon);
+    EXPECT_TRUE(kept().isEmpty());
+    model.set("square", 9.0);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return kept().size() == 1; }, soon));
+    // A hand that never rests is no reason to wait.
+    const QString path = QDir(keptIn()).filePath(kept().constFirst());
+    const QByteArray before = [&] {
+        QFile f(path);
+        return f.open(QIODevice::ReadOnly) ? f.readAll() : QByteArray();
+    }();
+    bool isNew = false;
+    for (int i = 0; i < soon / 20 && !isNew; ++i) {
+        model.set("square", 10.0 + i);
+        QTest::qWait(20);
+        QFile now(path);
+        isNew = now.open(QIODevice::ReadOnly) && now.readAll() != before;
+    }
+    EXPECT_TRUE(isNew);
+}
+
+TEST_F(RecoveryTest, WhatIsBeingTypedIsKept) {
+    Recovery recovery(keptIn());
+    watch(recovery);
+    model.beginEditing();
+    model.step("square", 16.0);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return kept().size() == 1; }, soon));
+    EXPECT_TRUE(model.isTyped());
+}
+
+TEST_F(RecoveryTest, NothingStaysAfterSavingClosingOrQuitting) {
+    Recovery recovery(keptIn());
+    const auto change = [&](double square) {
+        model.set("square", square);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return kept().size() == 1; }, soon));
+    };
+    watch(recovery);
+    change(9.0);
+    EXPECT_EQ(document.saveTo(file("a.case.json")), QString());
+    EXPECT_TRUE(kept().isEmpty());
+    change(16.0);
+    model.undo();
+    EXPECT_TRUE(kept().isEmpty()) << "it is as it was saved";
+    change(25.0);
+    recovery.release(&document);
+    EXPECT_TRUE(kept().isEmpty());
+    watch(recovery);
+    change(36.0);
+    recovery.releaseAll();
+    EXPECT_TRUE(kept().isEmpty());
+}
+
+TEST_F(RecoveryTest, OffersWhatAProgramLeftThatRunsNoLonger) {
+    ASSERT_EQ(document.saveTo(file("дело.case.json")), QString());
+    auto crashed = std::make_unique<Recovery>(keptIn());
+    watch(*crashed);
+    model.set("square", 9.0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return kept().size() == 1; }, soon));
+    {
+        Recovery other(keptIn());
+        EXPECT_TRUE(other.leftBehind().cases.isEmpty()) << "that program runs";
+    }
+    crashed.reset();
+    Recovery next(keptIn());
+    Recovery::Found found = next.leftBehind();
+    ASSERT_EQ(found.cases.size(), 1);
+    const RecoveredCase& left = found.cases.constFirst();
+    EXPECT_EQ(left.path, file("дело.case.json"));
+    EXPECT_EQ(left.draft, QStringLiteral("a draft"));
+    EXPECT_EQ(left.content.scene, "balance-shaft");
+    EXPECT_EQ(left.content.input.at("crank_radius_mm"), 9.0);
+    EXPECT_LT(left.saved.secsTo(QDateTime::currentDateTime()), 60);
+    {
+        Recovery third(keptIn());
+        EXPECT_TRUE(third.leftBehind().cases.isEmpty()) << "offered by another window";
+    }
+    test::RootModel again;
+    CaseDocument restored(&again, {});
+    restored.restore(left.content, left.context, left.path, left.known);
+    EXPECT_EQ(again.root(), 3.0);
+    EXPECT_TRUE(restored.needsSaving());
+    EXPECT_FALSE(again.history()->canUndo());
+    EXPECT_EQ(restored.path(), left.path);
+    EXPECT_EQ(restored.disk().state(), FileOnDisk::State::Same);
+    next.discard(left);
+    EXPECT_TRUE(kept().isEmpty());
+    EXPECT_TRUE(next.leftBehind().cases.isEmpty());
+}
+
+TEST_F(RecoveryTest, WhatWasChangedSinceTheCrashIsSaid) {
+    ASSERT_EQ(document.saveTo(file("a.case.json")), QString());
+    const QByteArray known = document.disk().digest();
+    test::RootModel other;
+    other.set("square", 25.0);
+    ASSERT_EQ(CaseDocument(&other, {}).saveTo(file("a.case.json")), QString());
+    document.restore(document.asFile(), {}, file("a.case.json"), known);
+    EXPECT_EQ(document.disk().state(), FileOnDisk::State::Changed);
+}
+
+TEST_F(RecoveryTest, ADamagedFileIsKeptAside) {
+    {
+        Recovery crashed(keptIn());
+        watch(crashed);
+        model.set("square", 9.0);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return kept().size() == 1; }, soon));
+    }
+    QFile damaged(QDir(keptIn()).filePath(kept().constFirst()));
+    ASSERT_TRUE(damaged.open(QIODevice::ReadWrite));
+    ASSERT_TRUE(damaged.resize(damaged.size() / 2));
+    damaged.close();
+    Recovery next(keptIn());
+    const Recovery::Found found = next.leftBehind();
+    EXPECT_TRUE(found.cases.isEmpty());
+    ASSERT_EQ(found.damaged.size(), 1);
+    EXPECT_TRUE(QFile::exists(found.damaged.constFirst()));
+    EXPECT_TRUE(next.leftBehind().damaged.isEmpty()) << "said once";
+}
+
+// ------------------------------------------------------------------------------ other programs
+
+class DiskTest : public ::testing::Test {
+  protected:
+    DiskTest() {
+        model.set("square", 9.0);
+        EXPECT_EQ(document.saveTo(path), QString());
+    }
+    /// By another program, in place or as a new file under the name.
+    void writeByOthers(double square) {
+        test::RootModel other;
+        other.set("square", square);
+        EXPECT_EQ(CaseDocument(&other, {}).saveTo(path), QString());
+    }
+    bool becomes(FileOnDisk::State state) {
+        return QTest::qWaitFor([&] { return document.disk().state() == state; }, 3000);
+    }
+
+    QTemporaryDir folder;
+    QString path = folder.filePath(QStringLiteral("a.case.json"));
+    test::RootModel model;
+    QStringList asked;
+    DocumentDialogs::Overwrite overwrite = DocumentDialogs::Overwrite::No;
+    QString chosen;
+    bool goesElsewhere = false;
+    CaseDocument document{&model,
+                          {[](bool) { return DocumentDialogs::Answer::Stay; },
+                           [this](const QString&) { return chosen; }, [](const QString&) {},
+                           [this](const QString& trouble) {
+                               asked << trouble;
+                               return std::exchange(goesElsewhere, false);
+                           },
+                           [this](const QString& file) {
+                               asked << file;
+                               return overwrite;
+                           }}};
+};
+
+TEST_F(DiskTest, ItsOwnSavingIsNoChange) {
+    QSignalSpy said(&document.disk(), &FileOnDisk::stateChanged);
+    model.set("square", 16.0);
+    EXPECT_TRUE(document.save());
+    QTest::qWait(400);
+    EXPECT_EQ(said.size(), 0);
+}
+
+TEST_F(DiskTest, AChangeByOthersIsSeenAndReloadedAsOneStep) {
+    writeByOthers(25.0);
+    EXPECT_TRUE(becomes(FileOnDisk::State::Changed));
+    EXPECT_EQ(model.root(), 3.0);
+    EXPECT_EQ(document.reload(), QString());
+    EXPECT_EQ(document.disk().state(), FileOnDisk::State::Same);
+    EXPECT_EQ(model.root(), 5.0);
+    EXPECT_FALSE(document.needsSaving());
+    model.undo();
+    EXPECT_EQ(model.root(), 3.0);
+    EXPECT_TRUE(document.needsSaving());
+    // A second time, after the file was replaced once.
+    writeByOthers(36.0);
+    EXPECT_TRUE(becomes(FileOnDisk::State::Changed));
+}
+
+TEST_F(DiskTest, TheSameContentAgainIsNoChange) {
+    writeByOthers(25.0);
+    EXPECT_TRUE(becomes(FileOnDisk::State::Changed));
+    writeByOthers(9.0);
+    EXPECT_TRUE(becomes(FileOnDisk::State::Same));
+}
+
+TEST_F(DiskTest, MineIsKeptAndNeedsSaving) {
+    writeByOthers(25.0);
+    EXPECT_EQ(document.disk().check(), FileOnDisk::State::Changed);
+    document.keepMine();
+    EXPECT_EQ(document.disk().state(), FileOnDisk::State::Same);
+    EXPECT_TRUE(document.needsSaving());
+    EXPECT_TRUE(document.save());
+    EXPECT_TRUE(asked.isEmpty());
+    EXPECT_EQ(CaseDocument::read(path).input.at("crank_radius_mm"), 9.0);
+}
+
+TEST_F(DiskTest, SavingOverAChangedFileAsksFirst) {
+    model.set("square", 16.0);
+    writeByOthers(25.0);
+    EXPECT_FALSE(document.save());
+    EXPECT_EQ(asked, QStringList{path});
+    EXPECT_EQ(CaseDocument::read(path).input.at("crank_radius_mm"), 25.0);
+    overwrite = DocumentDialogs::Overwrite::Elsewhere;
+    chosen = folder.filePath(QStringLiteral("mine.case.json"));
+    EXPECT_TRUE(document.save());
+    EXPECT_EQ(CaseDocument::read(path).input.at("crank_radius_mm"), 25.0);
+    EXPECT_EQ(document.path(), chosen);
+    test::RootModel other;
+    EXPECT_EQ(CaseDocument(&other, {}).saveTo(chosen), QString());
+    overwrite = DocumentDialogs::Overwrite::Yes;
+    EXPECT_TRUE(document.save());
+    EXPECT_EQ(CaseDocument::read(chosen).input.at("crank_radius_mm"), 16.0);
+}
+
+TEST_F(DiskTest, ADeletedFileIsSaidAndWrittenAgain) {
+    ASSERT_TRUE(QFile::remove(path));
+    EXPECT_TRUE(becomes(FileOnDisk::State::Gone));
+    document.keepMine();
+    EXPECT_TRUE(document.needsSaving());
+    EXPECT_EQ(document.disk().state(), FileOnDisk::State::Same);
+    EXPECT_TRUE(document.save());
+    EXPECT_TRUE(QFile::exists(path));
+    EXPECT_TRUE(asked.isEmpty());
+}
+
+TEST_F(DiskTest, AReadOnlyFileStaysAsItIs) {
+    QFile file(path);
+    ASSERT_TRUE(file.setPermissions(QFile::ReadOwner | QFile::ReadGroup));
+    model.set("square", 16.0);
+    chosen = folder.filePath(QStringLiteral("mine.case.json"));
+    EXPECT_FALSE(document.save());
+    ASSERT_EQ(asked.size(), 1);
+    EXPECT_TRUE(asked[0].contains(QStringLiteral("read-only"))) << asked[0].toStdString();
+    EXPECT_EQ(CaseDocument::read(path).input.at("crank_radius_mm"), 9.0);
+    EXPECT_TRUE(document.needsSaving());
+    goesElsewhere = true;
+    EXPECT_TRUE(document.save());
+    EXPECT_EQ(document.path(), chosen);
+    EXPECT_EQ(CaseDocument::read(path).input.at("crank_radius_mm"), 9.0);
+}
+
+}  // namespace
+}  // namespace ravnoves
