@@ -2,6 +2,7 @@
 #include <QCommandLineParser>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <algorithm>
 #include <cstdio>
 #include <initializer_list>
@@ -136,6 +137,9 @@ int main(int argc, char** argv) {
     ravnoves::Theme::instance().install(mode);
 
     ravnoves::MainWindow window;
+    if (!screenshot) {
+        window.beginSession();
+    }
     const QString scene = parser.value(sceneOption);
     if (!scene.isEmpty() && !window.showScene(scene)) {
         QStringList names;
@@ -166,5 +170,6 @@ int main(int argc, char** argv) {
         return trouble.isEmpty() ? 0 : fail(trouble);
     }
     window.show();
+    QTimer::singleShot(0, &window, &ravnoves::MainWindow::offerRecovered);
     return QApplication::exec();
 }

@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QTabBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -14,7 +15,9 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "model/open_case.h"
+#include "model/recovery.h"
 #include "numerics/demand.h"
+#include "shell/disk_notice.h"
 #include "shell/scene_page.h"
 #include "text/error_text.h"
 #include "text/message_text.h"
@@ -46,7 +49,6 @@ Documents::Documents(QWidget* parent) : QWidget(parent), scenes_(sceneList()) {
     tabs_->setDrawBase(true);
     tabs_->setExpanding(false);
     tabs_->setMovable(true);
-    tabs_->setTabsClosable(true);
     tabs_->setUsesScrollButtons(true);
     tabs_->setElideMode(Qt::ElideMiddle);
     tabs_->setIconSize(QSize(16, 16));
@@ -54,16 +56,16 @@ Documents::Documents(QWidget* parent) : QWidget(parent), scenes_(sceneList()) {
     tabs_->installEventFilter(this);
     tabs_->hide();
     column->addWidget(tabs_);
+    notice_ = new DiskNotice(this);
+    column->addWidget(notice_);
+    connect(notice_, &DiskNotice::reloadAsked, this, &Documents::reload);
+    connect(notice_, &DiskNotice::keepAsked, this, [this] { current_->document->keepMine(); });
+    connect(notice_, &DiskNotice::saveAsAsked, this, [this] { current_->document->saveAs(); });
     stack_ = new QStackedWidget(this);
     column->addWidget(stack_, 1);
     connect(tabs_, &QTabBar::currentChanged, this, [this](int tab) {
         if (OpenDocument* document = ofTab(tab)) {
             bringToFront(*document);
-        }
-    });
-    connect(tabs_, &QTabBar::tabCloseRequested, this, [this](int tab) {
-        if (OpenDocument* document = ofTab(tab)) {
-            close(*document);
         }
     });
     connect(tabs_, &QTabBar::tabMoved, this, &Documents::changed);
@@ -139,15 +141,10 @@ OpenDocument& Documents::add(std::size_t scene) {
     OpenDocument& added = *documents_.back();
     added.id = ++ids_;
     added.scene = scene;
-    added.page = scenes_[scene].make(stack_);
+    putPage(added, scenes_[scene].make(stack_));
     SceneModel* model = added.page->model();
     added.document = new CaseDocument(model, dialogsOf(added), this);
     added.beginning = model->inputJson().dump();
-    added.page->setOpenCases([this](const QString& other) -> std::optional<OpenCase> {
-        const auto index = indexOf(other);
-        const OpenDocument* last = index ? lastOf(*index) : nullptr;
-        return last != nullptr ? std::optional(last->document->asOpenCase()) : std::nullopt;
-    });
     connect(model, &SceneModel::historyChanged, this, [this, &added] {
         if (&added == current_) {
             Q_EMIT historyChanged();
@@ -161,16 +158,48 @@ OpenDocument& Documents::add(std::size_t scene) {
         Q_EMIT changed();
     });
     connect(added.document, &CaseDocument::saved, this, &Documents::saved);
-    connect(added.page, &ScenePage::status, this, [this, &added](const QString& text) {
-        if (&added == current_) {
-            Q_EMIT status(text);
-        }
-    });
-    stack_->addWidget(added.page);
+    connect(&added.document->disk(), &FileOnDisk::stateChanged, this, &Documents::showNotice);
+    keep(added);
     return added;
 }
 
+void Documents::putPage(OpenDocument& document, ScenePage* page) {
+    document.page = page;
+    page->setOpenCases([this](const QString& other) -> std::optional<OpenCase> {
+        const auto index = indexOf(other);
+        const OpenDocument* last = index ? lastOf(*index) : nullptr;
+        return last != nullptr ? std::optional(last->document->asOpenCase()) : std::nullopt;
+    });
+    connect(page, &ScenePage::status, this, [this, &document](const QString& text) {
+        if (&document == current_) {
+            Q_EMIT status(text);
+        }
+    });
+    stack_->addWidget(page);
+}
+
+void Documents::renewPages() {
+    scenes_ = sceneList();
+    for (const auto& each : documents_) {
+        ScenePage* old = each->page;
+        const ScenePage::Left left = old->giveWay();
+        stack_->removeWidget(old);
+        delete old;
+        putPage(*each, scenes_[each->scene].make(stack_, left.model));
+        each->page->resume(left);
+    }
+    tabs_->setAccessibleName(tr("Open cases"));
+    stack_->setCurrentWidget(current_->page);
+    arrangeTabs();
+    current_->page->setActive(true);
+    Q_EMIT currentChanged();
+    Q_EMIT changed();
+}
+
 void Documents::remove(OpenDocument& document) {
+    if (recovery_ != nullptr) {
+        recovery_->release(document.document);
+    }
     delete document.document;
     stack_->removeWidget(document.page);
     document.page->deleteLater();  // it may be the one that the key was pressed in
@@ -209,6 +238,8 @@ void Documents::bringToFront(OpenDocument& document) {
     document.shown = ++shows_;
     stack_->setCurrentWidget(document.page);
     arrangeTabs();
+    document.document->disk().check();
+    showNotice();
     document.page->setActive(true);
     Q_EMIT currentChanged();
     Q_EMIT changed();
@@ -225,10 +256,11 @@ bool Documents::hasSeveralTabs() const {
     return tabs_->count() > 1;
 }
 
-void Documents::put(const CaseFile& file, const std::function<void(CaseDocument&)>& load) {
+void Documents::put(const CaseFile& file, OpenDocument* there,
+                    const std::function<void(CaseDocument&)>& load) {
     const auto scene = indexOf(QString::fromStdString(file.scene));
     RAVNOVES_DEMAND(scene.has_value(), "every scene of a case file has a page");
-    OpenDocument* reused = untouchedOf(*scene, nullptr);
+    OpenDocument* reused = there != nullptr ? there : untouchedOf(*scene, nullptr);
     OpenDocument& target = reused != nullptr ? *reused : add(*scene);
     try {
         load(*target.document);
@@ -255,7 +287,7 @@ QString Documents::open(const QString& path, bool locates) {
             if (!isMoved) {
                 file = CaseDocument::read(path);
             }
-            put(file, [&](CaseDocument& document) {
+            put(file, nullptr, [&](CaseDocument& document) {
                 document.open(file, path);
                 // Where a file is now, and what an older version has become, is to be saved.
                 if (isMoved || !file.changes.empty()) {
@@ -310,12 +342,90 @@ bool Documents::begin(const QString& scene) {
 
 QString Documents::begin(const CaseFile& file, const CaseContext& context) {
     try {
-        put(file, [&](CaseDocument& document) { document.begin(file, context); });
+        put(file, nullptr, [&](CaseDocument& document) { document.begin(file, context); });
         return {};
     } catch (const InputError& error) {
         return errorText(error);
     }
 }
+
+// ----------------------------------------------------------------------- crashes and others
+
+void Documents::keepIn(Recovery* recovery) {
+    recovery_ = recovery;
+    for (const auto& each : documents_) {
+        keep(*each);
+    }
+}
+
+void Documents::keep(OpenDocument& document) {
+    if (recovery_ != nullptr) {
+        recovery_->watch(document.document, [&document] { return document.page->draftName(); });
+    }
+}
+
+QString Documents::restore(const RecoveredCase& recovered) {
+    OpenDocument* there = recovered.path.isEmpty() ? nullptr : withFile(recovered.path);
+    if (there != nullptr && (there->document->needsSaving() ||
+                             scenes_[there->scene].name.toStdString() != recovered.content.scene)) {
+        there = nullptr;
+    }
+    try {
+        put(recovered.content, there, [&](CaseDocument& document) {
+            document.restore(recovered.content, recovered.context, recovered.path, recovered.known);
+        });
+    } catch (const InputError& error) {
+        return errorText(error);
+    }
+    if (!recovered.draft.isEmpty()) {
+        current_->page->takeDraft(recovered.draft);
+    }
+    if (recovery_ != nullptr) {
+        recovery_->keep(current_->document);  // before the other copy goes
+    }
+    return {};
+}
+
+void Documents::drop(const RecoveredCase& recovered) {
+    if (!recovered.draft.isEmpty()) {
+        page(QString::fromStdString(recovered.content.scene))->dropDraft(recovered.draft);
+    }
+}
+
+QStringList Documents::paths() const {
+    QStringList paths;
+    for (int tab = 0; tab < tabs_->count(); ++tab) {
+        const QString path = ofTab(tab)->document->path();
+        if (!path.isEmpty()) {
+            paths << path;
+        }
+    }
+    return paths;
+}
+
+void Documents::showNotice() {
+    if (current_ != nullptr) {
+        notice_->showFor(current_->document);
+    }
+}
+
+void Documents::reload() {
+    const QString trouble = current_->document->reload();
+    if (!trouble.isEmpty()) {
+        QMessageBox::warning(window(), tr("Open case"), trouble);
+    }
+}
+
+bool Documents::event(QEvent* event) {
+    if (event->type() == QEvent::WindowActivate) {
+        for (const auto& each : documents_) {
+            each->document->disk().check();
+        }
+    }
+    return QWidget::event(event);
+}
+
+// --------------------------------------------------------------------------------- closing
 
 bool Documents::close(OpenDocument& document) {
     if (!document.document->mayGo()) {
@@ -383,6 +493,27 @@ DocumentDialogs Documents::dialogsOf(OpenDocument& document) {
     dialogs.tell = [this](const QString& trouble) {
         QMessageBox::warning(window(), tr("Save case"), trouble);
     };
+    dialogs.elsewhere = [this](const QString& trouble) {
+        QMessageBox box(QMessageBox::Warning, tr("Save case"), trouble, QMessageBox::Cancel,
+                        window());
+        box.setDefaultButton(box.addButton(tr("Save as…"), QMessageBox::AcceptRole));
+        box.exec();
+        return box.buttonRole(box.clickedButton()) == QMessageBox::AcceptRole;
+    };
+    dialogs.overwrite = [this](const QString& path) {
+        QMessageBox box(QMessageBox::Warning, tr("Save case"),
+                        tr("%1 was changed by another program since it was opened or saved here. "
+                           "Overwrite it?")
+                            .arg(path),
+                        QMessageBox::Cancel, window());
+        QPushButton* over = box.addButton(tr("&Overwrite"), QMessageBox::DestructiveRole);
+        QPushButton* elsewhere = box.addButton(tr("Save as…"), QMessageBox::AcceptRole);
+        box.setDefaultButton(elsewhere);
+        box.exec();
+        return box.clickedButton() == over        ? DocumentDialogs::Overwrite::Yes
+               : box.clickedButton() == elsewhere ? DocumentDialogs::Overwrite::Elsewhere
+                                                  : DocumentDialogs::Overwrite::No;
+    };
     return dialogs;
 }
 
@@ -415,11 +546,18 @@ void Documents::arrangeTabs() {
         if (belongs(*each) && tab == tabs_->count()) {
             tabs_->addTab(themedIcon(QStringLiteral("scene-") + scenes_[each->scene].name), {});
             tabs_->setTabData(tab, each->id);
-            if (QWidget* button = tabs_->tabButton(tab, QTabBar::RightSide)) {
-                button->setToolTip(
-                    tr("Close (%1)")
-                        .arg(QKeySequence(QKeySequence::Close).toString(QKeySequence::NativeText)));
-            }
+            auto* button = new QToolButton(tabs_);
+            button->setIcon(themedIcon(QStringLiteral("close")));
+            button->setIconSize(QSize(12, 12));
+            button->setAutoRaise(true);
+            button->setFocusPolicy(Qt::NoFocus);  // Ctrl+W does it
+            button->setToolTip(
+                tr("Close (%1)")
+                    .arg(QKeySequence(Qt::CTRL | Qt::Key_W).toString(QKeySequence::NativeText)));
+            button->setAccessibleName(tr("Close"));
+            connect(button, &QToolButton::clicked, this,
+                    [this, document = each.get()] { close(*document); });
+            tabs_->setTabButton(tab, QTabBar::RightSide, button);
         }
         if (each.get() == current_) {
             tabs_->setCurrentIndex(tab);

@@ -14,7 +14,10 @@ class QTabBar;
 
 namespace ravnoves {
 
+class DiskNotice;
+class Recovery;
 class ScenePage;
+struct RecoveredCase;
 
 /// A case that is open, or a page without cases.
 struct OpenDocument {
@@ -74,6 +77,19 @@ class Documents : public QWidget {
     /// Before all of them go: what is not saved is asked for.
     bool mayGo();
 
+    /// Keeps what is not saved for the case of a crash, from now on.
+    void keepIn(Recovery* recovery);
+    /// Opens what a crash has left, as it was, in a tab of its own; it needs saving.
+    /// @return an empty string, or what is wrong
+    QString restore(const RecoveredCase& recovered);
+    /// Nobody wants it: the page's own copy goes too.
+    void drop(const RecoveredCase& recovered);
+    /// The files that are open, in the order of the tabs.
+    QStringList paths() const;
+
+    /// Makes every page anew over its model, in another language or with other units.
+    void renewPages();
+
   Q_SIGNALS:
     /// Another document is in front.
     void currentChanged();
@@ -87,6 +103,7 @@ class Documents : public QWidget {
     void saved(const QString& path);
 
   protected:
+    bool event(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
@@ -96,11 +113,17 @@ class Documents : public QWidget {
     OpenDocument* ofTab(int tab) const;
     OpenDocument& firstOf(std::size_t scene);
     OpenDocument& add(std::size_t scene);
+    void putPage(OpenDocument& document, ScenePage* page);
     void remove(OpenDocument& document);
     static bool isUntouched(const OpenDocument& document);
     OpenDocument* untouchedOf(std::size_t scene, const OpenDocument* butNot) const;
-    /// Brings a case into a document of its own; one that is refused leaves none behind.
-    void put(const CaseFile& file, const std::function<void(CaseDocument&)>& load);
+    /// Brings a case into a document of its own, or into one that is there; one that is refused
+    /// leaves none behind.
+    void put(const CaseFile& file, OpenDocument* there,
+             const std::function<void(CaseDocument&)>& load);
+    void keep(OpenDocument& document);
+    void showNotice();
+    void reload();
     /// Asks where the file is that could not be read.
     /// @return an empty text where the user gives up
     QString locate(const QString& name, const QString& trouble);
@@ -115,7 +138,9 @@ class Documents : public QWidget {
     int ids_ = 0;
     int shows_ = 0;
     QTabBar* tabs_ = nullptr;
+    DiskNotice* notice_ = nullptr;
     QStackedWidget* stack_ = nullptr;
+    Recovery* recovery_ = nullptr;
 };
 
 }  // namespace ravnoves

@@ -18,10 +18,12 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "model/recovery.h"
 #include "plot/picture_file.h"
 #include "shell/case_properties.h"
 #include "shell/documents.h"
 #include "shell/help_window.h"
+#include "shell/recovery_dialog.h"
 #include "shell/scene_page.h"
 #include "text/language.h"
 #include "theme/icons.h"
@@ -32,6 +34,10 @@ namespace ravnoves {
 namespace {
 
 constexpr int navigationWidth = 104;
+
+const QString restoreKey = QStringLiteral("session/restore");
+const QString filesKey = QStringLiteral("session/files");
+const QString currentKey = QStringLiteral("session/current");  ///< a file, or a scene
 
 /// A title that is wider than `room`, broken at the last blank where the first line fits.
 QString inTwoLines(QString title, const QFontMetrics& metrics, int room) {
@@ -166,6 +172,14 @@ void MainWindow::buildMenus() {
     file->addSeparator();
     add(file, {}, tr("&Close case"), QKeySequence(Qt::CTRL | Qt::Key_W),
         [this] { documents_->closeCurrent(); });
+    file->addSeparator();
+    QAction* restores = add(file, {}, tr("Open the same cases at the next s&tart"), {}, [] {});
+    restores->setCheckable(true);
+    restores->setChecked(QSettings().value(restoreKey, false).toBool());
+    connect(restores, &QAction::toggled, this, [this](bool on) {
+        QSettings().setValue(restoreKey, on);
+        rememberSession();
+    });
     add(file, {}, tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); });
 
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
@@ -296,6 +310,64 @@ QString MainWindow::saveCase(const QString& path) {
     return documents_->current().document->saveTo(path);
 }
 
+void MainWindow::beginSession() {
+    recovery_ = new Recovery(Recovery::defaultFolder(), this);
+    connect(recovery_, &Recovery::failed, this,
+            [this](const QString& why) { statusBar()->showMessage(why, 10'000); });
+    documents_->keepIn(recovery_);
+    const QSettings settings;
+    if (settings.value(restoreKey, false).toBool()) {
+        QStringList missing;
+        for (const QString& path : settings.value(filesKey).toStringList()) {
+            if (!openCase(path).isEmpty()) {
+                missing << path;
+            }
+        }
+        const QString current = settings.value(currentKey).toString();
+        if (!showScene(current) && documents_->paths().contains(current)) {
+            openCase(current);
+        }
+        if (!missing.isEmpty()) {
+            statusBar()->showMessage(
+                tr("Not opened again: %1").arg(missing.join(QStringLiteral(", "))), 10'000);
+        }
+    }
+    connect(documents_, &Documents::changed, this, &MainWindow::rememberSession);
+}
+
+void MainWindow::rememberSession() {
+    if (recovery_ == nullptr) {
+        return;
+    }
+    QSettings settings;
+    settings.setValue(filesKey, documents_->paths());
+    const QString path = documents_->current().document->path();
+    settings.setValue(currentKey, path.isEmpty() ? currentScene() : path);
+}
+
+void MainWindow::offerRecovered() {
+    const Recovery::Found found = recovery_->leftBehind();
+    if (found.cases.isEmpty() && found.damaged.isEmpty()) {
+        return;
+    }
+    auto* dialog = new RecoveryDialog(found, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &RecoveryDialog::restored, this, [this](const RecoveredCase& recovered) {
+        const QString trouble = documents_->restore(recovered);
+        if (trouble.isEmpty()) {
+            recovery_->discard(recovered);
+        } else {
+            QMessageBox::warning(this, tr("Unsaved cases"),
+                                 recovered.file + QStringLiteral(": ") + trouble);
+        }
+    });
+    connect(dialog, &RecoveryDialog::thrownAway, this, [this](const RecoveredCase& recovered) {
+        documents_->drop(recovered);
+        recovery_->discard(recovered);
+    });
+    dialog->open();
+}
+
 void MainWindow::showCurrent() {
     scenes_[documents_->current().scene]->setChecked(true);
     hint_->setText(documents_->currentScene().summary);
@@ -422,6 +494,10 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     if (!documents_->mayGo()) {
         event->ignore();
         return;
+    }
+    rememberSession();
+    if (recovery_ != nullptr) {
+        recovery_->releaseAll();
     }
     QSettings().setValue(QStringLiteral("window/geometry"), saveGeometry());
     event->accept();

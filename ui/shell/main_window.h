@@ -12,6 +12,7 @@ namespace ravnoves {
 
 struct CaseFile;
 class Documents;
+class Recovery;
 class ScenePage;
 
 /// The window: navigation between the scenes, menus, toolbar, status bar, over its documents.
@@ -43,6 +44,12 @@ class MainWindow : public QMainWindow {
     /// Writes the current page's case. The same return.
     QString saveCase(const QString& path);
 
+    /// Keeps what is not saved for the case of a crash, and what is open for the next start; opens
+    /// what was open at the last, if the user likes.
+    void beginSession();
+    /// Offers what a crash has left, where there is any.
+    void offerRecovered();
+
   protected:
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -52,6 +59,7 @@ class MainWindow : public QMainWindow {
     void buildNavigation();
     void buildMenus();
     void showCurrent();
+    void rememberSession();
     void openOrSayWhy(const QString& path);
     void openWithDialog();
     void exportPicture();
@@ -64,6 +72,7 @@ class MainWindow : public QMainWindow {
     void showAbout();
 
     Documents* documents_ = nullptr;
+    Recovery* recovery_ = nullptr;  ///< from beginSession() on
     std::vector<QAction*> scenes_;  ///< in the order of the navigation
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <algorithm>
 
 #include "theme/theme.h"
 #include "v8-plugs/model/v8_plugs_model.h"
@@ -46,6 +47,17 @@ JournalBanner::JournalBanner(V8PlugsModel* model, QWidget* parent) : Panel(paren
 void JournalBanner::offer(const QList<JournalDraft>& crashed) {
     crashed_ = crashed;
     showText();
+}
+
+void JournalBanner::keepOnly(const QList<JournalDraft>& crashed) {
+    const auto removed = crashed_.removeIf([&](const JournalDraft& offered) {
+        return std::none_of(crashed.begin(), crashed.end(), [&](const JournalDraft& left) {
+            return left.session == offered.session;
+        });
+    });
+    if (removed > 0) {
+        showText();
+    }
 }
 
 void JournalBanner::next() {

@@ -22,6 +22,8 @@ class JournalBanner : public Panel {
 
     /// Offers the drafts that a crash left, one after the other.
     void offer(const QList<JournalDraft>& crashed);
+    /// Offers no more of them than these.
+    void keepOnly(const QList<JournalDraft>& crashed);
     /// To be called once a draft offered was continued: the next, or nothing.
     void next();
 

@@ -180,6 +180,7 @@ QString V8PlugsPage::resultsAsCsv() const {
 void V8PlugsPage::setActive(bool active) {
     if (active) {
         model_->reloadEngines();
+        banner_->keepOnly(model_->crashedDrafts());  // another page may have taken one over
     } else {
         model_->flushDraft();
     }
@@ -287,6 +288,26 @@ bool V8PlugsPage::refusedEntriesAreKnown() {
 
 std::optional<bool> V8PlugsPage::askToSave() {
     return leaveJob();
+}
+
+QString V8PlugsPage::draftName() const {
+    return model_->journal() != nullptr ? model_->journal()->session() : QString();
+}
+
+void V8PlugsPage::takeDraft(const QString& name) {
+    openJournal();
+    for (const JournalDraft& draft : model_->crashedDrafts()) {
+        if (draft.session == name && model_->restoreDraft(draft).isEmpty()) {
+            banner_->keepOnly(model_->crashedDrafts());
+            return;
+        }
+    }
+}
+
+void V8PlugsPage::dropDraft(const QString& name) {
+    openJournal();
+    model_->discardDraft(name);
+    banner_->keepOnly(model_->crashedDrafts());
 }
 
 bool V8PlugsPage::leaveJob() {

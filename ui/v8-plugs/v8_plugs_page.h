@@ -34,6 +34,9 @@ class V8PlugsPage : public ScenePage {
     QString resultsAsCsv() const override;
     void setActive(bool active) override;
     std::optional<bool> askToSave() override;
+    QString draftName() const override;
+    void takeDraft(const QString& name) override;
+    void dropDraft(const QString& name) override;
 
     /// Opens the journal and offers drafts that a crash left; happens by itself once shown.
     void openJournal();

@@ -61,7 +61,13 @@ class SavingTest : public ::testing::Test {
             box->reject();
         });
     }
-    void saveAs() { QTest::keyClick(&window, Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier); }
+    void press(Qt::Key key, Qt::KeyboardModifiers more = {}) {
+        QApplication::processEvents();
+        window.activateWindow();  // a message may have been in front
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+        QTest::keyClick(&window, key, Qt::ControlModifier | more);
+    }
+    void saveAs() { press(Qt::Key_S, Qt::ShiftModifier); }
     /// The example with its torque in a file beside it.
     QString caseWithTable(const char* folderName) {
         EXPECT_TRUE(QDir(folder.path()).mkpath(QString::fromUtf8(folderName)));

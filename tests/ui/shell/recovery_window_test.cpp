@@ -1,0 +1,343 @@
+// Nothing is lost: by a crash, by another program, by quitting. Through the window.
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QMessageBox>
+#include <QProcess>
+#include <QPushButton>
+#include <QSettings>
+#include <QTabBar>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <QTreeWidget>
+#include <memory>
+
+#include "case-file/json.h"
+#include "events.h"
+#include "model/recovery.h"
+#include "shell/documents.h"
+#include "shell/main_window.h"
+#include "shell/recovery_dialog.h"
+#include "shell/scene_page.h"
+#include "shell/screenshot.h"
+#include "text/file_path.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+
+class NothingIsLost : public ::testing::Test {
+  protected:
+    NothingIsLost() {
+        QDir(Recovery::defaultFolder()).removeRecursively();
+        QSettings().remove(u"session"_s);
+        for (const char* name : {"tmz-650d", "vr5-volkswagen"}) {
+            QFile::copy(u":/examples/%1.case.json"_s.arg(QLatin1String(name)), file(name));
+            QFile(file(name)).setPermissions(QFile::ReadOwner | QFile::WriteOwner);
+        }
+        start();
+    }
+
+    QString file(const char* name) const {
+        return folder.filePath(QLatin1String(name) + u".case.json"_s);
+    }
+    void start() {
+        window = std::make_unique<MainWindow>();
+        window->beginSession();
+        test::showAt(*window, {1280, 800});
+        window->activateWindow();
+    }
+    /// As kill -9 does: what was kept stays as it is.
+    void crash() {
+        QTest::qWait(900);
+        window.reset();
+    }
+    void set(const QString& pair) { ASSERT_EQ(applySetting(*window, pair), QString()); }
+    SceneModel& model() { return *window->currentPage()->model(); }
+    RecoveryDialog* offered() {
+        window->offerRecovered();
+        QApplication::processEvents();
+        return window->findChild<RecoveryDialog*>(u"recovery"_s);
+    }
+    static void click(const QWidget& parent, const char* name) {
+        QTest::mouseClick(test::named<QPushButton>(parent, name), Qt::LeftButton);
+        QApplication::processEvents();
+    }
+    QStringList tabs() {
+        QStringList texts;
+        auto* bar = window->findChild<QTabBar*>(u"documents"_s);
+        for (int i = 0; i < bar->count(); ++i) {
+            texts << bar->tabText(i);
+        }
+        return texts;
+    }
+    QWidget* notice() { return window->findChild<QWidget*>(u"disk_notice"_s); }
+    void writeByOthers(const char* name, const QByteArray& from, const QByteArray& to) {
+        QFile f(file(name));
+        ASSERT_TRUE(f.open(QIODevice::ReadWrite));
+        const QByteArray text = f.readAll();
+        ASSERT_TRUE(text.contains(from)) << text.toStdString();
+        f.seek(0);
+        f.resize(0);
+        f.write(QByteArray(text).replace(from, to));
+    }
+    /// Presses a button of the next message by its text.
+    void press(const QString& text) {
+        QTimer::singleShot(50, window.get(), [this, text] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            ASSERT_NE(box, nullptr);
+            asked = box->text();
+            for (QAbstractButton* button : box->buttons()) {
+                if (button->text().remove(u'&') == text) {
+                    button->click();
+                    return;
+                }
+            }
+            box->reject();
+            FAIL() << "no button " << text.toStdString();
+        });
+    }
+
+    QTemporaryDir folder;
+    std::unique_ptr<MainWindow> window;
+    QString asked;
+};
+
+TEST_F(NothingIsLost, ACrashLeavesEveryUnsavedCase) {
+    ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
+    set(u"shaft_angle_deg=77"_s);
+    ASSERT_EQ(window->openCase(file("vr5-volkswagen")), QString());
+    QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+    set(u"lambda=0.31"_s);
+    crash();
+    start();
+    EXPECT_EQ(tabs().size(), 1);
+    RecoveryDialog* dialog = offered();
+    ASSERT_NE(dialog, nullptr);
+    const auto* list = test::named<QTreeWidget>(*dialog, "recovered");
+    ASSERT_EQ(list->topLevelItemCount(), 2) << "what was not changed is no loss";
+    QStringList files{list->topLevelItem(0)->text(1), list->topLevelItem(1)->text(1)};
+    EXPECT_TRUE(files.contains(file("tmz-650d")));
+    EXPECT_TRUE(files.contains(u"no file yet"_s));
+    click(*dialog, "recovery_restore");
+    EXPECT_TRUE(window->showScene(u"elastic-hinge"_s));
+    EXPECT_EQ(model().inputJson().at("lambda"), 0.31);
+    EXPECT_TRUE(window->isWindowModified());
+    EXPECT_TRUE(window->showScene(u"balance-shaft"_s));
+    EXPECT_EQ(model().inputJson().at("shaft_angle_deg"), 77);
+    EXPECT_TRUE(window->windowTitle().contains(u"tmz-650d.case.json"_s));
+    EXPECT_TRUE(window->isWindowModified());
+    // Crashed again at once, nothing is lost either.
+    window.reset();
+    start();
+    EXPECT_NE(offered(), nullptr);
+}
+
+TEST_F(NothingIsLost, WhatIsThrownAwayIsGoneAndLaterIsLater) {
+    ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
+    set(u"shaft_angle_deg=77"_s);
+    crash();
+    start();
+    ASSERT_NE(offered(), nullptr);
+    click(*window->findChild<RecoveryDialog*>(), "recovery_later");
+    window->close();
+    window.reset();
+    start();
+    ASSERT_NE(offered(), nullptr) << "it was to be later";
+    click(*window->findChild<RecoveryDialog*>(), "recovery_throw_away");
+    window.reset();
+    start();
+    EXPECT_EQ(offered(), nullptr);
+}
+
+TEST_F(NothingIsLost, ACleanEndLeavesNothing) {
+    ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
+    set(u"shaft_angle_deg=77"_s);
+    QTest::qWait(900);
+    press(u"Discard"_s);
+    EXPECT_TRUE(window->close());
+    window.reset();
+    start();
+    EXPECT_EQ(offered(), nullptr);
+}
+
+TEST_F(NothingIsLost, TheJobOfTheWorkshopComesBackOnce) {
+    QTest::keyClick(window.get(), Qt::Key_3, Qt::ControlModifier);
+    QTest::qWait(100);
+    set(u"job/engine_number=A-77"_s);
+    crash();
+    start();
+    RecoveryDialog* dialog = offered();
+    ASSERT_NE(dialog, nullptr);
+    click(*dialog, "recovery_restore");
+    EXPECT_EQ(window->currentScene(), u"v8-plugs"_s);
+    EXPECT_EQ(model().inputJson().at("job").at("engine_number"), "A-77");
+    EXPECT_TRUE(window->isWindowModified());
+    QTest::qWait(100);
+    const auto* banner = test::named<QLabel>(*window->currentPage(), "banner");
+    EXPECT_FALSE(banner->isVisible()) << banner->text().toStdString();
+}
+
+TEST_F(NothingIsLost, ADamagedCopyIsSaid) {
+    ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
+    set(u"shaft_angle_deg=77"_s);
+    crash();
+    const QDir kept(Recovery::defaultFolder());
+    for (const QString& name : kept.entryList({u"*.json"_s})) {
+        QFile::resize(kept.filePath(name), 100);
+    }
+    start();
+    RecoveryDialog* dialog = offered();
+    ASSERT_NE(dialog, nullptr);
+    const auto labels = dialog->findChildren<QLabel*>();
+    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+        return label->text().contains(u"damaged"_s);
+    }));
+    click(*dialog, "recovery_later");
+}
+
+TEST_F(NothingIsLost, KilledWhileSomebodyTypesAtMostASecondIsGone) {
+    window->close();
+    window.reset();
+    for (const int life : {1300, 1750, 2600}) {
+        QDir(Recovery::defaultFolder()).removeRecursively();
+        QProcess typist;
+        typist.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+        typist.start(QStringLiteral(CASE_TYPIST), {file("tmz-650d"), u"centre_distance_mm"_s});
+        ASSERT_TRUE(typist.waitForReadyRead(30'000));
+        QTest::qWait(life);
+        {
+            Recovery other;  // a second window
+            EXPECT_TRUE(other.leftBehind().cases.isEmpty());
+        }
+        typist.kill();
+        const qint64 killed = QDateTime::currentMSecsSinceEpoch();
+        ASSERT_TRUE(typist.waitForFinished());
+        int mustBeThere = 0;
+        for (const QByteArray& line : typist.readAllStandardOutput().split('\n')) {
+            const QList<QByteArray> words = line.split(' ');
+            if (words.size() == 3 && words[2].toLongLong() < killed - 1000) {
+                mustBeThere = words[1].toInt();
+            }
+        }
+        EXPECT_GT(mustBeThere, 0);
+        Recovery next;
+        const Recovery::Found found = next.leftBehind();
+        EXPECT_TRUE(found.damaged.isEmpty());
+        ASSERT_EQ(found.cases.size(), 1);
+        EXPECT_EQ(found.cases[0].path, file("tmz-650d"));
+        const double kept = found.cases[0].content.input.at("centre_distance_mm").get<double>();
+        EXPECT_GE(kept, mustBeThere / 10.0 - 1e-9);
+        next.discard(found.cases[0]);
+    }
+}
+
+// ------------------------------------------------------------------------------- other programs
+
+TEST_F(NothingIsLost, AFileThatOthersChangeIsSaidAndReloaded) {
+    ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
+    const Json before = model().inputJson();
+    EXPECT_FALSE(notice()->isVisible());
+    writeByOthers("tmz-650d", "100.15", "100.25");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return notice()->isVisible(); }, 3000));
+    EXPECT_EQ(model().inputJson(), before);
+    click(*notice(), "disk_reload");
+    EXPECT_FALSE(notice()->isVisible());
+    EXPECT_EQ(model().inputJson().at("centre_distance_mm"), 100.25);
+    EXPECT_FALSE(window->isWindowModified());
+    QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(model().inputJson(), before);
+    EXPECT_TRUE(window->isWindowModified());
+}
+
+TEST_F(NothingIsLost, TheNoticeIsOfTheTabInFront) {
+    ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
+    ASSERT_EQ(window->openCase(file("vr5-volkswagen")), QString());
+    writeByOthers("tmz-650d", "100.15", "100.25");
+    QTest::qWait(600);
+    EXPECT_FALSE(notice()->isVisible());
+    QTest::keyClick(window.get(), Qt::Key_1, Qt::ControlModifier);
+    EXPECT_TRUE(notice()->isVisible());
+    click(*notice(), "disk_keep");
+    EXPECT_FALSE(notice()->isVisible());
+    EXPECT_TRUE(window->isWindowModified());
+}
+
+TEST_F(NothingIsLost, ADeletedFileIsSaid) {
+    ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
+    ASSERT_TRUE(QFile::remove(file("tmz-650d")));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return notice()->isVisible(); }, 3000));
+    EXPECT_FALSE(test::named<QPushButton>(*notice(), "disk_reload")->isVisible());
+    click(*notice(), "disk_keep");
+    QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
+    EXPECT_TRUE(QFile::exists(file("tmz-650d")));
+    EXPECT_FALSE(window->isWindowModified());
+}
+
+TEST_F(NothingIsLost, SavingOverWhatOthersWroteAsks) {
+    ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
+    set(u"shaft_angle_deg=77"_s);
+    writeByOthers("tmz-650d", "100.15", "100.25");
+    const auto written = [this] { return CaseDocument::read(file("tmz-650d")).input; };
+    press(u"Cancel"_s);
+    QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
+    EXPECT_TRUE(asked.contains(file("tmz-650d")));
+    EXPECT_EQ(written().at("centre_distance_mm"), 100.25);
+    QApplication::processEvents();
+    window->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    press(u"Overwrite"_s);
+    QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
+    EXPECT_EQ(written().at("centre_distance_mm"), 100.15);
+    EXPECT_EQ(written().at("shaft_angle_deg"), 77);
+}
+
+TEST_F(NothingIsLost, AReadOnlyFileStays) {
+    ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
+    set(u"shaft_angle_deg=77"_s);
+    QFile(file("tmz-650d")).setPermissions(QFile::ReadOwner);
+    press(u"Cancel"_s);
+    QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
+    EXPECT_TRUE(asked.contains(u"read-only"_s)) << asked.toStdString();
+    EXPECT_TRUE(window->isWindowModified());
+    EXPECT_NE(CaseDocument::read(file("tmz-650d")).input.value("shaft_angle_deg", 0.0), 77);
+}
+
+// --------------------------------------------------------------------------------- the session
+
+TEST_F(NothingIsLost, TheOpenCasesComeBackIfTheUserLikes) {
+    const auto quit = [this] {
+        window->close();
+        window.reset();
+        start();
+    };
+    ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
+    ASSERT_EQ(window->openCase(file("vr5-volkswagen")), QString());
+    quit();
+    EXPECT_EQ(tabs().size(), 1) << "not unless asked for";
+    for (QAction* action : window->findChildren<QAction*>()) {
+        if (action->isCheckable() && action->text().contains(u"next"_s)) {
+            action->trigger();
+        }
+    }
+    ASSERT_EQ(window->openCase(file("vr5-volkswagen")), QString());
+    ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
+    quit();
+    EXPECT_EQ(tabs(), (QStringList{u"vr5-volkswagen"_s, u"tmz-650d"_s}));
+    EXPECT_TRUE(window->windowTitle().contains(u"tmz-650d"_s));
+    QTest::keyClick(window.get(), Qt::Key_Tab, Qt::ControlModifier);
+    ASSERT_TRUE(QFile::remove(file("tmz-650d")));
+    quit();
+    EXPECT_EQ(tabs(), QStringList{u"vr5-volkswagen"_s});
+    window->close();
+    QSettings().remove(u"session"_s);
+}
+
+}  // namespace
+}  // namespace ravnoves

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "widgets/panel.h"
+
+class QLabel;
+class QPushButton;
+
+namespace ravnoves {
+
+class CaseDocument;
+
+/// Over the page: that the case's file was changed or deleted by others, and what to do. Hidden
+/// where the file is as it was.
+class DiskNotice : public Panel {
+    Q_OBJECT
+
+  public:
+    explicit DiskNotice(QWidget* parent = nullptr);
+
+    void showFor(CaseDocument* document);
+
+  Q_SIGNALS:
+    void reloadAsked();
+    void keepAsked();
+    void saveAsAsked();
+
+  private:
+    QLabel* text_;
+    QPushButton* reload_;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,114 @@
+#include "shell/recovery_dialog.h"
+
+#include <QDir>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "shell/scene_list.h"
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+namespace {
+
+QLabel* recoveryText(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
+}
+
+}  // namespace
+
+RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
+    : QDialog(parent), cases_(found.cases) {
+    setObjectName(QStringLiteral("recovery"));
+    setWindowTitle(tr("Unsaved cases"));
+    auto* column = new QVBoxLayout(this);
+    column->setSpacing(Theme::space);
+    if (!cases_.isEmpty()) {
+        column->addWidget(
+            recoveryText(tr("The program ended unexpectedly. These cases were not saved:"), this));
+        list_ = new QTreeWidget(this);
+        list_->setObjectName(QStringLiteral("recovered"));
+        list_->setAccessibleName(tr("Unsaved cases"));
+        list_->setRootIsDecorated(false);
+        list_->setTextElideMode(Qt::ElideMiddle);
+        list_->setHeaderLabels({tr("Case"), tr("File"), tr("Kept")});
+        const std::vector<SceneInfo> scenes = sceneList();
+        for (const RecoveredCase& each : cases_) {
+            QString name = QString::fromStdString(each.content.title);
+            for (const SceneInfo& scene : scenes) {
+                if (scene.name.toStdString() == each.content.scene) {
+                    name = name.isEmpty() ? scene.title : scene.title + QStringLiteral(": ") + name;
+                }
+            }
+            const QString path =
+                each.path.isEmpty() ? tr("no file yet") : QDir::toNativeSeparators(each.path);
+            auto* row = new QTreeWidgetItem(
+                list_, {name, path, QLocale().toString(each.saved, QLocale::ShortFormat)});
+            row->setCheckState(0, Qt::Checked);
+            row->setToolTip(0, name);
+            row->setToolTip(1, path);
+        }
+        list_->header()->setStretchLastSection(false);
+        list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+        list_->header()->setSectionResizeMode(1, QHeaderView::Stretch);
+        list_->header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+        list_->setCurrentItem(list_->topLevelItem(0));
+        column->addWidget(list_, 1);
+    }
+    for (const QString& file : found.damaged) {
+        column->addWidget(recoveryText(
+            tr("A case that was not saved cannot be read: its copy is damaged. It lies aside as "
+               "%1.")
+                .arg(file),
+            this));
+    }
+    auto* buttons = new QHBoxLayout;
+    buttons->addStretch();
+    const auto add = [&](const char* name, const QString& text, auto&& slot) {
+        auto* button = new QPushButton(text, this);
+        button->setObjectName(QLatin1String(name));
+        connect(button, &QPushButton::clicked, this, slot);
+        buttons->addWidget(button);
+        return button;
+    };
+    if (!cases_.isEmpty()) {
+        add("recovery_restore", tr("&Restore"), [this] {
+            for (const RecoveredCase& each : takeTicked()) {
+                Q_EMIT restored(each);
+            }
+        })->setDefault(true);
+        add("recovery_throw_away", tr("&Throw away"), [this] {
+            for (const RecoveredCase& each : takeTicked()) {
+                Q_EMIT thrownAway(each);
+            }
+        })->setAutoDefault(false);
+    }
+    add("recovery_later", cases_.isEmpty() ? tr("&Close") : tr("&Later"), [this] {
+        reject();
+    })->setToolTip(cases_.isEmpty() ? QString() : tr("Ask again at the next start"));
+    column->addLayout(buttons);
+    resize(640, cases_.isEmpty() ? 140 : 320);
+}
+
+QList<RecoveredCase> RecoveryDialog::takeTicked() {
+    QList<RecoveredCase> ticked;
+    for (int row = list_->topLevelItemCount(); row-- > 0;) {
+        if (list_->topLevelItem(row)->checkState(0) == Qt::Checked) {
+            ticked.prepend(cases_.takeAt(row));
+            delete list_->takeTopLevelItem(row);
+        }
+    }
+    if (cases_.isEmpty()) {
+        accept();
+    }
+    return ticked;
+}
+
+}  // namespace ravnoves

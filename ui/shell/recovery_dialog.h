@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QDialog>
+
+#include "model/recovery.h"
+
+class QTreeWidget;
+
+namespace ravnoves {
+
+/// Offers what a crash has left: each case with title, file and time, ticked.
+class RecoveryDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    explicit RecoveryDialog(const Recovery::Found& found, QWidget* parent = nullptr);
+
+  Q_SIGNALS:
+    void restored(const RecoveredCase& recovered);
+    void thrownAway(const RecoveredCase& recovered);
+
+  private:
+    /// Takes the ticked cases out of the list; closes where none is left.
+    QList<RecoveredCase> takeTicked();
+
+    QList<RecoveredCase> cases_;
+    QTreeWidget* list_ = nullptr;
+};
+
+}  // namespace ravnoves
