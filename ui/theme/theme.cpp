@@ -137,11 +137,12 @@ QColor Theme::good() const {
 }
 
 QColor Theme::curve(int i) const {
-    // After Okabe and Ito's palette, with lightness fitted to each background.
-    static constexpr std::array<QRgb, curveColours> light{0x5c6670, 0xb35900, 0x0060a8, 0x007a5a,
-                                                          0xa8478a, 0x8a6d00, 0x2e8fc7, 0xc0281c};
-    static constexpr std::array<QRgb, curveColours> dark{0x9aa3ad, 0xf0a04b, 0x5fb2f2, 0x3ecf9d,
-                                                         0xe08fc4, 0xe6cf5a, 0x8fd3ff, 0xff7b72};
+    // The hues of Okabe and Ito's palette, moved apart in lightness until eyes without one kind of
+    // cones tell every two of them apart as well.
+    static constexpr std::array<QRgb, curveColours> light{0x4f5054, 0xcc7d00, 0x3d479e, 0x36825f,
+                                                          0x9a6f97, 0x9a5700, 0x2385ff, 0x810000};
+    static constexpr std::array<QRgb, curveColours> dark{0x9e9f98, 0xe09a30, 0x6fa0ff, 0x5fe8a8,
+                                                         0xa272a8, 0xf6f060, 0xe0eeff, 0xd85055};
     const auto index = static_cast<std::size_t>(i % curveColours);
     return QColor(dark_ ? dark[index] : light[index]);
 }
