@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "case-file/range.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 
@@ -21,10 +22,14 @@ struct Shown {
                                         std::max(0, unit.decimals - number.digits), QLocale()),
                             unit.name);
         }
-        constexpr int converted = 6;
-        const bool isOwn = unit.factor == 1.0;
-        const Message plain(Number{unit.factor * number.value, units::none,
-                                   isOwn || number.digits > 0 ? number.digits : converted});
+        Number own{number.value, units::none, number.digits};
+        if (unit.factor != 1.0) {
+            constexpr int converted = 6;
+            own = {rounded_to(unit.factor * number.value,
+                              number.digits > 0 ? number.digits : converted),
+                   units::none, 0};
+        }
+        const Message plain(own);
         QString digits = QString::fromStdString(plain.english());
         return withUnit(digits.replace(QLatin1Char('.'), QLocale().decimalPoint()), unit.name);
     }

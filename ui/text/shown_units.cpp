@@ -96,7 +96,10 @@ QString unitOfTitle(const QString& title) {
         return title.mid(comma + 2);
     }
     return std::any_of(changes.begin(), changes.end(),
-                       [&](const Change& change) { return unitText(change.own.name) == title; })
+                       [&](const Change& change) {
+                           return unitText(change.own.name) == title ||
+                                  unitText(change.shown.name) == title;
+                       })
                ? title
                : QString();
 }

@@ -1,0 +1,133 @@
+// Units that the user wants: only what is written and read is in them, values stay in their own.
+
+#include "text/shown_units.h"
+
+#include <gtest/gtest.h>
+
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QSettings>
+#include <QSignalSpy>
+
+#include "case-file/field.h"
+#include "case-file/message.h"
+#include "events.h"
+#include "plot/plot_view.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
+#include "text/preferences.h"
+#include "widgets/form_section.h"
+#include "widgets/number_field.h"
+#include "widgets/value_slider.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+using Units = Preferences::Units;
+
+constexpr Field radius{
+    .key = "crank_radius_mm", .unit = units::mm, .range = Range::greater_than(0, 254)};
+
+class ShownUnits : public ::testing::Test {
+  protected:
+    ShownUnits() {
+        preferences.setUnits(Preferences::Length, Units::Imperial);
+        preferences.setUnits(Preferences::Torque, Units::Imperial);
+        preferences.setUnits(Preferences::Mass, Units::Gram);
+        preferences.setUnits(Preferences::Speed, Units::RadPerSecond);
+    }
+    ~ShownUnits() override {
+        QSettings().clear();
+        preferences.load();
+    }
+
+    Preferences& preferences = Preferences::instance();
+};
+
+TEST_F(ShownUnits, AreExact) {
+    EXPECT_EQ(shownUnit(units::mm).name, u"in"_s);
+    EXPECT_DOUBLE_EQ(25.4 * shownUnit(units::mm).factor, 1.0);
+    EXPECT_DOUBLE_EQ(1.3558179483314004 * shownUnit(units::N_m).factor, 1.0);  // NIST SP 811
+    EXPECT_DOUBLE_EQ(shownUnit(units::kg).factor, 1000.0);
+    EXPECT_DOUBLE_EQ(60.0 * shownUnit(units::rpm).factor, 6.283185307179586);
+    EXPECT_EQ(shownUnit(units::bar).name, u"bar"_s);
+    EXPECT_EQ(shownUnit(units::bar).factor, 1.0);
+    preferences.setUnits(Preferences::Length, Units::Own);
+    EXPECT_EQ(shownUnit(units::mm).name, u"mm"_s);
+    EXPECT_EQ(shownUnit(units::mm).factor, 1.0);
+}
+
+TEST_F(ShownUnits, OfAFieldIsWhatIsWrittenReadAndRefused) {
+    FormSection section({});
+    NumberField* field = section.addNumber(radius);
+    test::showAt(section, {300, 80});
+    section.activateWindow();
+    QSignalSpy edited(field, &NumberField::valueEdited);
+    field->setValue(46.0);
+    EXPECT_EQ(field->text(), u"1.81102"_s);
+    EXPECT_EQ(field->value(), 46.0);
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, u"2"_s);
+    EXPECT_EQ(field->value(), 50.8);
+    field->selectAll();
+    QTest::keyClicks(field, u"10"_s);  // the range's end counts
+    EXPECT_EQ(field->value(), 254.0);
+    field->selectAll();
+    QTest::keyClicks(field, u"11"_s);
+    EXPECT_EQ(field->trouble().toStdString(),
+              "The value must be greater than 0 and at most 10\u00A0in.");
+    QTest::keyClick(field, Qt::Key_Escape);
+    EXPECT_EQ(field->value(), 46.0);
+    EXPECT_EQ(field->unit(), u"in"_s);
+    EXPECT_TRUE(field->accessibleName().endsWith(u", in"_s));
+}
+
+TEST_F(ShownUnits, OfASliderAreInItsBox) {
+    ValueSlider slider(u"&l"_s, 0.0, 254.0, 0.1, 10.0, 1, u"mm"_s);
+    slider.setValue(127.0);
+    EXPECT_DOUBLE_EQ(slider.box()->value(), 5.0);
+    EXPECT_EQ(slider.box()->suffix(), u"\u00A0in"_s);
+    QSignalSpy edited(&slider, &ValueSlider::valueEdited);
+    slider.box()->setValue(2.0);
+    EXPECT_DOUBLE_EQ(slider.value(), 50.8);
+    ASSERT_EQ(edited.size(), 1);
+    EXPECT_DOUBLE_EQ(edited.front().front().toDouble(), 50.8);
+}
+
+TEST_F(ShownUnits, OfAPlotAreOnItsAxesInItsSentenceAndInItsTable) {
+    QWidget window;
+    PlotView plot(u"Torque"_s, &window);
+    plot.resize(500, 300);
+    plot.setXAxis({u"l, mm"_s, 0.0, 254.0});
+    plot.setYAxis(PlotView::Side::Left, {u"N·m"_s});
+    plot.addCurve({.name = u"M"_s});
+    plot.setCurve(0, {0.0, 254.0}, {0.0, 1.3558179483314004});
+    plot.grab();
+    EXPECT_EQ(plot.xInterval(), std::pair(0.0, 254.0));  // data stay
+    EXPECT_TRUE(plot.sentence().contains(u"from 0.00 to 10.00\u00A0in"_s))
+        << plot.sentence().toStdString();
+    EXPECT_TRUE(plot.sentence().contains(u"1.00\u00A0lb·ft"_s) ||
+                plot.sentence().contains(u"1.000\u00A0lb·ft"_s))
+        << plot.sentence().toStdString();
+    EXPECT_TRUE(plot.dataAsCsv().contains(u"l, in"_s));
+}
+
+TEST_F(ShownUnits, OfMessagesAreTheUsers) {
+    EXPECT_EQ(messageText(Message(Number{25.4, units::mm})), u"1\u00A0in"_s);
+    EXPECT_EQ(messageText(Message(Number{1.5, units::kg, 3})), u"1500\u00A0g"_s);
+    EXPECT_EQ(messageText(Message(Number{1.5, units::bar})), u"1.5\u00A0bar"_s);
+    EXPECT_EQ(shownNumber(0.0254, units::mm, 1), u"1.000\u00A0in"_s);
+}
+
+TEST_F(ShownUnits, OfTitlesStandAtTheirEnd) {
+    EXPECT_EQ(shownTitle(u"mean Mₛ, N·m"_s).text, u"mean Mₛ, lb·ft"_s);
+    EXPECT_EQ(shownTitle(u"φ, °"_s).text, u"φ, °"_s);
+    EXPECT_EQ(shownTitle(u"mm"_s).text, u"in"_s);
+    EXPECT_EQ(shownTitle(u"Order"_s).text, u"Order"_s);
+    EXPECT_EQ(unitOfTitle(u"Order"_s), QString());
+}
+
+}  // namespace
+}  // namespace ravnoves
