@@ -37,6 +37,9 @@ class Scrolled final : public QScrollArea {
             painter.drawRect(rect().adjusted(0, 0, -1, -1));
         } else if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize) {
             setFocusPolicy(isOver() && !hasStop() ? Qt::StrongFocus : Qt::NoFocus);
+            const auto* text = qobject_cast<QLabel*>(widget());
+            text = text != nullptr ? text : widget()->findChild<QLabel*>();
+            setAccessibleName(text != nullptr ? text->text() : QString());
         }
         return done;
     }
