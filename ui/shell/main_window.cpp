@@ -13,6 +13,7 @@
 #include <QMimeData>
 #include <QPainter>
 #include <QSettings>
+#include <QSignalBlocker>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
@@ -25,7 +26,9 @@
 #include "shell/help_window.h"
 #include "shell/recovery_dialog.h"
 #include "shell/scene_page.h"
+#include "shell/settings_dialog.h"
 #include "text/language.h"
+#include "text/preferences.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 
@@ -75,6 +78,9 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
         statusBar()->showMessage(tr("Saved %1").arg(path), 3000);
     });
     documents_->showScene(documents_->scenes().front().name);
+    // Not at once: what the user chose in may be part of what is made anew.
+    connect(&Preferences::instance(), &Preferences::changed, this, &MainWindow::renew,
+            Qt::QueuedConnection);
 
     const QSettings settings;
     if (settings.contains(QStringLiteral("window/geometry"))) {
@@ -85,6 +91,28 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
 MainWindow::~MainWindow() {
     // The field with the focus reports what was typed, and the title follows: while there is one.
     hide();
+}
+
+void MainWindow::renew() {
+    unsetLocale();
+    {
+        const QSignalBlocker quiet(documents_);
+        documents_->renewPages();
+    }
+    documents_->setParent(this);
+    delete takeCentralWidget();
+    delete toolBar_;
+    setMenuBar(new QMenuBar(this));
+    scenes_.clear();
+    sceneActions_.clear();
+    caseActions_.clear();
+    qDeleteAll(findChildren<QActionGroup*>(QString(), Qt::FindDirectChildrenOnly));
+    qDeleteAll(findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly));
+    buildNavigation();
+    buildMenus();
+    documents_->show();
+    showCurrent();
+    updateCaseActions();
 }
 
 void MainWindow::buildNavigation() {
@@ -109,8 +137,12 @@ void MainWindow::buildNavigation() {
         action->setToolTip(info.summary + QStringLiteral(" (Ctrl+%1)").arg(key));
         action->setStatusTip(info.summary);
         sceneGroup_->addAction(action);
-        connect(action, &QAction::triggered, this,
-                [this, name = info.name] { documents_->showScene(name); });
+        // A screen reader toggles the button without a click.
+        connect(action, &QAction::toggled, this, [this, name = info.name](bool on) {
+            if (on) {
+                documents_->showScene(name);
+            }
+        });
         auto* button = new QToolButton(navigation);
         button->setDefaultAction(action);
         button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
@@ -207,6 +239,11 @@ void MainWindow::buildMenus() {
             dialog->setAttribute(Qt::WA_DeleteOnClose);
             dialog->open();
         });
+    add(edit, {}, tr("&Settings…"), QKeySequence(Qt::CTRL | Qt::Key_Comma), [this] {
+        auto* dialog = new SettingsDialog(this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->open();
+    });
 
     sceneMenu_ = menuBar()->addMenu(tr("&Scene"));
 
@@ -237,16 +274,18 @@ void MainWindow::buildMenus() {
             QSettings().setValue(QStringLiteral("view/theme"), static_cast<int>(mode));
         });
         action->setCheckable(true);
-        action->setChecked(Theme::instance().mode() == mode);
         themeGroup->addAction(action);
+        const auto check = [action, mode = mode] {
+            action->setChecked(Theme::instance().mode() == mode);
+        };
+        check();
+        connect(&Theme::instance(), &Theme::changed, action, check);
     }
     QMenu* languages = view->addMenu(tr("L&anguage"));
     auto* languageGroup = new QActionGroup(this);
     for (const Language& language : availableLanguages()) {
-        QAction* action = languages->addAction(language.ownName, this, [this, language] {
-            setChosenLanguage(language.code);
-            QMessageBox::information(this, tr("Language"),
-                                     tr("The language changes when the program starts again."));
+        QAction* action = languages->addAction(language.ownName, this, [language] {
+            Preferences::instance().setLanguage(language.code);
         });
         action->setCheckable(true);
         action->setChecked(language.code == currentLanguage());

@@ -58,6 +58,8 @@ class MainWindow : public QMainWindow {
   private:
     void buildNavigation();
     void buildMenus();
+    /// Makes menus, navigation and pages anew, in the present language, units and size of text.
+    void renew();
     void showCurrent();
     void rememberSession();
     void openOrSayWhy(const QString& path);

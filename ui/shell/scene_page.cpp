@@ -36,6 +36,12 @@ void ScenePage::setActive(bool active) {
 
 ScenePage::Left ScenePage::giveWay() {
     setActive(false);
+    if (QWidget* field = focusWidget()) {
+        field->clearFocus();
+    }
+    if (model()->isEditing()) {
+        model()->endEditing();
+    }
     Left left{model(), {}};
     for (const QTabWidget* tabs : findChildren<QTabWidget*>()) {
         left.tabs.push_back(tabs->currentIndex());

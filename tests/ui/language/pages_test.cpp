@@ -28,6 +28,7 @@
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
 #include "text/language.h"
+#include "text/preferences.h"
 
 namespace ravnoves {
 namespace {
@@ -181,6 +182,21 @@ TEST_P(RussianPage, LeavesNoTextInEnglish) {
     for (const QString& text : englishAmong(texts(u"ru"_s))) {
         ADD_FAILURE() << "in English: " << text.toStdString();
     }
+}
+
+TEST_P(RussianPage, ChangesWhileItsWindowIsOpen) {
+    installLanguage(u"en"_s);
+    MainWindow window;
+    test::showAt(window, {1280, 800});
+    const QString scene = QString::fromStdString(GetParam());
+    textsOfScene(window, scene);
+    Preferences::instance().setLanguage(u"ru"_s);
+    QApplication::processEvents();
+    EXPECT_EQ(window.currentScene(), scene);
+    for (const QString& text : englishAmong(textsOfScene(window, scene) + textsBelow(window))) {
+        ADD_FAILURE() << "still in English: " << text.toStdString();
+    }
+    Preferences::instance().setLanguage({});
 }
 
 std::vector<std::string> scenesWithPage() {

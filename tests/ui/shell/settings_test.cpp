@@ -1,0 +1,193 @@
+// Settings hold at once: in the window that is open, with what is on its pages.
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenuBar>
+#include <QSettings>
+#include <QTabWidget>
+
+#include "case-file/json.h"
+#include "events.h"
+#include "shell/main_window.h"
+#include "shell/scene_list.h"
+#include "shell/scene_page.h"
+#include "shell/settings_dialog.h"
+#include "text/language.h"
+#include "text/number_text.h"
+#include "text/preferences.h"
+#include "theme/theme.h"
+#include "widgets/number_field.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+
+class Settings : public ::testing::Test {
+  protected:
+    Settings() { test::showAt(window, {1280, 800}); }
+    ~Settings() override {
+        QSettings().clear();
+        installLanguage(u"en"_s);
+        Preferences::instance().load();
+        Theme::instance().setTextScale(1.0);
+        Theme::instance().setMode(Theme::Mode::Light);
+    }
+
+    SettingsDialog* open() {
+        QTest::keyClick(&window, Qt::Key_Comma, Qt::ControlModifier);
+        QApplication::processEvents();
+        auto* dialog = window.findChild<SettingsDialog*>();
+        EXPECT_NE(dialog, nullptr);
+        return dialog;
+    }
+    /// Chooses by the keyboard, as a user does.
+    static void choose(SettingsDialog* dialog, const char* name, const QVariant& data) {
+        auto* box = test::named<QComboBox>(*dialog, name);
+        const int wanted = box->findData(data);
+        ASSERT_GE(wanted, 0) << name;
+        box->setFocus();
+        while (box->currentIndex() != wanted) {
+            const int before = box->currentIndex();
+            QTest::keyClick(box, before < wanted ? Qt::Key_Down : Qt::Key_Up);
+            QApplication::processEvents();
+            // What was chosen may have made the dialog anew.
+            box = test::named<QComboBox>(*dialog, name);
+            ASSERT_NE(box->currentIndex(), before) << name;
+        }
+    }
+    template <typename Widget>
+    Widget* onPage(const char* name) {
+        return test::named<Widget>(*window.currentPage(), name);
+    }
+    bool hasLabel(const QString& text) {
+        const auto labels = window.currentPage()->findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(),
+                           [&](const QLabel* label) { return label->text().remove(u'&') == text; });
+    }
+
+    MainWindow window;
+};
+
+TEST_F(Settings, LanguageChangesAtOnceAndThePageGoesOn) {
+    window.showScene(u"elastic-hinge"_s);
+    SceneModel* model = window.currentPage()->model();
+    auto* tabs = window.currentPage()->findChildren<QTabWidget*>().constLast();
+    const int tab = tabs->count() - 1;
+    ASSERT_GT(tab, 0);
+    tabs->setCurrentIndex(tab);
+    model->setByKey(u"lambda"_s, u"0.4"_s);
+    const Json before = model->inputJson();
+    const QString field =
+        test::named<NumberField>(*window.currentPage(), "crank_radius_mm")->accessibleName();
+
+    SettingsDialog* dialog = open();
+    choose(dialog, "language", u"ru"_s);
+    QApplication::processEvents();
+
+    EXPECT_EQ(currentLanguage(), u"ru"_s);
+    EXPECT_EQ(window.menuBar()->actions().constFirst()->text().remove(u'&'), u"Файл"_s);
+    EXPECT_EQ(window.currentScene(), u"elastic-hinge"_s);
+    EXPECT_EQ(window.currentPage()->model(), model);
+    EXPECT_EQ(model->inputJson(), before);
+    EXPECT_EQ(window.currentPage()->findChildren<QTabWidget*>().constLast()->currentIndex(), tab);
+    EXPECT_NE(test::named<NumberField>(*window.currentPage(), "crank_radius_mm")->accessibleName(),
+              field);
+    EXPECT_TRUE(onPage<QLineEdit>("crank_radius_mm")->isEnabled());
+    // The history is the same: one step back is the value of before.
+    dialog->close();
+    window.activateWindow();
+    QApplication::processEvents();
+    ASSERT_TRUE(model->history()->canUndo());
+    QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_NE(model->inputJson(), before);
+    // For the next start, too.
+    installLanguage();
+    EXPECT_EQ(currentLanguage(), u"ru"_s);
+}
+
+TEST_F(Settings, EveryPageIsTheSameAfterTheLanguageWasChangedThereAndBack) {
+    for (const SceneInfo& info : sceneList()) {
+        window.showScene(info.name);
+        QApplication::processEvents();
+    }
+    for (const QString& code : {u"ru"_s, u"en"_s, u"ru"_s, u"en"_s}) {
+        Preferences::instance().setLanguage(code);
+        QApplication::processEvents();
+    }
+    for (const SceneInfo& info : sceneList()) {
+        const Json before = window.page(info.name)->model()->inputJson();
+        window.showScene(info.name);
+        QApplication::processEvents();
+        EXPECT_EQ(window.currentPage()->model()->inputJson(), before);
+        EXPECT_FALSE(window.currentPage()->model()->hasChanges()) << info.name.toStdString();
+        EXPECT_FALSE(window.grab().isNull());
+    }
+}
+
+TEST_F(Settings, AnEditingEndsWithItsValueWhenThePageIsMadeAnew) {
+    window.showScene(u"balance-shaft"_s);
+    auto* field = onPage<NumberField>("crank_radius_mm");
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, u"50"_s);
+    Preferences::instance().setLanguage(u"ru"_s);
+    QApplication::processEvents();
+    SceneModel* model = window.currentPage()->model();
+    EXPECT_FALSE(model->isEditing());
+    EXPECT_TRUE(model->history()->canUndo());
+    EXPECT_EQ(onPage<NumberField>("crank_radius_mm")->value(), 50.0);
+    EXPECT_NE(onPage<NumberField>("crank_radius_mm"), field);
+}
+
+TEST_F(Settings, TextGrowsAtOnce) {
+    window.showScene(u"balance-shaft"_s);
+    const int before = onPage<NumberField>("crank_radius_mm")->font().pixelSize();
+    SettingsDialog* dialog = open();
+    choose(dialog, "text", 150);
+    QApplication::processEvents();
+    EXPECT_EQ(onPage<NumberField>("crank_radius_mm")->font().pixelSize(), qRound(1.5 * before));
+    EXPECT_EQ(QSettings().value(u"view/text"_s).toInt(), 150);
+}
+
+TEST_F(Settings, ThemeOfTheMenuAndOfTheSettingsIsOne) {
+    SettingsDialog* dialog = open();
+    choose(dialog, "theme", static_cast<int>(Theme::Mode::Dark));
+    EXPECT_TRUE(Theme::instance().isDark());
+    EXPECT_EQ(QSettings().value(u"view/theme"_s).toInt(), static_cast<int>(Theme::Mode::Dark));
+}
+
+TEST_F(Settings, DigitsOfResults) {
+    const QLocale english(QLocale::English);
+    EXPECT_EQ(fixedNumber(1234.5678, 1, english), u"1234.6"_s);
+    SettingsDialog* dialog = open();
+    choose(dialog, "digits", 6);
+    QApplication::processEvents();
+    EXPECT_EQ(fixedNumber(1234.5678, 1, english), u"1234.57"_s);
+    EXPECT_EQ(fixedNumber(0.00123456789, 2, english), u"0.00123457"_s);
+    EXPECT_EQ(fixedNumber(-2.5, 0, english), u"−2.50000"_s);
+    EXPECT_EQ(fixedNumber(12.0, 0, english), u"12"_s);
+    EXPECT_EQ(fixedNumber(0.0, 2, english), u"0.00"_s);
+    choose(dialog, "digits", 0);
+    EXPECT_EQ(fixedNumber(1234.5678, 1, english), u"1234.6"_s);
+}
+
+TEST_F(Settings, EveryRowOfTheDialogIsSpokenAndHasAKey) {
+    SettingsDialog* dialog = open();
+    const auto boxes = dialog->findChildren<QComboBox*>();
+    EXPECT_GE(boxes.size(), 4);
+    for (const QComboBox* box : boxes) {
+        EXPECT_FALSE(box->accessibleName().isEmpty());
+        EXPECT_FALSE(box->accessibleDescription().isEmpty());
+        EXPECT_GE(box->currentIndex(), 0);
+    }
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    EXPECT_FALSE(dialog->isVisible());
+}
+
+}  // namespace
+}  // namespace ravnoves

@@ -1,0 +1,122 @@
+#include "shell/settings_dialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QVBoxLayout>
+
+#include "text/language.h"
+#include "text/preferences.h"
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+namespace {
+
+using Choices = QList<std::pair<QString, QVariant>>;
+
+}  // namespace
+
+SettingsDialog::SettingsDialog(QWidget* parent) : QDialog(parent) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSizeConstraint(QLayout::SetFixedSize);
+    build();
+    connect(&Preferences::instance(), &Preferences::changed, this, &SettingsDialog::build);
+}
+
+template <typename Take>
+QComboBox* SettingsDialog::addChoice(const char* name, const QString& label, const QString& hint,
+                                     const Choices& choices, const QVariant& present, Take take) {
+    auto* box = new QComboBox(content_);
+    box->setObjectName(QLatin1String(name));
+    for (const auto& [text, data] : choices) {
+        box->addItem(text, data);
+    }
+    box->setCurrentIndex(box->findData(present));
+    box->setToolTip(hint);
+    box->setAccessibleDescription(hint);
+    rows_->addRow(label, box);
+    QString spoken = label;
+    box->setAccessibleName(spoken.remove(QLatin1Char('&')));
+    connect(box, &QComboBox::activated, this,
+            [box, take](int index) { take(box->itemData(index)); });
+    return box;
+}
+
+void SettingsDialog::build() {
+    const QString focused = focusWidget() != nullptr ? focusWidget()->objectName() : QString();
+    if (content_ != nullptr) {
+        // A box of it may be what has just been chosen in.
+        content_->hide();
+        content_->setObjectName({});
+        for (QWidget* each : content_->findChildren<QWidget*>()) {
+            each->setObjectName({});
+        }
+        content_->deleteLater();
+    }
+    setWindowTitle(tr("Settings"));
+    content_ = new QWidget(this);
+    layout()->addWidget(content_);
+    rows_ = new QFormLayout(content_);
+    rows_->setContentsMargins(Theme::margin, Theme::margin, Theme::margin, Theme::margin);
+    rows_->setSpacing(Theme::space);
+    Preferences& preferences = Preferences::instance();
+
+    Choices languages{{tr("As the desktop"), QString()}};
+    for (const Language& language : availableLanguages()) {
+        languages.append({language.ownName, language.code});
+    }
+    addChoice("language", tr("&Language"), tr("Of all texts, and how numbers are written."),
+              languages, preferences.language(),
+              [](const QVariant& code) { Preferences::instance().setLanguage(code.toString()); });
+
+    addChoice("theme", tr("&Theme"), tr("Light or dark colours."),
+              {{tr("As the desktop"), static_cast<int>(Theme::Mode::System)},
+               {tr("Light"), static_cast<int>(Theme::Mode::Light)},
+               {tr("Dark"), static_cast<int>(Theme::Mode::Dark)}},
+              static_cast<int>(Theme::instance().mode()), [](const QVariant& mode) {
+                  Theme::instance().setMode(static_cast<Theme::Mode>(mode.toInt()));
+                  QSettings().setValue(QStringLiteral("view/theme"), mode.toInt());
+              });
+
+    const int present = qRound(100.0 * Theme::instance().textScale());
+    Choices sizes{{tr("small, 85 %"), 85},
+                  {tr("normal, 100 %"), 100},
+                  {tr("large, 125 %"), 125},
+                  {tr("very large, 150 %"), 150},
+                  {tr("largest, 200 %"), 200}};
+    if (std::none_of(sizes.begin(), sizes.end(),
+                     [&](const auto& size) { return size.second == present; })) {
+        sizes.append({QStringLiteral("%1 %").arg(present), present});
+    }
+    addChoice("text", tr("Te&xt size"), tr("Of all texts and of the fields that hold them."), sizes,
+              present, [](const QVariant& percent) {
+                  Theme::instance().setTextScale(percent.toInt() / 100.0);
+                  QSettings().setValue(QStringLiteral("view/text"), percent.toInt());
+                  Preferences::instance().tell();
+              });
+
+    Choices digits{{tr("automatic"), 0}};
+    for (int count = Preferences::fewestDigits; count <= Preferences::mostDigits; ++count) {
+        digits.append({tr("%1 significant digits").arg(count), count});
+    }
+    addChoice("digits", tr("&Digits of results"),
+              tr("Automatic: each number has the digits that its use needs. Copies and exports "
+                 "have them too."),
+              digits, preferences.digits(),
+              [](const QVariant& count) { Preferences::instance().setDigits(count.toInt()); });
+
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, content_);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    rows_->addRow(buttons);
+    if (auto* again = content_->findChild<QWidget*>(focused);
+        again != nullptr && !focused.isEmpty()) {
+        again->setFocus();
+    }
+}
+
+}  // namespace ravnoves
