@@ -559,7 +559,7 @@ void ShaftMapPlot::paintTop(QPainter& painter) {
     painter.save();
     painter.setClipRect(area);
     // An exported picture has pixels of its own, or none.
-    if (painter.device() != this || drawsVectors(painter)) {
+    if (painter.device() != this || drawsForFile(painter, *this)) {
         paintMechanism(painter);
         paintLabels(painter);
     } else {

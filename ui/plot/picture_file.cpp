@@ -9,6 +9,7 @@
 #include <QPainter>
 #include <QPdfWriter>
 #include <QSvgGenerator>
+#include <QWidget>
 #include <algorithm>
 #include <cmath>
 
@@ -127,11 +128,14 @@ void savePictureWithDialog(QWidget* parent, const QString& title, const QString&
     }
 }
 
-bool drawsVectors(const QPainter& painter) {
-    const QPaintEngine* engine = painter.paintEngine();
-    return engine != nullptr &&
-           (engine->type() == QPaintEngine::Pdf || engine->type() == QPaintEngine::SVG ||
-            engine->type() == QPaintEngine::Picture);
+bool takesLines(const QPainter& painter) {
+    const QPaintEngine::Type type = painter.paintEngine()->type();
+    return type == QPaintEngine::Pdf || type == QPaintEngine::SVG || type == QPaintEngine::Picture;
+}
+
+bool drawsForFile(const QPainter& painter, const QWidget& widget) {
+    return takesLines(painter) ||
+           painter.deviceTransform().m11() > 1.01 * widget.devicePixelRatioF();
 }
 
 }  // namespace ravnoves

@@ -32,6 +32,9 @@ void savePictureWithDialog(QWidget* parent, const QString& title, const QString&
                            const std::function<QString(const QString& path, int pixels)>& write);
 
 /// True on a device that takes lines and text rather than pixels.
-bool drawsVectors(const QPainter& painter);
+bool takesLines(const QPainter& painter);
+/// True where a widget that paints itself is not on the screen but in a drawing, which takes lines
+/// and text rather than pixels, or in a picture that is larger than it.
+bool drawsForFile(const QPainter& painter, const QWidget& widget);
 
 }  // namespace ravnoves

@@ -279,7 +279,7 @@ void PlotView::layoutChart() {
 
 void PlotView::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
-    if (drawsVectors(painter)) {  // the page is written as a drawing
+    if (drawsForFile(painter, *this)) {
         drawChart(painter);
         return;
     }

@@ -24,6 +24,7 @@
 #include "shell/case_properties.h"
 #include "shell/documents.h"
 #include "shell/help_window.h"
+#include "shell/page_drawing.h"
 #include "shell/recovery_dialog.h"
 #include "shell/scene_page.h"
 #include "shell/settings_dialog.h"
@@ -491,8 +492,12 @@ void MainWindow::openWithDialog() {
 void MainWindow::exportPicture() {
     ScenePage* page = currentPage();
     const auto draw = [page](QPainter& painter, double scale) {
-        painter.scale(scale, scale);
-        page->render(&painter);
+        if (takesLines(painter)) {
+            drawPage(painter, page);
+        } else {
+            painter.scale(scale, scale);
+            page->render(&painter);
+        }
     };
     savePictureWithDialog(this, tr("Save page as picture"), currentScene() + QStringLiteral(".png"),
                           page->size(), {}, [&](const QString& path, int pixels) {

@@ -72,6 +72,9 @@ QString askSavePath(QWidget* parent, const QString& title, const QString& sugges
     QString shown = QFileInfo(suggestion).isAbsolute()
                         ? suggestion
                         : QDir(QSettings().value(folderKey).toString()).filePath(suggestion);
+    if (formats.size() > 1 && endsIn(shown, formats.front().suffix)) {
+        shown.chop(suffixes.front().size());  // that of the format chosen is added
+    }
     QString filter = filters.front();
     while (true) {
         const QString typed =

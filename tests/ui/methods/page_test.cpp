@@ -22,6 +22,7 @@
 #include "methods/model/method_words.h"
 #include "methods/validation_view.h"
 #include "methods_support.h"
+#include "plot/picture_file.h"
 #include "shell/main_window.h"
 #include "theme/theme.h"
 #include "widgets/number_field.h"
@@ -292,7 +293,7 @@ TEST_F(MethodsPageTest, ExportsCsvAndPictures) {
     EXPECT_TRUE(text.contains("10⁻⁹"));
     const QString png = folder.filePath(QStringLiteral("m.png"));
     ASSERT_EQ(page.exportTo(png), QString());
-    EXPECT_EQ(QImage(png).width(), 2 * page.plots()->width());
+    EXPECT_EQ(QImage(png).width(), printedWidth(page.plots()->size()));
     EXPECT_NE(page.exportTo(QStringLiteral("/dev/null/m.csv")), QString());
     EXPECT_NE(page.exportTo(QStringLiteral("/dev/null/m.svg")), QString());
     EXPECT_NE(page.exportTo(QStringLiteral("/dev/null/m.png")), QString());

@@ -12,6 +12,8 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <cmath>
+#include <cstdlib>
 
 #include "events.h"
 #include "plot/picture_file.h"
@@ -186,6 +188,31 @@ TEST_F(PlotExportTest, TheMenuSavesWithTheWidthThatIsAsked) {
         EXPECT_TRUE(filters.contains(QString::fromUtf8(suffix))) << filters.toStdString();
     }
     fileChoosers() = before;
+}
+
+/// A page that is written larger than it is on the screen holds its plots drawn anew.
+TEST_F(PlotExportTest, InAnEnlargedPictureOfItsPageAPlotIsSharp) {
+    constexpr int times = 3;
+    QImage ofPage(plot.size() * times, QImage::Format_RGB32);
+    QImage own(ofPage.size(), ofPage.format());
+    QImage blown = plot.grab().toImage().scaled(ofPage.size()).convertToFormat(ofPage.format());
+    {
+        QPainter painter(&ofPage);
+        painter.scale(times, times);
+        plot.render(&painter);
+        QPainter direct(&own);
+        plot.renderTo(direct, QRectF(QPointF(), QSizeF(own.size())));
+    }
+    const auto difference = [&](const QImage& a, const QImage& b) {
+        double sum = 0.0;
+        for (int y = 0; y < a.height(); ++y) {
+            for (int x = 0; x < a.width(); ++x) {
+                sum += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y)));
+            }
+        }
+        return sum / (a.width() * a.height());
+    };
+    EXPECT_LT(difference(ofPage, own), 0.2 * difference(blown, own));
 }
 
 }  // namespace
