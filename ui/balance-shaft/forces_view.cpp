@@ -51,7 +51,7 @@ ForcesView::ForcesView(BalanceShaftModel* model, QWidget* parent) : QWidget(pare
     locus_ = new PlotView(tr("Force on the engine"), this);
     locus_->setEqualScale(true);
     locus_->setXAxis({tr("across, kN"), -1.0, 1.0});
-    locus_->setYAxis(PlotView::Side::Left, {tr("along the cylinder, kN")});
+    locus_->setYAxis(PlotView::Side::Left, {tr("along, kN")});
     both_ = locus_->addCurve({.name = tr("crank only, 1st + 2nd"),
                               .colour = 4,
                               .pen = Qt::DashLine,

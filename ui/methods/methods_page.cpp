@@ -271,7 +271,7 @@ QWidget* MethodsPage::buildResults() {
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setColumns({tr("Method"), tr("Setting"), tr("Time, ns"), tr("Error"), tr("Operations"),
                         tr("Order"), tr("Beyond the tolerance")});
-    table_->horizontalHeader()->setSectionResizeMode(Fails, QHeaderView::Stretch);
+    table_->stretchColumn(Fails);
     table_->horizontalHeaderItem(Time)->setToolTip(
         tr("Median of repeated runs; the tips of the cells have the quartiles"));
     table_->horizontalHeaderItem(Operations)

@@ -105,7 +105,13 @@ void PlotPainter::layoutArea() {
         return std::ceil(widest + title + 2 * labelGap);
     };
     const double left = margin(data_.left);
-    const double right = data_.sideUsed(Side::Right) ? margin(data_.right) : Theme::margin + 4.0;
+    const auto lastLabel = [&] {  // stands half beyond the axis
+        data_.x.chooseStep(std::max(20.0, size_.width() - left), columnPerTick());
+        return metrics.horizontalAdvance(data_.x.tickText(data_.x.high, data_.locale));
+    };
+    const double right = data_.sideUsed(Side::Right)
+                             ? margin(data_.right)
+                             : std::max(Theme::margin + 4.0, lastLabel() / 2.0 + 2.0);
     data_.area = QRectF(left, top, std::max(20.0, size_.width() - left - right), height);
     if (data_.equalScale) {
         data_.equalise();

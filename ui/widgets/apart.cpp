@@ -71,6 +71,9 @@ void Apart::resizeEvent(QResizeEvent* event) {
     held_->setGeometry(rect());
     height_ = needed(width());
     length_ = held_->text().size();
+    if (height_ > height() && minimumHeight() != maximumHeight()) {
+        updateGeometry();  // another width was asked about
+    }
 }
 
 }  // namespace ravnoves

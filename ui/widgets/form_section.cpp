@@ -1,5 +1,6 @@
 #include "widgets/form_section.h"
 
+#include <QApplication>
 #include <QPainter>
 #include <QScrollBar>
 #include <algorithm>
@@ -21,6 +22,13 @@ class Scrolled final : public QScrollArea {
         setWidget(content);
         setFocusPolicy(Qt::NoFocus);
         setViewportMargins(1, 1, 1, 1);
+        // Qt does this only for what has the focus from inside.
+        connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+            if (now != nullptr && QApplication::mouseButtons() == Qt::NoButton &&
+                widget()->isAncestorOf(now)) {
+                ensureWidgetVisible(now, 0, Theme::gap);
+            }
+        });
     }
 
     QSize minimumSizeHint() const override {

@@ -7,6 +7,7 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QPainter>
+#include <QScrollBar>
 #include <algorithm>
 
 #include "text/csv_format.h"
@@ -28,12 +29,13 @@ ResultTable::ResultTable(QWidget* parent) : QTableWidget(parent) {
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     horizontalHeader()->setFont(Theme::font(Theme::smallSize + 1, true));
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // until it is needed
     setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
 }
 
 void ResultTable::setColumns(const QStringList& headings) {
     setColumnCount(static_cast<int>(headings.size()));
+    isOver_ = false;
     setHorizontalHeaderLabels(headings);
     for (int column = 0; column < headings.size(); ++column) {
         horizontalHeaderItem(column)->setTextAlignment(
@@ -50,6 +52,9 @@ void ResultTable::fitColumns() {
     const QFontMetrics cells(font());
     const QFontMetrics headings(horizontalHeader()->font());
     for (int column = 1; column < columnCount(); ++column) {
+        if (stretched_.contains(column)) {
+            continue;
+        }
         int width = columnWidth(column) * (fitted_ ? 1 : 0);
         width = std::max(
             width, headings.horizontalAdvance(horizontalHeaderItem(column)->text()) + padding);
@@ -63,6 +68,54 @@ void ResultTable::fitColumns() {
         }
     }
     fitted_ = true;
+    fitStretched();
+}
+
+void ResultTable::stretchColumn(int column) {
+    stretched_ << column;
+    horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
+}
+
+void ResultTable::fitStretched() {
+    constexpr int most = 110;  // designed pixels that words insist on
+    constexpr int padding = 12;
+    const QFontMetrics cells(font());
+    int wanted = 0;
+    QList<int> least;
+    for (int column = 0; column < columnCount(); ++column) {
+        if (!stretched_.contains(column)) {
+            wanted += columnWidth(column);
+            continue;
+        }
+        int widest = 0;
+        for (int row = 0; row < rowCount() && widest < Theme::withText(most); ++row) {
+            if (const QTableWidgetItem* cell = item(row, column)) {
+                widest = std::max(widest, cells.horizontalAdvance(cell->text()) + padding);
+            }
+        }
+        least << std::clamp(widest, Theme::withText(30), Theme::withText(most));
+        wanted += least.last();
+    }
+    const bool over = wanted > viewport()->width();
+    if (over != isOver_) {
+        isOver_ = over;
+        setHorizontalScrollBarPolicy(over ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
+        for (const int column : stretched_) {
+            horizontalHeader()->setSectionResizeMode(
+                column, over ? QHeaderView::Fixed : QHeaderView::Stretch);
+        }
+        updateGeometry();
+    }
+    for (int i = 0; over && i < stretched_.size(); ++i) {
+        if (columnWidth(stretched_[i]) != least[i]) {
+            setColumnWidth(stretched_[i], least[i]);
+        }
+    }
+}
+
+void ResultTable::resizeEvent(QResizeEvent* event) {
+    QTableWidget::resizeEvent(event);
+    fitStretched();
 }
 
 void ResultTable::setRows(const QVector<QStringList>& rows) {
@@ -170,7 +223,8 @@ QSize ResultTable::sizeHint() const {
     const int heading =
         horizontalHeader()->isHidden() ? 0 : horizontalHeader()->sizeHint().height();
     const int rows = shownRows_ > 0 ? shownRows_ : rowCount();
-    const int height = heading + rows * verticalHeader()->defaultSectionSize() + 2;
+    const int bar = isOver_ ? horizontalScrollBar()->sizeHint().height() : 0;
+    const int height = heading + rows * verticalHeader()->defaultSectionSize() + bar + 2;
     return {240, height};
 }
 

@@ -21,6 +21,8 @@ class ResultTable : public QTableWidget {
     void setRows(const QVector<QStringList>& rows);
     void setCellToolTip(int row, int column, const QString& text);
 
+    /// Besides the first, this column takes what room there is.
+    void stretchColumn(int column);
     /// It asks for no more height than so many rows need; further ones scroll.
     void setShownRows(int rows);
 
@@ -32,6 +34,7 @@ class ResultTable : public QTableWidget {
 
   protected:
     void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
 
@@ -39,8 +42,12 @@ class ResultTable : public QTableWidget {
     QString joined(QChar separator, bool selectionOnly) const;
     void copySelection();
     void fitColumns();
+    /// Words never give way to numbers altogether: the table scrolls sideways instead.
+    void fitStretched();
 
-    int shownRows_ = 0;  ///< 0: all
+    QList<int> stretched_{0};
+    bool isOver_ = false;  ///< wider than its room
+    int shownRows_ = 0;    ///< 0: all
     bool fitted_ = false;
 };
 

@@ -323,6 +323,44 @@ TEST_P(Looks, EveryStopOfTheTabKeyCanBeSeen) {
     }
 }
 
+QChar letterOf(const QString& text) {
+    const qsizetype at = QString(text).replace(u"&&"_s, u"  "_s).indexOf(u'&');
+    return at >= 0 && at + 1 < text.size() ? text.at(at + 1).toLower() : QChar();
+}
+
+TEST_P(Looks, NoLetterOfThePageIsAMenus) {
+    const auto& [scene, look, language] = GetParam();
+    installLanguage(QString::fromLatin1(language));
+    MainWindow window;
+    window.showScene(QString::fromStdString(scene));
+    test::showAt(window, look.size);
+    QString menus;
+    for (const QAction* menu : window.menuBar()->actions()) {
+        menus += letterOf(menu->text());
+    }
+    EXPECT_GE(menus.size(), 4);
+    QWidget* page = window.currentPage();
+    onEveryTab(page, [&](const QString&) {
+        for (const QWidget* each : page->findChildren<QWidget*>()) {
+            QStringList texts;
+            if (const auto* label = qobject_cast<const QLabel*>(each)) {
+                texts << (label->buddy() != nullptr ? label->text() : QString());
+            } else if (const auto* button = qobject_cast<const QAbstractButton*>(each)) {
+                texts << button->text();
+            } else if (const auto* bar = qobject_cast<const QTabBar*>(each)) {
+                for (int i = 0; i < bar->count(); ++i) {
+                    texts << bar->tabText(i);
+                }
+            }
+            for (const QString& text : texts) {
+                const QChar letter = letterOf(text);
+                EXPECT_FALSE(each->isVisible() && !letter.isNull() && menus.contains(letter))
+                    << text.toStdString();
+            }
+        }
+    });
+}
+
 std::vector<std::string> scenes() {
     std::vector<std::string> names;
     for (const SceneInfo& info : sceneList()) {

@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSlider>
+#include <QVBoxLayout>
+
+#include "events.h"
+#include "widgets/value_slider.h"
+
+namespace ravnoves {
+namespace {
+
+class ValueSliderRefusal : public ::testing::Test {
+  protected:
+    ValueSliderRefusal() {
+        auto* column = new QVBoxLayout(&window);
+        column->addWidget(&slider);
+        column->addWidget(&other);
+        slider.setValue(45.0);
+        test::showAt(window, {500, 120});
+        window.activateWindow();
+    }
+    ~ValueSliderRefusal() override {
+        slider.setParent(nullptr);
+        other.setParent(nullptr);
+    }
+    void type(const QString& text) {
+        slider.box()->setFocus();
+        slider.box()->selectAll();
+        QTest::keyClicks(slider.box(), text);
+    }
+
+    ValueSlider slider{QStringLiteral("&Angle"), 0.0, 360.0, 0.1, 10.0, 2, QStringLiteral("°")};
+    QLineEdit other;
+    QWidget window;
+};
+
+TEST_F(ValueSliderRefusal, SaysWhyUnderTheRowUntilAnotherValueIsGiven) {
+    type(QStringLiteral("400"));
+    QTest::keyClick(slider.box(), Qt::Key_Return);
+    EXPECT_EQ(slider.value(), 45.0);
+    EXPECT_TRUE(slider.trouble().contains(QStringLiteral("400"))) << slider.trouble().toStdString();
+    EXPECT_TRUE(slider.trouble().contains(QStringLiteral("360"))) << slider.trouble().toStdString();
+    bool isSeen = false;
+    for (const QLabel* label : slider.findChildren<QLabel*>()) {
+        isSeen = isSeen || (label->isVisible() && label->text() == slider.trouble());
+    }
+    EXPECT_TRUE(isSeen);
+
+    type(QStringLiteral("50.65"));
+    QTest::keyClick(slider.box(), Qt::Key_Return);
+    EXPECT_EQ(slider.value(), 50.65);
+    EXPECT_EQ(slider.trouble(), QString());
+}
+
+TEST_F(ValueSliderRefusal, StaysWhenTheFieldIsLeftAndGoesWhenTheSliderMoves) {
+    type(QStringLiteral("-3"));
+    QTest::keyClick(slider.box(), Qt::Key_Tab);
+    EXPECT_FALSE(slider.trouble().isEmpty());
+    slider.slider()->setFocus();
+    QTest::keyClick(slider.slider(), Qt::Key_Right);
+    EXPECT_EQ(slider.trouble(), QString());
+}
+
+TEST_F(ValueSliderRefusal, KeepsASliderThatCanBeUsedWhereTheRowIsNarrow) {
+    for (const int width : {150, 200, 260, 400}) {
+        test::showAt(window, {width, 140});
+        EXPECT_GE(slider.slider()->width(), 110) << width;
+        EXPECT_FALSE(slider.slider()->geometry().intersects(slider.box()->geometry())) << width;
+    }
+}
+
+}  // namespace
+}  // namespace ravnoves
