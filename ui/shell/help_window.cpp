@@ -1,36 +1,289 @@
 #include "shell/help_window.h"
 
-#include <QFile>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPainter>
+#include <QShortcut>
+#include <QSplitter>
+#include <QSvgRenderer>
 #include <QTextBrowser>
+#include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
-#include "text/language.h"
+#include "theme/icons.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
 
+namespace {
+
+// Of an item of the list.
+constexpr int topicRole = Qt::UserRole;
+constexpr int hitRole = Qt::UserRole + 1;  ///< its number on the page; none: the page itself
+
+/// Draws the figures in the colours of the theme, as sharp as the screen is.
+class HelpText : public QTextBrowser {
+  public:
+    using QTextBrowser::QTextBrowser;
+
+    QVariant loadResource(int type, const QUrl& name) override {
+        const QString file = name.toString();
+        if (type != QTextDocument::ImageResource || !file.endsWith(QLatin1String(".svg"))) {
+            return QTextBrowser::loadResource(type, name);
+        }
+        QSvgRenderer picture(themedSvg(QStringLiteral(":/help/") + file));
+        const QSize size = picture.defaultSize();
+        QImage image(size * devicePixelRatioF(), QImage::Format_ARGB32_Premultiplied);
+        image.setDevicePixelRatio(devicePixelRatioF());
+        image.fill(Qt::transparent);
+        QPainter painter(&image);
+        picture.render(&painter, QRectF(QPointF(), size));
+        return image;
+    }
+};
+
+}  // namespace
+
 HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent) {
     setWindowTitle(tr("Help"));
     setSizeGripEnabled(true);
-    resize(720, 620);
+    resize(980, 680);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    auto* text = new QTextBrowser(this);
-    text->setFrameShape(QFrame::NoFrame);
-    text->document()->setDocumentMargin(Theme::margin * 2);
-    text->document()->setDefaultFont(Theme::font(Theme::baseSize + 1));
-    column->addWidget(text);
-    text->setSearchPaths({QStringLiteral(":/help")});  // of the pictures
+    column->setSpacing(0);
 
-    QFile file(QStringLiteral(":/help/%1.%2.md").arg(topic, currentLanguage()));
-    if (!file.exists()) {
-        file.setFileName(QStringLiteral(":/help/%1.md").arg(topic));
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
+    field_ = new QLineEdit(this);
+    field_->setObjectName(QStringLiteral("help-search"));
+    field_->setPlaceholderText(tr("Search all pages (Ctrl+F)"));
+    field_->setAccessibleName(tr("Search in the help"));
+    field_->setClearButtonEnabled(true);
+    field_->installEventFilter(this);
+    row->addWidget(field_, 1);
+    count_ = new QLabel(this);
+    count_->setObjectName(QStringLiteral("help-count"));
+    row->addWidget(count_);
+    const auto button = [&](Qt::ArrowType arrow, const QString& name, const QString& tip, int by) {
+        auto* made = new QToolButton(this);
+        made->setArrowType(arrow);
+        made->setObjectName(name);
+        made->setToolTip(tip);
+        made->setAccessibleName(tip);
+        made->setAutoRaise(true);
+        made->setEnabled(false);
+        connect(made, &QToolButton::clicked, this, [this, by] { step(by); });
+        row->addWidget(made);
+        return made;
+    };
+    previous_ = button(Qt::UpArrow, QStringLiteral("help-previous"), tr("Previous (Shift+F3)"), -1);
+    next_ = button(Qt::DownArrow, QStringLiteral("help-next"), tr("Next (F3)"), 1);
+    column->addLayout(row);
+
+    auto* halves = new QSplitter(this);
+    halves->setChildrenCollapsible(false);
+    list_ = new QListWidget(halves);
+    list_->setObjectName(QStringLiteral("help-list"));
+    list_->setAccessibleName(tr("Pages of the help"));
+    list_->setWordWrap(true);
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    text_ = new HelpText(halves);
+    text_->setFrameShape(QFrame::NoFrame);
+    text_->setAccessibleName(tr("Help"));
+    text_->document()->setDocumentMargin(Theme::margin * 2);
+    text_->document()->setDefaultFont(Theme::font(Theme::baseSize + 1));
+    text_->setSearchPaths({QStringLiteral(":/help")});  // of the pictures
+    halves->setStretchFactor(1, 1);
+    halves->setSizes({250, 730});
+    column->addWidget(halves, 1);
+
+    readPages();
+    fillList();
+    showPage(topic);
+    connect(field_, &QLineEdit::textChanged, this, &HelpWindow::search);
+    connect(list_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
+        if (item != nullptr) {
+            showItem(item);
+        }
+    });
+    const auto key = [this](const QKeySequence& keys, auto slot) {
+        connect(new QShortcut(keys, this), &QShortcut::activated, this, slot);
+    };
+    key(QKeySequence::Find, [this] {
+        field_->setFocus(Qt::ShortcutFocusReason);
+        field_->selectAll();
+    });
+    key(Qt::Key_F3, [this] { step(1); });
+    key(Qt::SHIFT | Qt::Key_F3, [this] { step(-1); });
+    connect(&Theme::instance(), &Theme::changed, this, [this] {
+        showPage(topic_);
+        markHits();
+    });
+    text_->setFocus();
+}
+
+HelpWindow::~HelpWindow() = default;
+
+void HelpWindow::readPages() {
+    for (const QString& topic : helpTopics()) {
+        Page page{topic, {}, std::make_unique<QTextDocument>(), {}};
+        if (loadHelp(topic, page.text.get())) {
+            page.title = helpTitle(*page.text);
+            pages_.push_back(std::move(page));
+        }
     }
-    if (file.open(QIODevice::ReadOnly)) {
-        text->setMarkdown(QString::fromUtf8(file.readAll()));
-    } else {
-        text->setPlainText(tr("There is no help on this page yet."));
+}
+
+const HelpWindow::Page* HelpWindow::page(const QString& topic) const {
+    const auto found = std::find_if(pages_.begin(), pages_.end(),
+                                    [&](const Page& each) { return each.topic == topic; });
+    return found == pages_.end() ? nullptr : &*found;
+}
+
+void HelpWindow::showPage(const QString& topic) {
+    topic_ = topic;
+    if (!loadHelp(topic, text_->document())) {
+        text_->setPlainText(tr("There is no help on this page yet."));
     }
+    text_->moveCursor(QTextCursor::Start);
+    if (field_->text().trimmed().isEmpty()) {
+        for (int i = 0; i < list_->count(); ++i) {
+            if (list_->item(i)->data(topicRole) == topic) {
+                const QSignalBlocker quiet(list_);
+                list_->setCurrentRow(i);
+            }
+        }
+    }
+}
+
+void HelpWindow::search() {
+    hit_ = nullptr;
+    std::size_t found = 0;
+    for (Page& each : pages_) {
+        each.hits = findInHelp(*each.text, field_->text());
+        found += each.hits.size();
+    }
+    const bool asked = !field_->text().trimmed().isEmpty();
+    fillList();
+    previous_->setEnabled(found > 0);
+    next_->setEnabled(found > 0);
+    count_->setText(!asked ? QString() : found == 0 ? tr("nothing found") : QString::number(found));
+    markHits();
+    if (found > 0) {
+        // The page that is open, if it has one; else the first that has.
+        const Page* open = page(topic_);
+        const bool here = open != nullptr && !open->hits.empty();
+        for (int i = 0; i < list_->count(); ++i) {
+            const QListWidgetItem* item = list_->item(i);
+            if (item->data(hitRole).isValid() && (!here || item->data(topicRole) == topic_)) {
+                list_->setCurrentRow(i);
+                break;
+            }
+        }
+    }
+}
+
+void HelpWindow::fillList() {
+    const QSignalBlocker quiet(list_);
+    list_->clear();
+    const bool asked = !field_->text().trimmed().isEmpty();
+    for (const Page& each : pages_) {
+        if (asked && each.hits.empty()) {
+            continue;
+        }
+        auto* heading = new QListWidgetItem(each.title, list_);
+        heading->setData(topicRole, each.topic);
+        if (!asked) {
+            if (each.topic == topic_) {
+                list_->setCurrentItem(heading);
+            }
+            continue;
+        }
+        QFont bold = list_->font();
+        bold.setBold(true);
+        heading->setFont(bold);
+        heading->setFlags(Qt::ItemIsEnabled);
+        for (std::size_t i = 0; i < each.hits.size(); ++i) {
+            auto* item = new QListWidgetItem(each.hits[i].context, list_);
+            item->setData(topicRole, each.topic);
+            item->setData(hitRole, static_cast<int>(i));
+        }
+    }
+}
+
+void HelpWindow::showItem(const QListWidgetItem* item) {
+    const QString topic = item->data(topicRole).toString();
+    if (topic != topic_) {
+        showPage(topic);
+    }
+    hit_ = nullptr;
+    const Page* open = page(topic);
+    if (const QVariant number = item->data(hitRole); number.isValid() && open != nullptr) {
+        hit_ = &open->hits[number.value<std::size_t>()];
+        QTextCursor cursor(text_->document());
+        cursor.setPosition(hit_->position);
+        text_->setTextCursor(cursor);
+        text_->ensureCursorVisible();
+    }
+    markHits();
+}
+
+void HelpWindow::step(int by) {
+    for (int i = 1; i <= list_->count(); ++i) {
+        const int row =
+            ((list_->currentRow() + by * i) % list_->count() + list_->count()) % list_->count();
+        if (list_->item(row)->data(hitRole).isValid()) {
+            list_->setCurrentRow(row);
+            return;
+        }
+    }
+}
+
+void HelpWindow::markHits() {
+    QList<QTextEdit::ExtraSelection> marks;
+    if (const Page* open = page(topic_)) {
+        const Theme& theme = Theme::instance();
+        for (const HelpHit& hit : open->hits) {
+            QTextEdit::ExtraSelection mark;
+            mark.cursor = QTextCursor(text_->document());
+            mark.cursor.setPosition(hit.position);
+            mark.cursor.setPosition(hit.position + hit.length, QTextCursor::KeepAnchor);
+            const bool present = &hit == hit_;
+            mark.format.setBackground(present ? theme.accent() : theme.grid());
+            mark.format.setForeground(present ? theme.panel() : theme.text());
+            marks << mark;
+        }
+    }
+    text_->setExtraSelections(marks);
+}
+
+bool HelpWindow::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == field_ && event->type() == QEvent::KeyPress) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        switch (key->key()) {
+            case Qt::Key_Return:
+            case Qt::Key_Enter:
+                step(key->modifiers().testFlag(Qt::ShiftModifier) ? -1 : 1);
+                return true;
+            case Qt::Key_Down:
+            case Qt::Key_Up:
+                step(key->key() == Qt::Key_Down ? 1 : -1);
+                return true;
+            case Qt::Key_Escape:
+                if (!field_->text().isEmpty()) {
+                    field_->clear();
+                    return true;
+                }
+                break;
+            default:
+                break;
+        }
+    }
+    return QDialog::eventFilter(watched, event);
 }
 
 }  // namespace ravnoves

@@ -57,4 +57,26 @@ QIcon themedIcon(const QString& name) {
     return QIcon(new ThemedIconEngine(file.readAll()));
 }
 
+QByteArray themedSvg(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    QByteArray svg = file.readAll();
+    const Theme& theme = Theme::instance();
+    const auto set = [&svg](const QByteArray& name, const QColor& colour) {
+        svg.replace("var(--" + name + ")", colour.name().toLatin1());
+    };
+    svg.replace("currentColor", theme.text().name().toLatin1());
+    set("panel", theme.panel());
+    set("grid", theme.grid());
+    set("muted", theme.mutedText());
+    set("accent", theme.accent());
+    set("error", theme.error());
+    for (int i = 0; i < Theme::curveColours; ++i) {
+        set("curve-" + QByteArray::number(i), theme.curve(i));
+    }
+    return svg;
+}
+
 }  // namespace ravnoves
