@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPainter>
+#include <QScrollBar>
 #include <QShortcut>
 #include <QSplitter>
 #include <QSvgRenderer>
@@ -90,6 +91,7 @@ HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent) 
     list_->setObjectName(QStringLiteral("help-list"));
     list_->setAccessibleName(tr("Pages of the help"));
     list_->setWordWrap(true);
+    list_->setSpacing(2);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     text_ = new HelpText(halves);
     text_->setFrameShape(QFrame::NoFrame);
@@ -227,7 +229,9 @@ void HelpWindow::showItem(const QListWidgetItem* item) {
         QTextCursor cursor(text_->document());
         cursor.setPosition(hit_->position);
         text_->setTextCursor(cursor);
-        text_->ensureCursorVisible();
+        // Not at the edge: what stands around it is read as well.
+        QScrollBar* bar = text_->verticalScrollBar();
+        bar->setValue(bar->value() + text_->cursorRect().top() - text_->viewport()->height() / 3);
     }
     markHits();
 }
