@@ -60,7 +60,7 @@ if [ -n "$desktop" ]; then
     mapfile -t listed < <("$desktop" --help | options)
     known ravnoves "${listed[@]}"
     scenes=$("$desktop" --screenshot "$folder/none.png" --scene none 2>&1 |
-        sed -n 's/^--scene: must be one of \(.*\), got none$/\1/p')
+        sed -n 's/^--scene: must be one of \(.*\), got none$/\1/p' || true)
     [ -n "$scenes" ] || fault "the scenes are not found out"
     # shellcheck disable=SC2086 # words
     known ravnoves ${scenes//,/}
