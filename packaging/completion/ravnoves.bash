@@ -21,11 +21,15 @@ _ravnoves() {
             mapfile -t COMPREPLY < <(compgen -W "85 100 125 150 200" -- "$word")
             return
             ;;
+        --scale)
+            mapfile -t COMPREPLY < <(compgen -W "1 2" -- "$word")
+            return
+            ;;
         --size | --set) return ;;
     esac
     if [[ $word == -* ]]; then
         mapfile -t COMPREPLY < <(compgen -W "--scene --case --set --screenshot --size --theme
-            --language --text -h --help --help-all -v --version" -- "$word")
+            --language --text --scale -h --help --help-all -v --version" -- "$word")
         return
     fi
     compopt -o filenames

@@ -8,6 +8,7 @@ complete -c ravnoves -l screenshot -r -d 'Write the window as a PNG picture and 
 complete -c ravnoves -l size -x -d 'Size of the window, for example 1280x800'
 complete -c ravnoves -l theme -x -a 'light dark system' -d 'Colours'
 complete -c ravnoves -l language -x -a 'en ru' -d 'Language of the program'
+complete -c ravnoves -l scale -x -a '1 2' -d 'Pixels of the picture for one of the window'
 complete -c ravnoves -l text -x -a '85 100 125 150 200' -d 'Size of the text in percent'
 complete -c ravnoves -s h -l help -d 'Show the options and exit'
 complete -c ravnoves -l help-all -d 'The same with the options of Qt'

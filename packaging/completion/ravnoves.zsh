@@ -8,6 +8,7 @@ _arguments \
     '--size[size of the window, for example 1280x800]:WxH' \
     '--theme[colours]:theme:(light dark system)' \
     '--language[language of the program]:language:(en ru)' \
+    '--scale[pixels of the picture for one of the window]:factor:(1 2)' \
     '--text[size of the text in percent]:percent:(85 100 125 150 200)' \
     '(- *)'{-h,--help}'[show the options and exit]' \
     '(- *)--help-all[the same with the options of Qt]' \

@@ -104,7 +104,7 @@ check() {
     [ "$got" = "$expected" ] || fault "after '$*' bash offers '$got', not '$expected'"
 }
 check "balance-shaft" ravnoves --scene b
-check "--scene --screenshot --set --size" ravnoves --s
+check "--scale --scene --screenshot --set --size" ravnoves --s
 check "a.case.json" ravnoves a
 check "dark" ravnoves --theme d
 check "methods" ravnoves-cli m
