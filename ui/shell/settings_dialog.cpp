@@ -111,6 +111,7 @@ void SettingsDialog::build() {
               [](const QVariant& count) { Preferences::instance().setDigits(count.toInt()); });
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, content_);
+    buttons->button(QDialogButtonBox::Close)->setIcon({});  // black on black in the dark theme
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     rows_->addRow(buttons);
     if (auto* again = content_->findChild<QWidget*>(focused);
