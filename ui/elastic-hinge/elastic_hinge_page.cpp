@@ -158,7 +158,7 @@ QWidget* ElasticHingePage::buildInputs() {
 
 QWidget* ElasticHingePage::buildAnswer() {
     auto* holder = new QWidget(this);
-    holder->setMinimumWidth(Theme::withText(312));
+    holder->setMinimumWidth(Theme::withText(300));
     holder->setMaximumWidth(Theme::withText(460));
     auto* column = new QVBoxLayout(holder);
     column->setContentsMargins(0, 0, 0, 0);

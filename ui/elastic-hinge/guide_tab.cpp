@@ -87,7 +87,7 @@ void GuideTab::buildBar() {
     hingeChoice_->setObjectName(QStringLiteral("guide_shown"));
     hingeChoice_->addItems({HingePlots::tr("crank, for M"), HingePlots::tr("crank, for M₁"),
                             HingePlots::tr("rod, for M₁₂")});
-    constexpr int letters = 8;  // the slider beside it needs its length
+    constexpr int letters = 6;  // the slider beside it needs its length
     hingeChoice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     hingeChoice_->setMinimumContentsLength(letters);
     hingeChoice_->setAccessibleName(HingePlots::tr("Which guide is shown"));
