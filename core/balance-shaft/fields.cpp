@@ -197,9 +197,14 @@ void visit_fields(FieldVisitor& visitor, RelievedShaftSizes& sizes) {
     visitor.number(field::bar_diameter, sizes.diameter);
     visitor.number(field::relief_depth, sizes.depth);
     visitor.number(field::relief_length, sizes.length);
-    visitor.number(field::density, sizes.density, RelievedShaftSizes{}.density);
-    visitor.number(field::elastic_modulus, sizes.elastic_modulus,
-                   RelievedShaftSizes{}.elastic_modulus);
+    const RelievedShaftSizes usual;
+    visitor.number(field::density, sizes.density, usual.density);
+    visitor.number(field::elastic_modulus, sizes.elastic_modulus, usual.elastic_modulus);
+    visitor.number(field::bearing_span, sizes.bearing_span);
+    visitor.number(field::allowable_stress, sizes.allowable_stress, usual.allowable_stress);
+    visitor.number(field::permitted_sag, sizes.permitted_sag);
+    visitor.number(field::speed_margin, sizes.speed_margin, usual.speed_margin);
+    visitor.number(field::bearing_limit, sizes.bearing_limit);
 }
 
 void visit_fields(FieldVisitor& visitor, Input& input) {

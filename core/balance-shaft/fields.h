@@ -557,5 +557,51 @@ inline constexpr Field elastic_modulus{
     .hint = CORE_TEXT("balance-shaft",
                       "For the sag under the shaft's own centrifugal load. Steel 210, cast iron "
                       "170, tungsten alloy 360.")};
+inline constexpr Field bearing_span{
+    .key = "bearing_span_mm",
+    .unit = units::mm,
+    .range = Range::between(1e-3, 1e6),
+    .label = CORE_TEXT("balance-shaft", "Bearin&g span L"),
+    .symbol = "L",
+    .hint = CORE_TEXT("balance-shaft",
+                      "Between the middles of the two bearings, the relief in the middle. Empty: "
+                      "b + D, half a diameter of whole bar on both sides."),
+    .placeholder = CORE_TEXT("balance-shaft", "b + D")};
+inline constexpr Field allowable_stress{
+    .key = "allowable_stress_MPa",
+    .unit = units::MPa,
+    .range = Range::between(1, 10000),
+    .label = CORE_TEXT("balance-shaft", "Allo&wable stress"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "For bending and shear together. The notches at the ends of the relief are "
+                      "to be counted in here. 150 MPa is half the yield strength of normalised "
+                      "C45 steel from 16 to 100 mm (EN 10083-2: 305 MPa).")};
+inline constexpr Field permitted_sag{
+    .key = "permitted_sag_mm",
+    .unit = units::mm,
+    .range = Range::between(1e-6, 1e5),
+    .label = CORE_TEXT("balance-shaft", "&Permitted sag"),
+    .hint =
+        CORE_TEXT("balance-shaft",
+                  "Largest deflection at speed, with that of the weight. Empty: L / 1200, which "
+                  "tilts the journals by about 0.0027 rad; ball bearings take 0.001 to 0.003 "
+                  "(Shigley, Table 7-2)."),
+    .placeholder = CORE_TEXT("balance-shaft", "L / 1200")};
+inline constexpr Field speed_margin{
+    .key = "speed_margin",
+    .range = Range::between(1, 100),
+    .label = CORE_TEXT("balance-shaft", "W&hirling over speed"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "So many times the speed the whirling speed must be at least. Shigley, "
+                      "section 7-6: designers seek twice the operating speed.")};
+inline constexpr Field bearing_limit{
+    .key = "bearing_load_limit_N",
+    .unit = units::newton,
+    .range = Range::greater_than(0, 1e9),
+    .label = CORE_TEXT("balance-shaft", "Bearing load &up to"),
+    .hint = CORE_TEXT("balance-shaft",
+                      "What one bearing can bear at this speed, by its maker's catalogue. Empty: "
+                      "the load is computed but not judged."),
+    .placeholder = CORE_TEXT("balance-shaft", "any")};
 
 }  // namespace ravnoves::balance_shaft::field

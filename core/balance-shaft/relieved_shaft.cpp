@@ -42,7 +42,73 @@ struct Section {
         second_moment = pi * r2 * r2 / 4.0 - removed_second - area * centroid * centroid;
         outermost = std::max(flat - centroid, radius + centroid);
     }
+
+    ShaftPiece piece(double length, const RelievedShaftSizes& sizes) const {
+        return {length,
+                sizes.elastic_modulus * second_moment,
+                sizes.density * area,
+                -centroid,
+                area,
+                second_moment / outermost};
+    }
 };
+
+/// How the whole shaft bends between its bearings.
+ShaftBending bending_of(const RelievedShaft& shaft, const RelievedShaftSizes& sizes,
+                        const Section& relieved, double angular_speed) {
+    const double stub = (shaft.bearing_span - shaft.length) / 2.0;
+    const ShaftPiece whole = Section(shaft.diameter / 2.0, 0.0).piece(stub, sizes);
+    return shaft_bending({whole, relieved.piece(shaft.length, sizes), whole}, angular_speed);
+}
+
+/// What makes a shaft of the right unbalance useless, one sentence each.
+std::vector<Message> faults(const RelievedShaft& shaft, const RelievedShaftSizes& sizes,
+                            double angular_speed) {
+    std::vector<Message> faults;
+    if (shaft.bearing_span < shaft.length) {
+        faults.emplace_back(CORE_TEXT("balance-shaft",
+                                      "The relieved length, %1, does not fit between the bearings, "
+                                      "%2 apart."),
+                            in_mm(shaft.length), in_mm(shaft.bearing_span));
+        return faults;
+    }
+    if (shaft.length < shortest_shaft_piece * shaft.bearing_span) {
+        faults.emplace_back(CORE_TEXT("balance-shaft",
+                                      "The relieved length, %1, is less than a thousandth of the "
+                                      "span between the bearings, %2."),
+                            in_mm(shaft.length), in_mm(shaft.bearing_span));
+        return faults;
+    }
+    const ShaftBending& bending = shaft.bending;
+    const auto rpm_of = [](double speed) { return Number{speed / rpm, units::rpm, 4}; };
+    if (bending.critical_speed < sizes.speed_margin * angular_speed) {
+        faults.emplace_back(CORE_TEXT("balance-shaft",
+                                      "The shaft whirls at %1: that must be at least %2, %3 times "
+                                      "the speed."),
+                            rpm_of(bending.critical_speed),
+                            rpm_of(sizes.speed_margin * angular_speed),
+                            Number{sizes.speed_margin, {}, 4});
+    }
+    if (!(angular_speed < bending.critical_speed)) {
+        return faults;  // there are no loads to judge
+    }
+    const auto in_MPa = [](double stress) { return Number{stress / units::MPa, units::MPa, 4}; };
+    if (bending.combined_stress > sizes.allowable_stress) {
+        faults.emplace_back(
+            CORE_TEXT("balance-shaft", "The stress, %1, is above the allowable %2."),
+            in_MPa(bending.combined_stress), in_MPa(sizes.allowable_stress));
+    }
+    if (bending.deflection > shaft.permitted_sag) {
+        faults.emplace_back(CORE_TEXT("balance-shaft", "The shaft sags by %1; %2 is permitted."),
+                            in_mm(bending.deflection), in_mm(shaft.permitted_sag));
+    }
+    if (sizes.bearing_limit && bending.bearing_load > *sizes.bearing_limit) {
+        faults.emplace_back(CORE_TEXT("balance-shaft", "A bearing carries %1; %2 is its limit."),
+                            Number{bending.bearing_load, units::newton, 4},
+                            Number{*sizes.bearing_limit, units::newton, 4});
+    }
+    return faults;
+}
 
 }  // namespace
 
@@ -121,11 +187,24 @@ RelievedShaft design_relieved_shaft(const RelievedShaftSizes& sizes, double requ
     shaft.sag =
         5.0 / 384.0 * load * length2 * length2 / (sizes.elastic_modulus * section.second_moment);
     shaft.bending_stress = load * length2 / 8.0 * section.outermost / section.second_moment;
+    shaft.bearing_span = sizes.bearing_span.value_or(shaft.length + shaft.diameter);
+    shaft.permitted_sag =
+        sizes.permitted_sag.value_or(shaft.bearing_span / relieved_shaft_sag_ratio);
+    const double stubs = std::max(shaft.bearing_span - shaft.length, 0.0);
+    shaft.weight = standard_gravity *
+                   (shaft.mass + sizes.density * stubs * (section.area + section.removed_area));
+    // What is out of all numbers is said below.
+    if (shaft.bearing_span >= shaft.length && std::isfinite(shaft.bearing_span) &&
+        shaft.length >= shortest_shaft_piece * shaft.bearing_span && section.second_moment > 0.0) {
+        shaft.bending = bending_of(shaft, sizes, section, angular_speed);
+    }
 
     if (!std::isfinite(shaft.mass) || !std::isfinite(shaft.diameter) ||
         !std::isfinite(shaft.length) || !std::isfinite(shaft.sag) ||
         !std::isfinite(shaft.bending_stress) || !std::isfinite(shaft.centre_of_mass_radius) ||
-        !std::isfinite(shaft.critical_radius) || !std::isfinite(shaft.critical_length)) {
+        !std::isfinite(shaft.critical_radius) || !std::isfinite(shaft.critical_length) ||
+        !std::isfinite(shaft.bending.critical_speed) || !std::isfinite(shaft.bending.weight_sag) ||
+        !std::isfinite(shaft.bending.combined_stress) || !std::isfinite(shaft.bending.deflection)) {
         RelievedShaft none;
         none.required = required;
         none.reason =
@@ -139,7 +218,11 @@ RelievedShaft design_relieved_shaft(const RelievedShaftSizes& sizes, double requ
             Number{100.0 * ratio, {}, 4}};
         return shaft;
     }
-    shaft.feasible = true;
+    for (const Message& fault : faults(shaft, sizes, angular_speed)) {
+        shaft.reason =
+            shaft.reason.empty() ? fault : Message(Text{"", "%1 %2"}, shaft.reason, fault);
+    }
+    shaft.feasible = shaft.reason.empty();
     constexpr double half = 0.5 * (1.0 + 1e-12);
     if (shaft.depth > half * shaft.diameter) {
         shaft.note = {CORE_TEXT("balance-shaft",

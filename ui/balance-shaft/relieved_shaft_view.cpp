@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPushButton>
+#include <QScrollBar>
 #include <algorithm>
 #include <cmath>
 
@@ -47,14 +48,14 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
     const Theme& theme = Theme::instance();
     painter.fillRect(rect(), theme.panel());
     painter.setFont(Theme::font(Theme::smallSize));
-    if (!shaft_.feasible) {
+    if (!(shaft_.half_width > 0.0)) {
         painter.setPen(theme.mutedText());
         painter.drawText(rect(), Qt::AlignCenter, tr("No shaft of these sizes"));
         return;
     }
     const double radius = shaft_.diameter / 2.0;
     const double flat = radius - shaft_.depth;
-    const double stub = radius;
+    const double stub = std::max((shaft_.bearing_span - shaft_.length) / 2.0, radius);
     // Section at the left, a gap of one diameter, the side view.
     const double wide = 2.0 * radius + 2.0 * radius + shaft_.length + 2.0 * stub;
     const double margin = 36.0;
@@ -113,6 +114,16 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(axis);
     painter.drawLine(at(begin - 1.2 * stub, 0.0), at(end + 1.2 * stub, 0.0));
 
+    // Bearings: a triangle under the bar, its tip at the middle of the journal.
+    const double middle = (begin + end) / 2.0;
+    painter.setPen(outline);
+    painter.setBrush(theme.panel());
+    for (const double x :
+         {middle - shaft_.bearing_span / 2.0, middle + shaft_.bearing_span / 2.0}) {
+        const QPointF tip = at(x, -radius);
+        painter.drawPolygon(QPolygonF{tip, tip + QPointF(-6, 10), tip + QPointF(6, 10)});
+    }
+
     // Sizes.
     painter.setPen(theme.text());
     const QLocale locale;
@@ -125,6 +136,8 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
                      Qt::AlignCenter, QStringLiteral("h ") + mm(shaft_.depth));
     painter.drawText(QRectF(at(begin, 0.0).x() - 20.0, above, shaft_.length * scale + 40.0, 16.0),
                      Qt::AlignCenter, QStringLiteral("b ") + mm(shaft_.length));
+    painter.drawText(QRectF(at(middle, 0.0).x() - 60.0, below, 120.0, 16.0), Qt::AlignCenter,
+                     QStringLiteral("L ") + mm(shaft_.bearing_span));
 }
 
 RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
@@ -134,7 +147,7 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     column->setSpacing(Theme::space);
     constexpr int pairWidth = 540;
     auto* upper = new FoldingRow(pairWidth, this);
-    column->addWidget(upper, 2);
+    column->addWidget(upper, 3);
     upper->add(buildForm(model), 2);
 
     auto* answerPanel = new Panel(this);
@@ -145,6 +158,8 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     table_ = new ResultTable(answerPanel);
     table_->setAccessibleName(tr("Sizes and masses of the shaft"));
     table_->setColumns({tr("Shaft"), tr("Value"), tr("Unit")});
+    table_->setTips(RelievedShaftModel::tips());
+    table_->setShownRows(9);
     answerColumn->addWidget(table_);
     answerColumn->addStretch();
     upper->add(answerPanel, 3);
@@ -196,18 +211,19 @@ QWidget* RelievedShaftView::buildForm(BalanceShaftModel* model) {
     addSize(field::bar_diameter, &RelievedShaftSizes::diameter);
     addSize(field::relief_depth, &RelievedShaftSizes::depth);
     addSize(field::relief_length, &RelievedShaftSizes::length);
-    const auto addSteel = [&](const Field& field, double RelievedShaftSizes::*value) {
-        form->number(
-            field, [this, &field, value] { return from_si(field, model_->sizes().*value); },
-            [model, &field](std::optional<double> typed) {
-                model->editField("/relieved_shaft/" + std::string(field.key), *typed,
-                                 fieldName(field));
-            });
-    };
-    addSteel(field::density, &RelievedShaftSizes::density);
-    addSteel(field::elastic_modulus, &RelievedShaftSizes::elastic_modulus);
-    column->addWidget(form);
-    column->addStretch();
+    for (const char* steel : {"density_kg_m3", "elastic_modulus_GPa"}) {
+        form->number((std::string("/relieved_shaft/") + steel).c_str());
+    }
+    form->section(tr("What it must bear"));
+    for (const char* limit : {"bearing_span_mm", "allowable_stress_MPa", "permitted_sag_mm",
+                              "speed_margin", "bearing_load_limit_N"}) {
+        form->number((std::string("/relieved_shaft/") + limit).c_str());
+    }
+    QScrollArea* area = scrolled(form, panel);
+    area->setMinimumWidth(form->minimumSizeHint().width() +
+                          area->verticalScrollBar()->sizeHint().width());
+    area->setMinimumHeight(120);
+    column->addWidget(area, 1);
     export_ = new QPushButton(tr("E&xport drawing (DXF)…"), panel);
     export_->setToolTip(tr("Section and side view, real size, for the machine shop"));
     connect(export_, &QPushButton::clicked, this, &RelievedShaftView::chooseFile);
@@ -225,11 +241,9 @@ void RelievedShaftView::showEvent(QShowEvent* event) {
 
 void RelievedShaftView::showShaft() {
     table_->setRows(model_->rows());
-    const QStringList hints = RelievedShaftModel::hints();
-    for (int i = 0; i < hints.size(); ++i) {
-        table_->setCellToolTip(i, 0, hints[i]);
-    }
     verdict_->setText(model_->verdict());
+    const Theme& theme = Theme::instance();
+    colourText(verdict_, model_->shaft().feasible ? theme.text() : theme.warning());
     export_->setEnabled(model_->shaft().feasible);
     drawing_->setShaft(model_->shaft());
 }

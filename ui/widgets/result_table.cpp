@@ -43,6 +43,7 @@ void ResultTable::setColumns(const QStringList& headings) {
     }
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    showTips();
     fitColumns();
 }
 
@@ -137,7 +138,58 @@ void ResultTable::setRows(const QVector<QStringList>& rows) {
             }
         }
     }
+    showTips();
     fitColumns();
+}
+
+void ResultTable::setTips(const ResultTips& tips) {
+    tips_.clear();
+    for (const auto& [name, tip] : tips) {
+        tips_.insert(name, tip);
+    }
+    showTips();
+}
+
+QString ResultTable::tipOf(const QString& name) const {
+    const auto exact = tips_.constFind(name);
+    if (exact != tips_.constEnd()) {
+        return *exact;
+    }
+    for (auto tip = tips_.constBegin(); tip != tips_.constEnd(); ++tip) {
+        const qsizetype place = tip.key().indexOf(QLatin1String("%1"));
+        if (place >= 0 && name.startsWith(tip.key().left(place)) &&
+            name.endsWith(tip.key().mid(place + 2))) {
+            return *tip;
+        }
+    }
+    return {};
+}
+
+void ResultTable::showTips() {
+    if (tips_.isEmpty()) {
+        return;
+    }
+    for (int column = 0; column < columnCount(); ++column) {
+        QTableWidgetItem* heading = horizontalHeaderItem(column);
+        QString ofColumn;
+        if (heading != nullptr) {
+            ofColumn = tipOf(heading->text());
+            heading->setToolTip(ofColumn);
+        }
+        for (int row = 0; row < rowCount(); ++row) {
+            QTableWidgetItem* cell = item(row, column);
+            const QTableWidgetItem* name = item(row, 0);
+            if (cell == nullptr || name == nullptr) {
+                continue;
+            }
+            QStringList lines{tipOf(name->text())};
+            if (column > 0 || lines.first().isEmpty()) {
+                lines << ofColumn;
+            }
+            lines.removeAll(QString());
+            cell->setToolTip(lines.join(QLatin1Char('\n')));
+        }
+    }
 }
 
 void ResultTable::setCellToolTip(int row, int column, const QString& text) {

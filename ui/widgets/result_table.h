@@ -1,8 +1,11 @@
 #pragma once
 
+#include <QHash>
 #include <QStringList>
 #include <QTableWidget>
 #include <QVector>
+
+#include "text/result_tips.h"
 
 namespace ravnoves {
 
@@ -19,6 +22,9 @@ class ResultTable : public QTableWidget {
     /// Replaces the cells; only what differs is touched, so it may be called at every step of a
     /// slider.
     void setRows(const QVector<QStringList>& rows);
+    /// What rows and columns are, by the row's first cell and the column's heading, where %1 stands
+    /// for anything: every cell says what its row and its column mean.
+    void setTips(const ResultTips& tips);
     void setCellToolTip(int row, int column, const QString& text);
 
     /// Besides the first, this column takes what room there is.
@@ -45,10 +51,14 @@ class ResultTable : public QTableWidget {
     /// Words never give way to numbers altogether: the table scrolls sideways instead.
     void fitStretched();
 
+    void showTips();
+    QString tipOf(const QString& name) const;
+
     QList<int> stretched_{0};
     bool isOver_ = false;  ///< wider than its room
     int shownRows_ = 0;    ///< 0: all
     bool fitted_ = false;
+    QHash<QString, QString> tips_;
 };
 
 }  // namespace ravnoves

@@ -94,9 +94,12 @@ TEST(RelievedShaft, TheCriticalSizesAreThoseOfHalfABar) {
         {below.diameter, std::nullopt, below.critical_length * 1.0001}, needed, speed);
     EXPECT_TRUE(longer.feasible);
     // Twice the depth beyond the axis: the same unbalance, and a word about it.
-    const RelievedShaft beyond =
-        design_relieved_shaft({0.060, 0.060 - shaft.depth, 0.3}, needed, speed);
-    EXPECT_TRUE(beyond.feasible);
+    RelievedShaftSizes deep{0.060, 0.060 - shaft.depth, 0.3};
+    EXPECT_FALSE(design_relieved_shaft(deep, needed, speed).feasible);  // it cannot bear its load
+    deep.allowable_stress = 500e6;
+    deep.permitted_sag = 5e-3;
+    const RelievedShaft beyond = design_relieved_shaft(deep, needed, speed);
+    EXPECT_TRUE(beyond.feasible) << beyond.reason.english();
     EXPECT_NE(beyond.note.english().find("More than half"), std::string::npos);
     EXPECT_GT(beyond.sag, shaft.sag);
 }

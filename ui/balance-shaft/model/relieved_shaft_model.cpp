@@ -61,11 +61,13 @@ void RelievedShaftModel::choose(Sized sized) {
 
 QVector<QStringList> RelievedShaftModel::rows() const {
     const RelievedShaft& found = shaft();
+    const balance_shaft::ShaftBending& bending = found.bending;
     const auto row = [](const QString& name, double value, int digits, const QString& unit) {
         return QStringList{
             name, value > 0.0 ? fixedNumber(value, digits, QLocale()) : QStringLiteral("–"), unit};
     };
     const QString mm = tr("mm");
+    const QString megapascal = tr("MPa");
     return {
         row(tr("unbalance needed, m₁ ρ₁"), found.required / units::gram_mm, 0, tr("g·mm")),
         row(tr("unbalance of the shaft"), found.unbalance / units::gram_mm, 0, tr("g·mm")),
@@ -75,17 +77,53 @@ QVector<QStringList> RelievedShaftModel::rows() const {
         row(tr("radius of its centre of mass"), found.centre_of_mass_radius / units::mm, 2, mm),
         row(tr("critical bar radius"), found.critical_radius / units::mm, 2, mm),
         row(tr("critical length"), found.critical_length / units::mm, 1, mm),
-        row(tr("sag at speed"), found.sag / units::mm, 3, mm),
-        row(tr("bending stress"), found.bending_stress / units::MPa, 1, tr("MPa")),
+        row(tr("bearing span L"), found.bearing_span / units::mm, 1, mm),
+        row(tr("whirling speed"), bending.critical_speed / units::rpm, 0, tr("min⁻¹")),
+        row(tr("over the speed"), bending.critical_speed / model_->input().angular_speed, 2,
+            QStringLiteral("×")),
+        row(tr("load of a bearing"), bending.bearing_load, 0, tr("N")),
+        row(tr("sag at speed"), bending.deflection / units::mm, 3, mm),
+        row(tr("permitted sag"), found.permitted_sag / units::mm, 3, mm),
+        row(tr("sag at rest"), bending.weight_sag / units::mm, 4, mm),
+        row(tr("tilt of the journals"), 1e3 * bending.journal_slope, 2, tr("mrad")),
+        row(tr("bending stress"), bending.bending_stress / units::MPa, 1, megapascal),
+        row(tr("stress with shear"), bending.combined_stress / units::MPa, 1, megapascal),
     };
 }
 
-QStringList RelievedShaftModel::hints() {
-    QStringList hints(6);
-    hints << tr("The smallest bar that can have the unbalance at this length")
-          << tr("The shortest relief that can have it with this bar")
-          << tr("Of the relieved part on two supports under its own centrifugal load");
-    return hints;
+ResultTips RelievedShaftModel::tips() {
+    return {
+        {tr("unbalance needed, m₁ ρ₁"), tr("What both counterweights have by equation (1)")},
+        {tr("unbalance of the shaft"), tr("U = 2/3 ρ b a³, a² = h (D − h)")},
+        {tr("width of the flat"), tr("2 a = 2 √(h (D − h))")},
+        {tr("mass of the relieved part"), tr("ρ b A of the section that is left")},
+        {tr("mass milled away"), tr("ρ b times the area of the segment")},
+        {tr("radius of its centre of mass"),
+         tr("U over the mass of the relieved part, on the side away from the flat")},
+        {tr("critical bar radius"),
+         tr("The smallest bar radius that can have the unbalance at this length: with half of the "
+            "bar milled away, ∛(3 U / (2 ρ b)). It has nothing to do with vibration.")},
+        {tr("critical length"),
+         tr("The shortest relief that can have the unbalance with this bar: with half of it milled "
+            "away, 3 U / (2 ρ R³). It has nothing to do with vibration.")},
+        {tr("bearing span L"), tr("As entered, or b + D; the relief stands in the middle")},
+        {tr("whirling speed"),
+         tr("First bending critical speed between two simple supports, towards the flat; finite "
+            "elements of the beam with its steps")},
+        {tr("over the speed"),
+         tr("Whirling speed over the speed entered; must reach the margin asked for")},
+        {tr("load of a bearing"),
+         tr("Half of the centrifugal load U ω², grown by the deflection, and of the weight")},
+        {tr("sag at speed"),
+         tr("Largest deflection under the centrifugal load, which grows with it, and the weight")},
+        {tr("permitted sag"), tr("As entered, or L / 1200")},
+        {tr("sag at rest"), tr("Largest deflection under the weight alone, flat up")},
+        {tr("tilt of the journals"),
+         tr("Slope in the bearings at speed. Ball bearings take 1 to 3 mrad, plain ones less.")},
+        {tr("bending stress"), tr("Largest bending moment over the section modulus, σ = M / W")},
+        {tr("stress with shear"),
+         tr("Largest √(σ² + 3 τ²), τ = 4/3 V / A; must not be above the allowable stress")},
+    };
 }
 
 QString RelievedShaftModel::verdict() const {

@@ -7,6 +7,7 @@
 
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/relieved_shaft.h"
+#include "text/result_tips.h"
 
 namespace ravnoves {
 
@@ -34,7 +35,7 @@ class RelievedShaftModel : public QObject {
 
     /// The page's table, and what the names of its rows mean.
     QVector<QStringList> rows() const;
-    static QStringList hints();
+    static ResultTips tips();
     QString verdict() const;
     /// Section and side view, real size.
     /// @return an empty string, or what went wrong
