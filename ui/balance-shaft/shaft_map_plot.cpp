@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "balance-shaft/change_colours.h"
 #include "balance-shaft/mechanism.h"
 #include "numerics/constants.h"
 #include "numerics/units.h"
@@ -26,46 +27,24 @@ constexpr double handleRadius = 6.5;
 constexpr double reach = 13.0;  ///< of the pointer, pixels
 constexpr double glyphRadius = 5.5;
 constexpr int imageScale = 3;  ///< pixels of the picture to one step of the field
-constexpr double barHeight = 10.0;
-constexpr double longestBar = 460.0;
 constexpr double swatch = 20.0;
-
-QColor mixed(const QColor& a, const QColor& b, double part) {
-    const auto channel = [&](int from, int to) {
-        return static_cast<int>(std::lround(from + (to - from) * part));
-    };
-    return {channel(a.red(), b.red()), channel(a.green(), b.green()), channel(a.blue(), b.blue())};
-}
 
 QColor faint(QColor colour, double alpha) {
     colour.setAlphaF(static_cast<float>(alpha));
     return colour;
 }
 
-/// Colours of the stretches between the levels: blue where the shaft helps, orange where it harms,
-/// the more the stronger; the eye that sees no red tells them apart, and so does grey from either.
+/// Colours of the stretches between the levels.
 std::vector<QRgb> bandColours(const std::vector<double>& levels) {
-    const bool dark = Theme::instance().isDark();
-    const QColor neutral = dark ? QColor(0x2b3036) : QColor(0xf7f7f5);
-    const std::array help = dark ? std::array{QColor(0x24557f), QColor(0x6cc0ff)}
-                                 : std::array{QColor(0x92c5de), QColor(0x15508f)};
-    const std::array harm = dark ? std::array{QColor(0x7a4a1c), QColor(0xe09a48)}
-                                 : std::array{QColor(0xfccf9c), QColor(0xc2650f)};
     const auto below = std::count_if(levels.begin(), levels.end(), [](double l) { return l < 0; });
     const auto above = std::ssize(levels) - below;
     std::vector<QRgb> colours;
-    const auto of = [&](const std::array<QColor, 2>& ends, std::ptrdiff_t i, std::ptrdiff_t count) {
-        // i from 1, next to no change, to count.
-        const double part = static_cast<double>(i) / static_cast<double>(count);
-        colours.push_back((part <= 0.5 ? mixed(neutral, ends[0], 0.25 + 1.5 * part)
-                                       : mixed(ends[0], ends[1], 2.0 * part - 1.0))
-                              .rgb());
-    };
     for (std::ptrdiff_t i = below + 1; i >= 1; --i) {
-        of(help, i, below + 1);
+        colours.push_back(
+            changeColour(-static_cast<double>(i) / static_cast<double>(below + 1)).rgb());
     }
     for (std::ptrdiff_t i = 1; i <= above; ++i) {
-        of(harm, i, above);
+        colours.push_back(changeColour(static_cast<double>(i) / static_cast<double>(above)).rgb());
     }
     return colours;
 }
@@ -307,7 +286,7 @@ std::vector<ShaftMapPlot::KeyEntry> ShaftMapPlot::keyEntries() const {
     const QFontMetricsF metrics(Theme::font(Theme::smallSize));
     const double row = std::ceil(metrics.height()) + 3.0;
     double x = Theme::margin;
-    double y = map_->levels().empty() ? 0.0 : barHeight + row + 2.0;
+    double y = map_->levels().empty() ? 0.0 : colourBarHeight + row + 2.0;
     for (KeyEntry& entry : entries) {
         const double wide = swatch + 4.0 + metrics.horizontalAdvance(entry.text) + 12.0;
         if (x + wide > width() - Theme::space && x > Theme::margin) {
@@ -332,13 +311,13 @@ void ShaftMapPlot::paintKey(QPainter& painter) const {
     painter.setFont(Theme::font(Theme::smallSize));
     if (!levels.empty()) {
         const std::vector<QRgb> colours = bandColours(levels);
-        const double whole = std::min(width() - 2.0 * Theme::margin, longestBar);
+        const double whole = std::min(width() - 2.0 * Theme::margin, longestColourBar);
         const double each = whole / static_cast<double>(colours.size());
-        const QRectF bar(Theme::margin, top, whole, barHeight);
+        const QRectF bar(Theme::margin, top, whole, colourBarHeight);
         for (std::size_t i = 0; i < colours.size(); ++i) {
-            painter.fillRect(
-                QRectF(bar.left() + each * static_cast<double>(i), top, each + 0.5, barHeight),
-                QColor(colours[i]));
+            painter.fillRect(QRectF(bar.left() + each * static_cast<double>(i), top, each + 0.5,
+                                    colourBarHeight),
+                             QColor(colours[i]));
         }
         painter.setPen(QPen(theme.border(), 1.0));
         painter.setBrush(Qt::NoBrush);

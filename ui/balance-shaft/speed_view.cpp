@@ -1,21 +1,19 @@
 #include "balance-shaft/speed_view.h"
 
 #include <QComboBox>
-#include <QImage>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "balance-shaft/buildable_bands.h"
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/speed_study_model.h"
+#include "balance-shaft/speed_map_plot.h"
 #include "model/background_job.h"
-#include "plot/plot_view.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form.h"
@@ -31,26 +29,6 @@ namespace field = balance_shaft::field;
 namespace {
 
 constexpr int pairWidth = 480;  ///< designed pixels of two parts beside each other
-
-/// A colour of a dark-to-light scale that reads the same in grey, 0…1.
-QRgb mapColour(double part) {
-    static constexpr std::array<std::array<int, 3>, 5> stops{
-        {{48, 18, 92}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}}};
-    const double place = std::clamp(part, 0.0, 1.0) * (stops.size() - 1);
-    const auto i = std::min(static_cast<std::size_t>(place), stops.size() - 2);
-    const double t = place - static_cast<double>(i);
-    const auto mix = [&](std::size_t channel) {
-        return static_cast<int>(
-            std::lround(stops[i][channel] * (1 - t) + stops[i + 1][channel] * t));
-    };
-    return qRgb(mix(0), mix(1), mix(2));
-}
-
-/// The same for what cannot be built: nearer to light grey.
-QRgb paled(QRgb colour) {
-    const auto mix = [](int channel) { return (channel + 2 * 220) / 3; };
-    return qRgb(mix(qRed(colour)), mix(qGreen(colour)), mix(qBlue(colour)));
-}
 
 /// Curves of an angle over speed: broken where the angle passes 0, which is no jump.
 struct Broken {
@@ -101,10 +79,7 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
                                    .width = 1.8,
                                    .toolTip = tr("α of the least RMS at each speed"),
                                    .gaps = true});
-    map_ = new PlotView(tr("Map over α and speed"), this);
-    map_->setXAxis({tr("α, °"), 0.0, 360.0, true});
-    map_->setYAxis(PlotView::Side::Left, {tr("n, min⁻¹")});
-    map_->setPickable(true);
+    map_ = new SpeedMapPlot(this);
     bestLine_ = map_->addCurve({.name = tr("best α"), .colour = 7, .width = 2.0, .gaps = true});
     connect(map_, &PlotView::pickedAt, study_, &SpeedStudyModel::pick);
     auto* charts = new FoldingRow(pairWidth, this);
@@ -227,7 +202,7 @@ void SpeedView::showStudy() {
         }
         angles_->setLines({});
         map_->setCurve(bestLine_, {}, {});
-        map_->setImage({}, {});
+        map_->setMap({});
         map_->setBands({});
         angles_->setBands({});
         const SpeedBand asked = study_->band();
@@ -250,28 +225,20 @@ void SpeedView::showStudy() {
     map_->setYRange(PlotView::Side::Left, speed.front(), speed.back());
     const Broken& line = criterion_->currentIndex() == 0 ? range : rms;
     map_->setCurve(bestLine_, line.angle, line.speed);
-    showMap(speed.front(), speed.back());
+    showMap();
 }
 
-void SpeedView::showMap(double from, double to) {
+void SpeedView::showMap() {
     const SpeedStudyModel::Map map = study_->map();
-    QImage image(map.angles, map.speeds, QImage::Format_RGB32);
-    for (int s = 0; s < map.speeds; ++s) {
-        auto* line = reinterpret_cast<QRgb*>(image.scanLine(map.speeds - 1 - s));
-        for (int a = 0; a < map.angles; ++a) {
-            const QRgb colour = mapColour(map.part(s, a));
-            line[a] = map.canBuild[static_cast<std::size_t>(a)] ? colour : paled(colour);
-        }
-    }
-    map_->setImage(image, QRectF(0.0, from, 360.0, to - from));
+    map_->setMap(map);
     map_->setTitle(tr("%1 ÷ without: %2…%3")
                        .arg(criterion_->currentIndex() == 0 ? tr("Range") : tr("RMS"),
                             fixedNumber(map.least, 2, QLocale()),
                             fixedNumber(map.most, 2, QLocale())));
     map_->setToolTip(
-        tr("The criterion with the shaft over that without it at the same speed; dark "
-           "is small, light is large. Click to set α and, with a computed torque, the "
-           "speed."));
+        tr("The criterion with the shaft over that without it at the same speed: blue is less, "
+           "orange is more, paled cannot be built. Along the thick line, 1.0, the shaft changes "
+           "nothing. Click to set α and, with a computed torque, the speed."));
 }
 
 BackgroundJob* SpeedView::job() const {

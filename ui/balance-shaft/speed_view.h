@@ -12,6 +12,7 @@ class BackgroundJob;
 class BalanceShaftModel;
 class Form;
 class PlotView;
+class SpeedMapPlot;
 class SpeedStudyModel;
 class ValueSlider;
 
@@ -24,7 +25,7 @@ class SpeedView : public QWidget {
 
     BackgroundJob* job() const;
     PlotView* anglePlot() const { return angles_; }
-    PlotView* mapPlot() const { return map_; }
+    SpeedMapPlot* mapPlot() const { return map_; }
     QString answer() const;
 
   protected:
@@ -35,7 +36,7 @@ class SpeedView : public QWidget {
     Form* buildForm();
     void showInput();
     void showStudy();
-    void showMap(double from, double to);
+    void showMap();
 
     BalanceShaftModel* model_;
     SpeedStudyModel* study_;
@@ -45,7 +46,7 @@ class SpeedView : public QWidget {
     QPushButton* goLeastBad_;
     QLabel* answer_;
     PlotView* angles_;
-    PlotView* map_;
+    SpeedMapPlot* map_;
     int rangeAngle_ = 0;
     int rmsAngle_ = 0;
     int bestLine_ = 0;

@@ -2,6 +2,7 @@
 
 #include <QComboBox>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QSlider>
 #include <QTabWidget>
 #include <cmath>
@@ -12,6 +13,8 @@
 #include "balance-shaft/forces_view.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/orders_view.h"
+#include "balance-shaft/solver.h"
+#include "balance-shaft/speed_map_plot.h"
 #include "balance-shaft/speed_view.h"
 #include "balance-shaft/torque_source_editor.h"
 #include "events.h"
@@ -211,7 +214,7 @@ TEST_F(BalanceShaftViewsTest, SpeedStudyIsSolvedInTheBackground) {
     EXPECT_NEAR(*best, *model->bestRms().shaft_angle / degree, 0.5);
     // What cannot be built is shaded along α, which runs upwards in one plot.
     const auto& stretch = model->result().buildable.stretches.at(0);
-    for (const PlotView* plot : {view->anglePlot(), view->mapPlot()}) {
+    for (const PlotView* plot : {view->anglePlot(), static_cast<PlotView*>(view->mapPlot())}) {
         ASSERT_EQ(plot->bands().size(), 2U);
         EXPECT_NEAR(plot->bands()[0].to, stretch.from / degree, 1e-9);
     }
@@ -222,6 +225,35 @@ TEST_F(BalanceShaftViewsTest, SpeedStudyIsSolvedInTheBackground) {
     const QPoint at(view->mapPlot()->toPixel(200.0, speed).toPoint());
     QTest::mouseClick(view->mapPlot(), Qt::LeftButton, {}, at);
     EXPECT_NEAR(model->shaftAngleDeg(), 200.0, 3.0);
+}
+
+TEST_F(BalanceShaftViewsTest, TheSpeedMapSaysWhereTheShaftHelps) {
+    model->setTorqueKind(balance_shaft::TorqueSource::Kind::cycle);
+    auto* view = open<SpeedView>();
+    QTRY_VERIFY_WITH_TIMEOUT(!view->job()->isRunning(), 20000);
+    SpeedMapPlot* plot = view->mapPlot();
+    // The bar goes from the least to the most, with 1 among its numbers.
+    EXPECT_TRUE(plot->barTexts().contains(QStringLiteral("1.00")));
+    EXPECT_GE(plot->barTexts().size(), 3);
+    // Along the line 1.0 the shaft changes nothing: the solver's own answer at its points.
+    ASSERT_FALSE(plot->borders().empty());
+    const QPolygonF& border = plot->borders().front();
+    const QPointF place = border[border.size() / 2];
+    balance_shaft::Input input = model->input();
+    input.angular_speed = place.y() * rpm;
+    input.shaft_angle = place.x() * degree;
+    const balance_shaft::Result there = balance_shaft::solve(input);
+    EXPECT_NEAR(there.M_ups.range / there.M_up.range, 1.0, 0.01);
+    // The pointer reads α, speed and value.
+    QSignalSpy hovered(plot, &SpeedMapPlot::hovered);
+    QTest::mouseMove(plot, plot->toPixel(90.0, model->input().angular_speed / rpm).toPoint());
+    QTRY_VERIFY(!hovered.isEmpty());
+    const QString words = hovered.last().at(0).toString();
+    EXPECT_TRUE(words.startsWith(QStringLiteral("α "))) << words.toStdString();
+    EXPECT_TRUE(words.contains(QStringLiteral("min⁻¹")));
+    EXPECT_TRUE(words.contains(QStringLiteral("better")) ||
+                words.contains(QStringLiteral("worse")));
+    EXPECT_GT(plot->dataAsCsv().count(QLatin1Char('\n')), 360);
 }
 
 TEST_F(BalanceShaftViewsTest, ANewStudyReplacesTheOneThatRuns) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/background_job.h"
+#include "numerics/angle.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 
@@ -21,10 +22,25 @@ constexpr std::size_t mapAngles = 360;
 
 }  // namespace
 
+double SpeedStudyModel::Map::value(int speed, int angle) const {
+    return relative[static_cast<std::size_t>(speed) * static_cast<std::size_t>(angles) +
+                    static_cast<std::size_t>(angle)];
+}
+
+double SpeedStudyModel::Map::valueAt(double angleDeg, double speed) const {
+    const double column = wrap(angleDeg, 360.0) / 360.0 * angles;
+    const double row = std::clamp((speed - lowest) / speedStep(), 0.0, speeds - 1.0);
+    const int left = static_cast<int>(column) % angles;
+    const int right = (left + 1) % angles;
+    const int below = std::min(static_cast<int>(row), speeds - 2);
+    const double s = column - std::floor(column);
+    return std::lerp(std::lerp(value(below, left), value(below, right), s),
+                     std::lerp(value(below + 1, left), value(below + 1, right), s), row - below);
+}
+
 double SpeedStudyModel::Map::part(int speed, int angle) const {
-    const auto at = static_cast<std::size_t>(speed) * static_cast<std::size_t>(angles) +
-                    static_cast<std::size_t>(angle);
-    return (relative[at] - least) / std::max(most - least, 1e-12);
+    const double change = value(speed, angle) - 1.0;
+    return change < 0.0 ? change / (1.0 - least) : change / std::max(most - 1.0, 1e-12);
 }
 
 SpeedStudyModel::SpeedStudyModel(BalanceShaftModel* model, QObject* parent)
@@ -134,6 +150,8 @@ SpeedStudyModel::Map SpeedStudyModel::map() const {
     const auto [least, most] = std::minmax_element(map.relative.begin(), map.relative.end());
     map.least = *least;
     map.most = *most;
+    map.lowest = points.front().angular_speed / rpm;
+    map.highest = points.back().angular_speed / rpm;
     for (const double angle : angles) {
         map.canBuild.push_back(buildable().contains(angle * degree));
     }

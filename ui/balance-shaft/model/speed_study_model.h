@@ -36,8 +36,14 @@ class SpeedStudyModel : public QObject {
         double least = 0.0;
         double most = 0.0;
         std::vector<bool> canBuild;  ///< by angle
+        double lowest = 0.0;         ///< speed, min⁻¹
+        double highest = 0.0;
 
-        /// Where a value stands between the least and the most, 0…1.
+        double speedStep() const { return (highest - lowest) / (speeds - 1); }
+        double value(int speed, int angle) const;
+        /// Between the neighbours in proportion; α in °, the speed in min⁻¹.
+        double valueAt(double angleDeg, double speed) const;
+        /// Where a value stands: from −1, the least, over 0, as without a shaft, to 1, the most.
         double part(int speed, int angle) const;
     };
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <QColor>
+
+namespace ravnoves {
+
+/// The colour of what a shaft does: blue where it helps, orange where it harms, the more the
+/// stronger; the eye that sees no red tells them apart, and so does grey from either.
+/// @param part  from −1, helps most, over 0, no change, to 1, harms most
+QColor changeColour(double part);
+
+inline constexpr double colourBarHeight = 10.0;    ///< of the key to these colours, pixels
+inline constexpr double longestColourBar = 460.0;  ///< pixels
+
+/// From one colour to another, 0…1.
+QColor mixedColour(const QColor& from, const QColor& to, double part);
+
+}  // namespace ravnoves

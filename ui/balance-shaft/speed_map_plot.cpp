@@ -1,0 +1,220 @@
+#include "balance-shaft/speed_map_plot.h"
+
+#include <QHelpEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+#include <algorithm>
+#include <cmath>
+
+#include "balance-shaft/change_colours.h"
+#include "plot/model/contour_lines.h"
+#include "text/csv_format.h"
+#include "text/number_text.h"
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+SpeedMapPlot::SpeedMapPlot(QWidget* parent) : PlotView(tr("Map over α and speed"), parent) {
+    setXAxis({tr("α, °"), 0.0, 360.0, true});
+    setYAxis(Side::Left, {tr("n, min⁻¹")});
+    setPickable(true);
+    connect(&Theme::instance(), &Theme::changed, this, &SpeedMapPlot::showMap);
+}
+
+void SpeedMapPlot::setMap(std::optional<SpeedStudyModel::Map> map) {
+    map_ = std::move(map);
+    showMap();
+}
+
+void SpeedMapPlot::showMap() {
+    borders_.clear();
+    if (!map_) {
+        setImage({}, {});
+        return;
+    }
+    // 360° is 0° again, so that the lines reach both ends of the axis.
+    const SpeedStudyModel::Map& map = *map_;
+    const auto columns = static_cast<std::size_t>(map.angles) + 1;
+    const auto rows = static_cast<std::size_t>(map.speeds);
+    std::vector<double> values;
+    values.reserve(columns * rows);
+    QImage image(map.angles + 1, map.speeds, QImage::Format_RGB32);
+    const QColor pale = Theme::instance().panel();
+    for (int s = 0; s < map.speeds; ++s) {
+        auto* line = reinterpret_cast<QRgb*>(image.scanLine(map.speeds - 1 - s));
+        for (int a = 0; a <= map.angles; ++a) {
+            const int angle = a % map.angles;
+            values.push_back(map.value(s, angle));
+            const QColor colour = changeColour(map.part(s, angle));
+            line[a] = map.canBuild[static_cast<std::size_t>(angle)]
+                          ? colour.rgb()
+                          : mixedColour(colour, pale, 0.4).rgb();
+        }
+    }
+    const double stepX = 360.0 / map.angles;
+    const double stepY = map.speedStep();
+    for (const QPolygonF& line : contourLines({values, columns, rows}, 1.0)) {
+        QPolygonF border;
+        for (const QPointF& point : line) {
+            border << QPointF(point.x() * stepX, map.lowest + point.y() * stepY);
+        }
+        borders_.push_back(border);
+    }
+    // A pixel's middle is its value's place.
+    setImage(image, QRectF(-0.5 * stepX, map.lowest - 0.5 * stepY, 360.0 + stepX,
+                           map.highest - map.lowest + stepY));
+}
+
+// The bar: what helps to the left of 1, what harms to its right, each side on its own scale.
+
+std::vector<SpeedMapPlot::Tick> SpeedMapPlot::ticks() const {
+    std::vector<Tick> ticks;
+    if (!map_) {
+        return ticks;
+    }
+    if (map_->least < 1.0) {
+        ticks.push_back({-1.0, map_->least});
+        ticks.push_back({-0.5, (map_->least + 1.0) / 2.0});
+    }
+    ticks.push_back({0.0, 1.0});
+    if (map_->most > 1.0) {
+        ticks.push_back({0.5, (map_->most + 1.0) / 2.0});
+        ticks.push_back({1.0, map_->most});
+    }
+    return ticks;
+}
+
+QStringList SpeedMapPlot::barTexts() const {
+    QStringList texts;
+    for (const Tick& tick : ticks()) {
+        texts << fixedNumber(tick.value, 2, QLocale());
+    }
+    return texts;
+}
+
+double SpeedMapPlot::keyHeight() const {
+    return map_ ? colourBarHeight + QFontMetricsF(Theme::font(Theme::smallSize)).height() + 6.0
+                : 0.0;
+}
+
+void SpeedMapPlot::paintBar(QPainter& painter) const {
+    const Theme& theme = Theme::instance();
+    const std::vector<Tick> marks = ticks();
+    const double first = marks.front().part;
+    const double last = std::max(marks.back().part, first + 0.5);
+    const double top = keyTop();
+    const double width = std::min(this->width() - 4.0 * Theme::margin, longestColourBar);
+    const QRectF bar(2.0 * Theme::margin, top, width, colourBarHeight);
+    const auto x = [&](double part) {
+        return bar.left() + (part - first) / (last - first) * bar.width();
+    };
+    for (int pixel = 0; pixel < static_cast<int>(bar.width()); ++pixel) {
+        const double part = first + (last - first) * (pixel + 0.5) / bar.width();
+        painter.fillRect(QRectF(bar.left() + pixel, top, 1.5, colourBarHeight), changeColour(part));
+    }
+    painter.setPen(QPen(theme.border(), 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(bar);
+    painter.setFont(Theme::font(Theme::smallSize));
+    const double row = QFontMetricsF(painter.font()).height() + 1.0;
+    const QStringList texts = barTexts();
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        const bool isOne = marks[i].part == 0.0;
+        painter.setPen(QPen(theme.text(), isOne ? 2.4 : 1.0));
+        painter.drawLine(QPointF(x(marks[i].part), isOne ? top - 1.0 : bar.bottom() - 3.0),
+                         QPointF(x(marks[i].part), bar.bottom() + 2.0));
+        painter.drawText(QRectF(x(marks[i].part) - 40.0, bar.bottom() + 2.0, 80.0, row),
+                         Qt::AlignCenter, texts[static_cast<qsizetype>(i)]);
+    }
+}
+
+void SpeedMapPlot::paintGround(QPainter& painter) {
+    if (!map_) {
+        return;
+    }
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintBar(painter);
+    painter.setClipRect(plotArea());
+    painter.setBrush(Qt::NoBrush);
+    const Theme& theme = Theme::instance();
+    const QString text = fixedNumber(1.0, 1, QLocale());
+    painter.setFont(Theme::font(Theme::smallSize, true));
+    const QFontMetricsF metrics(painter.font());
+    for (const QPolygonF& border : borders_) {
+        QPolygonF line;
+        for (const QPointF& point : border) {
+            line << toPixel(point.x(), point.y());
+        }
+        painter.setPen(QPen(theme.text(), 2.4));
+        painter.drawPolyline(line);
+        if (line.size() < 12) {
+            continue;
+        }
+        const QPointF middle = line[line.size() / 2];
+        const QRectF box(middle.x() - metrics.horizontalAdvance(text) / 2.0 - 3.0,
+                         middle.y() - metrics.height() / 2.0, metrics.horizontalAdvance(text) + 6.0,
+                         metrics.height());
+        painter.fillRect(box, theme.panel());
+        painter.drawText(box, Qt::AlignCenter, text);
+    }
+    painter.restore();
+}
+
+QString SpeedMapPlot::wordsAt(double angleDeg, double speed) const {
+    if (!map_) {
+        return {};
+    }
+    const double value = map_->valueAt(angleDeg, speed);
+    const QLocale locale;
+    const double change = 100.0 * (value - 1.0);
+    return tr("α %1°, n %2 min⁻¹: %3 of that without a shaft, %4")
+        .arg(fixedNumber(angleDeg, 1, locale), fixedNumber(speed, 0, locale),
+             fixedNumber(value, 3, locale),
+             (change > 0.0 ? tr("%1 % worse") : tr("%1 % better"))
+                 .arg(fixedNumber(std::abs(change), 1, locale)));
+}
+
+bool SpeedMapPlot::event(QEvent* event) {
+    // Over the chart what is under the pointer stays; elsewhere stands how to read the map.
+    if (event->type() == QEvent::ToolTip && map_ &&
+        plotArea().contains(static_cast<QHelpEvent*>(event)->pos())) {
+        return true;
+    }
+    return PlotView::event(event);
+}
+
+void SpeedMapPlot::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF at = event->position();
+    const QString words = plotArea().contains(at) ? wordsAt(xAt(at.x()), yAt(at.y())) : QString();
+    QToolTip::showText(event->globalPosition().toPoint(), words, this);
+    Q_EMIT hovered(words);
+    if (event->buttons() != Qt::NoButton) {
+        PlotView::mouseMoveEvent(event);
+    }
+}
+
+void SpeedMapPlot::leaveEvent(QEvent* event) {
+    Q_EMIT hovered({});
+    PlotView::leaveEvent(event);
+}
+
+QString SpeedMapPlot::csv(const CsvFormat& format) const {
+    if (!map_) {
+        return {};
+    }
+    const auto number = [&format](double value) { return format.number(value); };
+    QString text = format.field(tr("n, min⁻¹")) + format.separator + format.field(tr("α, °")) +
+                   format.separator + format.field(title()) + QLatin1Char('\n');
+    for (int s = 0; s < map_->speeds; ++s) {
+        for (int a = 0; a < map_->angles; ++a) {
+            text += number(map_->lowest + s * map_->speedStep()) + format.separator +
+                    number(360.0 * a / map_->angles) + format.separator +
+                    number(map_->value(s, a)) + QLatin1Char('\n');
+        }
+    }
+    return text;
+}
+
+}  // namespace ravnoves
