@@ -35,11 +35,11 @@ std::vector<ShaftDesign> design_shafts(const Engine& engine, const EngineOrders&
         const Shaft& shaft = shafts[i];
         design.shaft = shaft;
         RotatingPair task;
-        double scale = 0.0;
         if (shaft.order <= static_cast<int>(orders.orders.size())) {
             const EngineOrder& order = orders.order(shaft.order);
             task = shaft.balances == Balances::force ? order.force : order.moment;
-            scale = shaft.balances == Balances::force ? order.force_scale : order.moment_scale;
+            design.scale =
+                shaft.balances == Balances::force ? order.force_scale : order.moment_scale;
         }
         if (shaft.balances == Balances::moment) {
             for (const ShaftDesign& other : designs) {
@@ -62,7 +62,7 @@ std::vector<ShaftDesign> design_shafts(const Engine& engine, const EngineOrders&
             design.mass = design.unbalance / *shaft.weight_radius;
         }
         const Complex added = counter_vector(design);
-        if (std::abs(design.target) > 1e-9 * scale) {
+        if (std::abs(design.target) > zero_share * design.scale) {
             design.phase = std::arg(added);
         }
         if (shaft.balances == Balances::force) {

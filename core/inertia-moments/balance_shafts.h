@@ -26,6 +26,7 @@ struct ShaftDesign {
     /// Largest value of its order (force or moment) with this shaft alone, and without: N or N·m.
     double remaining = 0.0;
     double before = 0.0;
+    double scale = 0.0;  ///< what zero is measured against for these and the target, N or N·m
 };
 
 /// Designs the shafts so that each cancels its order and direction. Force shafts come first; a

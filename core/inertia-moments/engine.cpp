@@ -115,12 +115,12 @@ Message describe(const Locking& locking) {
 Engine reduce(const Input& input) {
     Engine engine;
     engine.crank_radius = input.crank_radius;
-    engine.lambda = input.lambda;
+    engine.lambda = input.ratio();
     engine.angular_speed = input.angular_speed;
     engine.reciprocating_mass = input.reciprocating_mass;
     engine.reference_position = input.reference_position;
     engine.cylinders = input.layout ? make_cylinders(*input.layout, input.crank_radius,
-                                                     input.lambda, input.cycle())
+                                                     input.ratio(), input.cycle())
                                     : input.cylinders;
     for (Cylinder& cylinder : engine.cylinders) {
         cylinder.crankpin_angle = wrap_turn(cylinder.crankpin_angle);

@@ -95,6 +95,22 @@ void visit_rotating_mass(FieldVisitor& visitor, Input& input) {
     }
 }
 
+/// λ or the rod's length.
+void visit_rod_length(FieldVisitor& visitor, Input& input) {
+    const int which =
+        visitor.one_of({field::lambda.key, field::rod_length.key}, input.given_rod_length ? 1 : 0);
+    if (which != 1) {
+        visitor.number(field::lambda, input.lambda);
+    }
+    if (which != 0) {
+        double length = input.given_rod_length.value_or(0.0);
+        visitor.number(field::rod_length, length);
+        if (which == 1) {
+            input.given_rod_length = length;
+        }
+    }
+}
+
 }  // namespace
 
 Message cylinder_place(std::size_t cylinder, std::string_view key) {
@@ -183,7 +199,7 @@ void visit_fields(FieldVisitor& visitor, EndWebs& webs) {
 
 void visit_fields(FieldVisitor& visitor, Input& input) {
     visitor.number(field::crank_radius, input.crank_radius);
-    visitor.number(field::lambda, input.lambda);
+    visit_rod_length(visitor, input);
     visitor.number(field::speed, input.angular_speed);
     visitor.number(field::reciprocating_mass, input.reciprocating_mass);
     visit_rotating_mass(visitor, input);

@@ -25,6 +25,15 @@ inline constexpr Field lambda{
     .hint = CORE_TEXT("inertia-moments",
                       "Crank radius over rod length. Volkswagen VR5: 0.265. The crank turns where "
                       "λ (1 + |e|/R) < 1.")};
+inline constexpr Field rod_length{
+    .key = "rod_length_mm",
+    .unit = units::mm,
+    .range = Range::greater_than(0),
+    .label = CORE_TEXT("inertia-moments", "Ro&d length L"),
+    .symbol = "L",
+    .hint = CORE_TEXT("inertia-moments",
+                      "From crankpin to piston pin, instead of λ = R / L. It stays when the crank "
+                      "radius changes; λ stays where λ is given.")};
 inline constexpr Field speed{
     .key = "speed_rpm",
     .unit = units::rpm,

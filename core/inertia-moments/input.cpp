@@ -48,11 +48,18 @@ void check_table(const Input& input) {
 }
 
 void check_locking(const Input& input, const std::vector<Cylinder>& cylinders) {
-    const auto locking = find_locking(input.crank_radius, input.lambda, cylinders);
+    const auto locking = find_locking(input.crank_radius, input.ratio(), cylinders);
     if (!locking) {
         return;
     }
     const double limit = (input.rod_length() - input.crank_radius) / units::mm;  // of |e|
+    if (!(limit > 0.0) && input.given_rod_length) {
+        throw InputError(
+            "/input/rod_length_mm",
+            {CORE_TEXT("inertia-moments", "must be greater than the crank radius, %1; %2"),
+             from_si(field::crank_radius, input.crank_radius), describe(*locking)},
+            Number{from_si(field::rod_length, input.rod_length())});
+    }
     if (!(limit > 0.0)) {
         throw InputError(
             "/input/lambda",
@@ -180,7 +187,14 @@ void check_size(const Input& input, const Engine& engine) {
 void check_input(const Input& input) {
     check_fields(input);
     // The rod, R/λ, must have a length; field::lambda allows all that is greater than 0.
-    if (constexpr Range ratios = Range::at_least(1e-9); !ratios.contains(input.lambda)) {
+    if (constexpr Range ratios = Range::at_least(1e-9); !ratios.contains(input.ratio())) {
+        if (input.given_rod_length) {
+            throw InputError(
+                "/input/rod_length_mm",
+                {CORE_TEXT("inertia-moments", "must be at most %1, 1e9 times the crank radius"),
+                 from_si(field::crank_radius, input.crank_radius) / 1e-9},
+                Number{from_si(field::rod_length, input.rod_length())});
+        }
         throw InputError("/input/lambda", ratios.message(), Number{input.lambda});
     }
     if (input.layout) {

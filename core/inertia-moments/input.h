@@ -105,9 +105,10 @@ struct EndWebs {
 
 /// The input of the scene.
 struct Input {
-    double crank_radius = 0.0;   ///< R, m
-    double lambda = 0.0;         ///< R/L
-    double angular_speed = 0.0;  ///< ω, rad/s
+    double crank_radius = 0.0;               ///< R, m
+    double lambda = 0.0;                     ///< R/L; of no account where the rod's length is given
+    std::optional<double> given_rod_length;  ///< L, m, instead of λ
+    double angular_speed = 0.0;              ///< ω, rad/s
     /// m_j, kg, of one cylinder. With a rod: without any share of the rod.
     double reciprocating_mass = 0.0;
     /// kg at the radius R, of one cylinder: a crankpin that two rods share carries it twice. With a
@@ -126,7 +127,11 @@ struct Input {
     std::optional<EndWebs> end_webs;
     std::optional<double> step;  ///< rad; empty: 1°, and no curves in the result file
 
-    double rod_length() const { return crank_radius / lambda; }            ///< L, m
+    /// R/L, given or by the rod's length.
+    double ratio() const { return given_rod_length ? crank_radius / *given_rod_length : lambda; }
+    double rod_length() const {
+        return given_rod_length.value_or(crank_radius / lambda);
+    }                                                                      ///< L, m
     double cycle() const { return strokes == 2 ? two_pi : 2.0 * two_pi; }  ///< rad of the crank
     bool operator==(const Input&) const = default;
 };

@@ -51,6 +51,16 @@ CounterweightDesign design_counterweights(const Engine& engine, const RotatingMa
     design.rear = {design.against_force * (front_lever / distance) - design.against_moment,
                    webs.rear_position, webs.rear_radius};
 
+    const double force_scale = rotating.mass_force * rotating.force_scale +
+                               webs.first_order_share * first_order.force_scale;
+    const double moment_scale =
+        rotating.mass_force * rotating.moment_scale +
+        webs.first_order_share * (first_order.moment_scale +
+                                  first_order.force_scale *
+                                      std::abs(engine.reference_position - rotating.mean_position));
+    design.scale = (force_scale * (std::abs(front_lever) + std::abs(rear_lever)) + moment_scale) /
+                   (omega_2 * std::abs(distance));
+
     const Complex from_pin = crankpin_direction(engine) * omega_2;
     design.force = (design.front.unbalance + design.rear.unbalance) * from_pin;
     design.moment = (design.front.unbalance * (webs.front_position - engine.reference_position) +

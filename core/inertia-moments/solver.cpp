@@ -90,7 +90,7 @@ Result solve(const Input& input) {
     result.engine = make_engine(input);
     const Engine& engine = result.engine;
     if (input.layout) {
-        result.tdc_angle = SliderCrank<double>{1.0, 1.0 / input.lambda,
+        result.tdc_angle = SliderCrank<double>{1.0, 1.0 / input.ratio(),
                                                std::abs(input.layout->offset) / input.crank_radius}
                                .top_dead_centre();
     }

@@ -117,7 +117,7 @@ Value of_elastic_hinge(std::string_view sweep, const elastic_hinge::Input& input
 
 Value of_inertia_moments(std::string_view sweep, const inertia_moments::Input& input) {
     if (sweep == "lambda") {
-        return input.lambda;
+        return input.ratio();
     }
     if (sweep == "offset") {
         double largest = 0.0;

@@ -60,8 +60,9 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
     if (radius > 16.0) {
         if (result.counterweights) {
             const auto& design = *result.counterweights;
-            const double largest = std::max(
-                {std::abs(design.front.unbalance), std::abs(design.rear.unbalance), 1e-300});
+            const double largest =
+                std::max({std::abs(design.front.unbalance), std::abs(design.rear.unbalance),
+                          1e3 * inertia_moments::zero_share * design.scale, 1e-300});
             const bool on = model_->input().end_webs->enabled;
             const auto weight = [&](const inertia_moments::Counterweight& w, QColor colour) {
                 const double share = std::abs(w.unbalance) / largest;
@@ -146,12 +147,14 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
          theme.curve(4), true);
     if (result.counterweights) {
         const auto& design = *result.counterweights;
-        const double scale = std::abs(design.front.unbalance) + std::abs(design.rear.unbalance);
         const auto weight = [&](const QString& name, const inertia_moments::Counterweight& w,
                                 const QColor& colour) {
             line(tr("%1: %2 g at ρ %3 mm, %4")
-                     .arg(name, formNumber(1e3 * w.mass(), QLocale(), 4),
-                          formNumber(1e3 * w.radius, QLocale(), 4), at(w.unbalance, scale)),
+                     .arg(name,
+                          std::abs(w.unbalance) > inertia_moments::zero_share * design.scale
+                              ? formNumber(1e3 * w.mass(), QLocale(), 4)
+                              : QStringLiteral("0"),
+                          formNumber(1e3 * w.radius, QLocale(), 4), at(w.unbalance, design.scale)),
                  colour, true);
         };
         weight(tr("front web"), design.front, drawing::frontWeight());

@@ -68,8 +68,7 @@ EngineForm::EngineForm(InertiaMomentsModel* model) : Form(model), model_(model) 
 
     section(tr("Crank gear"));
     number("/crank_radius_mm");
-    number("/lambda");
-    QLabel* rodLength = current()->addResult(tr("Rod length L"), tr("R / λ"));
+    addRodLength();
     QLabel* deadCentre = current()->addResult(
         tr("φ at TDC"), tr("Top dead centre: arcsin(λK/(1 + λ)), from the cylinder's axis on the "
                            "side of its offset. Volkswagen VR5: 3°20′."));
@@ -77,15 +76,41 @@ EngineForm::EngineForm(InertiaMomentsModel* model) : Form(model), model_(model) 
     addRotatingMass();
     addRod();
     fillUp(this);
-    follow([this, sizes, rodLength, deadCentre] {
+    follow([this, sizes, deadCentre] {
         showLayout();
         sizes->setVisible(model_->input().layout.has_value());
         const QLocale locale;
-        rodLength->setText(fixedNumber(model_->input().rod_length() / units::mm, 2, locale) +
-                           tr(" mm"));
         const auto& engine = model_->result().engine;
         deadCentre->setText(fixedNumber(engine.top_dead_centre(0) / degree, 3, locale) +
                             QStringLiteral("°"));
+    });
+}
+
+/// λ and the length of the rod: what is given stands in its field, what follows is pale in its own.
+void EngineForm::addRodLength() {
+    NumberField* ratio = number(
+        field::lambda,
+        [this] {
+            const auto& input = model_->input();
+            return input.given_rod_length ? std::nullopt : std::optional(input.lambda);
+        },
+        [this](std::optional<double> typed) { model_->setRodRatio(typed); });
+    NumberField* length = number(
+        field::rod_length,
+        [this] {
+            const auto& given = model_->input().given_rod_length;
+            return given ? std::optional(from_si(field::rod_length, *given)) : std::nullopt;
+        },
+        [this](std::optional<double> typed) {
+            model_->setRodLength(typed ? std::optional(*typed * units::mm) : std::nullopt);
+        });
+    for (NumberField* each : {ratio, length}) {
+        each->setOptional(true);
+    }
+    follow([this, ratio, length] {
+        const QLocale locale;
+        ratio->setPlaceholderText(formNumber(model_->input().ratio(), locale, 5));
+        length->setPlaceholderText(formNumber(model_->input().rod_length() / units::mm, locale, 6));
     });
 }
 

@@ -20,6 +20,7 @@ class EngineForm : public Form {
     QComboBox* layoutChoice() const { return layout_; }
 
   private:
+    void addRodLength();
     void addLayoutChoice();
     void addFiringOrder();
     void addRotatingMass();

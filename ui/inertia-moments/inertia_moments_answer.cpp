@@ -42,14 +42,15 @@ InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* 
     tabs_ = new QTabWidget(panel);
     tabs_->setDocumentMode(true);
     addTable(tr("Orders"), tr("Amplitudes and phases by order and plane"), model_->orderColumns(),
-             &Model::orderRows);
+             &Model::orderRows, Model::orderTips());
     addTable(tr("±kω"), tr("Forward and backward rotating parts by order"),
-             model_->rotatingColumns(), &Model::rotatingRows);
-    addTable(tr("Shafts"), tr("Balance shafts"), model_->shaftColumns(), &Model::shaftRows);
+             model_->rotatingColumns(), &Model::rotatingRows, Model::rotatingTips());
+    addTable(tr("Shafts"), tr("Balance shafts"), model_->shaftColumns(), &Model::shaftRows,
+             Model::shaftTips());
     addTable(tr("Weights"), tr("Rotating masses and counterweights"), model_->weightColumns(),
-             &Model::weightRows);
+             &Model::weightRows, Model::weightTips());
     addTable(tr("Left"), tr("What is left over, by order"), model_->remainingColumns(),
-             &Model::remainingRows);
+             &Model::remainingRows, Model::remainingTips());
     connect(tabs_, &QTabWidget::currentChanged, this, &InertiaMomentsAnswer::showFront);
     answerColumn->addWidget(tabs_, 1);
     warning_ = captionLabel({}, panel);
@@ -66,11 +67,12 @@ InertiaMomentsAnswer::InertiaMomentsAnswer(InertiaMomentsModel* model, QWidget* 
 }
 
 void InertiaMomentsAnswer::addTable(const QString& title, const QString& name,
-                                    const QStringList& columns, Rows rows) {
+                                    const QStringList& columns, Rows rows, const ResultTips& tips) {
     auto* table = new ResultTable(tabs_);
     table->setAccessibleName(name);
     table->setColumns(columns);
     table->setShownRows(4);  // the picture has the same share of the height
+    table->setTips(tips);
     tabs_->setTabToolTip(tabs_->addTab(table, title), name);
     tables_.push_back({table, rows});
 }

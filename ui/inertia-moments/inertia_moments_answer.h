@@ -5,6 +5,8 @@
 #include <QWidget>
 #include <vector>
 
+#include "text/result_tips.h"
+
 class QLabel;
 class QTabWidget;
 
@@ -35,7 +37,8 @@ class InertiaMomentsAnswer : public QWidget {
         Rows rows;
     };
 
-    void addTable(const QString& title, const QString& name, const QStringList& columns, Rows rows);
+    void addTable(const QString& title, const QString& name, const QStringList& columns, Rows rows,
+                  const ResultTips& tips);
     void showFront();
     void showWarning();
     /// Fills the tables that are not in front too.

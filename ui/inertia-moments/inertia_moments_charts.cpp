@@ -19,7 +19,6 @@
 
 namespace ravnoves {
 
-using inertia_moments::EngineOrder;
 using inertia_moments::Result;
 
 namespace {
@@ -62,9 +61,13 @@ InertiaMomentsCharts::InertiaMomentsCharts(InertiaMomentsModel* model, QWidget* 
     tabs_->addTab(shaftView_, tr("Shafts"));
     tabs_->addTab(new CounterweightView(model_, tabs_), tr("Weights"));
     tabs_->addTab(new FiringWheel(model_, tabs_), tr("Firing"));
+    addCourses();
     column->addWidget(tabs_, 6);
     connect(tabs_, &QTabWidget::currentChanged, this, &InertiaMomentsCharts::showFront);
-    connect(model_, &SceneModel::changed, this, &InertiaMomentsCharts::showMoments);
+    connect(model_, &SceneModel::changed, this, [this] {
+        showMoments();
+        showCursor(model_->crankAngleDeg());
+    });
     connect(model_, &InertiaMomentsModel::crankAngleChanged, this,
             &InertiaMomentsCharts::showCursor);
     showMoments();
@@ -173,6 +176,57 @@ void InertiaMomentsCharts::addRoll() {
     tabs_->addTab(roll_, tr("Roll"));
 }
 
+void InertiaMomentsCharts::addCourses() {
+    auto* pair = new QWidget(tabs_);
+    auto* column = new QVBoxLayout(pair);
+    column->setContentsMargins(0, Theme::gap, 0, 0);
+    column->setSpacing(Theme::space);
+    for (const bool force : {true, false}) {
+        auto* plot = new PlotView(force ? tr("Forces over φ") : tr("Moments over φ"), pair);
+        plot->setXAxis({force ? QString() : tr("φ, °"), 0.0, cycleDegrees, true});
+        plot->setYAxis(PlotView::Side::Left, {force ? tr("F, N") : tr("M, N·m")});
+        const auto add = [plot](const QString& name, int colour, double width,
+                                const QString& toolTip) {
+            plot->addCurve({.name = name, .colour = colour, .width = width, .toolTip = toolTip});
+        };
+        const QString twoTerm = tr("By the two-term formulas: orders 1 and 2");
+        const QString exact =
+            tr("Sum of −m a of all reciprocating parts, exact: every order in it");
+        const QString left =
+            tr("With rotating masses, and with the counterweights and shafts that "
+               "are on");
+        add(force ? tr("Fy 2-term") : tr("My 2-term"), 6, 1.0, twoTerm);
+        add(force ? tr("Fx 2-term") : tr("Mx 2-term"), 5, 1.0, twoTerm);
+        add(force ? tr("Fy") : tr("My"), 2, 1.8, exact);
+        add(force ? tr("Fx") : tr("Mx"), 1, 1.8, exact);
+        add(force ? tr("Fy left") : tr("My left"), 3, 2.2, left);
+        add(force ? tr("Fx left") : tr("Mx left"), 4, 2.2, left);
+        connect(plot, &PlotView::cursorMoved, model_, &InertiaMomentsModel::setCrankAngleDeg);
+        column->addWidget(plot, 1);
+        courses_[force ? 0 : 1] = plot;
+    }
+    tabs_->setTabToolTip(tabs_->addTab(pair, tr("Over φ")),
+                         tr("Forces and moments of all orders over two turns"));
+}
+
+void InertiaMomentsCharts::showCourse(bool force) {
+    const engine_curves::Course shown = engine_curves::course(model_->result(), force);
+    PlotView* plot = course(force);
+    const auto set = [&](int curveY, int curveX, const engine_curves::Trace& trace) {
+        const auto& angle = trace.x.empty() ? trace.x : shown.crankAngleDeg;
+        plot->setCurve(curveY, angle, trace.y);
+        plot->setCurve(curveX, angle, trace.x);
+    };
+    set(verticalTwoTerm, horizontalTwoTerm, shown.twoTerm);
+    set(vertical, horizontal, shown.exact);
+    set(verticalLeft, horizontalLeft, shown.left);
+    if (shown.isSomething) {
+        plot->followData(PlotView::Side::Left);
+    } else {
+        plot->setYRange(PlotView::Side::Left, -1.0, 1.0);
+    }
+}
+
 void InertiaMomentsCharts::nameMoments(bool force) {
     isForce_ = force;
     for (int k = 1; k <= 2; ++k) {
@@ -222,6 +276,9 @@ void InertiaMomentsCharts::showFront() {
         roll_->setCurve(0, roll.crankAngleDeg, roll.sum);
         roll_->setCurve(1, roll.crankAngleDeg, roll.inertia);
         roll_->setCurve(2, roll.crankAngleDeg, roll.reactionTorque);
+    } else if (front == courses_[0]->parentWidget()) {
+        showCourse(true);
+        showCourse(false);
     } else if (tabs_->currentIndex() == 0) {
         showHodograph(hodographs_[0], true);
         showHodograph(hodographs_[1], false);
@@ -247,14 +304,16 @@ void InertiaMomentsCharts::showCursor(double crankAngle) {
     for (PlotView* plot : moments_) {
         plot->setPresentX(crankAngle);
     }
+    for (PlotView* plot : courses_) {
+        plot->setPresentX(crankAngle);
+    }
     roll_->setPresentX(crankAngle);
     // Where the vectors stand now, on their hodographs.
     const double phi = crankAngle * degree;
     const Result& result = model_->result();
     for (std::size_t i = 0; i < hodographs_.size(); ++i) {
         const auto member = [&](int k) {
-            const EngineOrder& order = result.exact.order(k);
-            return (i == 0 ? order.force : order.moment).at(k * phi);
+            return engine_curves::vectorAt(result.exact.order(k), i == 0, k * phi);
         };
         const auto first = member(1);
         const auto second = member(2);

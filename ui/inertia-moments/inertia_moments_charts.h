@@ -13,7 +13,7 @@ class PlotView;
 class ShaftView;
 
 /// The moments of orders 1 and 2 over φ, and below them the tabs: hodographs, orders, roll moment,
-/// shafts, counterweights, firing order.
+/// shafts, counterweights, firing order, forces and moments of all orders over φ.
 class InertiaMomentsCharts : public QWidget {
     Q_OBJECT
 
@@ -23,6 +23,8 @@ class InertiaMomentsCharts : public QWidget {
     PlotView* moment(int order) const { return moments_.at(static_cast<std::size_t>(order - 1)); }
     PlotView* hodograph(bool force) const { return hodographs_[force ? 0 : 1].plot; }
     PlotView* roll() const { return roll_; }
+    /// Force or moment of all orders over φ.
+    PlotView* course(bool force) const { return courses_[force ? 0 : 1]; }
     OrderBars* bars() const { return bars_; }
     ShaftView* shaftView() const { return shaftView_; }
     QTabWidget* tabs() const { return tabs_; }
@@ -37,6 +39,8 @@ class InertiaMomentsCharts : public QWidget {
     void addHodographs();
     void addBars();
     void addRoll();
+    void addCourses();
+    void showCourse(bool force);
     void showMoments();
     void nameMoments(bool force);
     void showFront();
@@ -50,6 +54,7 @@ class InertiaMomentsCharts : public QWidget {
     std::array<Hodograph, 2> hodographs_;  ///< forces, moments
     OrderBars* bars_ = nullptr;
     PlotView* roll_ = nullptr;
+    std::array<PlotView*, 2> courses_{};  ///< forces, moments
     ShaftView* shaftView_ = nullptr;
 };
 

@@ -118,9 +118,11 @@ void ShaftView::paintShaft(QPainter& painter, int index, const QRectF& area) con
     painter.drawText(area.adjusted(6, 3, -6, 0), Qt::AlignTop | Qt::AlignRight, state);
 
     const QString unit = moment ? tr("N·m") : tr("N");
-    QStringList lines{tr("mρ %1 g·mm").arg(short4(design.unbalance * 1e6))};
+    // Without a phase there is nothing to cancel but rounding.
+    const double something = design.phase ? 1.0 : 0.0;
+    QStringList lines{tr("mρ %1 g·mm").arg(short4(something * design.unbalance * 1e6))};
     if (design.mass) {
-        lines << tr("m %1 g").arg(short4(1e3 * *design.mass));
+        lines << tr("m %1 g").arg(short4(something * 1e3 * *design.mass));
     }
     lines << tr("%1 → %2 %3")
                  .arg(fixedNumber(design.before, 0, QLocale()),

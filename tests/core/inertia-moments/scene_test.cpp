@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "case-file/field_index.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "engines.h"
@@ -155,6 +156,43 @@ TEST(CaseIo, RefusesWithPointerRuleAndFinding) {
     json = table_json();
     json["rod"] = {{"mass_kg", 0.5}, {"centre_from_big_end_mm", -200}, {"inertia_kg_m2", 0.001}};
     EXPECT_NE(error_in(json).find("/input/rod/centre_from_big_end_mm"), std::string::npos);
+}
+
+TEST(CaseIo, TheRodsLengthStandsForLambda) {
+    const Input by_ratio = read_input(vr5_json());
+    Json json = vr5_json();
+    json.erase("lambda");
+    json["rod_length_mm"] = 45.0 / 0.265;
+    const Input by_length = read_input(json);
+    EXPECT_NEAR(by_length.ratio(), 0.265, 1e-15);
+    EXPECT_NEAR(by_length.rod_length(), by_ratio.rod_length(), 1e-15);
+    const EngineOrder& first = solve(by_ratio).exact.order(2);
+    const EngineOrder& second = solve(by_length).exact.order(2);
+    EXPECT_NEAR(std::abs(first.moment.forward - second.moment.forward), 0.0,
+                1e-12 * first.moment_scale);
+    // It is written as it was given, and stays where the crank radius changes.
+    const Json written = write_input(by_length);
+    EXPECT_FALSE(written.contains("lambda"));
+    EXPECT_NEAR(written.at("rod_length_mm").get<double>(), 45.0 / 0.265, 1e-12);
+    EXPECT_EQ(read_input(written), by_length);
+    Input longer = by_length;
+    EXPECT_TRUE(set_field(longer, "/crank_radius_mm", 50.0));
+    EXPECT_NEAR(longer.rod_length(), by_length.rod_length(), 1e-15);
+    EXPECT_NEAR(longer.ratio(), 50.0 / (45.0 / 0.265), 1e-12);
+    EXPECT_TRUE(set_field(longer, "/rod_length_mm", 160.0));
+    EXPECT_NEAR(longer.rod_length(), 0.16, 1e-15);
+    // Exactly one of the two.
+    json["lambda"] = 0.265;
+    EXPECT_EQ(error_in(json), "/input/rod_length_mm: must be left out where lambda is given");
+    json.erase("lambda");
+    json.erase("rod_length_mm");
+    EXPECT_NE(error_in(json), "no error");
+    json["rod_length_mm"] = 40;
+    json["layout"]["offset_mm"] = 0;
+    EXPECT_EQ(
+        error_in(json).rfind("/input/rod_length_mm: must be greater than the crank radius, 45;", 0),
+        0U)
+        << error_in(json);
 }
 
 TEST(CaseIo, LockingMechanismsAreRefusedWithTheAngle) {

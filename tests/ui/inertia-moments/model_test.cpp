@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <cmath>
 
@@ -348,6 +349,54 @@ TEST(EngineCurves, RoundingIsNoPicture) {
     const auto forces = engine_curves::hodograph(model.result(), true);
     EXPECT_TRUE(forces.left.x.empty() || forces.left.reach() < forces.reach);
     EXPECT_GT(forces.reach, 100.0 * forces.first.reach());
+}
+
+TEST(EngineCurves, TheCourseIsTheSumOfAllForces) {
+    InertiaMomentsModel model;
+    model.chooseLayout(QStringLiteral("i4"));
+    const auto& result = model.result();
+    const engine_curves::Course forces = engine_curves::course(result, true);
+    ASSERT_EQ(forces.crankAngleDeg.front(), 0.0);
+    ASSERT_EQ(forces.crankAngleDeg.back(), 720.0);
+    for (const std::size_t i : {std::size_t{0}, std::size_t{47}, std::size_t{500}}) {
+        const double phi = forces.crankAngleDeg[i] * degree;
+        const auto exact = inertia_moments::exact_wrench(result.engine, phi);
+        const double scale = forces.exact.reach();
+        EXPECT_NEAR(forces.exact.y[i], exact.force.imag(), 1e-9 * scale);
+        const auto twoTerm = inertia_moments::sum_of_orders(result.two_term, phi);
+        EXPECT_NEAR(forces.twoTerm.y[i], twoTerm.force.imag(), 1e-9 * scale);
+    }
+    // An in-line four: 4 λ m R ω² of second order, and a little of the fourth.
+    EXPECT_TRUE(forces.isSomething);
+    const double second = 4.0 * result.engine.lambda * result.engine.force_unit();
+    EXPECT_NEAR(forces.twoTerm.reach(), second, 1e-9 * second);
+    EXPECT_NEAR(forces.exact.reach(), second, 0.1 * second);
+    // It has no side force: nothing, not rounding.
+    EXPECT_EQ(*std::max_element(forces.exact.x.begin(), forces.exact.x.end()), 0.0);
+}
+
+TEST(InertiaMomentsModel, RoundingIsZeroInEveryTable) {
+    InertiaMomentsModel model;
+    for (const QString& layout : InertiaMomentsModel::layoutNames()) {
+        model.chooseLayout(layout);
+        for (const bool enabled : {true, false}) {
+            model.edit(QStringLiteral("webs"), [&](Input& input) {
+                if (input.end_webs) {
+                    input.end_webs->enabled = enabled;
+                    input.end_webs->first_order_share = enabled ? 0.5 : 0.0;
+                }
+            });
+            for (const auto& rows : {model.orderRows(), model.rotatingRows(), model.shaftRows(),
+                                     model.weightRows(), model.remainingRows()}) {
+                for (const QStringList& row : rows) {
+                    // The high orders of a small engine are some 1e-6 N·m, and no rounding.
+                    static const QRegularExpression rounding(QStringLiteral("E-(0[89]|[1-9])"));
+                    EXPECT_FALSE(row.join(QLatin1Char(';')).contains(rounding))
+                        << layout.toStdString() << ": " << row.join(QLatin1Char(';')).toStdString();
+                }
+            }
+        }
+    }
 }
 
 TEST(EngineCurves, ReachesHaveRoundTicks) {

@@ -697,6 +697,69 @@ TEST_F(InertiaMomentsPageTest, HodographsHoldTheVectors) {
     EXPECT_LT(plot->yInterval(PlotView::Side::Left).first, 0.0);
 }
 
+TEST_F(InertiaMomentsPageTest, ForcesAndMomentsStandOverTheCrankAngle) {
+    tab(Tabs::Charts, "over-angle");
+    model->chooseLayout(QStringLiteral("i4"));
+    QApplication::processEvents();
+    // Curves 0 and 2 are Fy, two-term and exact.
+    const auto force = inertia_moments::exact_wrench(model->result().engine, 30.0 * degree).force;
+    EXPECT_NEAR(*page.charts()->course(true)->valueAt(2, 30.0), force.imag(),
+                1e-9 * std::abs(force));
+    EXPECT_NE(*page.charts()->course(true)->valueAt(0, 30.0), 0.0);
+    EXPECT_GT(page.charts()->course(true)->yInterval(PlotView::Side::Left).second, 1000.0);
+    EXPECT_EQ(*page.charts()->course(true)->valueAt(3, 30.0), 0.0);
+    // A change of the input is there at once.
+    const double before = *page.charts()->course(true)->valueAt(2, 30.0);
+    drag(page.sliders()->speed()->slider(), -30);
+    EXPECT_LT(std::abs(*page.charts()->course(true)->valueAt(2, 30.0)), std::abs(before));
+}
+
+TEST_F(InertiaMomentsPageTest, ThePointsOfTheHodographsFollowTheInput) {
+    model->setSpeedRpm(4000.0);
+    QApplication::processEvents();
+    InertiaMomentsPage fresh;
+    fresh.viewModel()->loadInput(model->inputJson(), {});
+    test::showAt(fresh, {1187, 712});
+    QApplication::processEvents();
+    for (const bool force : {true, false}) {
+        PlotView* plot = page.charts()->hodograph(force);
+        PlotView* expected = fresh.charts()->hodograph(force);
+        // The axes wait for a change that is worth while: the same for both.
+        for (PlotView* each : {plot, expected}) {
+            each->setXAxis({QString(), -1e5, 1e5});
+            each->setYRange(PlotView::Side::Left, -1e5, 1e5);
+        }
+        EXPECT_EQ(plot->grab().toImage(), expected->grab().toImage()) << force;
+    }
+}
+
+TEST_F(InertiaMomentsPageTest, TheRodsLengthMayStandForLambda) {
+    NumberField* length = field("rod_length_mm");
+    NumberField* ratio = field("lambda");
+    EXPECT_TRUE(length->text().isEmpty());
+    EXPECT_EQ(length->placeholderText(), QStringLiteral("169.811"));
+    type(length, QStringLiteral("150"));
+    EXPECT_NEAR(model->input().rod_length(), 0.15, 1e-12);
+    EXPECT_TRUE(ratio->text().isEmpty());
+    EXPECT_EQ(ratio->placeholderText(), QStringLiteral("0.3"));
+    type(field("crank_radius_mm"), QStringLiteral("50"));
+    EXPECT_NEAR(model->input().rod_length(), 0.15, 1e-12);
+    EXPECT_NEAR(model->result().engine.lambda, 1.0 / 3.0, 1e-12);
+    // Emptied, the other one is given.
+    length->setFocus();
+    length->selectAll();
+    QTest::keyClick(length, Qt::Key_Delete);
+    QTest::keyClick(length, Qt::Key_Return);
+    EXPECT_FALSE(model->input().given_rod_length);
+    EXPECT_NEAR(model->input().lambda, 1.0 / 3.0, 1e-12);
+    type(ratio, QStringLiteral("0.25"));
+    EXPECT_NEAR(model->input().rod_length(), 0.2, 1e-12);
+    // What cannot be is refused in its field.
+    type(length, QStringLiteral("40"));
+    EXPECT_NEAR(model->input().rod_length(), 0.2, 1e-12);
+    EXPECT_EQ(model->inputJson().count("lambda"), 1U);
+}
+
 TEST_F(InertiaMomentsPageTest, EveryTabOfEveryLayoutDrawsInBothThemes) {
     for (const auto mode : {Theme::Mode::Light, Theme::Mode::Dark}) {
         Theme::instance().setMode(mode);

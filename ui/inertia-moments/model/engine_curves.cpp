@@ -97,44 +97,108 @@ OrderMoments orderMoments(const Result& result, int order, bool force) {
     return moments;
 }
 
-Hodograph hodograph(const Result& result, bool force) {
-    const auto vector = [&](const EngineOrder& order) -> const RotatingPair& {
-        return force ? order.force : order.moment;
-    };
-    const auto scale = [&](const EngineOrder& order) {
-        return zero_share * (force ? order.force_scale : order.moment_scale);
-    };
-    const auto curve = [&](const WrenchCurves& curves) {
-        return force ? Trace{curves.force_x, curves.force_y}
-                     : Trace{curves.moment_x, curves.moment_y};
-    };
-    Hodograph picture;
-    picture.first = ellipse(vector(result.exact.order(1)));
-    picture.second = ellipse(vector(result.exact.order(2)));
-    picture.all = curve(result.curves);
-    for (std::size_t i = 0; i < result.exact.orders.size() && picture.left.x.empty(); ++i) {
-        const EngineOrder& before = result.exact.orders[i];
-        if ((vector(result.remaining.orders[i]) - vector(before)).max() > scale(before)) {
-            picture.left = curve(result.remaining_curves);
+namespace {
+
+/// Force or moment of an order, and what counts as nothing beside it.
+const RotatingPair& vectorOf(const EngineOrder& order, bool force) {
+    return force ? order.force : order.moment;
+}
+double roundingOf(const EngineOrder& order, bool force) {
+    return zero_share * (force ? order.force_scale : order.moment_scale);
+}
+
+/// Of all orders together.
+double rounding(const Result& result, bool force) {
+    double sum = 0.0;
+    for (const EngineOrder& order : result.exact.orders) {
+        sum += roundingOf(order, force);
+    }
+    return sum;
+}
+
+/// A curve over one turn; what is nothing but rounding is drawn as nothing.
+Trace turnOf(const WrenchCurves& curves, bool force, double nothing) {
+    Trace trace =
+        force ? Trace{curves.force_x, curves.force_y} : Trace{curves.moment_x, curves.moment_y};
+    for (std::vector<double>* values : {&trace.x, &trace.y}) {
+        if (std::all_of(values->begin(), values->end(),
+                        [&](double value) { return std::abs(value) <= nothing; })) {
+            std::fill(values->begin(), values->end(), 0.0);
         }
     }
+    return trace;
+}
+
+/// True where rotating masses, counterweights or shafts change something.
+bool isBalanced(const Result& result, bool force) {
+    for (std::size_t i = 0; i < result.exact.orders.size(); ++i) {
+        const EngineOrder& before = result.exact.orders[i];
+        if ((vectorOf(result.remaining.orders[i], force) - vectorOf(before, force)).max() >
+            roundingOf(before, force)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::vector<double> twoTurns(std::size_t points) {
+    std::vector<double> angles(points);
+    for (std::size_t i = 0; i < points; ++i) {
+        angles[i] = static_cast<double>(i) * cycleDegrees / static_cast<double>(points - 1);
+    }
+    return angles;
+}
+
+}  // namespace
+
+inertia_moments::Complex vectorAt(const EngineOrder& order, bool force, double angle) {
+    const RotatingPair& pair = vectorOf(order, force);
+    return pair.max() > roundingOf(order, force) ? pair.at(angle) : inertia_moments::Complex();
+}
+
+Course course(const Result& result, bool force) {
+    const double nothing = rounding(result, force);
+    const auto trace = [&](const WrenchCurves& curves) {
+        const Trace turn = turnOf(curves, force, nothing);
+        return Trace{twice(turn.x), twice(turn.y)};
+    };
+    Course picture;
+    picture.exact = trace(result.curves);
+    picture.twoTerm = trace(
+        inertia_moments::curves_of_orders(result.two_term, result.curves.crank_angle.size() - 1));
+    if (isBalanced(result, force)) {
+        picture.left = trace(result.remaining_curves);
+    }
+    picture.crankAngleDeg = twoTurns(picture.exact.x.size());
+    picture.isSomething = picture.exact.reach() > 0.0 || picture.left.reach() > 0.0;
+    return picture;
+}
+
+Hodograph hodograph(const Result& result, bool force) {
+    const double nothing = rounding(result, force);
+    const auto ofOrder = [&](const EngineOrder& order) {
+        const RotatingPair& pair = vectorOf(order, force);
+        return ellipse(pair.max() > roundingOf(order, force) ? pair : RotatingPair{});
+    };
+    Hodograph picture;
+    picture.first = ofOrder(result.exact.order(1));
+    picture.second = ofOrder(result.exact.order(2));
+    picture.all = turnOf(result.curves, force, nothing);
+    if (isBalanced(result, force)) {
+        picture.left = turnOf(result.remaining_curves, force, nothing);
+    }
+    const double reach = std::max(
+        {picture.first.reach(), picture.second.reach(), picture.all.reach(), picture.left.reach()});
     // Rounding of a balanced engine is not a picture.
-    const double rounding = std::max(scale(result.exact.order(1)) * 1e3, 1e-9);
-    const double reach = std::max({picture.first.reach(), picture.second.reach(),
-                                   picture.all.reach(), picture.left.reach()});
-    picture.reach = std::max(reach > rounding ? reach : 1.0, rounding);
+    const double least = std::max(1e3 * roundingOf(result.exact.order(1), force), 1e-9);
+    picture.reach = std::max(reach > least ? reach : 1.0, least);
     return picture;
 }
 
 Roll roll(const Result& result) {
     const WrenchCurves& curves = result.curves;
-    Roll roll{std::vector<double>(2 * curves.crank_angle.size() - 1), twice(curves.roll),
-              twice(curves.inertia_roll), twice(curves.reaction_torque)};
-    for (std::size_t i = 0; i < roll.crankAngleDeg.size(); ++i) {
-        roll.crankAngleDeg[i] = static_cast<double>(i) * cycleDegrees /
-                                static_cast<double>(roll.crankAngleDeg.size() - 1);
-    }
-    return roll;
+    return {twoTurns(2 * curves.crank_angle.size() - 1), twice(curves.roll),
+            twice(curves.inertia_roll), twice(curves.reaction_torque)};
 }
 
 double niceReach(double value) {

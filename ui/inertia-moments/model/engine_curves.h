@@ -27,6 +27,10 @@ struct OrderMoments {
 };
 OrderMoments orderMoments(const inertia_moments::Result& result, int order, bool force = false);
 
+/// Force or moment of an order at kφ (rad); 0 where it is nothing but rounding.
+inertia_moments::Complex vectorAt(const inertia_moments::EngineOrder& order, bool force,
+                                  double angle);
+
 /// The ends of the vectors of force (N) or moment (N·m) over a cycle.
 struct Hodograph {
     Trace first;
@@ -36,6 +40,16 @@ struct Hodograph {
     double reach = 0.0;  ///< of all of them; above 0, and above what is only rounding
 };
 Hodograph hodograph(const inertia_moments::Result& result, bool force);
+
+/// Forces (N) or moments (N·m) of all orders over two turns.
+struct Course {
+    std::vector<double> crankAngleDeg;
+    Trace exact;
+    Trace twoTerm;
+    Trace left;  ///< with rotating masses, counterweights and shafts; empty without them
+    bool isSomething = false;  ///< one of exact and left is more than rounding
+};
+Course course(const inertia_moments::Result& result, bool force);
 
 /// The roll moment over two turns and its two parts, N·m.
 struct Roll {

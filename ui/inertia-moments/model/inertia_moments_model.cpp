@@ -65,6 +65,12 @@ QString figure(double value) {
     return number(value, std::min(decimals, 3));
 }
 
+/// The same, and 0 where it is nothing but rounding beside its scale.
+QString figure(double value, double scale) {
+    return std::abs(value) > inertia_moments::zero_share * scale ? figure(value)
+                                                                 : QStringLiteral("0");
+}
+
 QString degrees(double radians) {
     // 359.96 would print as 360.0
     const double rounded = std::round(wrap(radians / degree, 360.0) * 10.0) / 10.0;
@@ -162,7 +168,7 @@ QString InertiaMomentsModel::layoutTitle(const QString& name) const {
 
 QString InertiaMomentsModel::layoutName() const {
     const auto isSizedAs = [this](const Input& other) {
-        return input().crank_radius == other.crank_radius && input().lambda == other.lambda &&
+        return input().crank_radius == other.crank_radius && input().ratio() == other.ratio() &&
                input().reciprocating_mass == other.reciprocating_mass &&
                input().angular_speed == other.angular_speed &&
                input().reference_position == other.reference_position;
@@ -225,7 +231,7 @@ void InertiaMomentsModel::chooseLayout(const QString& name) {
         input.firing_order.clear();
         input.reference_position = 0.0;
         const auto cylinders = inertia_moments::make_cylinders(*input.layout, input.crank_radius,
-                                                               input.lambda, input.cycle());
+                                                               input.ratio(), input.cycle());
         const bool counted = input.end_webs && input.end_webs->enabled;
         input.end_webs = inertia_moments::usual_end_webs(cylinders, input.crank_radius);
         input.end_webs->enabled = counted;
@@ -257,7 +263,7 @@ QString InertiaMomentsModel::setEvenFiring() {
         return tr("Articulated rods run on their master's crankpin: they cannot be set apart.");
     }
     return edit(tr("Even firing"), [&](Input& input) {
-        inertia_moments::set_even_firing(tableOf(input), order, input.crank_radius, input.lambda,
+        inertia_moments::set_even_firing(tableOf(input), order, input.crank_radius, input.ratio(),
                                          input.cycle());
         input.cylinders = inertia_moments::rounded(std::move(input.cylinders));
     });
@@ -559,6 +565,20 @@ QString InertiaMomentsModel::shaftTitle(const Shaft& shaft) const {
            sign + speed;
 }
 
+QString InertiaMomentsModel::setRodRatio(std::optional<double> ratio) {
+    return edit(fieldName(inertia_moments::field::lambda), [ratio](Input& input) {
+        input.given_rod_length = ratio ? std::nullopt : std::optional(input.rod_length());
+        input.lambda = ratio.value_or(input.lambda);
+    });
+}
+
+QString InertiaMomentsModel::setRodLength(std::optional<double> length) {
+    return edit(fieldName(inertia_moments::field::rod_length), [length](Input& input) {
+        input.lambda = input.ratio();
+        input.given_rod_length = length;
+    });
+}
+
 // ---------------------------------------------------------------------------------------- view
 
 void InertiaMomentsModel::setCrankAngleDeg(double angle) {
@@ -580,7 +600,8 @@ QStringList InertiaMomentsModel::tabNames(Tabs group) {
         case Tabs::Charts:
             return {QStringLiteral("hodographs"), QStringLiteral("orders"),
                     QStringLiteral("roll"),       QStringLiteral("shafts"),
-                    QStringLiteral("weights"),    QStringLiteral("firing")};
+                    QStringLiteral("weights"),    QStringLiteral("firing"),
+                    QStringLiteral("over-angle")};
         case Tabs::Answer:
             return {QStringLiteral("orders"), QStringLiteral("rotating"), QStringLiteral("shafts"),
                     QStringLiteral("weights"), QStringLiteral("left")};
@@ -640,7 +661,7 @@ QVector<QStringList> InertiaMomentsModel::orderRows() const {
             continue;
         }
         rows.push_back({componentName(d), figure(d.exact), degrees(inertia_moments::phase(h)),
-                        figure(d.two_term), number(100.0 * *d.relative, 1)});
+                        figure(d.two_term, std::abs(d.exact)), number(100.0 * *d.relative, 1)});
     }
     return rows;
 }
@@ -652,12 +673,9 @@ QStringList InertiaMomentsModel::rotatingColumns() const {
 QVector<QStringList> InertiaMomentsModel::rotatingRows() const {
     QVector<QStringList> rows;
     const auto add = [&](const QString& name, const RotatingPair& pair, double scale) {
-        const auto shown = [&](const Complex& part) {
-            return std::abs(part) > inertia_moments::zero_share * scale ? figure(std::abs(part))
-                                                                        : QStringLiteral("0");
-        };
-        rows.push_back({name, shown(pair.forward), directionText(pair.forward, scale),
-                        shown(pair.backward), directionText(pair.backward, scale)});
+        rows.push_back({name, figure(std::abs(pair.forward), scale),
+                        directionText(pair.forward, scale), figure(std::abs(pair.backward), scale),
+                        directionText(pair.backward, scale)});
     };
     for (const EngineOrder& order : result().exact.orders) {
         const QString k = QString::number(order.order) + QStringLiteral("\u2002");
@@ -676,9 +694,10 @@ QVector<QStringList> InertiaMomentsModel::shaftRows() const {
     for (const ShaftDesign& design : result().shafts) {
         const QString mark =
             design.shaft.enabled ? QStringLiteral("\u25CF ") : QStringLiteral("\u25CB ");
-        rows.push_back({mark + shaftTitle(design.shaft), figure(std::abs(design.target)),
-                        figure(design.unbalance / units::gram_mm),
-                        design.phase ? degrees(*design.phase) : dash, figure(design.remaining)});
+        rows.push_back(
+            {mark + shaftTitle(design.shaft), figure(std::abs(design.target), design.scale),
+             design.phase ? figure(design.unbalance / units::gram_mm) : QStringLiteral("0"),
+             design.phase ? degrees(*design.phase) : dash, figure(design.remaining, design.scale)});
     }
     return rows;
 }
@@ -694,15 +713,12 @@ QVector<QStringList> InertiaMomentsModel::weightRows() const {
         return QStringList{name, value, directionText(vector, scale),
                            directionText(std::conj(vector), scale)};
     };
-    const auto shown = [](double value, double scale) {
-        return value > inertia_moments::zero_share * scale ? figure(value) : QStringLiteral("0");
-    };
     QVector<QStringList> rows{
         row(tr("Force, N"),
-            shown(std::abs(rotating.force()), rotating.force_scale * rotating.mass_force),
+            figure(std::abs(rotating.force()), rotating.force_scale * rotating.mass_force),
             rotating.force_factor, rotating.force_scale),
         row(tr("Moment, N·m"),
-            shown(std::abs(rotating.moment()), rotating.moment_scale * rotating.mass_force),
+            figure(std::abs(rotating.moment()), rotating.moment_scale * rotating.mass_force),
             rotating.moment_factor, rotating.moment_scale),
         row(tr("against the force"), dash, -rotating.force_factor, rotating.force_scale),
         row(tr("against the moment"), dash, -rotating.moment_factor, rotating.moment_scale)};
@@ -714,11 +730,15 @@ QVector<QStringList> InertiaMomentsModel::weightRows() const {
     }
     if (result().counterweights) {
         const inertia_moments::CounterweightDesign& design = *result().counterweights;
-        const double scale = std::abs(design.against_force) + std::abs(design.against_moment);
         const auto weight = [&](const QString& name, const inertia_moments::Counterweight& w) {
-            rows.push_back(row(name + tr(", g·mm"), figure(std::abs(w.unbalance) / units::gram_mm),
-                               w.unbalance, scale));
-            rows.push_back({name + tr(", g"), figure(w.mass() / units::gram), {}, {}});
+            rows.push_back(
+                row(name + tr(", g·mm"),
+                    figure(std::abs(w.unbalance) / units::gram_mm, design.scale / units::gram_mm),
+                    w.unbalance, design.scale));
+            rows.push_back({name + tr(", g"),
+                            figure(w.mass() / units::gram, design.scale / w.radius / units::gram),
+                            {},
+                            {}});
         };
         weight(tr("Front web"), design.front);
         weight(tr("Rear web"), design.rear);
@@ -737,10 +757,9 @@ QVector<QStringList> InertiaMomentsModel::remainingRows() const {
         const EngineOrder& after = result().remaining.orders[i];
         const QString k = QString::number(before.order) + QStringLiteral("\u2002");
         const auto add = [&](const QString& name, double was, double is, double scale) {
-            const double zero = inertia_moments::zero_share * scale;
-            rows.push_back({name, was > zero ? figure(was) : QStringLiteral("0"),
-                            is > zero ? figure(is) : QStringLiteral("0"),
-                            was > zero ? number(100.0 * is / was, 1) : dash});
+            const bool isZero = !(was > inertia_moments::zero_share * scale);
+            rows.push_back({name, figure(was, scale), figure(is, scale),
+                            isZero ? dash : number(100.0 * is / was, 1)});
         };
         // Of the rotating masses too, in order 1: they count as there from the start.
         RotatingPair force = before.force;

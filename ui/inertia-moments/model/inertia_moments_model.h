@@ -10,6 +10,7 @@
 #include "inertia-moments/presets.h"
 #include "inertia-moments/solver.h"
 #include "model/case_model.h"
+#include "text/result_tips.h"
 
 namespace ravnoves {
 
@@ -103,6 +104,12 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     void setReferenceMm(double position);
     std::pair<double, double> referenceLimitsMm() const;
 
+    /// λ or the rod's length (m) is given, the other one follows; with nothing it is the other way
+    /// round.
+    /// @return an empty string, or why it cannot be
+    QString setRodRatio(std::optional<double> ratio);
+    QString setRodLength(std::optional<double> length);
+
     // ---------------------------------------------------------------- shafts
 
     void addShaft();
@@ -125,6 +132,11 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
     void setTab(Tabs group, int index);
 
     // What the page's tables show: text in the user's locale.
+    static ResultTips orderTips();
+    static ResultTips rotatingTips();
+    static ResultTips shaftTips();
+    static ResultTips weightTips();
+    static ResultTips remainingTips();
     QStringList orderColumns() const;
     QVector<QStringList> orderRows() const;
     QStringList rotatingColumns() const;
