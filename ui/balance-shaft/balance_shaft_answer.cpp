@@ -41,6 +41,7 @@ QWidget* BalanceShaftPage::buildAnswer() {
     criteria_ = new ResultTable(answer);
     criteria_->setAccessibleName(tr("Criteria of the three moments"));
     criteria_->setColumns(model_->criteriaColumns());
+    criteria_->setTips(BalanceShaftModel::criteriaTips());
     answerColumn->addWidget(criteria_);
 
     auto* best = new QGridLayout;
@@ -51,6 +52,7 @@ QWidget* BalanceShaftPage::buildAnswer() {
     goRange_ = new QPushButton(tr("Go"), answer);
     goRms_ = new QPushButton(tr("Go"), answer);
     const auto addBest = [&](int row, QLabel* label, QPushButton* button, const QString& name) {
+        label->setToolTip(tr("Over all α that can be built, exact for the continuous cycle"));
         label->setWordWrap(true);
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
         button->setMaximumWidth(Theme::withText(52));
@@ -71,6 +73,7 @@ QWidget* BalanceShaftPage::buildAnswer() {
     quantities_ = new ResultTable(answer);
     quantities_->setAccessibleName(tr("Forces, masses and sizes"));
     quantities_->setColumns(model_->quantityColumns());
+    quantities_->setTips(BalanceShaftModel::quantityTips());
     quantities_->horizontalHeader()->hide();
     answerColumn->addWidget(quantities_);
     notes_ = captionLabel({}, answer);

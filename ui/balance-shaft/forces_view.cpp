@@ -21,7 +21,9 @@ namespace {
 
 void showHints(ResultTable* table, const QStringList& hints) {
     for (int i = 0; i < hints.size(); ++i) {
-        table->setCellToolTip(i, 0, hints[i]);
+        for (int column = 0; column < table->columnCount(); ++column) {
+            table->setCellToolTip(i, column, hints[i]);
+        }
     }
 }
 

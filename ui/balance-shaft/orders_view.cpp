@@ -45,6 +45,11 @@ OrdersView::OrdersView(BalanceShaftModel* model, QWidget* parent) : QWidget(pare
     table_->setAccessibleName(tr("Order spectrum"));
     table_->setColumns(
         {tr("Order"), tr("Mᵤₚ, N·m"), tr("phase, °"), tr("Mᵤₚₛ, N·m"), tr("phase, °")});
+    table_->setTips(
+        {{tr("Order"), tr("Multiple of the crank speed")},
+         {tr("Mᵤₚ, N·m"), tr("Fourier amplitude of the moment without a shaft")},
+         {tr("Mᵤₚₛ, N·m"), tr("Fourier amplitude with the shaft at the present α")},
+         {tr("phase, °"), tr("Of the moment to the left: amplitude × sin(kφ + phase)")}});
     table_->setShownRows(5);
     inside->addWidget(table_);
     column->addWidget(panel, 2);

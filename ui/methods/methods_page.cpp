@@ -272,16 +272,19 @@ QWidget* MethodsPage::buildResults() {
     table_->setColumns({tr("Method"), tr("Setting"), tr("Time, ns"), tr("Error"), tr("Operations"),
                         tr("Order"), tr("Beyond the tolerance")});
     table_->stretchColumn(Fails);
-    table_->horizontalHeaderItem(Time)->setToolTip(
-        tr("Median of repeated runs; the tips of the cells have the quartiles"));
-    table_->horizontalHeaderItem(Operations)
-        ->setToolTip(tr("Additions and multiplications of one evaluation; a division or a root "
-                        "counts 5, a sine or the like 15"));
-    table_->horizontalHeaderItem(Order)->setToolTip(
-        tr("Order of convergence found: the error falls as this power of the number of steps"));
-    table_->horizontalHeaderItem(Fails)->setToolTip(
-        tr("Where along each hard parameter the error exceeds the scene's tolerance or the method "
-           "refuses; of the finest setting or the one in use"));
+    table_->setTips(
+        {{tr("Method"), tr("How the quantity is computed; the one in use is marked")},
+         {tr("Setting"), tr("Steps, terms or samples that the method takes")},
+         {tr("Time, ns"), tr("Median of repeated runs; the tips of the cells have the quartiles")},
+         {tr("Error"), tr("Largest error against 50 digits, in the kernel's own measure")},
+         {tr("Operations"),
+          tr("Additions and multiplications of one evaluation; a division or a root counts 5, a "
+             "sine or the like 15")},
+         {tr("Order"), tr("Order of convergence found: the error falls as this power of the number "
+                          "of steps")},
+         {tr("Beyond the tolerance"),
+          tr("Where along each hard parameter the error exceeds the scene's tolerance or the "
+             "method refuses; of the finest setting or the one in use")}});
     connect(table_, &QTableWidget::currentCellChanged, this, &MethodsPage::chooseRow);
     inside->addWidget(table_, 1);
     limits_ = captionLabel({}, panel);
@@ -387,12 +390,17 @@ void MethodsPage::showTable() {
             font.setBold(row.in_use && column == Method);
             cell->setFont(font);
             cell->setForeground(theme.text());
-            cell->setToolTip(shownText(row.limits));
+            if (const QString limits = shownText(row.limits); !limits.isEmpty()) {
+                cell->setToolTip(limits);
+            }
         }
         table_->item(i, Time)->setToolTip(
             tr("Half of the runs from %1 to %2")
                 .arg(timeText(row.timing.low), timeText(row.timing.high)));
-        table_->item(i, Fails)->setToolTip(stretches(kernel, row) + shownText(row.limits));
+        if (const QString where = stretches(kernel, row) + shownText(row.limits);
+            !where.isEmpty()) {
+            table_->item(i, Fails)->setToolTip(where);
+        }
         table_->item(i, Error)->setForeground(row.holds ? theme.good() : theme.error());
         table_->item(i, Error)->setToolTip(
             row.result.refused() ? tr("refused: %1").arg(methodText(row.result.refusal))

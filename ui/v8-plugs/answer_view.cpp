@@ -72,6 +72,7 @@ QWidget* AnswerView::buildAdvice() {
     options_ = new ResultTable(panel);
     options_->setAccessibleName(tr("The options"));
     options_->setColumns(model_->optionColumns());
+    options_->setTips(V8PlugsModel::optionTips());
     auto* numbers = new QHBoxLayout;
     numbers->addWidget(hang_, 3);
     numbers->addWidget(excess_, 2);
@@ -92,6 +93,7 @@ QWidget* AnswerView::buildBobWeights() {
     bobWeights_ = new ResultTable(panel);
     bobWeights_->setAccessibleName(tr("Bob weight on each crankpin, line by line"));
     bobWeights_->setColumns(model_->bobWeightColumns());
+    bobWeights_->setTips(V8PlugsModel::bobWeightTips());
     column->addWidget(bobWeights_);
     check_ = captionLabel({}, panel);
     check_->setObjectName(QStringLiteral("check"));

@@ -18,6 +18,7 @@ MachineSheet::MachineSheet(V8PlugsModel* model, QWidget* parent) : SheetForm(mod
     planes_ = new ResultTable(this);
     planes_->setAccessibleName(tr("Correction planes"));
     planes_->setColumns(model_->planeColumns());
+    planes_->setTips(V8PlugsModel::planeTips());
     planes_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     current()->addWide(planes_);
     follow([this] { planes_->setRows(model_->planeRows()); });

@@ -161,17 +161,20 @@ void WeighInSheet::buildFindings() {
     found->addWidget(summary_, 1);
     found->addWidget(move_, 0, Qt::AlignTop);
     columnOf(this)->addLayout(found);
-    const auto table = [this](const QString& name, const QStringList& columns) {
+    const auto table = [this](const QString& name, const QStringList& columns,
+                              const ResultTips& tips) {
         auto* made = new ResultTable(this);
         made->setAccessibleName(name);
         made->setColumns(columns);
+        made->setTips(tips);
         made->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         columnOf(this)->addWidget(made);
         return made;
     };
     crankpins_ = table(tr("Excess on each crankpin, as weighed and after moving"),
-                       model_->crankpinColumns());
-    assignment_ = table(tr("Which set goes to which cylinder"), model_->assignmentColumns());
+                       model_->crankpinColumns(), V8PlugsModel::crankpinTips());
+    assignment_ = table(tr("Which set goes to which cylinder"), model_->assignmentColumns(),
+                        V8PlugsModel::assignmentTips());
 }
 
 bool WeighInSheet::eventFilter(QObject* watched, QEvent* event) {

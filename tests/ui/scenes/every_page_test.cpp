@@ -36,6 +36,7 @@
 #include "shell/scene_page.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
+#include "widgets/result_table.h"
 #include "widgets/table_editor.h"
 
 namespace ravnoves {
@@ -196,6 +197,24 @@ TEST_P(EveryPage, NamesAndExplainsEveryInput) {
     for (const QTableView* input : page->findChildren<QTableView*>()) {
         EXPECT_FALSE(input->accessibleName().isEmpty()) << qPrintable(input->objectName());
     }
+}
+
+TEST_P(EveryPage, ExplainsEveryResult) {
+    onEveryTab([&] {
+        for (const ResultTable* table : reachable<ResultTable>()) {
+            for (int row = 0; row < table->rowCount(); ++row) {
+                for (int column = 0; column < table->columnCount(); ++column) {
+                    const QTableWidgetItem* cell = table->item(row, column);
+                    if (cell != nullptr && !cell->text().isEmpty()) {
+                        EXPECT_FALSE(cell->toolTip().isEmpty())
+                            << table->accessibleName().toStdString() << ": "
+                            << table->item(row, 0)->text().toStdString() << " / "
+                            << table->horizontalHeaderItem(column)->text().toStdString();
+                    }
+                }
+            }
+        }
+    });
 }
 
 TEST_P(EveryPage, HasNoMnemonicTwice) {

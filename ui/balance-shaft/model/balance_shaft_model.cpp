@@ -350,17 +350,28 @@ QVector<QStringList> BalanceShaftModel::criteriaRows() const {
         }
         return (with - without) / std::abs(without);
     };
-    return {row(tr("range"), &MomentMetrics::range, percent(result().range_change)),
-            row(tr("RMS"), &MomentMetrics::rms, percent(result().rms_change)),
+    // The sign of a change does not say whether it is a good one.
+    const auto judged = [](const std::optional<double>& fraction, bool lessIsBetter) {
+        const double rounded = fraction ? std::round(1e3 * *fraction) / 10.0 : 0.0;
+        if (rounded == 0.0) {
+            return percent(fraction);
+        }
+        const QString size = number(std::abs(rounded), std::abs(rounded) < 100.0 ? 1 : 0) +
+                             QStringLiteral("\u00A0%");
+        return (rounded < 0.0) == lessIsBetter ? tr("%1 better").arg(size)
+                                               : tr("%1 worse").arg(size);
+    };
+    return {row(tr("range"), &MomentMetrics::range, judged(result().range_change, true)),
+            row(tr("RMS"), &MomentMetrics::rms, judged(result().rms_change, true)),
             row(tr("mean"), &MomentMetrics::mean,
                 percent(relative(result().M_ups.mean, result().M_up.mean))),
             {tr("nodes"), number(result().printed_mean_M_up, 1),
              number(result().printed_mean_M_s, 1), number(result().printed_mean_M_ups, 1),
              percent(relative(result().printed_mean_M_ups, result().printed_mean_M_up))},
             row(tr("max"), &MomentMetrics::max,
-                percent(relative(result().M_ups.max, result().M_up.max))),
+                judged(relative(result().M_ups.max, result().M_up.max), true)),
             row(tr("min"), &MomentMetrics::min,
-                percent(relative(result().M_ups.min, result().M_up.min)))};
+                judged(relative(result().M_ups.min, result().M_up.min), false))};
 }
 
 QStringList BalanceShaftModel::quantityColumns() const {

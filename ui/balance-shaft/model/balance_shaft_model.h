@@ -8,6 +8,7 @@
 #include "balance-shaft/presets.h"
 #include "balance-shaft/solver.h"
 #include "model/case_model.h"
+#include "text/result_tips.h"
 
 namespace ravnoves {
 
@@ -110,6 +111,10 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
 
     // What the page's tables show: text in the user's locale, the first column the row's name.
     QStringList criteriaColumns() const;
+    static ResultTips criteriaTips();
+    static ResultTips quantityTips();
+    static ResultTips cycleTips();
+    static ResultTips flywheelTips();
     QVector<QStringList> criteriaRows() const;
     QStringList quantityColumns() const;
     QVector<QStringList> quantityRows() const;

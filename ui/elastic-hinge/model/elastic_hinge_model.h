@@ -12,6 +12,7 @@
 #include "elastic-hinge/presets.h"
 #include "elastic-hinge/solver.h"
 #include "model/case_model.h"
+#include "text/result_tips.h"
 
 namespace ravnoves {
 
@@ -106,6 +107,7 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     Verdict verdict() const;
     // What the page's tables show: text in the user's locale, the first column the row's name.
     QStringList quantityColumns() const;
+    static ResultTips quantityTips();
     QVector<QStringList> quantityRows() const;
     /// What the user should know about the result; empty where there is nothing.
     QString notesText() const;

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "model/case_model.h"
+#include "text/result_tips.h"
 #include "v8-plugs/input.h"
 #include "v8-plugs/model/journal.h"
 #include "v8-plugs/model/words.h"
@@ -93,6 +94,11 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     /// What was typed or weighed, but does not count (yet).
     QStringList notCounted() const;
 
+    static ResultTips optionTips();
+    static ResultTips bobWeightTips();
+    static ResultTips planeTips();
+    static ResultTips assignmentTips();
+    static ResultTips crankpinTips();
     QStringList optionColumns() const;
     QVector<QStringList> optionRows() const;
     QString optionToolTip(int row) const;
