@@ -7,6 +7,7 @@
 #include "balance-shaft/gear_error.h"
 #include "balance-shaft/scene.h"
 #include "balance-shaft/speed_study.h"
+#include "case-file/case_file.h"
 #include "case-file/json.h"
 #include "test_cases.h"
 
