@@ -141,19 +141,23 @@ int main(int argc, char** argv) {
         window.beginSession();
     }
     const QString scene = parser.value(sceneOption);
-    if (!scene.isEmpty() && !window.showScene(scene)) {
-        QStringList names;
+    const QString start = u"start"_s;
+    const QStringList paths = parser.values(caseOption) + parser.positionalArguments();
+    if (scene == start || (scene.isEmpty() && paths.isEmpty() && !screenshot)) {
+        window.showStart();
+    } else if (!scene.isEmpty() && !window.showScene(scene)) {
+        QStringList names{start};
         for (const ravnoves::SceneInfo& info : ravnoves::sceneList()) {
             names << info.name;
         }
         return fail(u"--scene: must be one of %1, got %2"_s.arg(names.join(u", "_s), scene));
     }
-    for (const QString& path : parser.values(caseOption) + parser.positionalArguments()) {
+    for (const QString& path : paths) {
         const QString trouble = window.openCase(path);
         if (!trouble.isEmpty()) {
             return fail(trouble);
         }
-        if (!scene.isEmpty() && window.currentScene() != scene) {
+        if (!scene.isEmpty() && scene != start && window.currentScene() != scene) {
             return fail(u"--scene %1 does not fit the case, whose scene is %2"_s.arg(
                 scene, window.currentScene()));
         }

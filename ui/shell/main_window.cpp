@@ -14,6 +14,7 @@
 #include <QPainter>
 #include <QSettings>
 #include <QSignalBlocker>
+#include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
@@ -24,10 +25,13 @@
 #include "shell/case_properties.h"
 #include "shell/documents.h"
 #include "shell/help_window.h"
+#include "shell/new_case_dialog.h"
 #include "shell/page_drawing.h"
 #include "shell/recovery_dialog.h"
 #include "shell/scene_page.h"
 #include "shell/settings_dialog.h"
+#include "shell/start_page.h"
+#include "shell/whats_this.h"
 #include "text/language.h"
 #include "text/preferences.h"
 #include "theme/icons.h"
@@ -68,7 +72,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     hint_ = new QLabel(this);
     statusBar()->addWidget(hint_, 1);
     statusBar()->setSizeGripEnabled(false);
-    connect(documents_, &Documents::currentChanged, this, &MainWindow::showCurrent);
+    connect(documents_, &Documents::currentChanged, this,
+            [this] { isAtStart() ? leaveStart() : showCurrent(); });
     connect(documents_, &Documents::titleChanged, this, &MainWindow::updateTitle);
     connect(documents_, &Documents::historyChanged, this, &MainWindow::updateHistoryActions);
     connect(documents_, &Documents::changed, this, &MainWindow::updateCaseActions);
@@ -122,6 +127,18 @@ void MainWindow::buildNavigation() {
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
 
+    startAction_ = new QAction(themedIcon(QStringLiteral("start")), tr("Start"), this);
+    startAction_->setCheckable(true);
+    startAction_->setShortcut(QKeySequence(Qt::ALT | Qt::Key_Home));
+    startAction_->setToolTip(
+        tr("Scenes, recent files, examples") +
+        QStringLiteral(" (%1)").arg(startAction_->shortcut().toString(QKeySequence::NativeText)));
+    connect(startAction_, &QAction::toggled, this, [this](bool on) {
+        if (on) {
+            showStart();
+        }
+    });
+
     auto* navigation = new QWidget(centre);
     navigation->setFixedWidth(Theme::withText(navigationWidth));
     navigation->setAutoFillBackground(true);
@@ -129,6 +146,23 @@ void MainWindow::buildNavigation() {
     column->setContentsMargins(Theme::gap, Theme::space, Theme::gap, Theme::space);
     column->setSpacing(Theme::gap);
     sceneGroup_ = new QActionGroup(this);
+    sceneGroup_->addAction(startAction_);
+    const auto addButton = [&](QAction* action, int height) {
+        auto* button = new QToolButton(navigation);
+        button->setDefaultAction(action);
+        button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+        button->setIconSize(QSize(Theme::withText(28), Theme::withText(28)));
+        button->setAutoRaise(true);
+        button->setFont(Theme::font(Theme::smallSize));
+        action->setIconText(
+            inTwoLines(action->text(), button->fontMetrics(),
+                       Theme::withText(navigationWidth) - 2 * Theme::gap - Theme::space));
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        button->setMinimumHeight(height);
+        button->setFocusPolicy(Qt::TabFocus);
+        column->addWidget(button);
+    };
+    addButton(startAction_, 0);
     for (const SceneInfo& info : documents_->scenes()) {
         const int key = static_cast<int>(scenes_.size()) + 1;
         auto* action =
@@ -141,22 +175,10 @@ void MainWindow::buildNavigation() {
         // A screen reader toggles the button without a click.
         connect(action, &QAction::toggled, this, [this, name = info.name](bool on) {
             if (on) {
-                documents_->showScene(name);
+                showScene(name);
             }
         });
-        auto* button = new QToolButton(navigation);
-        button->setDefaultAction(action);
-        button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-        button->setIconSize(QSize(Theme::withText(28), Theme::withText(28)));
-        button->setAutoRaise(true);
-        button->setFont(Theme::font(Theme::smallSize));
-        action->setIconText(
-            inTwoLines(info.title, button->fontMetrics(),
-                       Theme::withText(navigationWidth) - 2 * Theme::gap - Theme::space));
-        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        button->setMinimumHeight(Theme::withText(58));
-        button->setFocusPolicy(Qt::TabFocus);
-        column->addWidget(button);
+        addButton(action, Theme::withText(58));
         scenes_.push_back(action);
     }
     column->addStretch();
@@ -167,7 +189,9 @@ void MainWindow::buildNavigation() {
     line->setForegroundRole(QPalette::Mid);
     line->setFixedWidth(1);
     row->addWidget(line);
-    row->addWidget(documents_, 1);
+    front_ = new QStackedWidget(centre);
+    front_->addWidget(documents_);
+    row->addWidget(front_, 1);
     setCentralWidget(centre);
 }
 
@@ -190,10 +214,14 @@ void MainWindow::buildMenus() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
     QAction* fresh = add(file, QStringLiteral("new"), tr("&New case"), QKeySequence::New,
                          [this] { newCase(currentScene()); });
+    newFrom_ = add(file, {}, tr("New case &from…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
+                   [this] { beginWithDialog(); });
     QAction* open = add(file, QStringLiteral("open"), tr("&Open case…"), QKeySequence::Open,
                         [this] { openWithDialog(); });
     recentMenu_ = file->addMenu(tr("Open &recent"));
     connect(recentMenu_, &QMenu::aboutToShow, this, &MainWindow::fillRecentFiles);
+    examplesMenu_ = file->addMenu(tr("E&xamples"));
+    connect(examplesMenu_, &QMenu::aboutToShow, this, &MainWindow::fillExamples);
     QAction* saveAction = add(file, QStringLiteral("save"), tr("&Save case"), QKeySequence::Save,
                               [this] { documents_->current().document->save(); });
     QAction* saveAsAction =
@@ -203,8 +231,8 @@ void MainWindow::buildMenus() {
     QAction* picture = add(file, QStringLiteral("picture"), tr("Save page as &picture…"),
                            QKeySequence(Qt::CTRL | Qt::Key_E), [this] { exportPicture(); });
     file->addSeparator();
-    add(file, {}, tr("&Close case"), QKeySequence(Qt::CTRL | Qt::Key_W),
-        [this] { documents_->closeCurrent(); });
+    QAction* close = add(file, {}, tr("&Close case"), QKeySequence(Qt::CTRL | Qt::Key_W),
+                         [this] { documents_->closeCurrent(); });
     file->addSeparator();
     QAction* restores = add(file, {}, tr("Open the same cases at the next s&tart"), {}, [] {});
     restores->setCheckable(true);
@@ -213,7 +241,7 @@ void MainWindow::buildMenus() {
         QSettings().setValue(restoreKey, on);
         rememberSession();
     });
-    add(file, {}, tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { close(); });
+    add(file, {}, tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { this->close(); });
 
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     undo_ = add(edit, QStringLiteral("undo"), tr("&Undo"), QKeySequence::Undo,
@@ -228,7 +256,7 @@ void MainWindow::buildMenus() {
                                 QApplication::clipboard()->setText(currentPage()->resultsAsText());
                                 statusBar()->showMessage(tr("Results copied as text"), 3000);
                             });
-    add(edit, {}, tr("Copy results as &CSV"), {}, [this] {
+    QAction* copyCsv = add(edit, {}, tr("Copy results as &CSV"), {}, [this] {
         QApplication::clipboard()->setText(currentPage()->resultsAsCsv());
         statusBar()->showMessage(tr("Results copied as CSV"), 3000);
     });
@@ -249,6 +277,7 @@ void MainWindow::buildMenus() {
     sceneMenu_ = menuBar()->addMenu(tr("&Scene"));
 
     QMenu* view = menuBar()->addMenu(tr("&View"));
+    view->addAction(startAction_);
     view->addActions(QList<QAction*>(scenes_.begin(), scenes_.end()));
     view->addSeparator();
     nextTab_ = add(view, {}, tr("Ne&xt case"), QKeySequence(Qt::CTRL | Qt::Key_Tab),
@@ -295,10 +324,13 @@ void MainWindow::buildMenus() {
 
     QMenu* help = menuBar()->addMenu(tr("&Help"));
     add(help, QStringLiteral("help"), tr("&About this page: formulas and sources"),
-        QKeySequence::HelpContents, [this] { showHelp(currentScene()); });
+        QKeySequence::HelpContents,
+        [this] { showHelp(isAtStart() ? QStringLiteral("keys") : currentScene()); });
     add(help, {}, tr("&Case files and command line"), {},
         [this] { showHelp(QStringLiteral("case-files")); });
     add(help, {}, tr("&Keys and mouse"), {}, [this] { showHelp(QStringLiteral("keys")); });
+    auto* whatsThis = new WhatsThis(this);
+    help->addAction(whatsThis->action());
     help->addSeparator();
     add(help, {}, tr("About &Ravnoves"), {}, [this] { showAbout(); });
 
@@ -307,11 +339,17 @@ void MainWindow::buildMenus() {
     toolBar_->setMovable(false);
     toolBar_->setIconSize(QSize(Theme::withText(20), Theme::withText(20)));
     toolBar_->addActions({fresh, open, saveAction});
+    newMenu_ = new QMenu(this);
+    connect(newMenu_, &QMenu::aboutToShow, this, &MainWindow::fillNewMenu);
+    auto* newButton = qobject_cast<QToolButton*>(toolBar_->widgetForAction(fresh));
+    newButton->setMenu(newMenu_);
+    newButton->setPopupMode(QToolButton::MenuButtonPopup);
     toolBar_->addSeparator();
     toolBar_->addActions({undo_, redo_});
     toolBar_->addSeparator();
     toolBar_->addActions({copyText, picture, reset});
     toolBar_->addSeparator();
+    pageActions_ = {close, copyText, copyCsv, picture, reset};
     caseActions_ = {fresh, saveAction, saveAsAction, properties};
     for (QAction* action : caseActions_) {
         action->setData(action->toolTip());
@@ -319,7 +357,39 @@ void MainWindow::buildMenus() {
 }
 
 bool MainWindow::showScene(const QString& name) {
-    return documents_->showScene(name);
+    if (!documents_->showScene(name)) {
+        return false;
+    }
+    leaveStart();
+    return true;
+}
+
+bool MainWindow::isAtStart() const {
+    return start_ != nullptr && front_->currentWidget() == start_;
+}
+
+void MainWindow::showStart() {
+    if (start_ == nullptr) {
+        start_ = new StartPage(front_);
+        front_->addWidget(start_);
+        connect(start_, &StartPage::sceneRequested, this, &MainWindow::showScene);
+        connect(start_, &StartPage::newRequested, this, &MainWindow::beginOrSayWhy);
+        connect(start_, &StartPage::openRequested, this, &MainWindow::openOrSayWhy);
+        connect(start_, &StartPage::openDialogRequested, this, &MainWindow::openWithDialog);
+        connect(start_, &StartPage::newDialogRequested, this, &MainWindow::beginWithDialog);
+    }
+    currentPage()->setActive(false);
+    front_->setCurrentWidget(start_);
+    start_->setFocus();
+    showCurrent();
+}
+
+void MainWindow::leaveStart() {
+    if (isAtStart()) {
+        front_->setCurrentWidget(documents_);
+        currentPage()->setActive(true);
+        showCurrent();
+    }
 }
 
 QString MainWindow::currentScene() const {
@@ -335,15 +405,63 @@ ScenePage* MainWindow::page(const QString& name) {
 }
 
 QString MainWindow::openCase(const QString& path) {
-    return documents_->open(path);
+    const QString trouble = documents_->open(path);
+    if (trouble.isEmpty()) {
+        leaveStart();
+    }
+    return trouble;
 }
 
 bool MainWindow::newCase(const QString& scene) {
-    return documents_->begin(scene);
+    if (!documents_->begin(scene)) {
+        return false;
+    }
+    leaveStart();
+    currentPage()->resetZoom();
+    return true;
 }
 
 QString MainWindow::newCase(const CaseFile& file, const CaseContext& context) {
-    return documents_->begin(file, context);
+    const QString trouble = documents_->begin(file, context);
+    if (trouble.isEmpty()) {
+        leaveStart();
+        currentPage()->resetZoom();
+    }
+    return trouble;
+}
+
+void MainWindow::beginOrSayWhy(const CaseFile& file) {
+    const QString trouble = newCase(file);
+    if (!trouble.isEmpty()) {
+        QMessageBox::warning(this, tr("New case"), trouble);
+    }
+}
+
+void MainWindow::beginWithDialog() {
+    if (const auto file = NewCaseDialog::ask(currentScene(), this)) {
+        beginOrSayWhy(*file);
+    }
+}
+
+void MainWindow::fillNewMenu() {
+    newMenu_->clear();
+    for (const NewCase& each : newCases()) {
+        if (each.scene == currentScene()) {
+            newMenu_->addAction(listed(each), this, [this, each] { beginOrSayWhy(each.make()); });
+        }
+    }
+    newMenu_->addSeparator();
+    newMenu_->addAction(newFrom_);
+}
+
+void MainWindow::fillExamples() {
+    examplesMenu_->clear();
+    for (const NewCase& each : newCases()) {
+        if (each.kind == NewCase::Kind::Example) {
+            examplesMenu_->addAction(themedIcon(QStringLiteral("scene-") + each.scene), each.title,
+                                     this, [this, each] { beginOrSayWhy(each.make()); });
+        }
+    }
 }
 
 QString MainWindow::saveCase(const QString& path) {
@@ -409,8 +527,13 @@ void MainWindow::offerRecovered() {
 }
 
 void MainWindow::showCurrent() {
-    scenes_[documents_->current().scene]->setChecked(true);
-    hint_->setText(documents_->currentScene().summary);
+    const bool atStart = isAtStart();
+    (atStart ? startAction_ : scenes_[documents_->current().scene])->setChecked(true);
+    hint_->setText(atStart ? QString() : documents_->currentScene().summary);
+    for (QAction* action : pageActions_) {
+        action->setEnabled(!atStart);
+    }
+    updateCaseActions();
     updateHistoryActions();
     updateSceneActions();
     updateTitle();
@@ -419,7 +542,7 @@ void MainWindow::showCurrent() {
 void MainWindow::updateCaseActions() {
     const bool hasCase = currentPage()->model()->hasCaseFile();
     for (QAction* action : caseActions_) {
-        action->setEnabled(hasCase);
+        action->setEnabled(hasCase && !isAtStart());
         action->setToolTip(hasCase
                                ? action->data().toString()
                                : tr("This page has no case file: its numbers are measured anew. "
@@ -432,8 +555,9 @@ void MainWindow::updateCaseActions() {
 void MainWindow::updateHistoryActions() {
     const SceneModel& model = *currentPage()->model();
     const QUndoStack& history = *model.history();
-    const auto show = [](QAction* action, bool enabled, const QString& name, const QString& step) {
-        action->setEnabled(enabled);
+    const auto show = [this](QAction* action, bool enabled, const QString& name,
+                             const QString& step) {
+        action->setEnabled(enabled && !isAtStart());
         action->setText(step.isEmpty() ? name : name + QLatin1Char(' ') + step);
     };
     show(undo_, model.isTyped() || history.canUndo(), tr("&Undo"),
@@ -447,7 +571,7 @@ void MainWindow::updateSceneActions() {
     }
     sceneActions_.clear();
     sceneMenu_->clear();
-    const QList<QAction*> actions = currentPage()->sceneActions();
+    const QList<QAction*> actions = isAtStart() ? QList<QAction*>() : currentPage()->sceneActions();
     for (QAction* action : actions) {
         if (action == nullptr) {
             sceneMenu_->addSeparator();
@@ -463,6 +587,11 @@ void MainWindow::updateSceneActions() {
 }
 
 void MainWindow::updateTitle() {
+    if (isAtStart()) {
+        setWindowTitle(QStringLiteral("Ravnoves"));
+        setWindowModified(false);
+        return;
+    }
     const CaseDocument& document = *documents_->current().document;
     const QString scene = documents_->currentScene().title;
     const QString name = document.name();

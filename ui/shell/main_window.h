@@ -7,6 +7,7 @@
 
 class QActionGroup;
 class QLabel;
+class QStackedWidget;
 
 namespace ravnoves {
 
@@ -14,6 +15,7 @@ struct CaseFile;
 class Documents;
 class Recovery;
 class ScenePage;
+class StartPage;
 
 /// The window: navigation between the scenes, menus, toolbar, status bar, over its documents.
 class MainWindow : public QMainWindow {
@@ -27,6 +29,9 @@ class MainWindow : public QMainWindow {
     /// @return false where there is none
     bool showScene(const QString& name);
     QString currentScene() const;
+    /// Brings the start page to the front, until something is opened or begun.
+    void showStart();
+    bool isAtStart() const;
     /// The page of that document, made now if there is none; null for a word that is no scene.
     ScenePage* page(const QString& name);
     ScenePage* currentPage() const;
@@ -62,6 +67,12 @@ class MainWindow : public QMainWindow {
     void renew();
     void showCurrent();
     void rememberSession();
+    /// Brings the documents back in front of the start page.
+    void leaveStart();
+    void beginOrSayWhy(const CaseFile& file);
+    void beginWithDialog();
+    void fillNewMenu();
+    void fillExamples();
     void openOrSayWhy(const QString& path);
     void openWithDialog();
     void exportPicture();
@@ -73,19 +84,26 @@ class MainWindow : public QMainWindow {
     void showHelp(const QString& topic);
     void showAbout();
 
+    QStackedWidget* front_ = nullptr;  ///< the documents, or the start page
     Documents* documents_ = nullptr;
     Recovery* recovery_ = nullptr;  ///< from beginSession() on
+    StartPage* start_ = nullptr;
+    QAction* startAction_ = nullptr;
     std::vector<QAction*> scenes_;  ///< in the order of the navigation
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;
     QActionGroup* sceneGroup_ = nullptr;
     QMenu* recentMenu_ = nullptr;
+    QMenu* examplesMenu_ = nullptr;
+    QMenu* newMenu_ = nullptr;  ///< of the New button
+    QAction* newFrom_ = nullptr;
     QMenu* sceneMenu_ = nullptr;
     QToolBar* toolBar_ = nullptr;
     QLabel* hint_ = nullptr;
     QAction* nextTab_ = nullptr;
     QAction* previousTab_ = nullptr;
     QList<QAction*> caseActions_;   ///< need a page with a case file; data: their tip
+    QList<QAction*> pageActions_;   ///< need a page in front
     QList<QAction*> sceneActions_;  ///< in the toolbar for the present page
 };
 

@@ -1,0 +1,307 @@
+#include "shell/start_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QListWidget>
+#include <QMenu>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <QToolBar>
+#include <QToolButton>
+#include <memory>
+
+#include "case-file/json.h"
+#include "events.h"
+#include "model/case_document.h"
+#include "shell/documents.h"
+#include "shell/main_window.h"
+#include "shell/new_case_dialog.h"
+#include "shell/scene_list.h"
+#include "shell/scene_page.h"
+#include "theme/icons.h"
+#include "theme/theme.h"
+#include "widgets/value_slider.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+
+class StartPageTest : public ::testing::Test {
+  protected:
+    StartPageTest() {
+        QObject::connect(&page, &StartPage::sceneRequested,
+                         [this](const QString& scene) { scenes << scene; });
+        QObject::connect(&page, &StartPage::newRequested,
+                         [this](const CaseFile& file) { files.push_back(file); });
+        QObject::connect(&page, &StartPage::openRequested,
+                         [this](const QString& path) { paths << path; });
+        test::showAt(page, {920, 600});
+    }
+
+    QAbstractButton* card(const QString& scene) {
+        return page.findChild<QAbstractButton*>(u"start-"_s + scene);
+    }
+
+    StartPage page;
+    QStringList scenes;
+    QStringList paths;
+    std::vector<CaseFile> files;
+};
+
+TEST_F(StartPageTest, ShowsEveryScenesPictureInBothThemes) {
+    for (const SceneInfo& info : sceneList()) {
+        QAbstractButton* button = card(info.name);
+        ASSERT_NE(button, nullptr) << info.name.toStdString();
+        EXPECT_EQ(button->text(), info.title);
+        EXPECT_EQ(button->accessibleDescription(), info.summary);
+        const QImage light = button->grab().toImage();
+        Theme::instance().setMode(Theme::Mode::Dark);
+        const QImage dark = button->grab().toImage();
+        Theme::instance().setMode(Theme::Mode::Light);
+        EXPECT_NE(light, dark);
+        const QByteArray svg = themedSvg(u":/icons/start-%1.svg"_s.arg(info.name));
+        EXPECT_FALSE(svg.isEmpty());
+        EXPECT_FALSE(svg.contains("var(--")) << "a colour that the theme does not have";
+        test::showAt(page, {920, 600});
+        QTest::mouseClick(button, Qt::LeftButton);
+        EXPECT_EQ(scenes.last(), info.name);
+    }
+}
+
+TEST_F(StartPageTest, IsWorkedByTheKeyboardAlone) {
+    page.activateWindow();
+    card(u"balance-shaft"_s)->setFocus();
+    QSet<QWidget*> reached;
+    QWidget* at = page.focusWidget();
+    for (int i = 0; i < 60 && at != nullptr && !reached.contains(at); ++i) {
+        reached << at;
+        QTest::keyClick(at, Qt::Key_Tab);
+        at = page.focusWidget();
+    }
+    for (const QAbstractButton* button : page.findChildren<QAbstractButton*>()) {
+        if (button->objectName().startsWith(u"start-")) {
+            EXPECT_TRUE(reached.contains(const_cast<QAbstractButton*>(button)))
+                << button->text().toStdString();
+        }
+    }
+    card(u"methods"_s)->setFocus();
+    QTest::keyClick(card(u"methods"_s), Qt::Key_Return);
+    QTest::keyClick(card(u"methods"_s), Qt::Key_Space);
+    EXPECT_EQ(scenes, (QStringList{u"methods"_s, u"methods"_s}));
+}
+
+TEST_F(StartPageTest, FitsSmallAndLargeWindows) {
+    for (const QSize size :
+         {QSize(320, 600), QSize(560, 700), QSize(920, 600), QSize(1800, 1000)}) {
+        test::showAt(page, size);
+        for (const QAbstractButton* button : page.findChildren<QAbstractButton*>()) {
+            if (button->objectName().startsWith(u"start-")) {
+                const QRect there(button->mapTo(&page, QPoint()), button->size());
+                EXPECT_GE(there.left(), 0) << button->text().toStdString();
+                EXPECT_LE(there.right(), page.width())
+                    << button->text().toStdString() << " at " << size.width();
+            }
+        }
+    }
+}
+
+TEST_F(StartPageTest, AnExampleIsACaseWithoutAFile) {
+    const auto examples = page.findChildren<QAbstractButton*>(u"start-example"_s);
+    EXPECT_EQ(examples.size(), 8);
+    for (QAbstractButton* each : examples) {
+        each->click();
+    }
+    ASSERT_EQ(files.size(), 8U);
+    EXPECT_TRUE(paths.isEmpty());
+    for (const CaseFile& file : files) {
+        EXPECT_FALSE(file.title.empty());
+    }
+}
+
+TEST_F(StartPageTest, ListsTheFilesOpenedLast) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"двигатель.case.json"_s);
+    QWidget place;
+    const std::unique_ptr<ScenePage> scene(sceneList().front().make(&place));
+    CaseDocument document(scene->model(), {});
+    EXPECT_EQ(document.saveTo(path), QString());
+    page.hide();
+    page.show();
+    auto* recent = page.findChild<QAbstractButton*>(u"start-recent"_s);
+    ASSERT_NE(recent, nullptr);
+    EXPECT_EQ(recent->text(), u"двигатель.case.json"_s);
+    recent->click();
+    EXPECT_EQ(paths, QStringList{path});
+}
+
+// Everything that a new case may begin with can be loaded, and shows something.
+TEST(NewCases, AreTakenByTheirScenes) {
+    QWidget place;
+    for (const SceneInfo& info : sceneList()) {
+        int empty = 0;
+        int presets = 0;
+        for (const NewCase& each : newCases()) {
+            if (each.scene != info.name) {
+                continue;
+            }
+            empty += each.kind == NewCase::Kind::Empty ? 1 : 0;
+            presets += each.kind == NewCase::Kind::Preset ? 1 : 0;
+            const std::unique_ptr<ScenePage> page(info.make(&place));
+            const CaseFile file = each.make();
+            EXPECT_EQ(QString::fromStdString(file.scene), info.name);
+            EXPECT_NO_THROW(
+                page->model()->loadCase(file.input, {}, QString::fromStdString(file.title)))
+                << each.title.toStdString();
+            EXPECT_FALSE(page->resultsAsText().isEmpty()) << each.title.toStdString();
+        }
+        const bool hasCases = info.name != u"methods";
+        EXPECT_EQ(empty, hasCases ? 1 : 0) << info.name.toStdString();
+        EXPECT_EQ(presets > 0, hasCases) << info.name.toStdString();
+    }
+}
+
+TEST(NewCaseDialogTest, OffersWhatTheSceneHas) {
+    NewCaseDialog dialog(u"v8-plugs"_s);
+    test::showAt(dialog, dialog.size());
+    auto* scenes = test::named<QListWidget>(dialog, "new-scenes");
+    auto* beginnings = test::named<QListWidget>(dialog, "new-beginnings");
+    EXPECT_EQ(scenes->count(), 4);
+    EXPECT_EQ(scenes->currentItem()->data(Qt::UserRole), u"v8-plugs"_s);
+    EXPECT_EQ(dialog.chosen().scene, "v8-plugs");
+    EXPECT_TRUE(dialog.chosen().title.empty());
+    const int ofV8 = beginnings->count();
+    QTest::keyClick(scenes, Qt::Key_Up);
+    EXPECT_NE(beginnings->count(), ofV8);
+    EXPECT_EQ(dialog.chosen().scene, "elastic-hinge");
+    QTest::keyClick(beginnings, Qt::Key_Down);
+    EXPECT_EQ(dialog.chosen().title, "Zotov and Sviridov 2021");
+    EXPECT_EQ(dialog.result(), QDialog::Rejected);
+    QTest::keyClick(beginnings, Qt::Key_Return);
+    EXPECT_EQ(dialog.result(), QDialog::Accepted);
+}
+
+TEST(NewCaseDialogTest, ADoubleClickCreates) {
+    NewCaseDialog dialog(u"inertia-moments"_s);
+    test::showAt(dialog, dialog.size());
+    auto* beginnings = test::named<QListWidget>(dialog, "new-beginnings");
+    const QPoint at = beginnings->visualItemRect(beginnings->item(1)).center();
+    QTest::mouseClick(beginnings->viewport(), Qt::LeftButton, {}, at);
+    QTest::mouseDClick(beginnings->viewport(), Qt::LeftButton, {}, at);
+    EXPECT_EQ(dialog.result(), QDialog::Accepted);
+    EXPECT_EQ(dialog.chosen().title, "Volkswagen VR5");
+}
+
+class StartInTheWindow : public ::testing::Test {
+  protected:
+    StartInTheWindow() {
+        test::showAt(window, {1024, 700});
+        window.activateWindow();
+        window.showStart();
+        QApplication::processEvents();
+    }
+
+    QAction* action(const QString& text) {
+        for (QAction* each : window.findChildren<QAction*>()) {
+            if (each->text().remove(u'&') == text) {
+                return each;
+            }
+        }
+        ADD_FAILURE() << "no action " << text.toStdString();
+        return nullptr;
+    }
+
+    MainWindow window;
+};
+
+TEST_F(StartInTheWindow, TwoClicksLeadToAMovingSlider) {
+    EXPECT_TRUE(window.isAtStart());
+    EXPECT_FALSE(action(u"Save case"_s)->isEnabled());
+    EXPECT_FALSE(action(u"Close case"_s)->isEnabled());
+    QTest::mouseClick(test::named<QAbstractButton>(window, "start-balance-shaft"), Qt::LeftButton);
+    EXPECT_FALSE(window.isAtStart());
+    EXPECT_TRUE(action(u"Save case"_s)->isEnabled());
+    QApplication::processEvents();
+    auto* field = window.currentPage()->findChild<ValueSlider*>();
+    ASSERT_NE(field, nullptr);
+    QSlider* slider = field->slider();
+    ASSERT_TRUE(slider->isVisible());
+    const double before = field->value();
+    QTest::mouseClick(slider, Qt::LeftButton, {},
+                      QPoint(slider->width() - 10, slider->height() / 2));
+    EXPECT_NE(field->value(), before);
+}
+
+TEST_F(StartInTheWindow, ComesBackByItsKeyAndGoesWithAScene) {
+    QTest::keyClick(&window, Qt::Key_3, Qt::ControlModifier);
+    EXPECT_FALSE(window.isAtStart());
+    EXPECT_EQ(window.currentScene(), u"v8-plugs"_s);
+    QTest::keyClick(&window, Qt::Key_Home, Qt::AltModifier);
+    EXPECT_TRUE(window.isAtStart());
+    EXPECT_EQ(window.windowTitle(), u"Ravnoves"_s);
+    QTest::keyClick(&window, Qt::Key_3, Qt::ControlModifier);
+    EXPECT_FALSE(window.isAtStart()) << "though it is the scene that was in front";
+    EXPECT_TRUE(window.windowTitle().contains(u"V-8"_s));
+}
+
+TEST_F(StartInTheWindow, AnExampleOpensWithoutAFile) {
+    QTest::keyClick(test::named<QAbstractButton>(window, "start-example"), Qt::Key_Space);
+    EXPECT_FALSE(window.isAtStart());
+    CaseDocument& document = *window.documents().current().document;
+    EXPECT_TRUE(document.path().isEmpty()) << "saving asks for a place";
+    EXPECT_FALSE(document.needsSaving());
+}
+
+TEST_F(StartInTheWindow, TheFileMenuHasTheExamples) {
+    QMenu* menu = nullptr;
+    for (QMenu* each : window.findChildren<QMenu*>()) {
+        menu = each->title() == u"E&xamples"_s ? each : menu;
+    }
+    ASSERT_NE(menu, nullptr);
+    menu->popup(QPoint());
+    ASSERT_EQ(menu->actions().size(), 8);
+    for (int i = 0; i < 8; ++i) {
+        menu->popup(QPoint());
+        QAction* example = menu->actions().at(i);
+        const QString title = example->text();
+        example->trigger();
+        menu->hide();
+        EXPECT_EQ(window.currentPage()->model()->title(), title);
+        EXPECT_TRUE(window.documents().current().document->path().isEmpty());
+    }
+}
+
+TEST_F(StartInTheWindow, TheNewButtonOffersBeginnings) {
+    QTest::keyClick(&window, Qt::Key_4, Qt::ControlModifier);
+    auto* bar = window.findChild<QToolBar*>(u"main-toolbar"_s);
+    auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action(u"New case"_s)));
+    ASSERT_NE(button, nullptr);
+    ASSERT_NE(button->menu(), nullptr);
+    button->menu()->popup(QPoint());
+    const QList<QAction*> offered = button->menu()->actions();
+    ASSERT_GT(offered.size(), 3);
+    offered.at(0)->trigger();
+    button->menu()->hide();
+    const Json input = window.currentPage()->model()->inputJson();
+    EXPECT_EQ(window.currentScene(), u"inertia-moments"_s);
+    EXPECT_EQ(input.at("cylinders").size(), 1U) << "the empty engine";
+    EXPECT_TRUE(window.currentPage()->model()->title().isEmpty());
+}
+
+TEST_F(StartInTheWindow, TheDialogBeginsACase) {
+    QTimer::singleShot(50, &window, [] {
+        auto* dialog = qobject_cast<NewCaseDialog*>(QApplication::activeModalWidget());
+        ASSERT_NE(dialog, nullptr);
+        auto* beginnings = test::named<QListWidget>(*dialog, "new-beginnings");
+        QTest::keyClick(beginnings, Qt::Key_Down);
+        QTest::keyClick(beginnings, Qt::Key_Return);
+    });
+    QTest::mouseClick(test::named<QAbstractButton>(window, "start-new"), Qt::LeftButton);
+    EXPECT_FALSE(window.isAtStart());
+    EXPECT_EQ(window.currentPage()->model()->title(), u"TMZ-650D"_s);
+}
+
+}  // namespace
+}  // namespace ravnoves

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QString>
+#include <functional>
+#include <vector>
+
+#include "case-file/case_file.h"
+
+namespace ravnoves {
+
+/// What a new case may begin with.
+struct NewCase {
+    enum class Kind {
+        Empty,    ///< round numbers, to be replaced by the user's own
+        Preset,   ///< an engine of a paper
+        Example,  ///< a case of resources/examples
+    };
+    Kind kind;
+    QString scene;  ///< its word in case files
+    QString title;  ///< for menus and lists
+    /// Reads or writes it, without a path: it never overwrites what it came from.
+    std::function<CaseFile()> make;
+};
+
+/// Its title with what it is: "Preset: TMZ-650D".
+QString listed(const NewCase& each);
+
+/// All of them, scene by scene in the order of the navigation, each from the empty one to the
+/// examples.
+std::vector<NewCase> newCases();
+
+}  // namespace ravnoves

@@ -1,0 +1,289 @@
+#include "shell/start_page.h"
+
+#include <QAbstractButton>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPainter>
+#include <QScrollArea>
+#include <QSvgRenderer>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <memory>
+
+#include "model/case_document.h"
+#include "shell/scene_list.h"
+#include "theme/icons.h"
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+namespace {
+
+/// Presses as every button does: a click, Space, and Enter as well.
+class StartButton : public QAbstractButton {
+  public:
+    explicit StartButton(QWidget* parent) : QAbstractButton(parent) {
+        setFocusPolicy(Qt::StrongFocus);
+        setCursor(Qt::PointingHandCursor);
+        setAttribute(Qt::WA_Hover);
+    }
+
+  protected:
+    void keyPressEvent(QKeyEvent* event) override {
+        if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+            click();
+        } else {
+            QAbstractButton::keyPressEvent(event);
+        }
+    }
+    bool isMarked() const { return hasFocus() || underMouse(); }
+};
+
+/// A scene: its picture, its name, what it is for.
+class SceneCard : public StartButton {
+  public:
+    SceneCard(const SceneInfo& info, QWidget* parent)
+        : StartButton(parent), summary_(info.summary), svg_(info.name) {
+        setObjectName(QStringLiteral("start-") + info.name);
+        setText(info.title);
+        setAccessibleDescription(info.summary);
+        QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
+        policy.setHeightForWidth(true);
+        setSizePolicy(policy);
+    }
+
+    bool hasHeightForWidth() const override { return true; }
+    int heightForWidth(int width) const override {
+        return pictureHeight(width) + Theme::space + title(width).height() + Theme::gap +
+               summary(width).height() + Theme::margin;
+    }
+    QSize sizeHint() const override { return {200, heightForWidth(200)}; }
+    QSize minimumSizeHint() const override { return {120, heightForWidth(200)}; }
+
+  protected:
+    void paintEvent(QPaintEvent* /*event*/) override {
+        const Theme& theme = Theme::instance();
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(isMarked() ? theme.accent() : theme.border(), hasFocus() ? 2.0 : 1.0));
+        painter.setBrush(theme.panel());
+        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
+        QSvgRenderer picture(themedSvg(QStringLiteral(":/icons/start-%1.svg").arg(svg_)));
+        picture.setAspectRatioMode(Qt::KeepAspectRatio);
+        picture.render(&painter, QRectF(Theme::margin, Theme::margin, width() - 2 * Theme::margin,
+                                        pictureHeight(width()) - Theme::margin));
+        int top = pictureHeight(width()) + Theme::space;
+        painter.setPen(theme.text());
+        painter.setFont(titleFont());
+        const QRect heading = title(width());
+        painter.drawText(heading.translated(0, top), wrap, text());
+        top += heading.height() + Theme::gap;
+        painter.setFont(font());
+        painter.setPen(theme.mutedText());
+        painter.drawText(summary(width()).translated(0, top), wrap, summary_);
+    }
+
+  private:
+    static constexpr int wrap = Qt::TextWordWrap | Qt::AlignLeft | Qt::AlignTop;
+
+    static int pictureHeight(int width) {
+        return Theme::margin + (width - 2 * Theme::margin) * 3 / 5;
+    }
+    QFont titleFont() const {
+        QFont bold = font();
+        bold.setBold(true);
+        return bold;
+    }
+    QRect title(int width) const { return wrapped(QFontMetrics(titleFont()), text(), width); }
+    QRect summary(int width) const { return wrapped(fontMetrics(), summary_, width); }
+    static QRect wrapped(const QFontMetrics& metrics, const QString& text, int width) {
+        return metrics.boundingRect(QRect(Theme::margin, 0, width - 2 * Theme::margin, 10'000),
+                                    wrap, text);
+    }
+
+    QString summary_;
+    QString svg_;
+};
+
+/// A line that leads to a case: an icon and a text, shortened where it does not fit.
+class StartLine : public StartButton {
+  public:
+    StartLine(const QString& icon, const QString& text, QWidget* parent) : StartButton(parent) {
+        setText(text);
+        setIcon(themedIcon(icon));
+        setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    }
+
+    QSize sizeHint() const override {
+        return {fontMetrics().horizontalAdvance(shown()) + iconSide() + 4 * Theme::space,
+                fontMetrics().height() + 2 * Theme::gap};
+    }
+
+  protected:
+    void paintEvent(QPaintEvent* /*event*/) override {
+        const Theme& theme = Theme::instance();
+        QPainter painter(this);
+        const int side = iconSide();
+        icon().paint(&painter, QRect(Theme::gap, (height() - side) / 2, side, side));
+        QFont shownFont = font();
+        shownFont.setUnderline(underMouse());
+        painter.setFont(shownFont);
+        painter.setPen(theme.accent());
+        const QRect room(side + 3 * Theme::gap, 0, width() - side - 4 * Theme::gap, height());
+        painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
+                         fontMetrics().elidedText(shown(), Qt::ElideMiddle, room.width()));
+        if (hasFocus()) {
+            painter.setRenderHint(QPainter::Antialiasing);
+            painter.setPen(QPen(theme.accent(), 2.0));
+            painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
+        }
+    }
+
+  private:
+    /// Without the & of the mnemonic.
+    QString shown() const { return QString(text()).remove(QLatin1Char('&')); }
+    int iconSide() const { return fontMetrics().height(); }
+};
+
+/// A heading, and the column below it.
+QVBoxLayout* column(QWidget* box, const QString& heading) {
+    auto* layout = new QVBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    auto* label = new QLabel(heading, box);
+    QFont bold = label->font();
+    bold.setBold(true);
+    label->setFont(bold);
+    layout->addWidget(label);
+    layout->addSpacing(Theme::gap);
+    return layout;
+}
+
+}  // namespace
+
+StartPage::StartPage(QWidget* parent) : QWidget(parent) {
+    auto* outside = new QVBoxLayout(this);
+    outside->setContentsMargins(0, 0, 0, 0);
+    auto* scroll = new QScrollArea(this);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    outside->addWidget(scroll);
+    auto* content = new QWidget(scroll);
+    scroll->setWidget(content);
+    auto* layout = new QVBoxLayout(content);
+    layout->setContentsMargins(2 * Theme::margin, 2 * Theme::margin, 2 * Theme::margin,
+                               Theme::margin);
+    layout->setSpacing(Theme::margin);
+
+    auto* heading = new QLabel(tr("What shall be balanced?"), content);
+    heading->setFont(Theme::font(Theme::displaySize));
+    layout->addWidget(heading);
+
+    cards_ = new QGridLayout;
+    cards_->setSpacing(Theme::margin);
+    layout->addLayout(cards_);
+    for (const SceneInfo& info : sceneList()) {
+        auto* card = new SceneCard(info, content);
+        cards_->addWidget(card, 0, cards_->count());
+        connect(card, &QAbstractButton::clicked, this,
+                [this, name = info.name] { Q_EMIT sceneRequested(name); });
+    }
+    layout->addSpacing(Theme::space);
+
+    lists_ = new QGridLayout;
+    lists_->setHorizontalSpacing(3 * Theme::margin);
+    lists_->setVerticalSpacing(Theme::margin);
+    layout->addLayout(lists_);
+    layout->addStretch();
+
+    recentBox_ = new QWidget(content);
+    recent_ = column(recentBox_, tr("Files"));
+    const auto line = [this](QVBoxLayout* to, const QString& icon, const QString& text,
+                             const QString& name, auto pressed) {
+        auto* made = new StartLine(icon, text, to->parentWidget());
+        made->setObjectName(name);
+        connect(made, &QAbstractButton::clicked, this, pressed);
+        to->addWidget(made);
+        return made;
+    };
+    line(recent_, QStringLiteral("new"), tr("New case…"), QStringLiteral("start-new"),
+         [this] { Q_EMIT newDialogRequested(); });
+    line(recent_, QStringLiteral("open"), tr("Open a case…"), QStringLiteral("start-open"),
+         [this] { Q_EMIT openDialogRequested(); });
+    recent_->addStretch();
+    examplesBox_ = new QWidget(content);
+    QVBoxLayout* examples = column(examplesBox_, tr("Examples"));
+    for (const NewCase& each : newCases()) {
+        if (each.kind == NewCase::Kind::Example) {
+            auto* made = line(examples, QStringLiteral("scene-") + each.scene, each.title,
+                              QStringLiteral("start-example"),
+                              [this, each] { Q_EMIT newRequested(each.make()); });
+            made->setToolTip(each.title);
+        }
+    }
+    examples->addStretch();
+    arrange();
+    showRecent();
+    connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+}
+
+void StartPage::showRecent() {
+    constexpr int fixed = 4;  // heading, its gap, New, Open
+    while (recent_->count() > fixed) {
+        const std::unique_ptr<QLayoutItem> item(recent_->takeAt(fixed));
+        delete item->widget();
+    }
+    QWidget* before = recent_->itemAt(fixed - 1)->widget();
+    for (const QString& path : CaseDocument::recentPaths()) {
+        const QFileInfo file(path);
+        auto* made = new StartLine(QStringLiteral("save"), file.fileName(), recentBox_);
+        made->setObjectName(QStringLiteral("start-recent"));
+        made->setToolTip(path);
+        made->setAccessibleDescription(path);
+        connect(made, &QAbstractButton::clicked, this,
+                [this, path] { Q_EMIT openRequested(path); });
+        recent_->addWidget(made);
+        QWidget::setTabOrder(before, made);
+        before = made;
+    }
+    recent_->addStretch();
+}
+
+void StartPage::arrange() {
+    const int narrowest = 12 * fontMetrics().averageCharWidth() + 4 * Theme::margin;
+    const int columns =
+        std::clamp((width() - 3 * Theme::margin) / (narrowest + Theme::margin), 1, cards_->count());
+    if (columns == columns_) {
+        return;
+    }
+    columns_ = columns;
+    std::vector<QWidget*> cards;
+    while (cards_->count() > 0) {
+        const std::unique_ptr<QLayoutItem> item(cards_->takeAt(0));
+        cards.push_back(item->widget());
+    }
+    for (int i = 0; i < static_cast<int>(cards.size()); ++i) {
+        cards_->addWidget(cards[static_cast<std::size_t>(i)], i / columns, i % columns);
+        cards_->setColumnStretch(i, i < columns ? 1 : 0);
+    }
+    const bool beside = columns > 2;
+    lists_->addWidget(recentBox_, 0, 0);
+    lists_->addWidget(examplesBox_, beside ? 0 : 1, beside ? 1 : 0);
+    lists_->setColumnStretch(0, 1);
+    lists_->setColumnStretch(1, beside ? 1 : 0);
+}
+
+void StartPage::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+void StartPage::showEvent(QShowEvent* event) {
+    showRecent();
+    QWidget::showEvent(event);
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QWidget>
+
+#include "shell/new_cases.h"
+
+class QGridLayout;
+class QVBoxLayout;
+
+namespace ravnoves {
+
+/// What the program shows when it was given nothing to show: the scenes as pictures, the files
+/// opened last, the examples.
+class StartPage : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit StartPage(QWidget* parent = nullptr);
+
+    /// The files opened last, anew.
+    void showRecent();
+
+  Q_SIGNALS:
+    /// A picture was pressed: the scene as it starts.
+    void sceneRequested(const QString& scene);
+    /// A case that has no file yet.
+    void newRequested(const CaseFile& file);
+    void openRequested(const QString& path);
+    /// The user wants to be asked for a file, or for what a new case begins with.
+    void openDialogRequested();
+    void newDialogRequested();
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+  private:
+    void arrange();
+
+    QGridLayout* cards_;
+    QGridLayout* lists_;
+    QWidget* recentBox_;
+    QVBoxLayout* recent_;
+    QWidget* examplesBox_;
+    int columns_ = 0;
+};
+
+}  // namespace ravnoves
