@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <initializer_list>
 
+#include "shell/documents.h"
 #include "shell/main_window.h"
 #include "shell/scene_list.h"
 #include "shell/screenshot.h"
@@ -143,7 +144,8 @@ int main(int argc, char** argv) {
     const QString scene = parser.value(sceneOption);
     const QString start = u"start"_s;
     const QStringList paths = parser.values(caseOption) + parser.positionalArguments();
-    if (scene == start || (scene.isEmpty() && paths.isEmpty() && !screenshot)) {
+    if (scene == start || (scene.isEmpty() && paths.isEmpty() && !screenshot &&
+                           window.documents().paths().isEmpty())) {
         window.showStart();
     } else if (!scene.isEmpty() && !window.showScene(scene)) {
         QStringList names{start};

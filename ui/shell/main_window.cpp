@@ -105,13 +105,17 @@ void MainWindow::renew() {
         const QSignalBlocker quiet(documents_);
         documents_->renewPages();
     }
+    const bool atStart = isAtStart();
+    start_ = nullptr;
     documents_->setParent(this);
     delete takeCentralWidget();
     delete toolBar_;
+    delete whatsThis_;
     setMenuBar(new QMenuBar(this));
     scenes_.clear();
     sceneActions_.clear();
     caseActions_.clear();
+    pageActions_.clear();
     qDeleteAll(findChildren<QActionGroup*>(QString(), Qt::FindDirectChildrenOnly));
     qDeleteAll(findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly));
     buildNavigation();
@@ -119,6 +123,9 @@ void MainWindow::renew() {
     documents_->show();
     showCurrent();
     updateCaseActions();
+    if (atStart) {
+        showStart();
+    }
 }
 
 void MainWindow::buildNavigation() {
@@ -329,8 +336,8 @@ void MainWindow::buildMenus() {
     add(help, {}, tr("&Case files and command line"), {},
         [this] { showHelp(QStringLiteral("case-files")); });
     add(help, {}, tr("&Keys and mouse"), {}, [this] { showHelp(QStringLiteral("keys")); });
-    auto* whatsThis = new WhatsThis(this);
-    help->addAction(whatsThis->action());
+    whatsThis_ = new WhatsThis(this);
+    help->addAction(whatsThis_->action());
     help->addSeparator();
     add(help, {}, tr("About &Ravnoves"), {}, [this] { showAbout(); });
 
@@ -339,7 +346,7 @@ void MainWindow::buildMenus() {
     toolBar_->setMovable(false);
     toolBar_->setIconSize(QSize(Theme::withText(20), Theme::withText(20)));
     toolBar_->addActions({fresh, open, saveAction});
-    newMenu_ = new QMenu(this);
+    newMenu_ = new QMenu(toolBar_);
     connect(newMenu_, &QMenu::aboutToShow, this, &MainWindow::fillNewMenu);
     auto* newButton = qobject_cast<QToolButton*>(toolBar_->widgetForAction(fresh));
     newButton->setMenu(newMenu_);

@@ -16,6 +16,7 @@ class Documents;
 class Recovery;
 class ScenePage;
 class StartPage;
+class WhatsThis;
 
 /// The window: navigation between the scenes, menus, toolbar, status bar, over its documents.
 class MainWindow : public QMainWindow {
@@ -89,6 +90,7 @@ class MainWindow : public QMainWindow {
     Recovery* recovery_ = nullptr;  ///< from beginSession() on
     StartPage* start_ = nullptr;
     QAction* startAction_ = nullptr;
+    WhatsThis* whatsThis_ = nullptr;
     std::vector<QAction*> scenes_;  ///< in the order of the navigation
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;

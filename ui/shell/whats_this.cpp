@@ -76,6 +76,7 @@ WhatsThis::WhatsThis(QWidget* window)
     connect(action_, &QAction::triggered, this, [] { QWhatsThis::enterWhatsThisMode(); });
     auto* key = new QShortcut(Qt::SHIFT | Qt::Key_F1, window);
     connect(key, &QShortcut::activated, this, &WhatsThis::explainFocus);
+    connect(this, &QObject::destroyed, key, &QObject::deleteLater);
     qApp->installEventFilter(this);
 }
 
