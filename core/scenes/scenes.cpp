@@ -7,12 +7,16 @@
 #include <utility>
 #include <vector>
 
+#include "balance-shaft/formulas.h"
 #include "balance-shaft/scene.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "elastic-hinge/formulas.h"
 #include "elastic-hinge/scene.h"
+#include "inertia-moments/formulas.h"
 #include "inertia-moments/scene.h"
 #include "numerics/demand.h"
+#include "v8-plugs/formulas.h"
 #include "v8-plugs/scene.h"
 
 namespace ravnoves {
@@ -60,15 +64,35 @@ std::filesystem::path plain_path(const std::filesystem::path& path) {
     return plain.has_filename() ? plain : plain.parent_path();
 }
 
+std::vector<Formula> formulas_of_balance_shaft(const Json& input, const CaseContext& context) {
+    return balance_shaft::formulas(balance_shaft::read_input(input, context));
+}
+
+std::vector<Formula> formulas_of_elastic_hinge(const Json& input, const CaseContext& /*context*/) {
+    return elastic_hinge::formulas(elastic_hinge::read_input(input));
+}
+
+std::vector<Formula> formulas_of_v8_plugs(const Json& input, const CaseContext& /*context*/) {
+    return v8_plugs::formulas(v8_plugs::read_input(input, Completeness::as_is));
+}
+
+std::vector<Formula> formulas_of_inertia_moments(const Json& input,
+                                                 const CaseContext& /*context*/) {
+    return inertia_moments::formulas(inertia_moments::read_input(input));
+}
+
 }  // namespace
 
 std::span<const SceneSolver> scene_solvers() {
     // One line per scene; the order is that of the navigation.
     static const std::array scenes{
-        SceneSolver{"balance-shaft", balance_shaft::solve_scene},
-        SceneSolver{"elastic-hinge", elastic_hinge::solve_scene},
-        SceneSolver{"v8-plugs", v8_plugs::solve_scene},
-        SceneSolver{"inertia-moments", inertia_moments::solve_scene},
+        SceneSolver{"balance-shaft", balance_shaft::solve_scene, formulas_of_balance_shaft,
+                    balance_shaft::left_out},
+        SceneSolver{"elastic-hinge", elastic_hinge::solve_scene, formulas_of_elastic_hinge,
+                    elastic_hinge::left_out},
+        SceneSolver{"v8-plugs", v8_plugs::solve_scene, formulas_of_v8_plugs, v8_plugs::left_out},
+        SceneSolver{"inertia-moments", inertia_moments::solve_scene, formulas_of_inertia_moments,
+                    inertia_moments::left_out},
     };
     return scenes;
 }

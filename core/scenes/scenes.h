@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bibliography/formula.h"
 #include "case-file/case_context.h"
 #include "case-file/case_file.h"
 #include "case-file/json_fwd.h"
@@ -21,6 +22,9 @@ inline constexpr std::string_view result_format = "ravnoves-result";
 struct SceneSolver {
     std::string_view name;  ///< the word in the case file, for example "balance-shaft"
     Json (*solve)(const Json& input, const CaseContext& context, const Wanted& wanted);
+    /// What its result rests on. @throws InputError as solve()
+    std::vector<Formula> (*formulas)(const Json& input, const CaseContext& context);
+    std::span<const Text> (*left_out)();
 };
 
 /// The scenes that have a solver, in the order of the navigation.

@@ -1,0 +1,154 @@
+#include "balance-shaft/formulas.h"
+
+#include <array>
+
+namespace ravnoves::balance_shaft {
+
+namespace {
+
+constexpr std::string_view gots_klevtsov = "gots-klevtsov";
+
+void add_torque(std::vector<Formula>& list) {
+    list.push_back({CORE_TEXT("balance-shaft", "Torque of the engine"),
+                    "M<sub>i</sub> = M<sub>g</sub> + M<sub>j</sub>, "
+                    "M<sub>g</sub> = −(p − p<sub>0</sub>) A s′, "
+                    "M<sub>j</sub> = −m<sub>j</sub> ω<sup>2</sup> s′ s″",
+                    "", "",
+                    CORE_TEXT("balance-shaft",
+                              "gas torque and inertia torque; p pressure in the cylinder, p₀ in "
+                              "the crankcase, A piston area, s distance of the piston pin from the "
+                              "crank axis, ′ by φ")});
+    list.push_back({CORE_TEXT("balance-shaft", "Piston pin"),
+                    "s = r cos θ + √(L<sup>2</sup> − (r sin θ − e)<sup>2</sup>)", "", "",
+                    CORE_TEXT("balance-shaft",
+                              "L length of the rod, e offset of the cylinder, θ angle of the crank "
+                              "from the cylinder's direction")});
+}
+
+void add_gears(std::vector<Formula>& list, const GearPair& gears) {
+    if (gears.shifted_teeth != 0) {
+        list.push_back({CORE_TEXT("balance-shaft", "Shaft fitted k teeth out"),
+                        "δ = 360° k / z, ΔF = 2 P<sub>1</sub> |sin(δ/2)|", "", "",
+                        CORE_TEXT("balance-shaft",
+                                  "z teeth of each gear; its moment is that of α + δ, and ΔF "
+                                  "remains of the first order")});
+    }
+    if (gears.backlash > 0.0) {
+        list.push_back({CORE_TEXT("balance-shaft", "Play of the gears"), "|Δα| ≤ b / l", "", "",
+                        CORE_TEXT("balance-shaft", "b play at the pitch circle")});
+    }
+}
+
+}  // namespace
+
+std::vector<Formula> formulas(const Input& input) {
+    const bool offset = input.torque.cylinder.offset != 0.0;
+    std::vector<Formula> list;
+    if (input.reciprocating_masses.size() > 1) {
+        list.push_back(
+            {CORE_TEXT("balance-shaft", "Reciprocating mass"), "m<sub>j</sub> = Σ m", gots_klevtsov,
+             "Table 1",
+             CORE_TEXT("balance-shaft", "piston, pin, rings and the small-end share of the rod")});
+    }
+    list.push_back({CORE_TEXT("balance-shaft", "First-order inertia force"),
+                    "P<sub>j1</sub> = m<sub>j</sub> r ω<sup>2</sup> cos φ", gots_klevtsov, "",
+                    CORE_TEXT("balance-shaft",
+                              "r crank radius, ω angular speed, φ crank angle from top dead "
+                              "centre")});
+    if (!input.counterweight_mass) {
+        list.push_back({CORE_TEXT("balance-shaft", "Counterweight"),
+                        "m<sub>1</sub> = m<sub>j</sub> r / (2 ρ<sub>1</sub>)", gots_klevtsov, "(1)",
+                        CORE_TEXT("balance-shaft", "ρ₁ radius of its centre of mass")});
+    }
+    list.push_back({CORE_TEXT("balance-shaft", "Force of a counterweight"),
+                    "P<sub>1</sub> = m<sub>1</sub> ρ<sub>1</sub> ω<sup>2</sup>",
+                    gots_klevtsov,
+                    "",
+                    {}});
+    if (input.torque.is_computed()) {
+        add_torque(list);
+    }
+    list.push_back({CORE_TEXT("balance-shaft", "Tipping moment"),
+                    offset ? "M<sub>up</sub> = −M<sub>i</sub> + e m<sub>j</sub> ω<sup>2</sup> s″"
+                           : "M<sub>up</sub> = −M<sub>i</sub>",
+                    offset ? "" : gots_klevtsov, "",
+                    CORE_TEXT("balance-shaft",
+                              "reaction to the torque Mᵢ of the engine, and of an offset cylinder "
+                              "to the angular momentum of its reciprocating masses")});
+    list.push_back({CORE_TEXT("balance-shaft", "Moment of the shaft"),
+                    offset ? "M<sub>s</sub> = P<sub>1</sub> l sin(α + θ − δ)"
+                           : "M<sub>s</sub> = P<sub>1</sub> l sin(α + φ)",
+                    offset ? "" : gots_klevtsov, offset ? "" : "(2)–(4)",
+                    CORE_TEXT("balance-shaft",
+                              "l distance and α angle of the shaft's axis from the crank axis; of "
+                              "an offset cylinder δ is the lag of the counterweights")});
+    list.push_back({CORE_TEXT("balance-shaft", "Moment on the mounts"),
+                    "M<sub>ups</sub> = M<sub>up</sub> + M<sub>s</sub>",
+                    gots_klevtsov,
+                    "(5)",
+                    {}});
+    list.push_back({CORE_TEXT("balance-shaft", "Range"),
+                    "ΔM = max M<sub>ups</sub> − min M<sub>ups</sub>", gots_klevtsov, "",
+                    CORE_TEXT("balance-shaft", "of the continuous cycle, not of the rows alone")});
+    list.push_back({CORE_TEXT("balance-shaft", "RMS about the mean"),
+                    "√( (1/Φ) ∫ (M<sub>ups</sub> − M<sub>m</sub>)<sup>2</sup> dφ )", "", "",
+                    CORE_TEXT("balance-shaft", "Φ length of the cycle, Mₘ its mean")});
+    list.push_back({CORE_TEXT("balance-shaft", "Place of the least RMS"),
+                    "x = −c<sub>1</sub> / P<sub>1</sub>, y = −s<sub>1</sub> / P<sub>1</sub>", "",
+                    "",
+                    CORE_TEXT("balance-shaft",
+                              "c₁ and s₁ coefficients of cos φ and sin φ in Mᵤₚ; x = l sin α, "
+                              "y = l cos α")});
+    list.push_back({CORE_TEXT("balance-shaft", "Crank alone, without a shaft"),
+                    "(1 − κ) m<sub>j</sub> r ω<sup>2</sup>, κ m<sub>j</sub> r ω<sup>2</sup>", "",
+                    "",
+                    CORE_TEXT("balance-shaft",
+                              "half-axes of the ellipse of the first-order force, along and across "
+                              "the cylinder; κ balanced share")});
+    if (!input.envelope.shaft_swing_radius) {
+        list.push_back({CORE_TEXT("balance-shaft", "Swing circle of the shaft, assumed"),
+                        "R = (3 m<sub>1</sub>ρ<sub>1</sub> / (2 · 7850 kg/m<sup>3</sup> · "
+                        "B))<sup>1/3</sup>",
+                        "", "",
+                        CORE_TEXT("balance-shaft",
+                                  "a half disc of steel, as long as the bore B, with the unbalance "
+                                  "m₁ρ₁")});
+    }
+    add_gears(list, input.gears);
+    list.push_back({CORE_TEXT("balance-shaft", "Flywheel"),
+                    "ΔE = J ω<sup>2</sup> δ, E = ∫ (M<sub>i</sub> − M<sub>im</sub>) dφ", "", "",
+                    CORE_TEXT("balance-shaft",
+                              "ΔE excess work between the extremes of E, J moment of inertia, δ "
+                              "fluctuation of the speed, Mᵢₘ mean torque")});
+    if (input.relieved_shaft) {
+        list.push_back({CORE_TEXT("balance-shaft", "Shaft with a relieved middle"),
+                        "m<sub>1</sub>ρ<sub>1</sub> = ρ b ∫ y dA", gots_klevtsov, "Fig. 5",
+                        CORE_TEXT("balance-shaft",
+                                  "ρ density, b length of the relief, A the segment milled away, y "
+                                  "from the axis")});
+    }
+    return list;
+}
+
+std::span<const Text> left_out() {
+    static constexpr std::array texts{
+        CORE_TEXT(
+            "balance-shaft",
+            "Second-order forces (mⱼ r ω² λ cos 2φ) stay and are not counted in the moment on "
+            "the mounts."),
+        CORE_TEXT("balance-shaft",
+                  "The rotating part of the rod and the crank are taken as balanced by the crank's "
+                  "own counterweights."),
+        CORE_TEXT("balance-shaft",
+                  "The engine block is rigid, and the speed within a cycle is constant."),
+        CORE_TEXT(
+            "balance-shaft",
+            "The play of the gears moves the shaft to any place within it; how it moves there "
+            "is not computed."),
+        CORE_TEXT("balance-shaft",
+                  "Whether parts that meet in the front view lie behind one another is not known."),
+    };
+    return texts;
+}
+
+}  // namespace ravnoves::balance_shaft

@@ -1,0 +1,111 @@
+// What a report says of the theory: formulas with their sources, and what a model leaves out.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "bibliography/bibliography.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
+#include "scenes/scenes.h"
+
+namespace ravnoves {
+namespace {
+
+/// Calls `look` with the solver, the file's name and the input of every example.
+template <typename Look>
+void for_every_example(Look&& look) {
+    for (const auto& entry : std::filesystem::directory_iterator(RAVNOVES_EXAMPLES)) {
+        if (entry.path().extension() != ".json") {
+            continue;
+        }
+        const CaseFile file = parse_case(read_text_file(entry.path()));
+        for (const SceneSolver& scene : scene_solvers()) {
+            if (scene.name == file.scene) {
+                look(scene, entry.path(),
+                     scene.formulas(file.input, CaseContext{entry.path().parent_path()}));
+            }
+        }
+    }
+}
+
+TEST(Formulas, CiteSourcesThatTheBibliographyHolds) {
+    std::set<std::string_view> scenes;
+    for_every_example([&](const SceneSolver& scene, const auto& path, const auto& formulas) {
+        scenes.insert(scene.name);
+        EXPECT_GE(formulas.size(), 5u) << path;
+        bool cites = false;
+        for (const Formula& formula : formulas) {
+            SCOPED_TRACE(path.string() + ": " + formula.name.english);
+            EXPECT_FALSE(formula.name.empty());
+            EXPECT_FALSE(formula.html.empty());
+            if (!formula.source.empty()) {
+                cites = true;
+                const auto known = bibliography();
+                EXPECT_TRUE(std::any_of(known.begin(), known.end(), [&](const Source& source) {
+                    return source.key == formula.source;
+                })) << formula.source;
+            } else {
+                EXPECT_TRUE(formula.equation.empty()) << "an equation of no paper";
+            }
+        }
+        EXPECT_TRUE(cites) << path;
+    });
+    EXPECT_EQ(scenes.size(), scene_solvers().size());
+}
+
+TEST(Formulas, AreWellFormed) {
+    for_every_example([&](const SceneSolver&, const auto& path, const auto& formulas) {
+        for (const Formula& formula : formulas) {
+            const std::string html(formula.html);
+            for (const std::string tag : {"sub", "sup", "i"}) {
+                const auto count = [&](const std::string& what) {
+                    std::size_t found = 0;
+                    for (std::size_t at = html.find(what); at != std::string::npos;
+                         at = html.find(what, at + 1)) {
+                        ++found;
+                    }
+                    return found;
+                };
+                EXPECT_EQ(count("<" + tag + ">"), count("</" + tag + ">")) << path << html;
+            }
+            EXPECT_EQ(html.find('&'), std::string::npos) << html;
+        }
+    });
+}
+
+TEST(Formulas, FollowTheCase) {
+    const auto has = [](const Json& input, const char* name) {
+        for (const SceneSolver& scene : scene_solvers()) {
+            if (scene.name == "elastic-hinge") {
+                const auto formulas = scene.formulas(input, {});
+                return std::any_of(formulas.begin(), formulas.end(), [&](const Formula& formula) {
+                    return std::string_view(formula.name.english) == name;
+                });
+            }
+        }
+        return false;
+    };
+    const auto input_of = [](const char* name) {
+        return parse_case(read_text_file(std::string(RAVNOVES_EXAMPLES) + "/" + name)).input;
+    };
+    EXPECT_TRUE(has(input_of("zotov-counterweight.case.json"), "Part of the counterweight in M₁₂"));
+    EXPECT_FALSE(has(input_of("zotov-energy.case.json"), "Part of the counterweight in M₁₂"));
+    EXPECT_TRUE(has(input_of("zotov-energy.case.json"), "Least preload"));
+    EXPECT_FALSE(has(input_of("zotov-as-printed.case.json"), "Least preload"));
+}
+
+TEST(Formulas, EveryModelSaysWhatItLeavesOut) {
+    for (const SceneSolver& scene : scene_solvers()) {
+        EXPECT_GE(scene.left_out().size(), 3u) << scene.name;
+        for (const Text& text : scene.left_out()) {
+            EXPECT_TRUE(std::string_view(text.english).ends_with('.')) << text.english;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ravnoves
