@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Solves every example case, renders its page and writes a report with pictures. Needs no display.
+# Solves every example case, renders its page, writes its report as PDF, and a page with all of them.
+# Needs no display.
 set -euo pipefail
 
 if [ $# -ne 4 ]; then
@@ -37,7 +38,7 @@ fold_lists() {
 }
 
 mkdir -p "$report"
-rm -f "$report"/*.png "$report"/*.result.json "$report"/index.html
+rm -f "$report"/*.png "$report"/*.pdf "$report"/*.result.json "$report"/index.html
 page=$report/index.html
 failures=0
 {
@@ -87,6 +88,16 @@ for case_file in "$examples"/*.case.json; do
             failures=$((failures + 1))
         fi
     fi
+    paper=no
+    if [ $status = solved ]; then
+        if drawing_complaint=$("$program" --report "$report/$name.pdf" --case "$case_file" 2>&1) &&
+            [ -s "$report/$name.pdf" ]; then
+            paper=yes
+        else
+            drawn=no
+            failures=$((failures + 1))
+        fi
+    fi
     {
         printf '<h2>%s</h2>\n' "$(printf '%s' "${title:-$name}" | escape)"
         printf '<p>Scene %s, case %s</p>\n' "$scene" "$(basename "$case_file" | escape)"
@@ -104,6 +115,10 @@ for case_file in "$examples"/*.case.json; do
             printf '<code>best_position</code> of the result, and '
             printf '<code>best_position_buildable</code> with the places that none beats.</p>\n'
         fi
+        if [ $paper = yes ]; then
+            printf '<p><a href="%s.pdf">Report of this case</a> (PDF): inputs, results, plots, formulas, ' "$name"
+            printf 'validation</p>\n'
+        fi
         if [ $status = solved ]; then
             printf '<details><summary>Result (<a href="%s.result.json">all of it</a>)</summary>\n' "$name"
             printf '<pre>%s</pre></details>\n' "$(fold_lists <"$result" | escape)"
@@ -115,6 +130,7 @@ for case_file in "$examples"/*.case.json; do
     printf '  %-22s %-16s %s' "$name" "$scene" "$status"
     if [ $drawn = yes ]; then printf ', %s.png' "$name"; else printf ', no picture'; fi
     if [ $mapped = yes ]; then printf ', %s.map.png' "$name"; fi
+    if [ $paper = yes ]; then printf ', %s.pdf' "$name"; fi
     printf '\n'
     [ $status = solved ] || printf '    %s\n' "$complaint"
     [ $drawn = yes ] || printf '    %s\n' "$drawing_complaint"

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <initializer_list>
 
+#include "report/case_report.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
 #include "shell/scene_list.h"
@@ -53,19 +54,24 @@ int fail(const QString& text) {
 
 int main(int argc, char** argv) {
     const bool screenshot = given(argc, argv, {"--screenshot"});
-    if (screenshot) {
+    const bool report = given(argc, argv, {"--report"});
+    const bool isSilent = screenshot || report;
+    if (isSilent) {
         // The same pixels everywhere: no scaling.
         qunsetenv("QT_FONT_DPI");
         // Before Qt starts: what an option says, or none.
         const QByteArray scale = valueOf(argc, argv, "--scale");
         scale.isEmpty() ? qunsetenv("QT_SCALE_FACTOR") : qputenv("QT_SCALE_FACTOR", scale);
     }
+    if (report && !given(argc, argv, {"-platform"})) {
+        qputenv("QT_QPA_PLATFORM", "offscreen");  // no window flashes up
+    }
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") && qEnvironmentVariableIsEmpty("DISPLAY") &&
         qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") && !given(argc, argv, {"-platform"})) {
         if (!screenshot && !given(argc, argv, {"-h", "--help", "--help-all", "-v", "--version"})) {
             return fail(
-                u"There is no display. --screenshot FILE.png renders a page without one; "
-                "ravnoves-cli solves case files."_s);
+                u"There is no display. --screenshot FILE.png renders a page without one, "
+                "--report FILE.pdf writes a report; ravnoves-cli solves case files."_s);
         }
         qputenv("QT_QPA_PLATFORM", "offscreen");
     }
@@ -88,6 +94,9 @@ int main(int argc, char** argv) {
         u"set"_s, u"Set a value of the case or of the page; may be repeated."_s, u"key=value"_s);
     const QCommandLineOption screenshotOption(
         u"screenshot"_s, u"Write the window as a PNG picture and exit."_s, u"file.png"_s);
+    const QCommandLineOption reportOption(
+        u"report"_s, u"Write a report of the case as PDF or HTML, by the suffix, and exit."_s,
+        u"file.pdf"_s);
     const QCommandLineOption sizeOption(u"size"_s, u"Size of the window, for example 1280x800."_s,
                                         u"WxH"_s, u"1280x800"_s);
     const QCommandLineOption themeOption(u"theme"_s, u"light, dark or system."_s, u"name"_s);
@@ -98,25 +107,25 @@ int main(int argc, char** argv) {
                                             u"code"_s);
     const QCommandLineOption textOption(u"text"_s, u"Size of the text in percent, 80 to 200."_s,
                                         u"percent"_s);
-    parser.addOptions({sceneOption, caseOption, setOption, screenshotOption, sizeOption,
-                       themeOption, languageOption, textOption, scaleOption});
+    parser.addOptions({sceneOption, caseOption, setOption, screenshotOption, reportOption,
+                       sizeOption, themeOption, languageOption, textOption, scaleOption});
     if (!parser.parse(QApplication::arguments())) {
         return fail(parser.errorText());
     }
     parser.process(app);  // --help and --version
 
     const QTemporaryDir noSettings;
-    if (screenshot) {
+    if (isSilent) {
         // Nothing of the user's settings may change the picture.
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, noSettings.path());
         ravnoves::Journal::setKept(false);
     }
     ravnoves::installLanguage(parser.isSet(languageOption) ? parser.value(languageOption)
-                              : screenshot                 ? u"en"_s
+                              : isSilent                   ? u"en"_s
                                                            : QString());
     ravnoves::Preferences::instance().load();
     auto mode = static_cast<ravnoves::Theme::Mode>(QSettings().value(u"view/theme"_s, 0).toInt());
-    if (parser.isSet(themeOption) || screenshot) {
+    if (parser.isSet(themeOption) || isSilent) {
         const QString name = parser.value(themeOption);
         if (name == "dark"_L1) {
             mode = ravnoves::Theme::Mode::Dark;
@@ -137,8 +146,12 @@ int main(int argc, char** argv) {
     ravnoves::Theme::instance().setTextScale(percent.toInt() / 100.0);
     ravnoves::Theme::instance().install(mode);
 
+    const QString reportPath = parser.value(reportOption);
+    if (report && !ravnoves::isReportName(reportPath)) {
+        return fail(u"--report: must end in .pdf or .html, got %1"_s.arg(reportPath));
+    }
     ravnoves::MainWindow window;
-    if (!screenshot) {
+    if (!isSilent) {
         window.beginSession();
     }
     const QString scene = parser.value(sceneOption);
@@ -164,6 +177,9 @@ int main(int argc, char** argv) {
                 scene, window.currentScene()));
         }
     }
+    if (report && paths.size() != 1) {
+        return fail(u"--report: needs one case, --case FILE"_s);
+    }
     for (const QString& pair : parser.values(setOption)) {
         const QString trouble = ravnoves::applySetting(window, pair);
         if (!trouble.isEmpty()) {
@@ -176,6 +192,10 @@ int main(int argc, char** argv) {
         return trouble.isEmpty() ? 0 : fail(trouble);
     }
     window.show();
+    if (report) {
+        const QString trouble = window.writeReport(reportPath);
+        return trouble.isEmpty() ? 0 : fail(trouble);
+    }
     QTimer::singleShot(0, &window, &ravnoves::MainWindow::offerRecovered);
     return QApplication::exec();
 }

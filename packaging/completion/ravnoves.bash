@@ -28,13 +28,14 @@ _ravnoves() {
         --size | --set) return ;;
     esac
     if [[ $word == -* ]]; then
-        mapfile -t COMPREPLY < <(compgen -W "--scene --case --set --screenshot --size --theme
+        mapfile -t COMPREPLY < <(compgen -W "--scene --case --set --screenshot --report --size --theme
             --language --text --scale -h --help --help-all -v --version" -- "$word")
         return
     fi
     compopt -o filenames
     local suffix=json
     [ "$option" != --screenshot ] || suffix=png
+    [ "$option" != --report ] || suffix=pdf
     mapfile -t COMPREPLY < <(compgen -f -X "!*.$suffix" -- "$word"; compgen -d -- "$word")
 }
 complete -F _ravnoves ravnoves

@@ -5,6 +5,7 @@ complete -c ravnoves -l scene -x -a 'start balance-shaft elastic-hinge v8-plugs 
 complete -c ravnoves -l case -r -d 'Open this case file'
 complete -c ravnoves -l set -x -d 'Set a value of the case or of the page'
 complete -c ravnoves -l screenshot -r -d 'Write the window as a PNG picture and exit'
+complete -c ravnoves -l report -r -d 'Write a report of the case as PDF or HTML and exit'
 complete -c ravnoves -l size -x -d 'Size of the window, for example 1280x800'
 complete -c ravnoves -l theme -x -a 'light dark system' -d 'Colours'
 complete -c ravnoves -l language -x -a 'en ru' -d 'Language of the program'

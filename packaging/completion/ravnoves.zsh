@@ -5,6 +5,7 @@ _arguments \
     '--case[open this case file]:case file:_files -g "*.json"' \
     '*--set[set a value of the case or of the page]:key=value' \
     '--screenshot[write the window as a PNG picture and exit]:picture:_files -g "*.png"' \
+    '--report[write a report of the case as PDF or HTML and exit]:report:_files -g "*.(pdf|html)"' \
     '--size[size of the window, for example 1280x800]:WxH' \
     '--theme[colours]:theme:(light dark system)' \
     '--language[language of the program]:language:(en ru)' \

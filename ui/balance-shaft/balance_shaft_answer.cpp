@@ -77,6 +77,7 @@ QWidget* BalanceShaftPage::buildAnswer() {
     quantities_->horizontalHeader()->hide();
     answerColumn->addWidget(quantities_);
     notes_ = captionLabel({}, answer);
+    notes_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     notesArea_ = scrolled(new Apart(notes_), answer);
     notesArea_->setMinimumHeight(4 * notes_->fontMetrics().height());
     notesArea_->viewport()->setAutoFillBackground(false);

@@ -15,6 +15,7 @@
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
+#include "widgets/figure.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/form.h"
 #include "widgets/page_columns.h"
@@ -30,6 +31,7 @@ namespace field = balance_shaft::field;
 RelievedShaftDrawing::RelievedShaftDrawing(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setAccessibleName(tr("Drawing of the shaft with a relieved middle"));
+    makeFigure(this);
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
@@ -154,6 +156,7 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     auto* answerColumn = new QVBoxLayout(answerPanel);
     answerColumn->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     verdict_ = captionLabel({}, answerPanel);
+    verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     answerColumn->addWidget(verdict_);
     table_ = new ResultTable(answerPanel);
     table_->setAccessibleName(tr("Sizes and masses of the shaft"));

@@ -117,6 +117,7 @@ QWidget* TorqueSourceEditor::buildCheck() {
     column->setContentsMargins(Theme::margin, 0, Theme::margin, Theme::gap);
     column->setSpacing(Theme::gap);
     checkText_ = captionLabel({}, check_);
+    checkText_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     column->addWidget(checkText_);
     remedies_ = new QWidget(check_);
     auto* row = new QHBoxLayout(remedies_);

@@ -214,6 +214,7 @@ QWidget* ElasticHingePage::buildAnswer() {
     quantities_->horizontalHeader()->hide();
     answerColumn->addWidget(quantities_);
     notes_ = captionLabel({}, answer);
+    notes_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     answerColumn->addWidget(notes_);
     column->addWidget(answer);
     return holder;

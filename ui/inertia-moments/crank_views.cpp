@@ -12,6 +12,7 @@
 #include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
+#include "widgets/figure.h"
 
 namespace ravnoves {
 
@@ -36,6 +37,7 @@ void connectTo(InertiaMomentsModel* model, QWidget* widget) {
 CounterweightView::CounterweightView(InertiaMomentsModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     setAccessibleName(tr("Rotating masses and counterweights"));
+    makeFigure(this);
     setToolTip(
         tr("The crank from the front with crankpin 1 up; angles from crankpin 1, "
            "counter-clockwise, lags against the rotation."));
@@ -170,6 +172,7 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
 FiringWheel::FiringWheel(InertiaMomentsModel* model, QWidget* parent)
     : QWidget(parent), model_(model) {
     setAccessibleName(tr("Firing order"));
+    makeFigure(this);
     setToolTip(
         tr("One cycle of the crank, 720° or 360°, counter-clockwise from the top: cylinders in the "
            "order of firing, the intervals between them, the present crank angle."));

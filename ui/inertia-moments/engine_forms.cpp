@@ -150,6 +150,7 @@ void EngineForm::addFiringOrder() {
     current()->addWidget(shownText(field::firing_order.label), order);
     order->setModel(model_);
     QLabel* misfit = captionLabel({}, current());
+    misfit->setTextInteractionFlags(Qt::TextSelectableByMouse);
     misfit->setObjectName(QStringLiteral("firing_misfit"));
     current()->addWide(misfit);
     follow([this, order, misfit] {

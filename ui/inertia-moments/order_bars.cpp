@@ -10,6 +10,7 @@
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
+#include "widgets/figure.h"
 
 namespace ravnoves {
 
@@ -32,6 +33,7 @@ QString valueText(double value) {
 
 OrderBars::OrderBars(InertiaMomentsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     setAccessibleName(tr("Amplitudes by order"));
+    makeFigure(this);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));

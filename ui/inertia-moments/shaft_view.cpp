@@ -11,6 +11,7 @@
 #include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
+#include "widgets/figure.h"
 
 namespace ravnoves {
 
@@ -30,6 +31,7 @@ QString short4(double value) {
 ShaftView::ShaftView(InertiaMomentsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Balance shafts: arrangement and phases"));
+    makeFigure(this);
     setToolTip(
         tr("Each shaft seen from the front at the present crank angle. Red: what it cancels; the "
            "weights lie opposite. Dashed: cylinder 1's axis and crankpin 1. Click a shaft to "

@@ -22,6 +22,7 @@
 
 #include "model/recovery.h"
 #include "plot/picture_file.h"
+#include "report/case_report.h"
 #include "shell/case_properties.h"
 #include "shell/documents.h"
 #include "shell/help_window.h"
@@ -36,6 +37,7 @@
 #include "text/preferences.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/file_dialogs.h"
 
 namespace ravnoves {
 
@@ -237,6 +239,8 @@ void MainWindow::buildMenus() {
     file->addSeparator();
     QAction* picture = add(file, QStringLiteral("picture"), tr("Save page as &picture…"),
                            QKeySequence(Qt::CTRL | Qt::Key_E), [this] { exportPicture(); });
+    QAction* report = add(file, QStringLiteral("pdf"), tr("Repor&t…"),
+                          QKeySequence(Qt::CTRL | Qt::Key_R), [this] { exportReport(); });
     file->addSeparator();
     QAction* close = add(file, {}, tr("&Close case"), QKeySequence(Qt::CTRL | Qt::Key_W),
                          [this] { documents_->closeCurrent(); });
@@ -357,7 +361,7 @@ void MainWindow::buildMenus() {
     toolBar_->addActions({copyText, picture, reset});
     toolBar_->addSeparator();
     pageActions_ = {close, copyText, copyCsv, picture, reset};
-    caseActions_ = {fresh, saveAction, saveAsAction, properties};
+    caseActions_ = {fresh, saveAction, saveAsAction, properties, report};
     for (QAction* action : caseActions_) {
         action->setData(action->toolTip());
     }
@@ -641,6 +645,29 @@ void MainWindow::exportPicture() {
                                                   documents_->current().document->name(), draw,
                                                   pixels);
                           });
+}
+
+QString MainWindow::writeReport(const QString& path) {
+    return ravnoves::writeReport(*currentPage(), documents_->current().document->path(), path);
+}
+
+void MainWindow::exportReport() {
+    const QFileInfo file(documents_->current().document->path());
+    const QString name = file.filePath().isEmpty()
+                             ? currentScene()
+                             : file.absolutePath() + QLatin1Char('/') +
+                                   file.fileName().section(QLatin1Char('.'), 0, 0);
+    const QString path = askSavePath(this, tr("Report"), name + QStringLiteral(".pdf"),
+                                     {pdfFormat(), {QStringLiteral("html"), tr("Web page")}});
+    if (path.isEmpty()) {
+        return;
+    }
+    const QString trouble = writeReport(path);
+    if (trouble.isEmpty()) {
+        statusBar()->showMessage(tr("Report written: %1").arg(path), 5000);
+    } else {
+        QMessageBox::warning(this, tr("Report"), trouble);
+    }
 }
 
 void MainWindow::fillRecentFiles() {

@@ -49,6 +49,8 @@ class MainWindow : public QMainWindow {
     QString newCase(const CaseFile& file, const CaseContext& context = {});
     /// Writes the current page's case. The same return.
     QString saveCase(const QString& path);
+    /// Writes a report of the current page's case, PDF or HTML by the suffix. The same return.
+    QString writeReport(const QString& path);
 
     /// Keeps what is not saved for the case of a crash, and what is open for the next start; opens
     /// what was open at the last, if the user likes.
@@ -77,6 +79,7 @@ class MainWindow : public QMainWindow {
     void openOrSayWhy(const QString& path);
     void openWithDialog();
     void exportPicture();
+    void exportReport();
     void fillRecentFiles();
     void updateTitle();
     void updateSceneActions();

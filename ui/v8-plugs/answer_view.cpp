@@ -96,6 +96,7 @@ QWidget* AnswerView::buildBobWeights() {
     bobWeights_->setTips(V8PlugsModel::bobWeightTips());
     column->addWidget(bobWeights_);
     check_ = captionLabel({}, panel);
+    check_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     check_->setObjectName(QStringLiteral("check"));
     column->addWidget(check_);
     return panel;
@@ -111,6 +112,7 @@ QWidget* AnswerView::buildPlots() {
     shift_ = new ShiftPlot(holder);
     column->addWidget(shift_, 1);
     shiftNote_ = captionLabel({}, holder);
+    shiftNote_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     column->addWidget(shiftNote_);
     return holder;
 }

@@ -5,6 +5,7 @@
 #include "theme/theme.h"
 #include "v8-plugs/model/v8_plugs_model.h"
 #include "v8-plugs/plug_drawing.h"
+#include "widgets/figure.h"
 
 namespace ravnoves {
 
@@ -12,6 +13,7 @@ using namespace v8_plugs;
 
 PlugView::PlugView(V8PlugsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     setAccessibleName(tr("Plug in section"));
+    makeFigure(this);
     const auto repaint = [this] { update(); };
     connect(model_, &SceneModel::changed, this, repaint);
     connect(&Theme::instance(), &Theme::changed, this, repaint);

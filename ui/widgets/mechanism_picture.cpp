@@ -10,6 +10,7 @@
 
 #include "theme/icons.h"
 #include "theme/theme.h"
+#include "widgets/figure.h"
 #include "widgets/value_slider.h"
 
 namespace ravnoves {
@@ -25,6 +26,7 @@ MechanismPicture::MechanismPicture(const QString& name, const QString& hint, QWi
     : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(name);
+    makeFigure(this);
     setToolTip(hint);
     timer_.setInterval(frameMs);
     timer_.setTimerType(Qt::PreciseTimer);

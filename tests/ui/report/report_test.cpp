@@ -1,0 +1,324 @@
+// Reports of cases, read by other programs: the text of the PDF, its pictures, the HTML as XML.
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QXmlStreamReader>
+
+#include "case-file/json.h"
+#include "events.h"
+#include "report/case_report.h"
+#include "report/report.h"
+#include "shell/main_window.h"
+#include "shell/scene_page.h"
+#include "text/language.h"
+#include "theme/theme.h"
+#include "widgets/file_dialogs.h"
+#include "widgets/result_table.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+
+QStringList examples() {
+    const QDir folder(QStringLiteral(RAVNOVES_EXAMPLES));
+    QStringList paths;
+    for (const QString& name : folder.entryList({u"*.json"_s})) {
+        paths << folder.filePath(name);
+    }
+    return paths;
+}
+
+/// What a program of the machine says of a file.
+QString said(const char* program, const QStringList& arguments) {
+    QProcess process;
+    process.start(QString::fromLatin1(program), arguments);
+    EXPECT_TRUE(process.waitForFinished(60'000)) << program;
+    EXPECT_EQ(process.exitCode(), 0) << program;
+    return QString::fromUtf8(process.readAllStandardOutput());
+}
+
+/// All that is no letter between letters is a matter of line breaks.
+QString squeezed(QString text) {
+    static const QRegularExpression blanks(u"[\\s\u00a0\u202f]+"_s,
+                                           QRegularExpression::UseUnicodePropertiesOption);
+    return text.remove(blanks);
+}
+
+QString fileText(const QString& path) {
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
+    return QString::fromUtf8(file.readAll());
+}
+
+/// The text of an HTML file that is well-formed; what it refers to.
+QString htmlText(const QString& path, QStringList& references) {
+    QXmlStreamReader xml(fileText(path));
+    QString text;
+    while (!xml.atEnd()) {
+        xml.readNext();
+        if (xml.isCharacters()) {
+            text += xml.text().toString() + u' ';
+        }
+        for (const QXmlStreamAttribute& attribute : xml.attributes()) {
+            const QStringView name = attribute.name();
+            if (name == u"src" || name == u"href" || name == u"data") {
+                references << attribute.value().toString();
+            }
+        }
+    }
+    EXPECT_FALSE(xml.hasError()) << path.toStdString() << ": " << xml.errorString().toStdString()
+                                 << " in line " << xml.lineNumber();
+    return text;
+}
+
+class ReportTest : public ::testing::TestWithParam<std::string> {
+  protected:
+    ReportTest() {
+        installLanguage(QString::fromStdString(GetParam()));
+        window = std::make_unique<MainWindow>();
+        test::showAt(*window, {1280, 800});
+    }
+    ~ReportTest() override {
+        window.reset();
+        installLanguage(u"en"_s);
+    }
+
+    QString file(const QString& name) const { return folder.filePath(name); }
+
+    QTemporaryDir folder;
+    std::unique_ptr<MainWindow> window;
+};
+
+TEST_P(ReportTest, HoldsTitleInputsAndEveryResultOfEveryExample) {
+    for (const QString& path : examples()) {
+        SCOPED_TRACE(path.toStdString());
+        ASSERT_EQ(window->openCase(path), QString());
+        ScenePage* page = window->currentPage();
+        const QString pdf = file(u"report.pdf"_s);
+        const QString html = file(u"report.html"_s);
+        ASSERT_EQ(window->writeReport(pdf), QString());
+        ASSERT_EQ(window->writeReport(html), QString());
+
+        const QString onPaper = squeezed(said(RAVNOVES_PDFTOTEXT, {u"-layout"_s, pdf, u"-"_s}));
+        QStringList references;
+        const QString onScreen = squeezed(htmlText(html, references));
+        for (const QString& each : references) {
+            EXPECT_TRUE(each.startsWith(u"data:"_s) || each.startsWith(u'#'))
+                << each.left(60).toStdString();
+        }
+        EXPECT_TRUE(onPaper.contains(squeezed(page->model()->title()).left(40)));
+        EXPECT_TRUE(onScreen.contains(squeezed(page->model()->title())));
+        EXPECT_TRUE(onPaper.contains(QStringLiteral("Ravnoves" RAVNOVES_VERSION)));
+        // Every value of the tables that the page shows.
+        int values = 0;
+        page->resultsAsText();
+        for (const ResultTable* table : page->findChildren<ResultTable*>()) {
+            for (int row = 0; row < table->rowCount() && !table->isHidden(); ++row) {
+                for (int column = 0; column < table->columnCount(); ++column) {
+                    const QTableWidgetItem* cell = table->item(row, column);
+                    if (cell != nullptr && cell->text().contains(QRegularExpression(u"\\d"_s))) {
+                        const QString text = squeezed(cell->text());
+                        ++values;
+                        EXPECT_TRUE(onScreen.contains(text)) << text.toStdString();
+                        // Words that wrap are not looked for on paper.
+                        if (!cell->text().contains(u' ')) {
+                            EXPECT_TRUE(onPaper.contains(text)) << text.toStdString();
+                        }
+                    }
+                }
+            }
+        }
+        EXPECT_GT(values, 10);
+        // Inputs with their units, and the theory.
+        const bool russian = GetParam() == "ru";
+        const QString unit =
+            path.contains(u"v8"_s) ? (russian ? u"г"_s : u"g"_s) : (russian ? u"мм"_s : u"mm"_s);
+        EXPECT_TRUE(onPaper.contains(unit));
+        EXPECT_TRUE(fileText(html).contains(
+            u"<html lang=\"%1\">"_s.arg(QString::fromStdString(GetParam()))));
+        EXPECT_FALSE(fileText(html).contains(u"<script"_s));
+        EXPECT_GE(fileText(html).count(u"<svg "_s), 2);
+    }
+}
+
+TEST_P(ReportTest, IsTextAndVectorsOnPaper) {
+    for (const QString& path : examples()) {
+        SCOPED_TRACE(path.toStdString());
+        ASSERT_EQ(window->openCase(path), QString());
+        const QString pdf = file(u"report.pdf"_s);
+        ASSERT_EQ(window->writeReport(pdf), QString());
+        // The map of the balance shaft's places is a picture of numbers by its nature.
+        const qsizetype pictures = said(RAVNOVES_PDFIMAGES, {u"-list"_s, pdf}).count(u'\n') - 2;
+        const bool map = window->currentScene() == u"balance-shaft"_s;
+        EXPECT_LE(pictures, map ? 2 : 0);
+        EXPECT_GT(said(RAVNOVES_PDFFONTS, {pdf}).count(u"DejaVu"_s), 0);
+        EXPECT_TRUE(said(RAVNOVES_PDFFONTS, {pdf}).contains(u"yes"_s));  // embedded
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, ReportTest, ::testing::Values("en", "ru"),
+                         [](const auto& info) { return info.param; });
+
+class ReportInWindow : public ::testing::Test {
+  protected:
+    ReportInWindow() { test::showAt(window, {1280, 800}); }
+    QString example() const { return QStringLiteral(RAVNOVES_EXAMPLES "/tmz-650d.case.json"); }
+    QString file(const QString& name) const { return folder.filePath(name); }
+
+    QTemporaryDir folder;
+    MainWindow window;
+};
+
+TEST_F(ReportInWindow, LeavesThePageAsItWas) {
+    ASSERT_EQ(window.openCase(example()), QString());
+    ScenePage* page = window.currentPage();
+    const auto state = [&] {
+        QStringList texts;
+        for (const QTabWidget* tabs : page->findChildren<QTabWidget*>()) {
+            texts << QString::number(tabs->currentIndex());
+        }
+        for (const QWidget* each : page->findChildren<QWidget*>()) {
+            if (each->isVisible()) {
+                texts << u"%1x%2"_s.arg(each->width()).arg(each->height());
+            }
+        }
+        return texts;
+    };
+    Theme::instance().setMode(Theme::Mode::Dark);
+    // A tab that was in front once keeps what it shows: the second time nothing is new.
+    ASSERT_EQ(window.writeReport(file(u"a.html"_s)), QString());
+    const QStringList before = state();
+    ASSERT_EQ(window.writeReport(file(u"b.html"_s)), QString());
+    EXPECT_EQ(state(), before);
+    EXPECT_EQ(Theme::instance().mode(), Theme::Mode::Dark);
+    EXPECT_TRUE(window.updatesEnabled());
+    EXPECT_FALSE(page->model()->hasChanges());
+    Theme::instance().setMode(Theme::Mode::Light);
+}
+
+TEST_F(ReportInWindow, SaysWhatItWasMadeFrom) {
+    ASSERT_EQ(window.openCase(example()), QString());
+    const QString html = file(u"report.html"_s);
+    ASSERT_EQ(window.writeReport(html), QString());
+    QFile source(example());
+    ASSERT_TRUE(source.open(QIODevice::ReadOnly));
+    const QString sum = QString::fromLatin1(
+        QCryptographicHash::hash(source.readAll(), QCryptographicHash::Sha256).toHex());
+    EXPECT_TRUE(fileText(html).contains(sum));
+    EXPECT_TRUE(fileText(html).contains(u"tmz-650d.case.json"_s));
+    window.currentPage()->model()->setByKey(u"shaft_angle_deg"_s, u"50"_s);
+    ASSERT_EQ(window.writeReport(html), QString());
+    EXPECT_FALSE(fileText(html).contains(sum));
+    EXPECT_TRUE(fileText(html).contains(u"not saved"_s));
+}
+
+TEST_F(ReportInWindow, RefusesWhatCannotBeWrittenAndLeavesNothing) {
+    ASSERT_EQ(window.openCase(example()), QString());
+    EXPECT_TRUE(window.writeReport(file(u"report.doc"_s)).contains(u".pdf"_s));
+    EXPECT_TRUE(window.writeReport(file(u"none/report.pdf"_s)).contains(u"none/report.pdf"_s));
+    EXPECT_TRUE(QDir(folder.path()).isEmpty());
+}
+
+TEST_F(ReportInWindow, TheMenuAsksWhereAndAddsTheSuffix) {
+    ASSERT_EQ(window.openCase(example()), QString());
+    QString filters;
+    const auto before = fileChoosers();
+    fileChoosers().save = [&](QWidget*, const QString&, const QString& suggestion,
+                              const QString& offered, QString* filter) {
+        EXPECT_TRUE(suggestion.contains(u"/tmz-650d"_s)) << suggestion.toStdString();
+        filters = offered;
+        *filter = offered.split(u";;"_s).constLast();
+        return file(u"handed-over"_s);
+    };
+    QTest::keyClick(&window, Qt::Key_R, Qt::ControlModifier);
+    fileChoosers() = before;
+    EXPECT_TRUE(filters.contains(u"*.pdf"_s));
+    EXPECT_TRUE(QFile::exists(file(u"handed-over.html"_s)));
+}
+
+/// The program's own word: status and standard error.
+std::pair<int, QString> run(const QStringList& arguments) {
+    QProcess process;
+    process.start(QStringLiteral(RAVNOVES_PROGRAM), arguments);
+    EXPECT_TRUE(process.waitForFinished(120'000));
+    return {process.exitCode(), QString::fromUtf8(process.readAllStandardError())};
+}
+
+TEST_F(ReportInWindow, TheProgramWritesItWithoutAWindow) {
+    const QString pdf = file(u"report.pdf"_s);
+    const auto [status, error] = run({u"--report"_s, pdf, u"--case"_s, example(), u"--set"_s,
+                                      u"shaft_angle_deg=123.4"_s, u"--language"_s, u"ru"_s});
+    EXPECT_EQ(status, 0) << error.toStdString();
+    EXPECT_EQ(error, QString());
+    const QString text = said(RAVNOVES_PDFTOTEXT, {pdf, u"-"_s});
+    EXPECT_TRUE(text.contains(u"123,4"_s));
+    EXPECT_TRUE(text.contains(u"мм"_s));
+}
+
+TEST_F(ReportInWindow, TheProgramSaysWhyItWritesNone) {
+    const auto refused = [&](const QStringList& arguments, const QString& word) {
+        const auto [status, error] = run(arguments);
+        EXPECT_EQ(status, 2) << arguments.join(u' ').toStdString();
+        EXPECT_TRUE(error.contains(word)) << error.toStdString();
+        EXPECT_EQ(error.count(u'\n'), 1) << error.toStdString();
+    };
+    refused({u"--report"_s, file(u"a.txt"_s), u"--case"_s, example()}, u".pdf or .html"_s);
+    refused({u"--report"_s, file(u"a.pdf"_s)}, u"--case"_s);
+    refused({u"--report"_s, file(u"a.pdf"_s), u"--case"_s, file(u"none.json"_s)}, u"none.json"_s);
+    refused({u"--report"_s, u"/proc/a.pdf"_s, u"--case"_s, example()}, u"/proc/a.pdf"_s);
+    if (QFile::exists(u"/dev/full"_s)) {
+        QFile::link(u"/dev/full"_s, file(u"full.pdf"_s));
+        refused({u"--report"_s, file(u"full.pdf"_s), u"--case"_s, example()}, u"full.pdf"_s);
+        QFile::remove(file(u"full.pdf"_s));
+    }
+    EXPECT_TRUE(QDir(folder.path()).isEmpty());
+}
+
+TEST(ReportPages, RowsStayWholeAndHeadsReturn) {
+    Report report;
+    report.title = u"Title"_s;
+    report.subtitle = u"Subtitle"_s;
+    report.program = u"Program"_s;
+    report.date = u"2026-01-01"_s;
+    report.language = u"en"_s;
+    report::Table table;
+    table.headings = {u"HEAD"_s, u"second"_s};
+    for (int i = 0; i < 120; ++i) {
+        table.rows << QStringList{
+            u"begin%1 and words that go on and on until the cell needs more "
+            "than one line, and then still go on for another while end%1"_s.arg(i),
+            u"a longer text, so that both columns have to share, value%1"_s.arg(i)};
+    }
+    report.items.push_back(table);
+    QTemporaryDir folder;
+    const QString path = folder.filePath(u"rows.pdf"_s);
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(reportAsPdf(report));
+    file.close();
+    const QStringList pages =
+        said(RAVNOVES_PDFTOTEXT, {path, u"-"_s}).split(u'\f', Qt::SkipEmptyParts);
+    ASSERT_GT(pages.size(), 2);
+    int rows = 0;
+    for (const QString& page : pages) {
+        EXPECT_EQ(page.count(u"HEAD"_s), 1);
+        EXPECT_EQ(page.count(QRegularExpression(u"begin\\d"_s)),
+                  page.count(QRegularExpression(u"end\\d"_s)));
+        rows += static_cast<int>(page.count(QRegularExpression(u"begin\\d"_s)));
+    }
+    EXPECT_EQ(rows, 120);
+    EXPECT_TRUE(pages.constLast().contains(u"Page %1 of %1"_s.arg(pages.size())));
+}
+
+}  // namespace
+}  // namespace ravnoves

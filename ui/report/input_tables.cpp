@@ -1,0 +1,233 @@
+#include "report/input_tables.h"
+
+#include <QLocale>
+#include <algorithm>
+#include <map>
+
+#include "case-file/json.h"
+#include "model/scene_model.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
+#include "text/shown_units.h"
+
+namespace ravnoves {
+
+using namespace report;
+
+namespace {
+
+/// A hint's first sentence, without its full stop.
+QString firstSentence(QString text) {
+    for (const QLatin1String end : {QLatin1String(". "), QLatin1String(": ")}) {
+        const qsizetype at = text.indexOf(end);
+        if (at > 0) {
+            text.truncate(at);
+        }
+    }
+    return text.endsWith(QLatin1Char('.')) ? text.chopped(1) : text;
+}
+
+/// A number of the case as it is typed; in the unit that the user has chosen with the digits that
+/// mean something.
+QString numberText(double number, const ShownUnit& unit = {}) {
+    constexpr int converted = 6;
+    return unit.factor == 1.0 ? formNumber(number, QLocale())
+                              : formNumber(unit.factor * number, QLocale(), converted);
+}
+
+bool isRow(const Json& value) {
+    return std::all_of(value.begin(), value.end(),
+                       [](const Json& each) { return each.is_object(); });
+}
+
+class Inputs {
+  public:
+    explicit Inputs(const SceneModel& model) {
+        for (const auto& entries : {model.describedFields(), model.fields()}) {
+            for (const FieldEntry& entry : entries) {
+                entries_.insert_or_assign(entry.pointer, entry);
+            }
+        }
+        main_.headings = {ReportWords::tr("Input"), ReportWords::tr("Value"),
+                          ReportWords::tr("Unit"), ReportWords::tr("What it is")};
+        main_.numbers = {false, true, false, false};
+        object(model.inputJson(), {});
+        lists_.insert(lists_.begin(), std::move(main_));
+    }
+
+    std::vector<Table> take() { return std::move(lists_); }
+
+  private:
+    /// The field at a pointer; of a list's element that of its first.
+    const FieldEntry* entryAt(const std::string& pointer) const {
+        const auto found = entries_.find(pointer);
+        if (found != entries_.end()) {
+            return &found->second;
+        }
+        std::string first;
+        std::size_t at = 0;
+        while (at < pointer.size()) {
+            const std::size_t next = std::min(pointer.find('/', at + 1), pointer.size());
+            const std::string step = pointer.substr(at + 1, next - at - 1);
+            const bool isNumber =
+                !step.empty() && step.find_first_not_of("0123456789") == std::string::npos;
+            first += "/" + (isNumber ? "0" : step);
+            at = next;
+        }
+        const auto general = entries_.find(first);
+        return general == entries_.end() ? nullptr : &general->second;
+    }
+
+    QString nameOf(const std::string& pointer, const std::string& key) const {
+        const FieldEntry* entry = entryAt(pointer);
+        if (entry != nullptr && !entry->field.label.empty()) {
+            return fieldName(entry->field);
+        }
+        if (entry != nullptr && !entry->field.hint.empty()) {
+            return firstSentence(shownText(entry->field.hint));
+        }
+        return QString::fromStdString(key);
+    }
+
+    QString meaningOf(const std::string& pointer) const {
+        const FieldEntry* entry = entryAt(pointer);
+        return entry == nullptr || entry->field.label.empty()
+                   ? QString()
+                   : firstSentence(shownText(entry->field.hint));
+    }
+
+    ShownUnit unitOf(const std::string& pointer) const {
+        const FieldEntry* entry = entryAt(pointer);
+        return entry == nullptr ? ShownUnit{} : shownUnit(entry->field.unit);
+    }
+
+    QString valueText(const std::string& pointer, const Json& value) const {
+        if (value.is_number()) {
+            return numberText(value.get<double>(), unitOf(pointer));
+        }
+        if (value.is_boolean()) {
+            return value.get<bool>() ? ReportWords::tr("yes") : ReportWords::tr("no");
+        }
+        if (value.is_array()) {
+            return listText(value, unitOf(pointer));
+        }
+        const std::string word = value.is_string() ? value.get<std::string>() : value.dump();
+        if (const FieldEntry* entry = entryAt(pointer)) {
+            for (const Word& each : entry->field.words) {
+                if (each.word == word && !each.label.empty()) {
+                    return shownText(each.label).remove(QLatin1Char('&'));
+                }
+            }
+        }
+        return QString::fromStdString(word);
+    }
+
+    /// Few values as they are, many by their number and bounds.
+    static QString listText(const Json& list, const ShownUnit& unit) {
+        constexpr std::size_t few = 12;
+        const bool numbers = std::all_of(list.begin(), list.end(),
+                                         [](const Json& each) { return each.is_number(); });
+        if (list.size() > few && numbers) {
+            double least = list.front().get<double>();
+            double most = least;
+            for (const Json& each : list) {
+                least = std::min(least, each.get<double>());
+                most = std::max(most, each.get<double>());
+            }
+            return ReportWords::tr("%1 values, %2 … %3")
+                .arg(list.size())
+                .arg(numberText(least, unit), numberText(most, unit));
+        }
+        QStringList texts;
+        for (const Json& each : list) {
+            texts << (each.is_number()   ? numberText(each.get<double>(), unit)
+                      : each.is_string() ? QString::fromStdString(each.get<std::string>())
+                                         : QString::fromStdString(each.dump()));
+        }
+        return texts.join(QStringLiteral("; "));
+    }
+
+    void object(const Json& json, const std::string& pointer) {
+        for (const auto& [key, value] : json.items()) {
+            const std::string at = pointer + "/" + key;
+            const bool isNested = value.is_object() || (value.is_array() && isRow(value));
+            if (!isNested && !value.is_null()) {
+                main_.rows << QStringList{
+                    nameOf(at, key).toHtmlEscaped(), valueText(at, value).toHtmlEscaped(),
+                    unitOf(at).name.toHtmlEscaped(), meaningOf(at).toHtmlEscaped()};
+            }
+        }
+        for (const auto& [key, value] : json.items()) {
+            const std::string at = pointer + "/" + key;
+            if (value.is_object() && !value.empty()) {
+                main_.rows << QStringList{nameOf(at, key).toHtmlEscaped()};
+                object(value, at);
+            } else if (value.is_array() && !value.empty() && isRow(value)) {
+                list(value, at, key);
+            }
+        }
+    }
+
+    void flatten(const Json& json, const std::string& pointer, std::vector<std::string>& keys,
+                 const std::string& prefix) const {
+        for (const auto& [key, value] : json.items()) {
+            const std::string path = prefix + "/" + key;
+            if (value.is_object()) {
+                flatten(value, pointer, keys, path);
+            } else if (std::find(keys.begin(), keys.end(), path) == keys.end()) {
+                keys.push_back(path);
+            }
+        }
+    }
+
+    void list(const Json& rows, const std::string& pointer, const std::string& key) {
+        std::vector<std::string> keys;
+        for (const Json& row : rows) {
+            flatten(row, pointer, keys, {});
+        }
+        Table table;
+        table.caption = nameOf(pointer, key);
+        table.headings << QStringLiteral("№");
+        table.numbers << false;
+        for (const std::string& path : keys) {
+            const std::string at = pointer + "/0" + path;
+            QString name = nameOf(at, path.substr(path.rfind('/') + 1));
+            const QString unit = unitOf(at).name;
+            table.headings
+                << (unit.isEmpty() ? name : name + QStringLiteral(", ") + unit).toHtmlEscaped();
+            table.numbers << true;
+        }
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            QStringList cells{QString::number(i + 1)};
+            for (const std::string& path : keys) {
+                const Json::json_pointer at(path);
+                cells << (rows[i].contains(at) ? valueText(pointer + "/0" + path, rows[i].at(at))
+                                               : QString())
+                             .toHtmlEscaped();
+            }
+            table.rows << cells;
+        }
+        table.isSmall = keys.size() > 5;
+        lists_.push_back(std::move(table));
+    }
+
+    std::map<std::string, FieldEntry> entries_;
+    Table main_;
+    std::vector<Table> lists_;
+};
+
+}  // namespace
+
+std::vector<Table> inputTables(const SceneModel& model) {
+    return Inputs(model).take();
+}
+
+QString shownEquation(std::string_view equation) {
+    const QString text =
+        QString::fromUtf8(equation.data(), static_cast<qsizetype>(equation.size()));
+    return QString(text)
+        .replace(QLatin1String("Table"), ReportWords::tr("Table"))
+        .replace(QLatin1String("Fig."), ReportWords::tr("Fig."));
+}
+
+}  // namespace ravnoves

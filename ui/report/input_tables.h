@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "report/report.h"
+
+namespace ravnoves {
+
+class SceneModel;
+
+/// What the case gives, as its file has it: the numbers of each object in one table with their
+/// units, each list of objects in one of its own.
+std::vector<report::Table> inputTables(const SceneModel& model);
+
+/// The place of a formula in its source, "(3)", "Table 1", in the language of the program.
+QString shownEquation(std::string_view equation);
+
+}  // namespace ravnoves

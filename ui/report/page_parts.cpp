@@ -1,0 +1,239 @@
+#include "report/page_parts.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QPicture>
+#include <QPointer>
+#include <QResizeEvent>
+#include <QTabWidget>
+#include <algorithm>
+
+#include "plot/plot_view.h"
+#include "shell/scene_page.h"
+#include "theme/theme.h"
+#include "widgets/apart.h"
+#include "widgets/figure.h"
+#include "widgets/form_section.h"
+#include "widgets/result_table.h"
+
+namespace ravnoves {
+
+using namespace report;
+
+namespace {
+
+constexpr int figureWidth = 660;     ///< pixels, of a plot
+constexpr int pictureWidth = 430;    ///< of a picture
+constexpr qint64 patience = 60'000;  // ms
+
+/// A label's text as a fragment of HTML.
+QString fragment(QString text) {
+    if (Qt::mightBeRichText(text)) {
+        return text.replace(QLatin1String("<br>"), QLatin1String("<br/>"));
+    }
+    return text.toHtmlEscaped().replace(QLatin1Char('\n'), QLatin1String("<br/>"));
+}
+
+Paragraph::Kind kindOf(const QLabel& label) {
+    const Theme& theme = Theme::instance();
+    const QColor colour = label.palette().color(QPalette::WindowText);
+    return colour == theme.error()       ? Paragraph::Kind::Error
+           : colour == theme.warning()   ? Paragraph::Kind::Warning
+           : colour == theme.good()      ? Paragraph::Kind::Good
+           : colour == theme.mutedText() ? Paragraph::Kind::Muted
+                                         : Paragraph::Kind::Text;
+}
+
+/// Draws with the widget at another size, then gives it back its own. A hidden widget hears of a
+/// size only when it is shown: it is told.
+template <typename Draw>
+void drawAt(QWidget* widget, const QSize& size, Draw&& draw) {
+    const auto resize = [widget](const QSize& to) {
+        const QSize from = widget->size();
+        if (from != to) {
+            widget->resize(to);
+            if (!widget->isVisible()) {
+                QResizeEvent event(to, from);
+                QCoreApplication::sendEvent(widget, &event);
+            }
+        }
+    };
+    const QSize own = widget->size();
+    resize(size);
+    draw();
+    resize(own);
+}
+
+Figure figureOf(PlotView* plot) {
+    // As high as it stands on the page, within reason.
+    const double shape = static_cast<double>(plot->height()) / std::max(plot->width(), 1);
+    const QSize size(figureWidth, std::clamp(static_cast<int>(figureWidth * shape), 270, 560));
+    return {{},
+            plot->accessibleDescription().isEmpty() ? plot->title() : plot->accessibleDescription(),
+            size,
+            [plot = QPointer(plot), size](QPainter& painter) {
+                if (plot) {
+                    drawAt(plot, size,
+                           [&] { plot->renderTo(painter, QRectF(QPointF(), QSizeF(size))); });
+                }
+            }};
+}
+
+Figure figureOf(QWidget* picture) {
+    const double shape = static_cast<double>(picture->height()) / std::max(picture->width(), 1);
+    const int width = shape < 0.6 ? figureWidth : pictureWidth;
+    const QSize size(width, std::clamp(static_cast<int>(width * shape), 160, 460));
+    return {picture->accessibleName(), picture->accessibleDescription(), size,
+            [picture = QPointer(picture), size](QPainter& painter) {
+                if (picture) {
+                    drawAt(picture, size, [&] {
+                        // Rendered straight, a widget mixes up the clipping of the device.
+                        QPicture lines;
+                        picture->render(&lines, QPoint(), QRegion(), QWidget::RenderFlags());
+                        painter.drawPicture(0, 0, lines);
+                    });
+                }
+            }};
+}
+
+Table tableOf(const ResultTable& table) {
+    Table shown;
+    shown.caption = table.accessibleName();
+    for (int column = 0; column < table.columnCount(); ++column) {
+        shown.headings << table.horizontalHeaderItem(column)->text().toHtmlEscaped();
+        shown.numbers << (column > 0 && table.rowCount() > 0 && table.item(0, column) != nullptr &&
+                          (table.item(0, column)->textAlignment() & Qt::AlignRight) != 0);
+    }
+    for (int row = 0; row < table.rowCount(); ++row) {
+        QStringList cells;
+        for (int column = 0; column < table.columnCount(); ++column) {
+            const QTableWidgetItem* cell = table.item(row, column);
+            cells << (cell != nullptr ? fragment(cell->text()) : QString());
+        }
+        shown.rows << cells;
+    }
+    shown.isSmall = shown.headings.size() > 6;
+    return shown;
+}
+
+class Collector {
+  public:
+    explicit Collector(ScenePage& page) : page_(page) { groups_.emplace_back(); }
+
+    std::vector<PageGroup> collect() {
+        wait();
+        walk(&page_, 0);
+        return std::move(groups_);
+    }
+
+  private:
+    void wait() const {
+        QElapsedTimer waited;
+        waited.start();
+        // Layout, then what a shown tab computes.
+        for (int turn = 0; turn < 3; ++turn) {
+            QApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
+        }
+        while (page_.isBusy() && waited.elapsed() < patience) {
+            QApplication::processEvents(
+                QEventLoop::ExcludeUserInputEvents | QEventLoop::WaitForMoreEvents, 50);
+        }
+        QApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
+    }
+
+    void walk(QWidget* widget, std::size_t group) {
+        if (auto* tabs = qobject_cast<QTabWidget*>(widget)) {
+            walkTabs(tabs, group);
+            return;
+        }
+        if (take(widget, group)) {
+            return;
+        }
+        // Events that are handled meanwhile may take some away.
+        QList<QPointer<QWidget>> children;
+        for (QObject* child : widget->children()) {
+            children << qobject_cast<QWidget*>(child);
+        }
+        for (const QPointer<QWidget>& below : children) {
+            if (below && !below->isHidden() && !below->isWindow()) {
+                walk(below, group);
+            }
+        }
+    }
+
+    void walkTabs(QTabWidget* tabs, std::size_t group) {
+        const int front = tabs->currentIndex();
+        for (int i = 0; i < tabs->count(); ++i) {
+            if (!tabs->isTabVisible(i) || !tabs->isTabEnabled(i)) {
+                continue;
+            }
+            tabs->setCurrentIndex(i);
+            wait();
+            const std::size_t own = groups_.size();
+            QString title = tabs->tabText(i).remove(QLatin1Char('&'));
+            if (group > 0) {
+                title = groups_[group].title + QStringLiteral(": ") + title;
+            }
+            groups_.push_back({title, {}, {}, {}, {}});
+            walk(tabs->widget(i), own);
+        }
+        tabs->setCurrentIndex(front);
+    }
+
+    /// @return true where nothing below the widget is looked at
+    bool take(QWidget* widget, std::size_t group) {
+        PageGroup& parts = groups_[group];
+        if (auto* plot = qobject_cast<PlotView*>(widget)) {
+            // A head alone, without a row.
+            if (plot->dataAsCsv().count(QLatin1Char('\n')) > 1) {
+                parts.figures.push_back(figureOf(plot));
+            } else {
+                parts.empty << plot->title();
+            }
+            return true;
+        }
+        if (isFigure(widget)) {
+            parts.figures.push_back(figureOf(widget));
+            return true;
+        }
+        if (const auto* table = qobject_cast<ResultTable*>(widget)) {
+            if (table->rowCount() > 0) {
+                parts.tables.push_back(tableOf(*table));
+            }
+            return true;
+        }
+        if (const auto* label = qobject_cast<QLabel*>(widget)) {
+            takeLabel(*label, parts);
+            return true;
+        }
+        return false;
+    }
+
+    void takeLabel(const QLabel& label, PageGroup& parts) {
+        const bool isSelectable =
+            label.textInteractionFlags().testFlag(Qt::TextSelectableByMouse) ||
+            qobject_cast<const Apart*>(label.parentWidget()) != nullptr;
+        if (!isSelectable || label.text().isEmpty()) {
+            return;
+        }
+        if (qobject_cast<const FormSection*>(label.parentWidget()) != nullptr &&
+            !label.accessibleName().isEmpty()) {
+            parts.words.push_back(Paragraph{QStringLiteral("%1: %2").arg(
+                label.accessibleName().toHtmlEscaped(), fragment(label.text()))});
+            return;
+        }
+        parts.words.push_back(Paragraph{fragment(label.text()), kindOf(label)});
+    }
+
+    ScenePage& page_;
+    std::vector<PageGroup> groups_;
+};
+
+}  // namespace
+
+std::vector<PageGroup> pageParts(ScenePage& page) {
+    return Collector(page).collect();
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,398 @@
+#include <QAbstractTextDocumentLayout>
+#include <QBuffer>
+#include <QPageLayout>
+#include <QPdfWriter>
+#include <QTextDocument>
+#include <QTextOption>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+#include "report/report.h"
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+using namespace report;
+
+namespace {
+
+// A4, in pixels of 1/96 inch, as the figures are.
+constexpr double perMillimetre = 96.0 / 25.4;
+constexpr double pageWidth = 210.0 * perMillimetre;
+constexpr double pageHeight = 297.0 * perMillimetre;
+constexpr double left = 20.0 * perMillimetre;
+constexpr double top = 22.0 * perMillimetre;
+constexpr double bottom = pageHeight - 20.0 * perMillimetre;
+constexpr double width = pageWidth - left - 15.0 * perMillimetre;
+constexpr double cellGap = 9.0;
+constexpr double cellPad = 2.0;
+
+constexpr QRgb ink = 0xff1a1c20;
+constexpr QRgb pale = 0xff5b626c;
+constexpr QRgb hairline = 0xffd5d9df;
+constexpr QRgb rule = 0xff8a929e;
+
+/// Of one size, whatever the size of the text on the screen.
+QFont paperFont(int pixels, bool bold = false) {
+    QFont font = Theme::font(pixels, bold);
+    font.setPixelSize(pixels);
+    return font;
+}
+
+/// Text within a width, of any length.
+class RichText {
+  public:
+    RichText(const QString& html, int pixels, bool bold = false, QRgb colour = ink,
+             Qt::Alignment alignment = Qt::AlignLeft)
+        : document_(std::make_shared<QTextDocument>()), colour_(colour) {
+        document_->setDocumentMargin(0.0);
+        document_->setUseDesignMetrics(true);
+        document_->setDefaultFont(paperFont(pixels, bold));
+        QTextOption option(alignment);
+        option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+        document_->setDefaultTextOption(option);
+        document_->setHtml(html);
+    }
+    /// On one line.
+    double natural() const { return std::ceil(document_->idealWidth()) + 1.0; }
+    /// Of the longest word.
+    double least() const {
+        QTextOption option = document_->defaultTextOption();
+        option.setWrapMode(QTextOption::WordWrap);
+        const std::unique_ptr<QTextDocument> copy(document_->clone());
+        copy->setDefaultTextOption(option);
+        copy->setTextWidth(1.0);
+        return std::ceil(copy->idealWidth()) + 1.0;
+    }
+    double heightAt(double room) const {
+        document_->setTextWidth(room);
+        return std::ceil(document_->size().height());
+    }
+    void draw(QPainter& painter, const QPointF& at) const {
+        painter.save();
+        painter.translate(at);
+        QAbstractTextDocumentLayout::PaintContext context;
+        context.palette.setColor(QPalette::Text, QColor::fromRgb(colour_));
+        document_->documentLayout()->draw(&painter, context);
+        painter.restore();
+    }
+
+  private:
+    std::shared_ptr<QTextDocument> document_;
+    QRgb colour_;
+};
+
+using Draw = std::function<void(QPainter&, const QPointF&)>;
+
+/// What no page break parts.
+struct Strip {
+    double height = 0.0;
+    double before = 0.0;  ///< room above it, but at the top of a page
+    bool keepsWithNext = false;
+    int table = -1;  ///< number of the table whose head is repeated above it on a new page
+    Draw draw;
+};
+
+/// The report as strips from top to bottom.
+class Strips {
+  public:
+    std::vector<Strip> strips;
+    std::vector<Strip> heads;  ///< of tables
+
+    void text(const QString& html, int pixels, bool bold, QRgb colour, double before,
+              bool keepsWithNext) {
+        const RichText words(html, pixels, bold, colour);
+        strips.push_back(
+            {words.heightAt(width), before, keepsWithNext, -1,
+             [words](QPainter& painter, const QPointF& at) { words.draw(painter, at); }});
+    }
+
+    void operator()(const Heading& heading) {
+        const bool first = heading.level == 1;
+        text(heading.text.toHtmlEscaped(), first ? 17 : 14, true, ink, first ? 22.0 : 14.0, true);
+        if (first) {
+            const Draw words = strips.back().draw;
+            const double height = strips.back().height + 3.0;
+            strips.back().height = height + 3.0;
+            strips.back().draw = [words, height](QPainter& painter, const QPointF& at) {
+                words(painter, at);
+                painter.setPen(QPen(QColor::fromRgb(rule), 0.8));
+                painter.drawLine(at + QPointF(0, height), at + QPointF(width, height));
+            };
+        }
+    }
+
+    void operator()(const Paragraph& paragraph) {
+        using Kind = Paragraph::Kind;
+        if (paragraph.kind == Kind::Text || paragraph.kind == Kind::Muted) {
+            const bool muted = paragraph.kind == Kind::Muted;
+            text(paragraph.html, muted ? 11 : 12, false, muted ? pale : ink, 5.0, false);
+            return;
+        }
+        // A bar at the left says of what kind it is, also without colours by its sign.
+        const QRgb colour = paragraph.kind == Kind::Good      ? 0xff1f7a3d
+                            : paragraph.kind == Kind::Warning ? 0xffb26a00
+                                                              : 0xffb3261e;
+        const RichText words(paragraph.html, 12);
+        const double height = words.heightAt(width - 14.0) + 6.0;
+        strips.push_back({height, 6.0, false, -1, [=](QPainter& painter, const QPointF& at) {
+                              painter.fillRect(QRectF(at, QSizeF(3.0, height)),
+                                               QColor::fromRgb(colour));
+                              words.draw(painter, at + QPointF(12.0, 3.0));
+                          }});
+    }
+
+    void operator()(const Figure& figure) {
+        const double scale = std::min(1.0, width / figure.size.width());
+        const QSizeF size = QSizeF(figure.size) * scale;
+        strips.push_back({size.height(), 8.0, !figure.caption.isEmpty(), -1,
+                          [figure, scale, size](QPainter& painter, const QPointF& at) {
+                              painter.save();
+                              painter.translate(at + QPointF((width - size.width()) / 2.0, 0.0));
+                              painter.scale(scale, scale);
+                              painter.setClipRect(QRectF(QPointF(), QSizeF(figure.size)));
+                              painter.setFont(Theme::font());
+                              figure.draw(painter);
+                              painter.restore();
+                          }});
+        if (!figure.caption.isEmpty()) {
+            const RichText words(figure.caption.toHtmlEscaped(), 11, false, pale, Qt::AlignHCenter);
+            strips.push_back(
+                {words.heightAt(width), 2.0, false, -1,
+                 [words](QPainter& painter, const QPointF& at) { words.draw(painter, at); }});
+        }
+    }
+
+    void operator()(const Table& table);
+
+  private:
+    struct Cell {
+        RichText words;
+        bool number;
+    };
+    Strip rowStrip(const std::vector<Cell>& cells, const std::vector<double>& widths, QRgb line,
+                   double weight) const;
+};
+
+/// Widths of columns that fit into the page: all as wide as they like where there is room, else
+/// narrow columns first and the rest shared by those that can wrap.
+std::vector<double> shared(const std::vector<double>& natural, const std::vector<double>& least) {
+    const double room = width - cellGap * static_cast<double>(natural.size() - 1);
+    std::vector<double> widths = natural;
+    const double wanted = std::accumulate(natural.begin(), natural.end(), 0.0);
+    if (wanted <= room) {
+        return widths;
+    }
+    const double needed = std::accumulate(least.begin(), least.end(), 0.0);
+    if (needed >= room) {
+        for (std::size_t i = 0; i < widths.size(); ++i) {
+            widths[i] = least[i] * room / needed;
+        }
+        return widths;
+    }
+    // The widest gives way first: one limit for all that are wider, but none below its least.
+    double low = 0.0;
+    double high = room;
+    for (int turn = 0; turn < 50; ++turn) {
+        const double limit = 0.5 * (low + high);
+        double sum = 0.0;
+        for (std::size_t i = 0; i < widths.size(); ++i) {
+            widths[i] = std::min(natural[i], std::max(least[i], limit));
+            sum += widths[i];
+        }
+        (sum > room ? high : low) = limit;
+    }
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        widths[i] = std::min(natural[i], std::max(least[i], low));
+    }
+    return widths;
+}
+
+Strip Strips::rowStrip(const std::vector<Cell>& cells, const std::vector<double>& widths, QRgb line,
+                       double weight) const {
+    double height = 0.0;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        height = std::max(height, cells[i].words.heightAt(widths[i]));
+    }
+    height += 2.0 * cellPad;
+    const double whole = std::accumulate(widths.begin(), widths.end(), 0.0) +
+                         cellGap * static_cast<double>(widths.size() - 1);
+    return {height, 0.0, false, -1, [=](QPainter& painter, const QPointF& at) {
+                double x = 0.0;
+                for (std::size_t i = 0; i < cells.size(); ++i) {
+                    cells[i].words.draw(painter, at + QPointF(x, cellPad));
+                    x += widths[i] + cellGap;
+                }
+                painter.setPen(QPen(QColor::fromRgb(line), weight));
+                painter.drawLine(at + QPointF(0, height), at + QPointF(whole, height));
+            }};
+}
+
+void Strips::operator()(const Table& table) {
+    const int pixels = table.isSmall ? 9 : 11;
+    const auto columns = static_cast<std::size_t>(
+        table.headings.isEmpty() ? table.rows.value(0).size() : table.headings.size());
+    if (columns == 0 || table.rows.isEmpty()) {
+        return;
+    }
+    if (!table.caption.isEmpty()) {
+        text(table.caption.toHtmlEscaped(), 11, false, pale, 9.0, true);
+    }
+    std::vector<double> natural(columns, 8.0);
+    std::vector<double> least(columns, 8.0);
+    const auto cellsOf = [&](const QStringList& texts, bool bold) {
+        std::vector<Cell> cells;
+        for (qsizetype i = 0; i < texts.size(); ++i) {
+            const bool number = table.numbers.value(i);
+            cells.push_back(
+                {RichText(texts[i], pixels, bold, ink, number ? Qt::AlignRight : Qt::AlignLeft),
+                 number});
+            if (texts.size() == static_cast<qsizetype>(columns)) {
+                const auto column = static_cast<std::size_t>(i);
+                natural[column] = std::max(natural[column], cells.back().words.natural());
+                // Numbers stay whole.
+                least[column] =
+                    std::max(least[column], number && !bold ? cells.back().words.natural()
+                                                            : cells.back().words.least());
+            }
+        }
+        return cells;
+    };
+    std::vector<std::vector<Cell>> rows;
+    for (const QStringList& row : table.rows) {
+        rows.push_back(cellsOf(row, row.size() == 1 && columns > 1));
+    }
+    std::vector<Cell> head = cellsOf(table.headings, true);
+    std::vector<double> widths = shared(natural, least);
+    // Short tables do not tear their columns apart; the last column ends where its words do.
+    int number = -1;
+    if (!head.empty()) {
+        Strip strip = rowStrip(head, widths, rule, 0.9);
+        strip.keepsWithNext = true;
+        number = static_cast<int>(heads.size());
+        heads.push_back(strip);
+        strip.before = table.caption.isEmpty() ? 8.0 : 2.0;
+        strips.push_back(std::move(strip));
+    }
+    const double whole = std::accumulate(widths.begin(), widths.end(), 0.0) +
+                         cellGap * static_cast<double>(widths.size() - 1);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const bool isGroup = rows[i].size() == 1 && columns > 1;
+        Strip strip = isGroup ? rowStrip(rows[i], {whole}, hairline, 0.6)
+                              : rowStrip(rows[i], widths, hairline, 0.6);
+        strip.before = isGroup && i > 0 ? 6.0 : 0.0;
+        // Neither the first nor the last row stands alone, and no heading within the table.
+        strip.keepsWithNext = (isGroup || i == 0 || i + 2 == rows.size()) && i + 1 < rows.size();
+        strip.table = number;
+        strips.push_back(std::move(strip));
+    }
+}
+
+/// A strip at its place.
+struct Placed {
+    int page;
+    double y;
+    const Strip* strip;
+};
+
+std::vector<Placed> placed(const Strips& all) {
+    std::vector<Placed> result;
+    int page = 0;
+    double y = top;
+    bool atTop = true;
+    const std::vector<Strip>& strips = all.strips;
+    for (std::size_t i = 0; i < strips.size(); ++i) {
+        const Strip& strip = strips[i];
+        // What hangs together goes on one page where it can.
+        double together = 0.0;
+        for (std::size_t j = i; j < strips.size(); ++j) {
+            together += strips[j].height + (j == i ? 0.0 : strips[j].before);
+            if (!strips[j].keepsWithNext) {
+                break;
+            }
+        }
+        const double before = atTop ? 0.0 : strip.before;
+        const bool chainFits = y + before + together <= bottom;
+        const bool stripFits = y + before + strip.height <= bottom;
+        if (!atTop && (!stripFits || (!chainFits && together <= bottom - top))) {
+            ++page;
+            y = top;
+            atTop = true;
+            if (strip.table >= 0) {
+                const Strip& head = all.heads[static_cast<std::size_t>(strip.table)];
+                result.push_back({page, y, &head});
+                y += head.height;
+                atTop = false;
+            }
+        }
+        y += atTop ? 0.0 : strip.before;
+        result.push_back({page, y, &strip});
+        y += strip.height;
+        atTop = false;
+    }
+    return result;
+}
+
+void drawFrame(QPainter& painter, const Report& report, int page, int pages) {
+    const QFont font = paperFont(9);
+    painter.setFont(font);
+    painter.setPen(QColor::fromRgb(pale));
+    const QRectF foot(left, bottom + 6.0 * perMillimetre, width, 14.0);
+    painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter,
+                     QStringLiteral("%1 · %2").arg(report.program, report.date));
+    painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter,
+                     ReportWords::tr("Page %1 of %2").arg(page + 1).arg(pages));
+    if (page > 0) {
+        const QRectF head(left, 12.0 * perMillimetre, width, 14.0);
+        painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter,
+                         QFontMetricsF(font).elidedText(report.title, Qt::ElideRight, width));
+        painter.setPen(QPen(QColor::fromRgb(hairline), 0.6));
+        painter.drawLine(head.bottomLeft() + QPointF(0, 3), head.bottomRight() + QPointF(0, 3));
+    }
+}
+
+}  // namespace
+
+QByteArray reportAsPdf(const Report& report) {
+    Strips strips;
+    strips.text(report.title.toHtmlEscaped(), 22, true, ink, 0.0, true);
+    strips.text(report.subtitle.toHtmlEscaped(), 13, false, pale, 2.0, true);
+    for (const Item& item : report.items) {
+        std::visit(strips, item);
+    }
+    const std::vector<Placed> places = placed(strips);
+    const int pages = places.empty() ? 1 : places.back().page + 1;
+
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&buffer);
+    writer.setResolution(1200);
+    writer.setTitle(report.title);
+    writer.setCreator(report.program);
+    QPageLayout layout(QPageSize(QPageSize::A4), QPageLayout::Portrait, QMarginsF());
+    layout.setMode(QPageLayout::FullPageMode);
+    writer.setPageLayout(layout);
+    QPainter painter(&writer);
+    const double scale = writer.logicalDpiX() / 96.0;
+    int page = -1;
+    for (const Placed& each : places) {
+        while (page < each.page) {
+            if (page >= 0) {
+                writer.newPage();
+            }
+            ++page;
+            painter.resetTransform();
+            painter.scale(scale, scale);
+            drawFrame(painter, report, page, pages);
+        }
+        painter.save();
+        each.strip->draw(painter, QPointF(left, each.y));
+        painter.restore();
+    }
+    painter.end();
+    return buffer.data();
+}
+
+}  // namespace ravnoves
