@@ -71,7 +71,6 @@ OpenCase CaseDocument::asOpenCase() const {
 
 CaseFile CaseDocument::asFile() const {
     CaseFile file = model_->caseFile();
-    file.variants = rest_->variants;
     file.study = rest_->study;
     return file;
 }

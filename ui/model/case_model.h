@@ -98,13 +98,19 @@ class CaseModel : public SceneModel {
 
     // In case_model_json.h.
     Json inputJson() const override;
+    QString changeVariants(const QString& name, const Variants& next,
+                           const std::optional<std::string>& input) override;
+    QString inputTrouble(const std::string& input) const override;
     Json keptJson() const override;
     void loadFile(const CaseFile& file, const CaseContext& context, bool isExample) override;
     void loadInput(const Json& input, const CaseContext& context) override;
     void loadDefault() override {
-        load(
-            newName(),
-            {scene_.defaultInput(), scene_.defaultTitle(), {}, defaultName(), context().directory});
+        load(newName(), {scene_.defaultInput(),
+                         scene_.defaultTitle(),
+                         {},
+                         defaultName(),
+                         context().directory,
+                         {}});
     }
 
   protected:
@@ -136,6 +142,7 @@ class CaseModel : public SceneModel {
     /// Begins a history of its own with an input.
     void restart(const Input& input) {
         typed_.reset();
+        setVariants({});
         history()->clear();
         finishDrag();
         apply(input);
@@ -176,6 +183,7 @@ class CaseModel : public SceneModel {
         QString notes;
         std::shared_ptr<const Named> named;
         std::filesystem::path directory;  ///< of the files that the case names
+        Variants variants;
         friend bool operator==(const State&, const State&) = default;
     };
     /// What an editing that goes on has changed.
@@ -189,7 +197,9 @@ class CaseModel : public SceneModel {
         clear_vector_state();  // painting may have left it in use
         return scene_.solve(input);
     }
-    State state() const { return {input_, title(), notes(), named_, context().directory}; }
+    State state() const {
+        return {input_, title(), notes(), named_, context().directory, variantState()};
+    }
     std::shared_ptr<const Named> nameOf(const QString& title, const Input& input) const {
         return std::make_shared<const Named>(Named{title, input});
     }
@@ -281,6 +291,7 @@ class CaseModel : public SceneModel {
         named_ = state.named;
         setNotes(state.notes);
         setTitle(state.title);
+        setVariants(state.variants);
         apply(state.input);
     }
     void apply(const Input& input) {

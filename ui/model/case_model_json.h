@@ -37,8 +37,9 @@ void CaseModel<Scene>::loadFile(const CaseFile& file, const CaseContext& context
     const QString title = QString::fromStdString(file.title);
     const bool isNamed =
         isExample || (title == scene_.defaultTitle() && input == scene_.defaultInput());
-    load(openName(), {input, title, QString::fromStdString(file.notes),
-                      isNamed ? nameOf(title, input) : nullptr, context.directory});
+    load(openName(),
+         {input, title, QString::fromStdString(file.notes),
+          isNamed ? nameOf(title, input) : nullptr, context.directory, variantsOf(file)});
 }
 
 template <typename Scene>
@@ -48,6 +49,47 @@ void CaseModel<Scene>::loadInput(const Json& json, const CaseContext& context) {
     next.directory = context.directory;
     retitle(next);
     load(openName(), std::move(next));
+}
+
+template <typename Scene>
+QString CaseModel<Scene>::changeVariants(const QString& name, const Variants& next,
+                                         const std::optional<std::string>& input) {
+    keepTyped();
+    leaveEditing();
+    State after = state();
+    after.variants = next;
+    try {
+        if (input) {
+            after.input = readInput(parse_json(*input), keptJson(), context());
+            retitle(after);
+            prepared_ = solve(after.input);
+        }
+    } catch (const InputError& error) {
+        return explain(error);
+    }
+    if (after == state()) {
+        prepared_.reset();
+        return {};
+    }
+    if (input) {
+        push(name, state(), std::move(after), -1);
+    } else {
+        const State before = state();
+        setVariants(next);
+        isApplied_ = true;  // nothing is to be solved
+        push(name, before, std::move(after), -1);
+    }
+    return {};
+}
+
+template <typename Scene>
+QString CaseModel<Scene>::inputTrouble(const std::string& input) const {
+    try {
+        solve(scene_.read(parse_json(input), context()));
+    } catch (const InputError& error) {
+        return explain(error);
+    }
+    return {};
 }
 
 }  // namespace ravnoves

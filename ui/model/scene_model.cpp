@@ -52,6 +52,9 @@ CaseFile SceneModel::caseFile() const {
     CaseFile file{sceneName().toStdString(), title_.toStdString(), inputJson()};
     file.notes = notes_.toStdString();
     file.kept = keptJson();
+    for (const Variant& variant : variants_.list) {
+        file.variants.push_back({variant.name.toStdString(), parse_json(variant.input)});
+    }
     return file;
 }
 
@@ -119,6 +122,14 @@ void SceneModel::setTitle(const QString& title) {
 }
 
 void SceneModel::setByKey(const QString& key, const QString& value) {
+    if (key == QLatin1String("reference") && hasCaseFile()) {
+        QStringList names{QStringLiteral("none")};
+        for (const Variant& variant : variants_.list) {
+            names << variant.name;
+        }
+        chooseReference(oneOf(key, value, names) - 1);
+        return;
+    }
     if (setViewOption(key, value)) {
         return;
     }

@@ -13,6 +13,7 @@
 #include "case-file/case_context.h"
 #include "case-file/field_index.h"
 #include "case-file/json_fwd.h"
+#include "model/variants.h"
 
 namespace ravnoves {
 
@@ -69,6 +70,9 @@ class SceneModel : public QObject {
     /// @return false where the page has no such setting
     virtual bool setViewOption(const QString& key, const QString& value);
 
+    /// Shows what another model of the scene shows beside its input.
+    virtual void takeView(const SceneModel& /*other*/) {}
+
     /// Sets one value by its key or path in the case file ("shaft_angle_deg",
     /// "spring/stiffness_N_m"), else a view option. The text is JSON or a bare word.
     /// @throws InputError
@@ -80,6 +84,29 @@ class SceneModel : public QObject {
     /// Title and notes as the user wants them, as one step of the history.
     virtual void editText(const QString& title, const QString& notes);
     const CaseContext& context() const { return context_; }
+
+    // Variants: inputs that are kept beside the present one. What changes them is one step of the
+    // history, what chooses one to be seen is none.
+    const QList<Variant>& variants() const { return variants_.list; }
+    /// Place of the variant that the present input is seen against; −1: none.
+    int reference() const { return variants_.reference; }
+    void chooseReference(int place);
+    /// Keeps the present input and makes it the reference. A name that is empty or taken gives way
+    /// to the next letter.
+    void keepVariant(const QString& name = {});
+    void removeVariant(int place);
+    // These return an empty string, or why it cannot be done.
+    QString renameVariant(int place, const QString& name);
+    /// Present input and variant change places; the name stays where it is.
+    QString swapVariant(int place);
+    /// The variant's input becomes the present one.
+    QString takeVariant(int place);
+    /// Why a variant's input is refused; empty where it is none.
+    QString variantTrouble(int place) const;
+    Json variantInput(int place) const;
+    /// The "result" object of a variant, as the command line prints it. @throws InputError
+    Json variantResult(int place) const;
+
     QUndoStack* history() { return &history_; }
     const QUndoStack* history() const { return &history_; }
     /// The next change is a step of its own in the history, whatever its name.
@@ -114,9 +141,24 @@ class SceneModel : public QObject {
     void historyChanged();
     /// A change was refused; empty when that is over.
     void refused(const QString& why);
+    /// The variants, or which of them is the reference.
+    void variantsChanged();
+    /// What the pictures show beside the input.
+    void viewChanged();
 
   protected:
     void setContext(const CaseContext& context) { context_ = context; }
+    const Variants& variantState() const { return variants_; }
+    /// Other variants; while they are the same, the reference stays what it is.
+    void setVariants(const Variants& variants);
+    /// One step of the history with other variants and, where one is given, another input.
+    /// @return an empty string, or why the input is refused; all is as it was then
+    virtual QString changeVariants(const QString& /*name*/, const Variants& /*next*/,
+                                   const std::optional<std::string>& /*input*/) {
+        return {};
+    }
+    /// Why an input is refused; empty where it is none.
+    virtual QString inputTrouble(const std::string& /*input*/) const { return {}; }
     /// Number of the step that a change of this name belongs to, for InputCommand.
     int stepOf(const QString& name) {
         if (name != lastName_) {
@@ -146,6 +188,7 @@ class SceneModel : public QObject {
   private:
     QString title_;
     QString notes_;
+    Variants variants_;
     int step_ = 0;
     QString lastName_;
     bool editing_ = false;

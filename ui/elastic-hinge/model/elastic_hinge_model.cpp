@@ -147,6 +147,14 @@ bool ElasticHingeModel::setViewOption(const QString& key, const QString& value) 
     return true;
 }
 
+void ElasticHingeModel::takeView(const SceneModel& other) {
+    if (const auto* model = qobject_cast<const ElasticHingeModel*>(&other)) {
+        setCompareSpeeds(model->compareSpeeds());
+        setCompareLambdas(model->compareLambdas());
+        setShownHinge(model->shownHinge());
+    }
+}
+
 void ElasticHingeModel::setCompareSpeeds(const std::vector<double>& speeds) {
     compare(scene().options.speeds, speeds, "compare_speeds", field::angular_speed.range);
 }

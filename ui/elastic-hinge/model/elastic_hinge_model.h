@@ -55,6 +55,7 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
     QString sceneName() const override { return QStringLiteral("elastic-hinge"); }
     Json resultJson() const override;
     bool setViewOption(const QString& key, const QString& value) override;
+    void takeView(const SceneModel& other) override;
 
     const elastic_hinge::Result& result() const { return *solved().result; }
     /// The newest motions that are there; null before the first.
@@ -121,8 +122,6 @@ class ElasticHingeModel : public CaseModel<ElasticHingeScene> {
 
   Q_SIGNALS:
     void crankAngleChanged(double degrees);
-    /// Which guide is shown, exaggeration, animated motion.
-    void viewChanged();
     void motionsChanged();
 
   private:

@@ -1,0 +1,220 @@
+#include "model/input_differences.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "case-file/json.h"
+#include "model/scene_model.h"
+#include "text/difference_text.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
+#include "text/shown_units.h"
+
+namespace ravnoves {
+
+namespace {
+
+using Leaves = std::vector<std::pair<std::string, Json>>;
+
+void collectLeaves(const Json& value, const std::string& pointer, Leaves& leaves) {
+    if (value.is_object()) {
+        for (const auto& [key, child] : value.items()) {
+            std::string segment = key;
+            for (std::size_t at = 0; (at = segment.find_first_of("~/", at)) != std::string::npos;
+                 at += 2) {
+                segment.replace(at, 1, segment[at] == '~' ? "~0" : "~1");
+            }
+            collectLeaves(child, pointer + '/' + segment, leaves);
+        }
+    } else if (value.is_array()) {
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            collectLeaves(value[i], pointer + '/' + std::to_string(i), leaves);
+        }
+    } else {
+        leaves.emplace_back(pointer, value);
+    }
+}
+
+bool isPlace(const std::string& segment) {
+    return !segment.empty() && segment.find_first_not_of("0123456789") == std::string::npos;
+}
+
+/// The fields that a scene describes, found by the pointer of any element of a list.
+class FieldNames {
+  public:
+    explicit FieldNames(const SceneModel& model) {
+        for (const auto& entries : {model.describedFields(), model.fields()}) {
+            for (const FieldEntry& entry : entries) {
+                fields_.emplace(likeFirst(entry.pointer), entry);
+            }
+        }
+    }
+
+    /// The description of a leaf, or of the nearest object or list around it.
+    const FieldEntry* find(const std::string& pointer) const {
+        for (std::string at = likeFirst(pointer); !at.empty(); at.erase(at.rfind('/'))) {
+            const auto found = fields_.find(at);
+            if (found != fields_.end() && labelled(found->second) != nullptr) {
+                return &found->second;
+            }
+        }
+        return nullptr;
+    }
+    QString name(const std::string& pointer) const {
+        const FieldEntry* entry = find(pointer);
+        QStringList parts;
+        parts << (entry != nullptr ? fieldName(labelled(*entry)->field) : words(pointer));
+        for (const std::string& segment : segments(pointer)) {
+            if (isPlace(segment)) {
+                parts << QString::number(std::stoi(segment) + 1);
+            }
+        }
+        // A name that the case itself gives, or a key inside a field without a label of its own.
+        if (entry != nullptr && !isPlace(lastKey(pointer)) &&
+            lastKey(pointer) != std::string(entry->field.key)) {
+            parts << words(pointer);
+        }
+        return parts.join(QStringLiteral(", "));
+    }
+
+  private:
+    /// The field itself, or the one that may be given in its place and that the form names; null
+    /// where neither has a label.
+    const FieldEntry* labelled(const FieldEntry& entry) const {
+        if (!entry.field.label.empty()) {
+            return &entry;
+        }
+        const std::string parent = entry.pointer.substr(0, entry.pointer.rfind('/') + 1);
+        for (const std::string& key : entry.alternatives) {
+            const auto found = fields_.find(parent + key);
+            if (found != fields_.end() && !found->second.field.label.empty()) {
+                return &found->second;
+            }
+        }
+        return nullptr;
+    }
+    /// The last key of a pointer without its underscores.
+    static QString words(const std::string& pointer) {
+        return QString::fromStdString(lastKey(pointer)).replace(QLatin1Char('_'), QLatin1Char(' '));
+    }
+    static std::vector<std::string> segments(const std::string& pointer) {
+        std::vector<std::string> all;
+        for (std::size_t at = 0; at < pointer.size();) {
+            const std::size_t end = std::min(pointer.find('/', at + 1), pointer.size());
+            all.push_back(pointer.substr(at + 1, end - at - 1));
+            at = end;
+        }
+        return all;
+    }
+    static std::string lastKey(const std::string& pointer) {
+        return pointer.substr(pointer.rfind('/') + 1);
+    }
+    /// Every element of a list as its first.
+    static std::string likeFirst(const std::string& pointer) {
+        std::string like;
+        for (const std::string& segment : segments(pointer)) {
+            like += isPlace(segment) ? "/0" : "/" + segment;
+        }
+        return like;
+    }
+
+    std::map<std::string, FieldEntry> fields_;
+};
+
+QString shownValue(const Json* value, const FieldEntry* entry, double factor) {
+    if (value == nullptr || value->is_null()) {
+        return {};
+    }
+    if (value->is_number()) {
+        return formNumber(factor * value->get<double>(), QLocale(), factor == 1.0 ? 10 : 7)
+            .replace(QLatin1Char('-'), QChar(0x2212));
+    }
+    if (value->is_boolean()) {
+        return value->get<bool>() ? QCoreApplication::translate("ravnoves::SceneModel", "yes")
+                                  : QCoreApplication::translate("ravnoves::SceneModel", "no");
+    }
+    const std::string text = value->is_string() ? value->get<std::string>() : value->dump();
+    if (entry != nullptr) {
+        for (const Word& word : entry->field.words) {
+            if (word.word == text && !word.label.empty()) {
+                return shownText(word.label).remove(QLatin1Char('&'));
+            }
+        }
+    }
+    return QString::fromStdString(text);
+}
+
+/// So many decimals that the number shows its value, six at most beyond its first digits.
+int decimalsOf(double value) {
+    const QString text = QString::number(value, 'g', 10);
+    const qsizetype point = text.indexOf(QLatin1Char('.'));
+    return point < 0 || text.contains(QLatin1Char('e')) ? 0
+                                                        : static_cast<int>(text.size() - point) - 1;
+}
+
+}  // namespace
+
+QString InputDifference::absolute() const {
+    if (!presentValue || !referenceValue) {
+        return {};
+    }
+    const double value = *presentValue - *referenceValue;
+    const int decimals = std::max(decimalsOf(*presentValue), decimalsOf(*referenceValue));
+    const QString shown = signedNumber(value, decimals);
+    return value != 0.0 && shown == QLatin1String("0") ? formNumber(value, QLocale(), 3) : shown;
+}
+
+QString InputDifference::percent() const {
+    return presentValue && referenceValue && unit != QStringLiteral("°")
+               ? signedPercent(*presentValue - *referenceValue, *referenceValue)
+               : QString();
+}
+
+std::vector<InputDifference> inputDifferences(const SceneModel& model, const Json& reference) {
+    Leaves present;
+    Leaves other;
+    collectLeaves(model.inputJson(), {}, present);
+    collectLeaves(reference, {}, other);
+    std::map<std::string, const Json*> there;
+    for (const auto& [pointer, value] : other) {
+        there.emplace(pointer, &value);
+    }
+    const FieldNames names(model);
+    std::vector<InputDifference> differences;
+    const auto add = [&](const std::string& pointer, const Json* now, const Json* was) {
+        const bool areNumbers =
+            now != nullptr && was != nullptr && now->is_number() && was->is_number();
+        if (now != nullptr && was != nullptr &&
+            (areNumbers ? now->get<double>() == was->get<double>() : *now == *was)) {
+            return;
+        }
+        const FieldEntry* entry = names.find(pointer);
+        const ShownUnit unit = entry != nullptr ? shownUnit(entry->field.unit) : ShownUnit{};
+        InputDifference difference{.pointer = pointer,
+                                   .name = names.name(pointer),
+                                   .unit = unit.name,
+                                   .present = shownValue(now, entry, unit.factor),
+                                   .reference = shownValue(was, entry, unit.factor)};
+        if (areNumbers) {
+            difference.presentValue = unit.factor * now->get<double>();
+            difference.referenceValue = unit.factor * was->get<double>();
+        }
+        differences.push_back(std::move(difference));
+    };
+    for (const auto& [pointer, value] : present) {
+        const auto found = there.find(pointer);
+        add(pointer, &value, found != there.end() ? found->second : nullptr);
+        there.erase(pointer);
+    }
+    for (const auto& [pointer, value] : other) {
+        if (there.contains(pointer)) {
+            add(pointer, nullptr, &value);
+        }
+    }
+    return differences;
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,125 @@
+// What SceneModel keeps beside the present input.
+
+#include "model/variants.h"
+
+#include <algorithm>
+
+#include "case-file/case_context.h"
+#include "case-file/case_file.h"
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "model/scene_model.h"
+#include "scenes/scenes.h"
+
+namespace ravnoves {
+
+namespace {
+
+bool isTaken(const QList<Variant>& variants, const QString& name) {
+    return std::any_of(variants.begin(), variants.end(),
+                       [&](const Variant& variant) { return variant.name == name; });
+}
+
+}  // namespace
+
+Variants variantsOf(const CaseFile& file) {
+    Variants variants;
+    for (const CaseVariant& variant : file.variants) {
+        variants.list.push_back({QString::fromStdString(variant.name), variant.input.dump()});
+    }
+    return variants;
+}
+
+QString nextVariantName(const QList<Variant>& variants) {
+    QString name;
+    for (int i = 0; name.isEmpty() || isTaken(variants, name); ++i) {
+        name = QChar(static_cast<char16_t>(u'A' + i % 26));
+        if (i >= 26) {
+            name += QString::number(i / 26 + 1);
+        }
+    }
+    return name;
+}
+
+void SceneModel::setVariants(const Variants& variants) {
+    if (variants == variants_) {
+        return;
+    }
+    variants_ = variants;
+    variants_.reference = std::min(variants.reference, static_cast<int>(variants.list.size()) - 1);
+    Q_EMIT variantsChanged();
+}
+
+void SceneModel::chooseReference(int place) {
+    place = place >= 0 && place < variants_.list.size() ? place : -1;
+    if (variants_.reference != place) {
+        variants_.reference = place;
+        Q_EMIT variantsChanged();
+    }
+}
+
+void SceneModel::keepVariant(const QString& name) {
+    Variants next = variants_;
+    const bool usable = !name.trimmed().isEmpty() && !isTaken(next.list, name.trimmed());
+    next.list.push_back({usable ? name.trimmed() : nextVariantName(next.list), inputJson().dump()});
+    next.reference = static_cast<int>(next.list.size()) - 1;
+    changeVariants(tr("Keep variant %1").arg(next.list.back().name), next, {});
+}
+
+QString SceneModel::renameVariant(int place, const QString& name) {
+    Variants next = variants_;
+    const QString trimmed = name.trimmed();
+    if (trimmed == next.list.at(place).name) {
+        return {};
+    }
+    if (trimmed.isEmpty()) {
+        return tr("A variant has a name.");
+    }
+    if (isTaken(next.list, trimmed)) {
+        return tr("Another variant is called %1.").arg(trimmed);
+    }
+    next.list[place].name = trimmed;
+    return changeVariants(tr("Rename variant"), next, {});
+}
+
+void SceneModel::removeVariant(int place) {
+    Variants next = variants_;
+    const QString name = next.list.takeAt(place).name;
+    if (next.reference == place) {
+        next.reference = -1;
+    } else if (next.reference > place) {
+        --next.reference;
+    }
+    changeVariants(tr("Delete variant %1").arg(name), next, {});
+}
+
+QString SceneModel::swapVariant(int place) {
+    Variants next = variants_;
+    Variant& variant = next.list[place];
+    const std::string input = std::exchange(variant.input, inputJson().dump());
+    return changeVariants(tr("Swap with variant %1").arg(variant.name), next, input);
+}
+
+QString SceneModel::takeVariant(int place) {
+    const Variant& variant = variants_.list.at(place);
+    return changeVariants(tr("Take variant %1").arg(variant.name), variants_, variant.input);
+}
+
+Json SceneModel::variantInput(int place) const {
+    return parse_json(variants_.list.at(place).input);
+}
+
+Json SceneModel::variantResult(int place) const {
+    for (const SceneSolver& scene : scene_solvers()) {
+        if (scene.name == sceneName().toStdString()) {
+            return scene.solve(variantInput(place), context_, {});
+        }
+    }
+    return {};
+}
+
+QString SceneModel::variantTrouble(int place) const {
+    return inputTrouble(variants_.list.at(place).input);
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QList>
+#include <QString>
+#include <string>
+
+namespace ravnoves {
+
+struct CaseFile;
+
+/// An input that is kept under a name beside the present one.
+struct Variant {
+    QString name;       ///< not empty, of one variant alone
+    std::string input;  ///< the case's "input" object as JSON text; it may be refused
+    friend bool operator==(const Variant&, const Variant&) = default;
+};
+
+/// The variants of a case, and which of them the present input is seen against.
+struct Variants {
+    QList<Variant> list;
+    int reference = -1;  ///< −1: none
+    /// What is looked at is no change of a case.
+    friend bool operator==(const Variants& a, const Variants& b) { return a.list == b.list; }
+};
+
+/// Those of a case, none of them chosen.
+Variants variantsOf(const CaseFile& file);
+
+/// A, B, …, Z, A2, …: the first name that no variant has.
+QString nextVariantName(const QList<Variant>& variants);
+
+}  // namespace ravnoves

@@ -1,0 +1,85 @@
+#include "text/difference_text.h"
+
+#include <QRegularExpression>
+#include <algorithm>
+#include <cmath>
+
+#include "text/number_text.h"
+
+namespace ravnoves {
+
+namespace {
+
+QString withSign(double value, const QString& shown) {
+    return value > 0.0 ? QLatin1Char('+') + shown : shown;
+}
+
+}  // namespace
+
+std::optional<ShownNumber> readShownNumber(const QString& text) {
+    static const QRegularExpression form(
+        QStringLiteral("^\\s*([-+\u2212]?)(\\d+)(?:[.,](\\d+))?(?:[eE]([-+\u2212]?\\d+))?"
+                       "(\u00A0?(?:%|°|[^\\d\\s%°×…/:-][^\\d]*))?\\s*$"));
+    const QRegularExpressionMatch match = form.match(text);
+    if (!match.hasMatch()) {
+        return std::nullopt;
+    }
+    ShownNumber number;
+    QString digits = match.captured(2);
+    number.decimals = static_cast<int>(match.captured(3).size());
+    if (number.decimals > 0) {
+        digits += QLatin1Char('.') + match.captured(3);
+    }
+    if (!match.captured(4).isEmpty()) {
+        number.isPlain = false;
+        digits += QLatin1Char('e') + match.captured(4).replace(QChar(0x2212), QLatin1Char('-'));
+    }
+    number.value = digits.toDouble();
+    if (!match.captured(1).isEmpty() && match.captured(1) != QLatin1String("+")) {
+        number.value = -number.value;
+    }
+    number.unit = match.captured(5).trimmed();
+    return number;
+}
+
+QString signedNumber(double value, int decimals) {
+    const QString shown = fixedDecimals(value, decimals, QLocale());
+    const double half = 0.5 * std::pow(10.0, -decimals);
+    return std::abs(value) < half ? QStringLiteral("0") : withSign(value, shown);
+}
+
+QString signedPercent(double value, double reference) {
+    if (reference == 0.0 || !std::isfinite(value / reference)) {
+        return value == 0.0 ? QStringLiteral("0") : QStringLiteral("–");
+    }
+    const double percent = 100.0 * value / std::abs(reference);
+    const QString shown = std::abs(percent) < 1000.0
+                              ? fixedDecimals(percent, std::abs(percent) < 99.95 ? 1 : 0, QLocale())
+                              : formNumber(percent, QLocale(), 3);
+    return (std::abs(percent) < 0.05 ? QStringLiteral("0") : withSign(percent, shown)) +
+           QStringLiteral("\u00A0%");
+}
+
+std::optional<ShownDifference> difference(const QString& present, const QString& reference,
+                                          bool isAngle) {
+    const auto now = readShownNumber(present);
+    const auto was = readShownNumber(reference);
+    if (!now || !was || now->unit != was->unit) {
+        return std::nullopt;
+    }
+    double value = now->value - was->value;
+    isAngle = isAngle || now->unit == QStringLiteral("°");
+    if (isAngle) {
+        value = std::remainder(value, 360.0);
+    }
+    const QString absolute =
+        now->isPlain && was->isPlain
+            ? signedNumber(value, std::max(now->decimals, was->decimals))
+            : withSign(value,
+                       formNumber(value, QLocale(), 3).replace(QLatin1Char('-'), QChar(0x2212)));
+    const bool isPercent = now->unit == QLatin1String("%");
+    return ShownDifference{absolute,
+                           isAngle || isPercent ? QString() : signedPercent(value, was->value)};
+}
+
+}  // namespace ravnoves
