@@ -189,6 +189,35 @@ void PlotPainter::paintAxes(QPainter& painter) {
     }
     const QRectF whole(QPointF(), size_);
     scene_->render(&painter, whole, whole);
+    paintGhosts(painter);
+}
+
+void PlotPainter::paintGhosts(QPainter& painter) const {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setClipRect(data_.area);
+    for (const PlotCurve& curve : data_.curves) {
+        const PlotCurve* ghost = data_.ghostOf(curve);
+        if (ghost == nullptr) {
+            continue;
+        }
+        const QColor colour = veil(Theme::instance().curve(curve.style.colour), 0.55F);
+        QPen pen(colour, std::max(1.0, 0.8 * curve.style.width), Qt::SolidLine, Qt::FlatCap,
+                 Qt::BevelJoin);
+        pen.setDashPattern({4.0, 3.0});
+        painter.setPen(pen);
+        for (const QPolygonF& stretch : data_.stretchesOf(*ghost)) {
+            painter.drawPolyline(stretch);
+        }
+        if (ghost->style.shape == Shape::Bars) {
+            paintBars(painter, *ghost, pen, Qt::NoBrush);
+        } else if (ghost->style.shape != Shape::Line) {
+            for (std::size_t i = 0; i < ghost->x.size(); ++i) {
+                dot(painter, pixel(*ghost, i), 3.6, QPen(colour, 1.2), Qt::NoBrush);
+            }
+        }
+    }
+    painter.restore();
 }
 
 void PlotPainter::paintBand(QPainter& painter, const plot::Band& band, bool words) const {
@@ -317,7 +346,7 @@ void PlotPainter::paintCurves(QPainter& painter) const {
         const QColor colour = theme.curve(curve.style.colour);
         paintErrorBars(painter, curve);
         if (curve.style.shape == Shape::Bars) {
-            paintBars(painter, curve);
+            paintBars(painter, curve, Qt::NoPen, colour);
         } else if (curve.style.shape != Shape::Line) {
             const bool hollow = curve.style.shape == Shape::Rings;
             const QPen pen(hollow ? colour : theme.panel(), hollow ? 1.6 : 1.0);
@@ -329,11 +358,12 @@ void PlotPainter::paintCurves(QPainter& painter) const {
     painter.restore();
 }
 
-void PlotPainter::paintBars(QPainter& painter, const PlotCurve& curve) const {
+void PlotPainter::paintBars(QPainter& painter, const PlotCurve& curve, const QPen& pen,
+                            const QBrush& brush) const {
     const QRectF& area = data_.area;
     const Side side = curve.style.side;
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(Theme::instance().curve(curve.style.colour));
+    painter.setPen(pen);
+    painter.setBrush(brush);
     const auto corner = [&](double x, double y) {
         return QPointF(x, std::clamp(y, area.top(), area.bottom()));
     };
@@ -508,9 +538,16 @@ void PlotPainter::paintReadout(QPainter& painter) const {
             continue;
         }
         const QColor colour = theme.curve(curve.style.colour);
+        const auto shown = [&](double value) {
+            return data_.scale(curve.style.side)
+                .readout(value, data_.locale, data_.readoutDecimals);
+        };
+        const PlotCurve* ghost = data_.ghostOf(curve);
+        const auto was = ghost != nullptr ? data_.valueAt(*ghost, at) : std::nullopt;
         rows.push_back(
-            {curve.style.name + equals +
-                 data_.scale(curve.style.side).readout(*y, data_.locale, data_.readoutDecimals),
+            {curve.style.name + equals + shown(*y) +
+                 (was ? QStringLiteral("  (%1: %2)").arg(data_.referenceName, shown(*was))
+                      : QString()),
              colour});
         const QPointF point = data_.toPixel(at, *y, curve.style.side);
         if (area.contains(point)) {

@@ -25,7 +25,7 @@ class PlotPainter {
     /// Places everything in a picture of this size below the header: scales, margins, ticks, lines.
     /// @param axesStale  the axes have changed; set where this moves them
     void layout(const QSizeF& size, bool& axesStale);
-    /// Title, image, bands, grid, axes.
+    /// Title, image, bands, grid, axes, the reference's curves.
     void paintAxes(QPainter& painter);
     void paintCurves(QPainter& painter) const;
     /// Lines, present value, marks, readout.
@@ -42,7 +42,9 @@ class PlotPainter {
     /// @param words  its text instead of its shade
     void paintBand(QPainter& painter, const plot::Band& band, bool words) const;
     void paintOwnAxis(QPainter& painter, const PlotScale& scale, Qt::Edge edge) const;
-    void paintBars(QPainter& painter, const PlotCurve& curve) const;
+    void paintGhosts(QPainter& painter) const;
+    void paintBars(QPainter& painter, const PlotCurve& curve, const QPen& pen,
+                   const QBrush& brush) const;
     void paintErrorBars(QPainter& painter, const PlotCurve& curve) const;
     void paintLines(QPainter& painter) const;
     void paintMarks(QPainter& painter) const;

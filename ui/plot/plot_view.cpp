@@ -17,6 +17,8 @@ namespace ravnoves {
 PlotView::PlotView(const QString& title, QWidget* parent)
     : QWidget(parent), painter_(std::make_unique<PlotPainter>(data_)) {
     makePlotsAccessible();
+    static int made = 0;
+    number_ = ++made;
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -24,7 +26,57 @@ PlotView::PlotView(const QString& title, QWidget* parent)
     connect(&Theme::instance(), &Theme::changed, this, &PlotView::showTheme);
 }
 
-PlotView::~PlotView() = default;
+PlotView::~PlotView() {
+    if (referenceOf_ != nullptr) {
+        referenceOf_->setReference(nullptr, {});
+    }
+    if (reference_ != nullptr) {
+        reference_->referenceOf_ = nullptr;
+    }
+}
+
+void PlotView::setReference(PlotView* plot, const QString& name) {
+    if (reference_ == plot && data_.referenceName == name) {
+        return;
+    }
+    if (reference_ != nullptr) {
+        reference_->referenceOf_ = nullptr;
+    }
+    reference_ = plot;
+    data_.reference = plot != nullptr ? &plot->data_ : nullptr;
+    data_.referenceName = name;
+    if (plot != nullptr) {
+        plot->referenceOf_ = this;
+        if (referenceItem_ == nullptr) {
+            referenceItem_ = new LegendItem(this);
+            referenceItem_->setChecked(true);
+            connect(referenceItem_, &LegendItem::toggled, this, [this](bool on) {
+                data_.referenceShown = on;
+                chartChanged();
+            });
+        }
+        constexpr int longest = 24;
+        referenceItem_->setText(name.size() > longest ? name.left(longest - 1) + QChar(0x2026)
+                                                      : name);
+        referenceItem_->setAccessibleName(tr("Show reference %1").arg(name));
+        referenceItem_->setToolTip(tr("Show or hide the curves of the reference %1").arg(name));
+        referenceItem_->setSwatch(Theme::instance().mutedText(), Qt::DashLine, Shape::Line);
+    }
+    chartChanged();
+}
+
+QList<LegendItem*> PlotView::shownLegend() const {
+    QList<LegendItem*> items;
+    for (LegendItem* item : legend_) {
+        if (item != nullptr && !item->isHidden()) {
+            items << item;
+        }
+    }
+    if (referenceItem_ != nullptr && !referenceItem_->isHidden()) {
+        items << referenceItem_;
+    }
+    return items;
+}
 
 QString PlotView::sentence() const {
     return plotSentence(data_);
@@ -214,6 +266,9 @@ void PlotView::resetZoom() {
 
 void PlotView::curvesChanged() {
     pictureStale_ = true;
+    if (referenceOf_ != nullptr) {
+        referenceOf_->chartChanged();
+    }
     update();
 }
 
@@ -226,6 +281,9 @@ void PlotView::showTheme() {
     for (int curve = 0; curve < curveCount(); ++curve) {
         setCurveStyle(curve, data_.curve(curve).style);
     }
+    if (referenceItem_ != nullptr) {
+        referenceItem_->setSwatch(Theme::instance().mutedText(), Qt::DashLine, Shape::Line);
+    }
     chartChanged();
 }
 
@@ -236,10 +294,12 @@ void PlotView::layoutHeader() {
     const double row = std::ceil(metrics.height()) + Theme::gap;
     const double titleWidth = metrics.horizontalAdvance(data_.title) + 2 * Theme::margin;
     double legendWidth = 0.0;
-    for (const LegendItem* item : legend_) {
-        if (item != nullptr && !item->isHidden()) {
-            legendWidth += item->sizeHint().width();
-        }
+    if (referenceItem_ != nullptr) {
+        referenceItem_->setVisible(data_.hasGhosts());
+    }
+    const QList<LegendItem*> items = shownLegend();
+    for (const LegendItem* item : items) {
+        legendWidth += item->sizeHint().width();
     }
     const double right = width() - Theme::space;
     const bool oneRow = titleWidth + legendWidth <= right;
@@ -247,10 +307,7 @@ void PlotView::layoutHeader() {
     double x = oneRow ? right - legendWidth : Theme::margin - Theme::gap;
     double y = Theme::gap + (oneRow ? 0.0 : row);
     data_.headerHeight = y + row;
-    for (LegendItem* item : legend_) {
-        if (item == nullptr || item->isHidden()) {
-            continue;
-        }
+    for (LegendItem* item : items) {
         // Long names share a row, elided, rather than take a row each.
         const int most = static_cast<int>(right - x0) / (legendWidth > 1.5 * (right - x0) ? 2 : 1);
         const int itemWidth = std::min(item->sizeHint().width(), most);

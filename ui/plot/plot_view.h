@@ -101,6 +101,15 @@ class PlotView : public QWidget {
     /// than the tick labels.
     void setReadoutDecimals(int decimals) { data_.readoutDecimals = decimals; }
 
+    /// Shows under the curves, pale and dashed, those that the same plot of a page with another
+    /// input has, by their numbers; they follow it. Null removes them.
+    void setReference(PlotView* plot, const QString& name);
+    const PlotView* reference() const { return reference_; }
+    /// What is shown, for tests and for what compares plots.
+    const PlotData& data() const { return data_; }
+    /// Plots made later have a greater number.
+    int number() const { return number_; }
+
     void resetZoom();
     bool isZoomed() const { return data_.zoomed; }
     /// The chart's inner rectangle in this widget, and the mapping of values to it.
@@ -178,6 +187,7 @@ class PlotView : public QWidget {
             update();
         }
     }
+    QList<LegendItem*> shownLegend() const;
     void curvesChanged();
     void chartChanged();
     void layoutHeader();
@@ -194,6 +204,10 @@ class PlotView : public QWidget {
     PlotData data_;
     std::unique_ptr<PlotPainter> painter_;
     std::vector<LegendItem*> legend_;  ///< one for each curve, or null
+    LegendItem* referenceItem_ = nullptr;
+    PlotView* reference_ = nullptr;
+    PlotView* referenceOf_ = nullptr;  ///< the plot that shows this one's curves
+    int number_;
     bool pickable_ = false;
     bool picking_ = false;
     std::optional<QPointF> panFrom_;

@@ -38,7 +38,7 @@ void PlotView::renderTo(QPainter& painter, const QRectF& target) {
     painter.translate(target.topLeft());
     painter.scale(target.width() / width(), target.height() / height());
     drawChart(painter);
-    for (const LegendItem* item : legend_) {
+    for (const LegendItem* item : shownLegend()) {
         if (item != nullptr && item->isChecked() && !item->isHidden()) {
             item->draw(painter, QRectF(item->geometry()));
         }

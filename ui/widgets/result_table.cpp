@@ -8,14 +8,87 @@
 #include <QMenu>
 #include <QPainter>
 #include <QScrollBar>
+#include <QStyledItemDelegate>
 #include <algorithm>
+#include <utility>
 
 #include "text/csv_format.h"
+#include "text/difference_text.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
 
+namespace {
+
+/// Of a cell: its difference, absolute and percent.
+constexpr int differenceRole = Qt::UserRole + 1;
+constexpr int cellPadding = 9;
+
+int plainRowHeight() {
+    return Theme::withText(20);
+}
+
+QFont differenceFont() {
+    return Theme::font(Theme::smallSize);
+}
+
+int differenceHeight() {
+    return QFontMetrics(differenceFont()).height() - 1;
+}
+
+QStringList inOneLine(QStringList parts) {
+    parts.removeAll(QString());
+    return {parts.join(QStringLiteral("  "))};
+}
+
+/// A cell over the small lines of its difference.
+class DifferenceDelegate final : public QStyledItemDelegate {
+  public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    bool below = false;   ///< differences stand below the numbers
+    bool inLine = false;  ///< both parts in one line
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override {
+        if (!below) {
+            QStyledItemDelegate::paint(painter, option, index);
+            return;
+        }
+        QStyleOptionViewItem cell = option;
+        initStyleOption(&cell, index);
+        const QString text = std::exchange(cell.text, QString());
+        cell.widget->style()->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
+        const bool isSelected = (cell.state & QStyle::State_Selected) != 0;
+        const QColor colour =
+            cell.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text);
+        const int side =
+            static_cast<int>((cell.displayAlignment & Qt::AlignHorizontal_Mask) | Qt::AlignVCenter);
+        QRect line = cell.rect.adjusted(4, 0, -4, 0);
+        line.setHeight(plainRowHeight());
+        painter->save();
+        painter->setFont(cell.font);
+        painter->setPen(colour);
+        painter->drawText(line, side,
+                          QFontMetrics(cell.font).elidedText(text, Qt::ElideRight, line.width()));
+        painter->setFont(differenceFont());
+        painter->setPen(isSelected ? colour : Theme::instance().mutedText());
+        const QStringList parts = index.data(differenceRole).toStringList();
+        line.moveTop(line.top() + plainRowHeight() - 3);
+        line.setHeight(differenceHeight());
+        for (const QString& part : inLine ? inOneLine(parts) : parts) {
+            painter->drawText(line, side, part);
+            line.translate(0, differenceHeight());
+        }
+        painter->restore();
+    }
+};
+
+}  // namespace
+
 ResultTable::ResultTable(QWidget* parent) : QTableWidget(parent) {
+    static int made = 0;
+    number_ = ++made;
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionMode(QAbstractItemView::ContiguousSelection);
     setAlternatingRowColors(true);
@@ -24,7 +97,7 @@ ResultTable::ResultTable(QWidget* parent) : QTableWidget(parent) {
     setFont(Theme::font(Theme::baseSize - 1));
     setTabKeyNavigation(false);
     verticalHeader()->hide();
-    verticalHeader()->setDefaultSectionSize(Theme::withText(20));
+    verticalHeader()->setDefaultSectionSize(plainRowHeight());
     verticalHeader()->setMinimumSectionSize(Theme::withText(18));
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
@@ -33,8 +106,174 @@ ResultTable::ResultTable(QWidget* parent) : QTableWidget(parent) {
     setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
 }
 
+ResultTable::~ResultTable() {
+    if (referenceOf_ != nullptr) {
+        referenceOf_->setReference(nullptr, {});
+    }
+    if (reference_ != nullptr) {
+        reference_->referenceOf_ = nullptr;
+    }
+}
+
+// ---------------------------------------------------------------------------------- differences
+
+void ResultTable::setReference(ResultTable* table, const QString& name) {
+    if (reference_ == table && referenceName_ == name) {
+        return;
+    }
+    if (reference_ != nullptr) {
+        reference_->referenceOf_ = nullptr;
+    }
+    reference_ = table;
+    referenceName_ = name;
+    if (table != nullptr) {
+        table->referenceOf_ = this;
+        if (dynamic_cast<DifferenceDelegate*>(itemDelegate()) == nullptr) {
+            setItemDelegate(new DifferenceDelegate(this));
+        }
+    }
+    showDifferences();
+}
+
+QStringList ResultTable::differenceAt(int row, int column) const {
+    const QTableWidgetItem* cell = item(row, column);
+    return cell != nullptr ? cell->data(differenceRole).toStringList() : QStringList();
+}
+
+int ResultTable::rowInReference(int row) const {
+    const auto name = [](const ResultTable& table, int at) {
+        const QTableWidgetItem* cell = table.item(at, 0);
+        return cell != nullptr ? cell->text() : QString();
+    };
+    const QString wanted = name(*this, row);
+    if (row < reference_->rowCount() && name(*reference_, row) == wanted) {
+        return row;
+    }
+    // Of rows with one name the first is the first there.
+    int before = 0;
+    for (int i = 0; i < row; ++i) {
+        before += name(*this, i) == wanted ? 1 : 0;
+    }
+    for (int i = 0; i < reference_->rowCount(); ++i) {
+        if (name(*reference_, i) == wanted && before-- == 0) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+void ResultTable::showDifferences() {
+    compared_.clear();
+    for (int row = 0; row < rowCount(); ++row) {
+        const int other = reference_ != nullptr ? rowInReference(row) : -1;
+        for (int column = 1; column < columns_; ++column) {
+            QTableWidgetItem* cell = item(row, column);
+            const QTableWidgetItem* was = other >= 0 ? reference_->item(other, column) : nullptr;
+            const bool isAngle = horizontalHeaderItem(column)->text().endsWith(QChar(0x00B0));
+            const auto found = cell != nullptr && was != nullptr
+                                   ? difference(cell->text(), was->text(), isAngle)
+                                   : std::nullopt;
+            const QStringList parts =
+                found ? QStringList{found->absolute, found->percent} : QStringList();
+            if (differenceAt(row, column) != parts) {
+                cell->setData(differenceRole, found ? QVariant(parts) : QVariant());
+            }
+            if (found && !compared_.contains(column)) {
+                compared_ << column;
+            }
+        }
+    }
+    placeDifferences();
+}
+
+int ResultTable::widthOf(int row, int column, Place place) const {
+    const QTableWidgetItem* cell = item(row, column);
+    if (cell == nullptr) {
+        return 0;
+    }
+    int width = QFontMetrics(font()).horizontalAdvance(cell->text());
+    if (place != Place::Columns) {
+        const QStringList parts = differenceAt(row, column);
+        const QFontMetrics small(differenceFont());
+        for (const QString& part : place == Place::Line ? inOneLine(parts) : parts) {
+            width = std::max(width, small.horizontalAdvance(part));
+        }
+    }
+    return width + cellPadding;
+}
+
+int ResultTable::roomFor(Place place) const {
+    const int differenceColumns = Theme::withText(120);
+    int sum = place == Place::Columns ? differenceColumns : 0;
+    for (int column = 0; column < columns_; ++column) {
+        int width = column > 0 ? QFontMetrics(horizontalHeader()->font())
+                                         .horizontalAdvance(horizontalHeaderItem(column)->text()) +
+                                     cellPadding
+                               : 0;
+        for (int row = 0; row < rowCount(); ++row) {
+            width = std::max(width, widthOf(row, column, place));
+        }
+        sum += width;
+    }
+    return sum;
+}
+
+void ResultTable::placeDifferences() {
+    Place place = Place::Columns;
+    if (!compared_.isEmpty()) {
+        const int room = viewport()->width();
+        if (compared_.size() > 1 || roomFor(Place::Columns) > room) {
+            place = roomFor(Place::Line) <= room ? Place::Line : Place::Lines;
+        }
+    }
+    const bool inColumns = place == Place::Columns;
+    const int wanted = columns_ + (inColumns && !compared_.isEmpty() ? 2 : 0);
+    const int height =
+        plainRowHeight() + (inColumns ? 0 : (place == Place::Line ? 1 : 2) * differenceHeight());
+    if (columnCount() != wanted || place != place_) {
+        fitted_ = false;
+        place_ = place;
+        setColumnCount(wanted);
+    }
+    if (auto* delegate = dynamic_cast<DifferenceDelegate*>(itemDelegate())) {
+        delegate->below = !inColumns;
+        delegate->inLine = place == Place::Line;
+    }
+    if (verticalHeader()->defaultSectionSize() != height) {
+        verticalHeader()->setDefaultSectionSize(height);
+        updateGeometry();
+    }
+    const QStringList headings{QStringLiteral("Δ"), QStringLiteral("Δ, %")};
+    for (int column = columns_; column < wanted; ++column) {
+        const int part = column - columns_;
+        if (horizontalHeaderItem(column) == nullptr) {
+            auto* heading = new QTableWidgetItem(headings[part]);
+            heading->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            setHorizontalHeaderItem(column, heading);
+        }
+        horizontalHeaderItem(column)->setToolTip(
+            tr("Present value less that of the reference %1").arg(referenceName_));
+        for (int row = 0; row < rowCount(); ++row) {
+            QTableWidgetItem* cell = item(row, column);
+            if (cell == nullptr) {
+                cell = new QTableWidgetItem;
+                cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+                setItem(row, column, cell);
+            }
+            const QString text = differenceAt(row, compared_.front()).value(part);
+            if (cell->text() != text) {
+                cell->setText(text);
+            }
+        }
+    }
+    fitColumns();
+}
+
+// ----------------------------------------------------------------------------------------- table
+
 void ResultTable::setColumns(const QStringList& headings) {
-    setColumnCount(static_cast<int>(headings.size()));
+    columns_ = static_cast<int>(headings.size());
+    setColumnCount(columns_);
     isOver_ = false;
     setHorizontalHeaderLabels(headings);
     for (int column = 0; column < headings.size(); ++column) {
@@ -49,8 +288,6 @@ void ResultTable::setColumns(const QStringList& headings) {
 
 void ResultTable::fitColumns() {
     // Columns only ever grow, so that they rest while a slider moves.
-    constexpr int padding = 9;
-    const QFontMetrics cells(font());
     const QFontMetrics headings(horizontalHeader()->font());
     for (int column = 1; column < columnCount(); ++column) {
         if (stretched_.contains(column)) {
@@ -58,11 +295,9 @@ void ResultTable::fitColumns() {
         }
         int width = columnWidth(column) * (fitted_ ? 1 : 0);
         width = std::max(
-            width, headings.horizontalAdvance(horizontalHeaderItem(column)->text()) + padding);
+            width, headings.horizontalAdvance(horizontalHeaderItem(column)->text()) + cellPadding);
         for (int row = 0; row < rowCount(); ++row) {
-            if (const QTableWidgetItem* cell = item(row, column)) {
-                width = std::max(width, cells.horizontalAdvance(cell->text()) + padding);
-            }
+            width = std::max(width, widthOf(row, column, place_));
         }
         if (width != columnWidth(column)) {
             setColumnWidth(column, width);
@@ -116,7 +351,11 @@ void ResultTable::fitStretched() {
 
 void ResultTable::resizeEvent(QResizeEvent* event) {
     QTableWidget::resizeEvent(event);
-    fitStretched();
+    if (reference_ != nullptr) {
+        placeDifferences();
+    } else {
+        fitStretched();
+    }
 }
 
 void ResultTable::setRows(const QVector<QStringList>& rows) {
@@ -125,7 +364,7 @@ void ResultTable::setRows(const QVector<QStringList>& rows) {
         updateGeometry();
     }
     for (int row = 0; row < rows.size(); ++row) {
-        for (int column = 0; column < columnCount(); ++column) {
+        for (int column = 0; column < columns_; ++column) {
             const QString text = rows[row].value(column);
             QTableWidgetItem* cell = item(row, column);
             if (cell == nullptr) {
@@ -139,7 +378,14 @@ void ResultTable::setRows(const QVector<QStringList>& rows) {
         }
     }
     showTips();
-    fitColumns();
+    if (reference_ != nullptr) {
+        showDifferences();
+    } else {
+        fitColumns();
+    }
+    if (referenceOf_ != nullptr) {
+        referenceOf_->showDifferences();
+    }
 }
 
 void ResultTable::setTips(const ResultTips& tips) {
@@ -203,10 +449,19 @@ QString ResultTable::joined(QChar separator, bool selectionOnly) const {
     const auto written = [&](const QString& text) {
         return separator == QLatin1Char('\t') ? text : csv.field(text);
     };
+    // In the whole table, differences that stand below their numbers get columns behind them.
+    const auto isFollowed = [&](int column) {
+        return !selectionOnly && place_ != Place::Columns && compared_.contains(column);
+    };
     QString text;
     QStringList line;
     for (int column = 0; column < columnCount() && !selectionOnly; ++column) {
-        line << written(horizontalHeaderItem(column)->text());
+        const QString heading = horizontalHeaderItem(column)->text();
+        line << written(heading);
+        if (isFollowed(column)) {
+            const QString delta = QStringLiteral("Δ ") + heading;
+            line << written(delta) << written(delta + QStringLiteral(", %"));
+        }
     }
     if (!line.isEmpty()) {
         text += line.join(separator) + QLatin1Char('\n');
@@ -217,6 +472,10 @@ QString ResultTable::joined(QChar separator, bool selectionOnly) const {
             const QTableWidgetItem* cell = item(row, column);
             if (cell != nullptr && (!selectionOnly || cell->isSelected())) {
                 line << written(cell->text());
+                if (isFollowed(column)) {
+                    const QStringList parts = differenceAt(row, column);
+                    line << written(parts.value(0)) << written(parts.value(1));
+                }
             }
         }
         if (!line.isEmpty()) {
@@ -271,17 +530,19 @@ void ResultTable::setShownRows(int rows) {
     updateGeometry();
 }
 
-QSize ResultTable::sizeHint() const {
+int ResultTable::heightOf(int rowHeight) const {
     const int heading =
         horizontalHeader()->isHidden() ? 0 : horizontalHeader()->sizeHint().height();
-    const int rows = shownRows_ > 0 ? shownRows_ : rowCount();
     const int bar = isOver_ ? horizontalScrollBar()->sizeHint().height() : 0;
-    const int height = heading + rows * verticalHeader()->defaultSectionSize() + bar + 2;
-    return {240, height};
+    return heading + (shownRows_ > 0 ? shownRows_ : rowCount()) * rowHeight + bar + 2;
+}
+
+QSize ResultTable::sizeHint() const {
+    return {240, heightOf(verticalHeader()->defaultSectionSize())};
 }
 
 QSize ResultTable::minimumSizeHint() const {
-    return {120, sizeHint().height()};
+    return {120, heightOf(plainRowHeight())};  // with differences below its numbers it scrolls
 }
 
 }  // namespace ravnoves

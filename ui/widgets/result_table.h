@@ -16,6 +16,7 @@ class ResultTable : public QTableWidget {
 
   public:
     explicit ResultTable(QWidget* parent = nullptr);
+    ~ResultTable() override;
 
     /// Sets headings once; rows follow with setRows().
     void setColumns(const QStringList& headings);
@@ -26,6 +27,16 @@ class ResultTable : public QTableWidget {
     /// for anything: every cell says what its row and its column mean.
     void setTips(const ResultTips& tips);
     void setCellToolTip(int row, int column, const QString& text);
+    /// Shows beside its numbers how they differ from those that the same table of a page with
+    /// another input has, row by row's name: absolute and in percent, in columns of their own where
+    /// it has one column of numbers and the room, else below each number. It follows that table.
+    /// Null removes them.
+    void setReference(ResultTable* table, const QString& name);
+    const ResultTable* reference() const { return reference_; }
+    /// Absolute and percent of a cell, as shown; empty where there is nothing to compare.
+    QStringList differenceAt(int row, int column) const;
+    /// Tables made later have a greater number.
+    int number() const { return number_; }
 
     /// Besides the first, this column takes what room there is.
     void stretchColumn(int column);
@@ -45,11 +56,21 @@ class ResultTable : public QTableWidget {
     void contextMenuEvent(QContextMenuEvent* event) override;
 
   private:
+    /// Where differences stand: in columns, or below the numbers in one line or in two.
+    enum class Place { Columns, Line, Lines };
+
     QString joined(QChar separator, bool selectionOnly) const;
     void copySelection();
     void fitColumns();
     /// Words never give way to numbers altogether: the table scrolls sideways instead.
     void fitStretched();
+    void showDifferences();
+    void placeDifferences();
+    int rowInReference(int row) const;
+    /// Of a cell with its difference where that stands so.
+    int widthOf(int row, int column, Place place) const;
+    int roomFor(Place place) const;
+    int heightOf(int rowHeight) const;
 
     void showTips();
     QString tipOf(const QString& name) const;
@@ -59,6 +80,13 @@ class ResultTable : public QTableWidget {
     int shownRows_ = 0;    ///< 0: all
     bool fitted_ = false;
     QHash<QString, QString> tips_;
+    int columns_ = 0;  ///< without those of the differences
+    ResultTable* reference_ = nullptr;
+    ResultTable* referenceOf_ = nullptr;  ///< the table that compares itself with this one
+    QString referenceName_;
+    QList<int> compared_;  ///< columns with differences
+    Place place_ = Place::Columns;
+    int number_;
 };
 
 }  // namespace ravnoves

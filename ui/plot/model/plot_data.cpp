@@ -78,29 +78,60 @@ double PlotData::yAt(double pixelY, Side side) const {
     return scale(side).value((area.bottom() - pixelY) / std::max(1.0, area.height()));
 }
 
+const PlotCurve* PlotData::ghostOf(const PlotCurve& curve) const {
+    const auto number = static_cast<std::size_t>(&curve - curves.data());
+    if (reference == nullptr || !referenceShown || !curve.shown ||
+        number >= reference->curves.size() || reference->curves[number].x.empty()) {
+        return nullptr;
+    }
+    return &reference->curves[number];
+}
+
+bool PlotData::hasGhosts() const {
+    return reference != nullptr &&
+           std::any_of(reference->curves.begin(), reference->curves.end(),
+                       [](const PlotCurve& curve) { return !curve.x.empty(); });
+}
+
 void PlotData::fitScales() {
     if (zoomed) {
         return;
     }
     x.low = x.spec.min;
     x.high = x.spec.max;
+    const bool both = hasGhosts() && referenceShown;
+    if (both) {
+        x.low = std::min(x.low, reference->x.spec.min);
+        x.high = std::max(x.high, reference->x.spec.max);
+    }
     for (const Side side : {Side::Left, Side::Right}) {
         PlotScale& follower = scale(side);
         double least = std::numeric_limits<double>::infinity();
         double most = -least;
         for (const PlotCurve& curve : curves) {
-            if (follower.fixed || !curve.shown || curve.style.side != side || curve.y.empty()) {
+            if (follower.fixed || !curve.shown || curve.style.side != side) {
                 continue;
             }
-            const auto [low, high] = std::minmax_element(curve.y.begin(), curve.y.end());
-            least = std::min(least, *low);
-            most = std::max(most, *high);
+            for (const PlotCurve* each : {&curve, ghostOf(curve)}) {
+                if (each != nullptr && !each->y.empty()) {
+                    const auto [low, high] = std::minmax_element(each->y.begin(), each->y.end());
+                    least = std::min(least, *low);
+                    most = std::max(most, *high);
+                }
+            }
+            if (!(least <= most)) {
+                continue;
+            }
             if (curve.style.shape == Shape::Bars && !follower.spec.logarithmic) {
                 least = std::min(least, 0.0);
                 most = std::max(most, 0.0);
             }
         }
         follower.fit(least, most);
+        if (both && follower.fixed && reference->scale(side).fixed) {
+            follower.low = std::min(follower.low, reference->scale(side).fixed->first);
+            follower.high = std::max(follower.high, reference->scale(side).fixed->second);
+        }
     }
 }
 
@@ -148,20 +179,25 @@ void PlotData::thinCurves() {
         }
         curve.stale = false;
         curve.stretches.clear();
-        if (!curve.shown || !curve.isLine()) {
-            continue;
-        }
-        std::size_t from = 0;
-        for (std::size_t next = 0; next <= curve.starts.size(); ++next) {
-            const std::size_t to = next < curve.starts.size() ? curve.starts[next] : curve.x.size();
-            std::vector<QPointF> pixels;
-            pixels.reserve(to - from);
-            for (; from < to; ++from) {
-                pixels.push_back(toPixel(curve.x[from], curve.y[from], curve.style.side));
-            }
-            curve.stretches.push_back(thinPolyline(pixels));
+        if (curve.shown) {
+            curve.stretches = stretchesOf(curve);
         }
     }
+}
+
+std::vector<QPolygonF> PlotData::stretchesOf(const PlotCurve& curve) const {
+    std::vector<QPolygonF> stretches;
+    std::size_t from = 0;
+    for (std::size_t next = 0; curve.isLine() && next <= curve.starts.size(); ++next) {
+        const std::size_t to = next < curve.starts.size() ? curve.starts[next] : curve.x.size();
+        std::vector<QPointF> pixels;
+        pixels.reserve(to - from);
+        for (; from < to; ++from) {
+            pixels.push_back(toPixel(curve.x[from], curve.y[from], curve.style.side));
+        }
+        stretches.push_back(thinPolyline(pixels));
+    }
+    return stretches;
 }
 
 std::optional<double> PlotData::valueAt(const PlotCurve& curve, double at) const {

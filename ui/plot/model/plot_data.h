@@ -137,12 +137,19 @@ struct PlotData {
     bool faded = false;
     QString fadedText = {};
     int readoutDecimals = -1;
+    /// What the same plot shows of a reference; its curves rest under those of the same number.
+    const PlotData* reference = nullptr;
+    QString referenceName = {};
+    bool referenceShown = true;
 
     PlotScale& scale(Side side) { return side == Side::Left ? left : right; }
     const PlotScale& scale(Side side) const { return side == Side::Left ? left : right; }
     PlotCurve& curve(int number) { return curves.at(static_cast<std::size_t>(number)); }
     const PlotCurve& curve(int number) const { return curves.at(static_cast<std::size_t>(number)); }
     bool sideUsed(Side side) const;
+    /// The reference's curve under a curve; null where there is none to be seen.
+    const PlotCurve* ghostOf(const PlotCurve& curve) const;
+    bool hasGhosts() const;
 
     QPointF toPixel(double valueX, double valueY, Side side = Side::Left) const;
     double xAt(double pixelX) const;
@@ -158,6 +165,8 @@ struct PlotData {
     void makeStale();
     /// Makes the lines of stale curves anew: in pixels, without points that move no pixel.
     void thinCurves();
+    /// The same of any curve, by this plot's scales.
+    std::vector<QPolygonF> stretchesOf(const PlotCurve& curve) const;
 
     /// The value of a curve at x along the line drawn; nothing outside its data and in gaps.
     std::optional<double> valueAt(const PlotCurve& curve, double at) const;
