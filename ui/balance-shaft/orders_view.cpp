@@ -54,7 +54,11 @@ OrdersView::OrdersView(BalanceShaftModel* model, QWidget* parent) : QWidget(pare
     inside->addWidget(table_);
     column->addWidget(panel, 2);
 
-    connect(model_, &BalanceShaftModel::shaftMoved, this, &OrdersView::showResult);
+    connect(model_, &BalanceShaftModel::shaftMoved, this, [this] {
+        if (isVisible()) {
+            showResult();
+        }
+    });
 }
 
 void OrdersView::showEvent(QShowEvent* event) {
@@ -63,9 +67,6 @@ void OrdersView::showEvent(QShowEvent* event) {
 }
 
 void OrdersView::showResult() {
-    if (!isVisible()) {
-        return;
-    }
     const balance_shaft::Result& result = model_->result();
     const ShownOrders shown = shownOrders(result);
     plot_->setCurve(up_, shown.order, shown.without);

@@ -81,7 +81,7 @@ QStringList helpTopics() {
     for (const SceneInfo& info : sceneList()) {
         topics << info.name;
     }
-    topics << QStringLiteral("case-files") << QStringLiteral("keys");
+    topics << QStringLiteral("case-files") << QStringLiteral("variants") << QStringLiteral("keys");
     return topics;
 }
 

@@ -32,6 +32,7 @@
 #include "shell/scene_page.h"
 #include "shell/settings_dialog.h"
 #include "shell/start_page.h"
+#include "shell/variant_menu.h"
 #include "shell/whats_this.h"
 #include "text/language.h"
 #include "text/preferences.h"
@@ -111,6 +112,7 @@ void MainWindow::renew() {
     start_ = nullptr;
     documents_->setParent(this);
     delete takeCentralWidget();
+    delete variants_;
     delete toolBar_;
     delete whatsThis_;
     setMenuBar(new QMenuBar(this));
@@ -273,6 +275,8 @@ void MainWindow::buildMenus() {
     });
 
     edit->addSeparator();
+    variants_ = new VariantMenu(this);
+    edit->addMenu(variants_);
     QAction* properties =
         add(edit, {}, tr("Title and &notes…"), QKeySequence(Qt::CTRL | Qt::Key_I), [this] {
             auto* dialog = new CaseProperties(currentPage()->model(), this);
@@ -339,6 +343,8 @@ void MainWindow::buildMenus() {
         [this] { showHelp(isAtStart() ? QStringLiteral("keys") : currentScene()); });
     add(help, {}, tr("&Case files and command line"), {},
         [this] { showHelp(QStringLiteral("case-files")); });
+    add(help, {}, tr("&Variants: one design against another"), {},
+        [this] { showHelp(QStringLiteral("variants")); });
     add(help, {}, tr("&Keys and mouse"), {}, [this] { showHelp(QStringLiteral("keys")); });
     whatsThis_ = new WhatsThis(this);
     help->addAction(whatsThis_->action());
@@ -359,6 +365,8 @@ void MainWindow::buildMenus() {
     toolBar_->addActions({undo_, redo_});
     toolBar_->addSeparator();
     toolBar_->addActions({copyText, picture, reset});
+    toolBar_->addSeparator();
+    toolBar_->addWidget(variants_->button());
     toolBar_->addSeparator();
     pageActions_ = {close, copyText, copyCsv, picture, reset};
     caseActions_ = {fresh, saveAction, saveAsAction, properties, report};
@@ -577,6 +585,7 @@ void MainWindow::updateHistoryActions() {
 }
 
 void MainWindow::updateSceneActions() {
+    variants_->setPage(currentPage());
     for (QAction* action : sceneActions_) {
         toolBar_->removeAction(action);
     }

@@ -16,6 +16,7 @@ class Documents;
 class Recovery;
 class ScenePage;
 class StartPage;
+class VariantMenu;
 class WhatsThis;
 
 /// The window: navigation between the scenes, menus, toolbar, status bar, over its documents.
@@ -104,6 +105,7 @@ class MainWindow : public QMainWindow {
     QAction* newFrom_ = nullptr;
     QMenu* sceneMenu_ = nullptr;
     QToolBar* toolBar_ = nullptr;
+    VariantMenu* variants_ = nullptr;
     QLabel* hint_ = nullptr;
     QAction* nextTab_ = nullptr;
     QAction* previousTab_ = nullptr;

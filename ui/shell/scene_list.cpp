@@ -6,6 +6,7 @@
 #include "elastic-hinge/elastic_hinge_page.h"
 #include "inertia-moments/inertia_moments_page.h"
 #include "methods/methods_page.h"
+#include "shell/comparison.h"
 #include "v8-plugs/v8_plugs_page.h"
 
 namespace ravnoves {
@@ -14,7 +15,9 @@ namespace {
 
 template <typename Page>
 ScenePage* makePage(QWidget* parent, SceneModel* kept) {
-    return new Page(parent, kept);
+    auto* page = new Page(parent, kept);
+    new Comparison(page);
+    return page;
 }
 
 QString translated(const char* text) {

@@ -1,0 +1,313 @@
+// A page against a variant of its input, whatever its scene.
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDir>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "case-file/case_file.h"
+#include "case-file/json.h"
+#include "events.h"
+#include "model/case_document.h"
+#include "model/input_differences.h"
+#include "plot/plot_view.h"
+#include "shell/comparison.h"
+#include "shell/input_comparison.h"
+#include "shell/scene_list.h"
+#include "shell/scene_page.h"
+#include "text/difference_text.h"
+#include "widgets/number_field.h"
+#include "widgets/result_table.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+
+class EveryPagesVariants : public ::testing::TestWithParam<std::string> {
+  protected:
+    EveryPagesVariants() {
+        test::showAt(*page, {1280, 800});
+        page->activateWindow();
+        if (model().resultJson().contains("error")) {
+            openExample();  // a new sheet is half filled
+        }
+    }
+
+    static std::unique_ptr<ScenePage> make() {
+        for (const SceneInfo& info : sceneList()) {
+            if (info.name.toStdString() == GetParam()) {
+                return std::unique_ptr<ScenePage>(info.make(nullptr));
+            }
+        }
+        return nullptr;
+    }
+    SceneModel& model() { return *page->model(); }
+    Comparison& comparison() { return *page->findChild<Comparison*>(); }
+
+    void openExample() {
+        const QDir examples(QString::fromUtf8(RAVNOVES_EXAMPLES));
+        for (const QString& name : examples.entryList({u"*.case.json"_s})) {
+            const QString path = examples.filePath(name);
+            const CaseFile file = CaseDocument::read(path);
+            if (file.scene == GetParam()) {
+                CaseDocument(&model(), {}).open(file, path);
+                return;
+            }
+        }
+    }
+    /// Types other numbers into fields of every tab, four at most on each.
+    void changeByKeys() {
+        const Json before = model().resultJson();
+        changeWhatIsSeen();
+        for (QTabWidget* tabs : page->findChildren<QTabWidget*>()) {
+            for (int i = 0; i < tabs->count(); ++i) {
+                tabs->setCurrentIndex(i);
+                changeWhatIsSeen();
+            }
+        }
+        EXPECT_NE(model().resultJson(), before);
+    }
+    void changeWhatIsSeen() {
+        int changed = 0;
+        for (NumberField* field : page->findChildren<NumberField*>()) {
+            if (changed == 4 || !field->isVisible() || field->isReadOnly() || !field->isEnabled() ||
+                !field->value()) {
+                continue;
+            }
+            field->setFocus();
+            QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+            QTest::keyClicks(field, QString::number(*field->value() * 1.02, 'g', 8));
+            QTest::keyClick(field, Qt::Key_Return);
+            changed += field->trouble().isEmpty() ? 1 : 0;
+            QTest::keyClick(field, Qt::Key_Escape);
+        }
+    }
+    /// Brings each tab to the front once, and lets what is computed in the background end.
+    static void lookAtAll(ScenePage& shown) {
+        for (QTabWidget* tabs : shown.findChildren<QTabWidget*>()) {
+            for (int i = 0; i < tabs->count(); ++i) {
+                tabs->setCurrentIndex(i);
+                QApplication::processEvents();
+            }
+        }
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !shown.isBusy(); }, 60'000));
+        QApplication::processEvents();
+    }
+    template <typename Part>
+    static std::vector<Part*> parts(const ScenePage& of) {
+        const QList<Part*> found = of.findChildren<Part*>();
+        std::vector<Part*> all(found.begin(), found.end());
+        std::sort(all.begin(), all.end(),
+                  [](const Part* a, const Part* b) { return a->number() < b->number(); });
+        return all;
+    }
+
+    std::unique_ptr<ScenePage> page = make();
+};
+
+TEST_P(EveryPagesVariants, GhostsAreTheCurvesThatTheReferenceHad) {
+    lookAtAll(*page);
+    const auto plots = parts<PlotView>(*page);
+    std::vector<std::vector<PlotCurve>> kept;
+    for (const PlotView* plot : plots) {
+        kept.push_back(plot->data().curves);
+    }
+    EXPECT_EQ(comparison().twin(), nullptr);  // nothing is there without a reference
+    model().keepVariant();
+    ASSERT_NE(comparison().twin(), nullptr);
+    changeByKeys();
+    lookAtAll(*page);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !comparison().twin()->isBusy(); }, 60'000));
+
+    int ghosts = 0;
+    int moved = 0;
+    for (std::size_t p = 0; p < plots.size(); ++p) {
+        SCOPED_TRACE(plots[p]->title().toStdString());
+        const PlotData& data = plots[p]->data();
+        for (std::size_t c = 0; c < data.curves.size(); ++c) {
+            const PlotCurve* ghost = data.ghostOf(data.curves[c]);
+            if (ghost == nullptr) {
+                continue;
+            }
+            ++ghosts;
+            EXPECT_EQ(ghost->x, kept[p][c].x) << c;
+            EXPECT_EQ(ghost->y, kept[p][c].y) << c;
+            moved += ghost->y != data.curves[c].y ? 1 : 0;
+        }
+    }
+    EXPECT_GT(ghosts, 0);
+    EXPECT_GT(moved, 0);
+    model().chooseReference(-1);
+    EXPECT_EQ(comparison().twin(), nullptr);
+    for (const PlotView* plot : plots) {
+        EXPECT_EQ(plot->data().reference, nullptr);
+    }
+}
+
+TEST_P(EveryPagesVariants, DifferencesAreThePresentLessTheReference) {
+    lookAtAll(*page);
+    const auto tables = parts<ResultTable>(*page);
+    struct Cell {
+        QString name;
+        QString text;
+    };
+    std::vector<std::vector<std::vector<Cell>>> kept;
+    std::vector<int> columns;
+    for (const ResultTable* table : tables) {
+        columns.push_back(table->columnCount());
+        kept.emplace_back();
+        for (int row = 0; row < table->rowCount(); ++row) {
+            kept.back().emplace_back();
+            for (int column = 0; column < table->columnCount(); ++column) {
+                kept.back().back().push_back(
+                    {table->item(row, 0)->text(), table->item(row, column)->text()});
+            }
+        }
+    }
+    model().keepVariant();
+    changeByKeys();
+    lookAtAll(*page);
+    int compared = 0;
+    int other = 0;
+    for (std::size_t t = 0; t < tables.size(); ++t) {
+        SCOPED_TRACE(tables[t]->accessibleName().toStdString());
+        const ResultTable& table = *tables[t];
+        for (int row = 0; row < table.rowCount() && row < static_cast<int>(kept[t].size()); ++row) {
+            for (int column = 1; column < columns[t]; ++column) {
+                const QStringList found = table.differenceAt(row, column);
+                const auto& was = kept[t][static_cast<std::size_t>(row)];
+                const Cell& cell = was[static_cast<std::size_t>(column)];
+                if (found.isEmpty() || cell.name != table.item(row, 0)->text()) {
+                    continue;
+                }
+                ++compared;
+                const auto now = readShownNumber(table.item(row, column)->text());
+                const auto before = readShownNumber(cell.text);
+                const auto difference = readShownNumber(found[0]);
+                ASSERT_TRUE(now && before && difference) << cell.text.toStdString();
+                const bool isAngle = table.horizontalHeaderItem(column)->text().endsWith(u'°') ||
+                                     now->unit == u"°"_s;
+                const double wanted = now->value - before->value;
+                EXPECT_NEAR(isAngle ? std::remainder(difference->value - wanted, 360.0)
+                                    : difference->value - wanted,
+                            0.0,
+                            now->isPlain ? 1e-9 * std::abs(now->value) + 1e-9
+                                         : 0.01 * std::abs(now->value));
+                other += wanted != 0.0 ? 1 : 0;
+            }
+        }
+        // The whole table is copied with them.
+        if (table.reference() != nullptr && table.rowCount() > 0) {
+            const QStringList lines = table.asText().split(u'\n');
+            EXPECT_EQ(lines[0].count(u'\t'), lines[1].count(u'\t'));
+        }
+    }
+    EXPECT_GT(compared, 0);
+    EXPECT_GT(other, 0);
+    model().chooseReference(-1);
+    for (std::size_t t = 0; t < tables.size(); ++t) {
+        EXPECT_EQ(tables[t]->columnCount(), columns[t]);
+    }
+}
+
+TEST_P(EveryPagesVariants, SwappedTwiceAllIsAsItWas) {
+    model().keepVariant();
+    changeByKeys();
+    const Json input = model().inputJson();
+    const Json result = model().resultJson();
+    const Json reference = model().variantInput(0);
+    EXPECT_FALSE(inputDifferences(model(), reference).empty());
+    ASSERT_EQ(model().swapVariant(0), QString());
+    EXPECT_EQ(model().inputJson(), reference);
+    EXPECT_EQ(model().variantInput(0), input);
+    EXPECT_EQ(comparison().twin()->model()->inputJson(), input);
+    EXPECT_EQ(comparison().twin()->model()->resultJson(), result);
+    ASSERT_EQ(model().swapVariant(0), QString());
+    EXPECT_EQ(model().inputJson(), input);
+    EXPECT_EQ(model().resultJson(), result);
+    EXPECT_EQ(model().variantInput(0), reference);
+}
+
+TEST_P(EveryPagesVariants, TheInputsThatDifferAreNamedAsInTheForm) {
+    model().keepVariant();
+    changeByKeys();
+    const InputComparison dialog(page.get(), nullptr);
+    const auto differences = inputDifferences(model(), model().variantInput(0));
+    ASSERT_EQ(dialog.table()->rowCount(), static_cast<int>(differences.size()));
+    for (int row = 0; row < dialog.table()->rowCount(); ++row) {
+        const QString name = dialog.table()->item(row, 0)->text();
+        EXPECT_FALSE(name.isEmpty() || name.contains(u'/') || name.contains(u'_'))
+            << name.toStdString();
+    }
+    EXPECT_TRUE(dialog.table()->asText().contains(dialog.table()->item(0, 0)->text()));
+    model().takeVariant(0);
+    EXPECT_EQ(dialog.table()->rowCount(), 0);
+}
+
+TEST_P(EveryPagesVariants, ComeBackFromTheFile) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(u"variants.case.json"_s);
+    model().keepVariant(u"тяжёлый"_s);
+    changeByKeys();
+    model().keepVariant();
+    ASSERT_EQ(CaseDocument(&model(), {}).saveTo(path), QString());
+    const std::unique_ptr<ScenePage> other = make();
+    CaseDocument document(other->model(), {});
+    document.open(CaseDocument::read(path), path);
+    EXPECT_EQ(other->model()->variants(), model().variants());
+    for (int place = 0; place < 2; ++place) {
+        EXPECT_EQ(other->model()->variantTrouble(place), QString());
+    }
+    other->model()->chooseReference(0);
+    ASSERT_NE(other->findChild<Comparison*>()->twin(), nullptr);
+    EXPECT_EQ(other->findChild<Comparison*>()->twin()->model()->inputJson(),
+              model().variantInput(0));
+}
+
+TEST_P(EveryPagesVariants, AReferenceThatIsRefusedSaysWhy) {
+    model().keepVariant();
+    CaseFile file{GetParam(), "", model().inputJson()};
+    Json bad = model().inputJson();
+    bad["no_such_key"] = 1;
+    file.variants.push_back({"bad", bad});
+    CaseDocument(&model(), {}).open(file, u"/tmp/x.case.json"_s);
+    ASSERT_EQ(model().variants().size(), 1);
+    model().chooseReference(0);
+    EXPECT_EQ(comparison().twin(), nullptr);
+    EXPECT_FALSE(comparison().trouble().isEmpty());
+    model().chooseReference(-1);
+    EXPECT_TRUE(comparison().trouble().isEmpty());
+}
+
+TEST_P(EveryPagesVariants, APageThatGoesLeavesNothingBehind) {
+    model().keepVariant();
+    changeByKeys();
+    page.reset();
+    QApplication::processEvents();
+}
+
+std::vector<std::string> scenesWithCases() {
+    std::vector<std::string> names;
+    for (const SceneInfo& info : sceneList()) {
+        if (info.name != u"methods"_s) {
+            names.push_back(info.name.toStdString());
+        }
+    }
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryPagesVariants, ::testing::ValuesIn(scenesWithCases()),
+                         [](const auto& scene) {
+                             std::string name = scene.param;
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+}  // namespace
+}  // namespace ravnoves

@@ -1,0 +1,75 @@
+#include "shell/input_comparison.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QDialogButtonBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "case-file/json.h"
+#include "model/input_differences.h"
+#include "shell/scene_page.h"
+#include "theme/theme.h"
+#include "widgets/result_table.h"
+
+namespace ravnoves {
+
+InputComparison::InputComparison(ScenePage* page, QWidget* parent)
+    : QDialog(parent),
+      model_(page->model()),
+      title_(new QLabel(this)),
+      table_(new ResultTable(this)) {
+    setWindowTitle(tr("Inputs against the reference"));
+    resize(680, 420);
+    auto* column = new QVBoxLayout(this);
+    title_->setWordWrap(true);
+    column->addWidget(title_);
+    table_->setAccessibleName(tr("Inputs that differ"));
+    table_->setColumns({tr("Input"), tr("Present"), tr("Reference"), tr("Unit"),
+                        QStringLiteral("Δ"), QStringLiteral("Δ, %")});
+    column->addWidget(table_, 1);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    const auto copy = [&](const QString& text, QString (ResultTable::*what)() const) {
+        QPushButton* button = buttons->addButton(text, QDialogButtonBox::ActionRole);
+        connect(button, &QPushButton::clicked, this,
+                [this, what] { QApplication::clipboard()->setText((table_->*what)()); });
+    };
+    copy(tr("Copy as &text"), &ResultTable::asText);
+    copy(tr("Copy as &CSV"), &ResultTable::asCsv);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    column->addWidget(buttons);
+    connect(model_, &SceneModel::changed, this, &InputComparison::showDifferences);
+    connect(model_, &SceneModel::variantsChanged, this, &InputComparison::showDifferences);
+    connect(page, &QObject::destroyed, this, [this] {
+        model_ = nullptr;
+        close();
+    });
+    showDifferences();
+}
+
+void InputComparison::showDifferences() {
+    if (model_->reference() < 0) {
+        title_->setText(tr("No reference is chosen."));
+        table_->setRows({});
+        return;
+    }
+    const QString name = model_->variants().at(model_->reference()).name;
+    const std::vector<InputDifference> differences =
+        inputDifferences(*model_, model_->variantInput(model_->reference()));
+    title_->setText(differences.empty()
+                        ? tr("The present input is that of the reference %1.").arg(name)
+                        : tr("Present input against the reference %1").arg(name));
+    QVector<QStringList> rows;
+    const auto orDash = [](const QString& text) {
+        return text.isEmpty() ? QStringLiteral("–") : text;
+    };
+    for (const InputDifference& each : differences) {
+        rows.push_back({each.name, orDash(each.present), orDash(each.reference), each.unit,
+                        each.absolute(), each.percent()});
+    }
+    table_->setRows(rows);
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,171 @@
+#include "shell/variant_menu.h"
+
+#include <QInputDialog>
+#include <QMessageBox>
+#include <QToolButton>
+
+#include "shell/input_comparison.h"
+#include "shell/scene_page.h"
+#include "theme/icons.h"
+
+namespace ravnoves {
+
+VariantMenu::VariantMenu(QWidget* parent)
+    : QMenu(tr("&Variants"), parent), button_(new QToolButton(parent)) {
+    setObjectName(QStringLiteral("variants"));
+    setToolTipsVisible(true);
+    setIcon(themedIcon(QStringLiteral("variants")));
+    keep_ = add("keep", tr("&Keep as reference"), QKeySequence(Qt::CTRL | Qt::Key_K),
+                tr("Keeps the present input as a variant and shows what changes against it"),
+                &VariantMenu::keep);
+    addSeparator();
+    none_ = add("none", tr("&No reference"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K),
+                tr("Shows the present input alone; the variants stay"), &VariantMenu::none);
+    none_->setCheckable(true);
+    QAction* const end = addSeparator();
+    end->setObjectName(QStringLiteral("end-of-list"));
+    onReference_ = {
+        add("compare", tr("&Compare inputs…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D),
+            tr("Which inputs differ from those of the reference, and by how much"),
+            &VariantMenu::compare),
+        add("swap", tr("&Swap with the present"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_X),
+            tr("Present input and reference change places"), &VariantMenu::swap),
+        add("take", tr("&Take over"), {}, tr("The reference becomes the present input; it stays"),
+            &VariantMenu::take),
+        add("rename", tr("&Rename…"), {}, tr("Another name for the reference"),
+            &VariantMenu::rename),
+        add("delete", tr("&Delete"), {}, tr("Takes the reference out of the case"),
+            &VariantMenu::remove)};
+    button_->setObjectName(QStringLiteral("variants_button"));
+    button_->setMenu(this);
+    button_->setPopupMode(QToolButton::InstantPopup);
+    button_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button_->setIcon(icon());
+    button_->setAutoRaise(true);
+    button_->setFocusPolicy(Qt::TabFocus);
+    showState();
+}
+
+QAction* VariantMenu::add(const char* name, const QString& text, const QKeySequence& keys,
+                          const QString& tip, void (VariantMenu::*slot)()) {
+    QAction* action = addAction(text);
+    action->setObjectName(QLatin1String("variant_") + QLatin1String(name));
+    action->setShortcut(keys);
+    action->setToolTip(tip);
+    action->setStatusTip(tip);
+    connect(action, &QAction::triggered, this, slot);
+    return action;
+}
+
+void VariantMenu::setPage(ScenePage* page) {
+    if (page_ == page) {
+        return;
+    }
+    if (model_ != nullptr) {
+        disconnect(model_, nullptr, this, nullptr);
+    }
+    page_ = page;
+    model_ = page != nullptr ? page->model() : nullptr;
+    if (model_ != nullptr) {
+        connect(model_, &SceneModel::variantsChanged, this, &VariantMenu::showState);
+    }
+    showState();
+}
+
+void VariantMenu::showState() {
+    const bool usable = page_ != nullptr && model_->hasCaseFile();
+    const int reference = usable ? model_->reference() : -1;
+    fillList();
+    keep_->setEnabled(usable);
+    none_->setChecked(reference < 0);
+    none_->setEnabled(usable && !model_->variants().isEmpty());
+    for (QAction* action : onReference_) {
+        action->setEnabled(reference >= 0);
+    }
+    button_->setEnabled(usable);
+    const QString name = reference >= 0 ? model_->variants().at(reference).name : QString();
+    constexpr int longest = 16;
+    button_->setText(name.size() > longest ? name.left(longest - 1) + QChar(0x2026) : name);
+    button_->setToolButtonStyle(name.isEmpty() ? Qt::ToolButtonIconOnly
+                                               : Qt::ToolButtonTextBesideIcon);
+    const QString tip = !usable          ? tr("This page has no inputs to keep as variants.")
+                        : name.isEmpty() ? tr("Variants: keep the present input as reference "
+                                              "(Ctrl+K) and see what changes against it")
+                                         : tr("Variants: the reference is %1").arg(name);
+    button_->setToolTip(tip);
+    button_->setAccessibleName(tip);
+}
+
+void VariantMenu::fillList() {
+    qDeleteAll(listed_);
+    listed_.clear();
+    if (page_ == nullptr) {
+        return;
+    }
+    QAction* const before = none_;
+    for (int i = 0; i < model_->variants().size(); ++i) {
+        const QString trouble = model_->variantTrouble(i);
+        QString text = model_->variants().at(i).name;
+        text.replace(QLatin1Char('&'), QLatin1String("&&"));
+        auto* action =
+            new QAction(trouble.isEmpty() ? text : tr("%1 – refused: %2").arg(text, trouble), this);
+        action->setObjectName(QStringLiteral("variant_%1").arg(i));
+        action->setToolTip(trouble.isEmpty() ? tr("Show the present input against %1").arg(text)
+                                             : trouble);
+        action->setCheckable(true);
+        action->setChecked(i == model_->reference());
+        connect(
+            action, &QAction::triggered, this, [this, i] { model_->chooseReference(i); },
+            Qt::QueuedConnection);
+        insertAction(before, action);
+        listed_ << action;
+    }
+}
+
+void VariantMenu::keep() {
+    model_->keepVariant();
+    Q_EMIT page_->status(tr("Kept as variant %1; what changes from here on is shown against it.")
+                             .arg(model_->variants().constLast().name));
+}
+
+void VariantMenu::none() {
+    model_->chooseReference(-1);
+    none_->setChecked(true);
+}
+
+void VariantMenu::swap() {
+    say(model_->swapVariant(model_->reference()));
+}
+
+void VariantMenu::take() {
+    say(model_->takeVariant(model_->reference()));
+}
+
+void VariantMenu::rename() {
+    const int place = model_->reference();
+    bool taken = false;
+    const QString name =
+        QInputDialog::getText(parentWidget(), tr("Rename variant"), tr("Name of the variant"),
+                              QLineEdit::Normal, model_->variants().at(place).name, &taken);
+    if (taken) {
+        say(model_->renameVariant(place, name));
+    }
+}
+
+void VariantMenu::remove() {
+    model_->removeVariant(model_->reference());
+}
+
+void VariantMenu::compare() {
+    auto* dialog = new InputComparison(page_, parentWidget());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->show();
+}
+
+void VariantMenu::say(const QString& trouble) {
+    if (!trouble.isEmpty()) {
+        QMessageBox::warning(parentWidget(), tr("Variants"), trouble);
+    }
+}
+
+}  // namespace ravnoves
