@@ -2075,6 +2075,238 @@
         <source>%1 in %2, which is taken where the heading names no unit; write the unit above the column, for example Pa</source>
         <translation>%1 в %2, как принято, если единица не названа в заголовке; напишите единицу над столбцом, например Па</translation>
     </message>
+    <message>
+        <source>Bearin&amp;g span L</source>
+        <translation>&amp;Пролёт L</translation>
+    </message>
+    <message>
+        <source>Between the middles of the two bearings, the relief in the middle. Empty: b + D, half a diameter of whole bar on both sides.</source>
+        <translation>Между серединами двух подшипников, снятый участок посередине. Пусто: b + D, по половине диаметра целого прутка с обеих сторон.</translation>
+    </message>
+    <message>
+        <source>b + D</source>
+        <translation>b + D</translation>
+    </message>
+    <message>
+        <source>Allo&amp;wable stress</source>
+        <translation>Допускаемое &amp;напряжение</translation>
+    </message>
+    <message>
+        <source>For bending and shear together. The notches at the ends of the relief are to be counted in here. 150 MPa is half the yield strength of normalised C45 steel from 16 to 100 mm (EN 10083-2: 305 MPa).</source>
+        <translation>Для изгиба и сдвига вместе. Концентрацию у концов снятого участка учтите здесь. 150 МПа — половина предела текучести нормализованной стали C45 от 16 до 100 мм (EN 10083-2: 305 МПа).</translation>
+    </message>
+    <message>
+        <source>&amp;Permitted sag</source>
+        <translation>Допускаемый про&amp;гиб</translation>
+    </message>
+    <message>
+        <source>Largest deflection at speed, with that of the weight. Empty: L / 1200, which tilts the journals by about 0.0027 rad; ball bearings take 0.001 to 0.003 (Shigley, Table 7-2).</source>
+        <translation>Наибольший прогиб на ходу вместе с прогибом от веса. Пусто: L / 1200, при этом шейки наклоняются примерно на 0,0027 рад; шариковые подшипники допускают от 0,001 до 0,003 (Shigley, табл. 7-2).</translation>
+    </message>
+    <message>
+        <source>L / 1200</source>
+        <translation>L / 1200</translation>
+    </message>
+    <message>
+        <source>W&amp;hirling over speed</source>
+        <translation>&amp;Критическая к рабочей</translation>
+    </message>
+    <message>
+        <source>So many times the speed the whirling speed must be at least. Shigley, section 7-6: designers seek twice the operating speed.</source>
+        <translation>Во сколько раз критическая частота должна превышать рабочую. Shigley, разд. 7-6: конструкторы добиваются двукратного превышения.</translation>
+    </message>
+    <message>
+        <source>Bearing load &amp;up to</source>
+        <translation>Нагрузка подшипника &amp;до</translation>
+    </message>
+    <message>
+        <source>What one bearing can bear at this speed, by its maker&apos;s catalogue. Empty: the load is computed but not judged.</source>
+        <translation>Что выдержит один подшипник при этой частоте по каталогу. Пусто: нагрузка вычисляется, но не оценивается.</translation>
+    </message>
+    <message>
+        <source>Torque of the engine</source>
+        <translation>Крутящий момент двигателя</translation>
+    </message>
+    <message>
+        <source>gas torque and inertia torque; p pressure in the cylinder, p₀ in the crankcase, A piston area, s distance of the piston pin from the crank axis, ′ by φ</source>
+        <translation>момент газов и момент инерции; p — давление в цилиндре, p₀ — в картере, A — площадь поршня, s — расстояние поршневого пальца от оси вала, ′ — по φ</translation>
+    </message>
+    <message>
+        <source>Piston pin</source>
+        <translation>Поршневой палец</translation>
+    </message>
+    <message>
+        <source>L length of the rod, e offset of the cylinder, θ angle of the crank from the cylinder&apos;s direction</source>
+        <translation>L — длина шатуна, e — дезаксаж, θ — угол кривошипа от направления цилиндра</translation>
+    </message>
+    <message>
+        <source>Shaft fitted k teeth out</source>
+        <translation>Вал собран со сдвигом на k зубьев</translation>
+    </message>
+    <message>
+        <source>z teeth of each gear; its moment is that of α + δ, and ΔF remains of the first order</source>
+        <translation>z — число зубьев каждой шестерни; его момент таков, как при α + δ, а от первого порядка остаётся ΔF</translation>
+    </message>
+    <message>
+        <source>Play of the gears</source>
+        <translation>Зазор в зацеплении</translation>
+    </message>
+    <message>
+        <source>b play at the pitch circle</source>
+        <translation>b — зазор по делительной окружности</translation>
+    </message>
+    <message>
+        <source>Reciprocating mass</source>
+        <translation>Поступательно движущаяся масса</translation>
+    </message>
+    <message>
+        <source>piston, pin, rings and the small-end share of the rod</source>
+        <translation>поршень, палец, кольца и доля шатуна у верхней головки</translation>
+    </message>
+    <message>
+        <source>First-order inertia force</source>
+        <translation>Сила инерции первого порядка</translation>
+    </message>
+    <message>
+        <source>r crank radius, ω angular speed, φ crank angle from top dead centre</source>
+        <translation>r — радиус кривошипа, ω — угловая скорость, φ — угол кривошипа от верхней мёртвой точки</translation>
+    </message>
+    <message>
+        <source>Counterweight</source>
+        <translation>Противовес</translation>
+    </message>
+    <message>
+        <source>ρ₁ radius of its centre of mass</source>
+        <translation>ρ₁ — радиус его центра масс</translation>
+    </message>
+    <message>
+        <source>Force of a counterweight</source>
+        <translation>Сила противовеса</translation>
+    </message>
+    <message>
+        <source>Tipping moment</source>
+        <translation>Опрокидывающий момент</translation>
+    </message>
+    <message>
+        <source>reaction to the torque Mᵢ of the engine, and of an offset cylinder to the angular momentum of its reciprocating masses</source>
+        <translation>реакция на крутящий момент Mᵢ двигателя, а у дезаксиального цилиндра — и на момент импульса поступательных масс</translation>
+    </message>
+    <message>
+        <source>Moment of the shaft</source>
+        <translation>Момент вала</translation>
+    </message>
+    <message>
+        <source>l distance and α angle of the shaft&apos;s axis from the crank axis; of an offset cylinder δ is the lag of the counterweights</source>
+        <translation>l — расстояние и α — угол оси вала от оси коленчатого вала; у дезаксиального цилиндра δ — отставание противовесов</translation>
+    </message>
+    <message>
+        <source>Moment on the mounts</source>
+        <translation>Момент на опорах</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Размах</translation>
+    </message>
+    <message>
+        <source>of the continuous cycle, not of the rows alone</source>
+        <translation>непрерывного цикла, а не одних строк таблицы</translation>
+    </message>
+    <message>
+        <source>RMS about the mean</source>
+        <translation>СКЗ относительно среднего</translation>
+    </message>
+    <message>
+        <source>Φ length of the cycle, Mₘ its mean</source>
+        <translation>Φ — длина цикла, Mₘ — среднее за цикл</translation>
+    </message>
+    <message>
+        <source>Place of the least RMS</source>
+        <translation>Место наименьшего СКЗ</translation>
+    </message>
+    <message>
+        <source>c₁ and s₁ coefficients of cos φ and sin φ in Mᵤₚ; x = l sin α, y = l cos α</source>
+        <translation>c₁ и s₁ — коэффициенты при cos φ и sin φ в Mᵤₚ; x = l sin α, y = l cos α</translation>
+    </message>
+    <message>
+        <source>Crank alone, without a shaft</source>
+        <translation>Один кривошип, без вала</translation>
+    </message>
+    <message>
+        <source>half-axes of the ellipse of the first-order force, along and across the cylinder; κ balanced share</source>
+        <translation>полуоси эллипса силы первого порядка, вдоль и поперёк цилиндра; κ — уравновешенная доля</translation>
+    </message>
+    <message>
+        <source>Swing circle of the shaft, assumed</source>
+        <translation>Окружность вращения вала, принятая</translation>
+    </message>
+    <message>
+        <source>a half disc of steel, as long as the bore B, with the unbalance m₁ρ₁</source>
+        <translation>стальной полудиск длиной в диаметр цилиндра B с дисбалансом m₁ρ₁</translation>
+    </message>
+    <message>
+        <source>Flywheel</source>
+        <translation>Маховик</translation>
+    </message>
+    <message>
+        <source>ΔE excess work between the extremes of E, J moment of inertia, δ fluctuation of the speed, Mᵢₘ mean torque</source>
+        <translation>ΔE — избыточная работа между крайними значениями E, J — момент инерции, δ — неравномерность хода, Mᵢₘ — средний момент</translation>
+    </message>
+    <message>
+        <source>Shaft with a relieved middle</source>
+        <translation>Вал с выбранной серединой</translation>
+    </message>
+    <message>
+        <source>ρ density, b length of the relief, A the segment milled away, y from the axis</source>
+        <translation>ρ — плотность, b — длина выборки, A — снятый сегмент, y — от оси</translation>
+    </message>
+    <message>
+        <source>Second-order forces (mⱼ r ω² λ cos 2φ) stay and are not counted in the moment on the mounts.</source>
+        <translation>Силы второго порядка (mⱼ r ω² λ cos 2φ) остаются и в момент на опорах не входят.</translation>
+    </message>
+    <message>
+        <source>The rotating part of the rod and the crank are taken as balanced by the crank&apos;s own counterweights.</source>
+        <translation>Вращающаяся часть шатуна и кривошип считаются уравновешенными собственными противовесами коленчатого вала.</translation>
+    </message>
+    <message>
+        <source>The engine block is rigid, and the speed within a cycle is constant.</source>
+        <translation>Блок двигателя жёсткий, скорость в пределах цикла постоянна.</translation>
+    </message>
+    <message>
+        <source>The play of the gears moves the shaft to any place within it; how it moves there is not computed.</source>
+        <translation>Зазор в зацеплении пускает вал в любое место в его пределах; как он там движется, не вычисляется.</translation>
+    </message>
+    <message>
+        <source>Whether parts that meet in the front view lie behind one another is not known.</source>
+        <translation>Не лежат ли друг за другом детали, которые встречаются на виде спереди, неизвестно.</translation>
+    </message>
+    <message>
+        <source>must be greater than %1; across 0° write %2</source>
+        <translation>должно быть больше %1; через 0° пишите %2</translation>
+    </message>
+    <message>
+        <source>The relieved length, %1, does not fit between the bearings, %2 apart.</source>
+        <translation>Снятый участок длиной %1 не помещается между подшипниками с пролётом %2.</translation>
+    </message>
+    <message>
+        <source>The relieved length, %1, is less than a thousandth of the span between the bearings, %2.</source>
+        <translation>Снятый участок длиной %1 меньше тысячной доли пролёта между подшипниками, %2.</translation>
+    </message>
+    <message>
+        <source>The shaft whirls at %1: that must be at least %2, %3 times the speed.</source>
+        <translation>Критическая частота вала %1, а нужно не меньше %2, в %3 раза выше рабочей.</translation>
+    </message>
+    <message>
+        <source>The stress, %1, is above the allowable %2.</source>
+        <translation>Напряжение %1 выше допускаемого %2.</translation>
+    </message>
+    <message>
+        <source>The shaft sags by %1; %2 is permitted.</source>
+        <translation>Вал прогибается на %1; допускается %2.</translation>
+    </message>
+    <message>
+        <source>A bearing carries %1; %2 is its limit.</source>
+        <translation>Подшипник несёт %1; его предел %2.</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -2461,6 +2693,86 @@
     <message>
         <source>cm²</source>
         <translation>см²</translation>
+    </message>
+    <message>
+        <source>must be a file in the folder of the case, unless --allow-files is given</source>
+        <translation>должно быть файлом в папке задачи, если не задан --allow-files</translation>
+    </message>
+    <message>
+        <source>must not be empty</source>
+        <translation>не должно быть пустым</translation>
+    </message>
+    <message>
+        <source>must differ from the names of the other variants</source>
+        <translation>должно отличаться от имён других вариантов</translation>
+    </message>
+    <message>
+        <source>is older than this program can read</source>
+        <translation>старше, чем читает эта программа</translation>
+    </message>
+    <message>
+        <source>is not a known key (a newer program may have written this case; update to open it)</source>
+        <translation>неизвестный ключ (возможно, задачу записала более новая программа; обновите её, чтобы открыть)</translation>
+    </message>
+    <message>
+        <source>is read-only and stays as it is</source>
+        <translation>только для чтения и остаётся как есть</translation>
+    </message>
+    <message>
+        <source>must be a JSON pointer below the result, such as /optimum/range</source>
+        <translation>должно быть указателем JSON внутри результата, например /optimum/range</translation>
+    </message>
+    <message>
+        <source>must be a value that the result has</source>
+        <translation>должно быть величиной, которая есть в результате</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>дюйм</translation>
+    </message>
+    <message>
+        <source>mil</source>
+        <translation>мил</translation>
+    </message>
+    <message>
+        <source>ft</source>
+        <translation>фут</translation>
+    </message>
+    <message>
+        <source>in²</source>
+        <translation>дюйм²</translation>
+    </message>
+    <message>
+        <source>in³</source>
+        <translation>дюйм³</translation>
+    </message>
+    <message>
+        <source>lb</source>
+        <translation>фунт</translation>
+    </message>
+    <message>
+        <source>oz</source>
+        <translation>унц.</translation>
+    </message>
+    <message>
+        <source>oz·in</source>
+        <translation>унц.·дюйм</translation>
+    </message>
+    <message>
+        <source>lb·ft²</source>
+        <translation>фунт·фут²</translation>
+    </message>
+    <message>
+        <source>lb·ft</source>
+        <translation>фунт·фут</translation>
+    </message>
+    <message>
+        <source>lbf</source>
+        <translation>фунт-сила</translation>
+    </message>
+    <message>
+        <source>lbf/in</source>
+        <translation>фунт-с./дюйм</translation>
     </message>
 </context>
 <context>
@@ -2960,6 +3272,118 @@
     <message>
         <source>must be less for this motion: more than %1 points brought it only to turn %2</source>
         <translation>должно быть меньше для этого движения: за %1 точек и больше оно дошло лишь до оборота %2</translation>
+    </message>
+    <message>
+        <source>Angle of the rod</source>
+        <translation>Угол шатуна</translation>
+    </message>
+    <message>
+        <source>λ = r/ℓ, ℓ length of the rod</source>
+        <translation>λ = r/ℓ, ℓ — длина шатуна</translation>
+    </message>
+    <message>
+        <source>Moment on the rod that makes the side force zero</source>
+        <translation>Момент на шатуне, обращающий боковую силу в нуль</translation>
+    </message>
+    <message>
+        <source>h₁ = ℓ cos ψ, h₂ = ℓ sin ψ, h₃ = h₁/2, h₄ = ½ r sin φ, I₂ = (P₂/g) ℓ²/12, ε₂ = −ψ̈; B slider pin, C middle of the rod</source>
+        <translation>h₁ = ℓ cos ψ, h₂ = ℓ sin ψ, h₃ = h₁/2, h₄ = ½ r sin φ, I₂ = (P₂/g) ℓ²/12, ε₂ = −ψ̈; B — палец ползуна, C — середина шатуна</translation>
+    </message>
+    <message>
+        <source>Part of the counterweight in M₁₂</source>
+        <translation>Доля противовеса в M₁₂</translation>
+    </message>
+    <message>
+        <source>h₅ = ℓ₂ cos ψ, h₆ = ℓ₂ sin ψ; the paper prints + before both inertia terms, Newton and Euler ask for −</source>
+        <translation>h₅ = ℓ₂ cos ψ, h₆ = ℓ₂ sin ψ; статья печатает + перед обоими инерционными членами, по Ньютону и Эйлеру нужен −</translation>
+    </message>
+    <message>
+        <source>Counterweight</source>
+        <translation>Противовес</translation>
+    </message>
+    <message>
+        <source>P₄ weight at the distance ℓ₂ beyond the crankpin: the mean of M₁₂ over a turn is zero</source>
+        <translation>P₄ — груз на расстоянии ℓ₂ за шатунной шейкой: среднее M₁₂ за оборот равно нулю</translation>
+    </message>
+    <message>
+        <source>Potential part of M₁₂</source>
+        <translation>Потенциальная часть M₁₂</translation>
+    </message>
+    <message>
+        <source>Side force with the rod&apos;s hinge</source>
+        <translation>Боковая сила с шарниром шатуна</translation>
+    </message>
+    <message>
+        <source>Side force without it</source>
+        <translation>Боковая сила без него</translation>
+    </message>
+    <message>
+        <source>Moment on the crank beside the rod&apos;s hinge</source>
+        <translation>Момент на кривошипе рядом с шарниром шатуна</translation>
+    </message>
+    <message>
+        <source>by virtual power; the paper prints a factor ½ that does not belong to M₁₂</source>
+        <translation>по виртуальной мощности; статья печатает множитель ½, который к M₁₂ не относится</translation>
+    </message>
+    <message>
+        <source>Moment that keeps the crank&apos;s speed</source>
+        <translation>Момент, сохраняющий скорость кривошипа</translation>
+    </message>
+    <message>
+        <source>T kinetic and V potential energy, I reduced moment of inertia, P₁ and P₂ weights of crank and rod, φ crank angle from the slider line</source>
+        <translation>T — кинетическая и V — потенциальная энергия, I — приведённый момент инерции, P₁ и P₂ — вес кривошипа и шатуна, φ — угол кривошипа от линии ползуна</translation>
+    </message>
+    <message>
+        <source>Energy of the spring</source>
+        <translation>Энергия пружины</translation>
+    </message>
+    <message>
+        <source>c stiffness, ℓ₀ free length, ρ polar radius of the guide; the paper prints +, only − keeps the speed</source>
+        <translation>c — жёсткость, ℓ₀ — свободная длина, ρ — полярный радиус направляющей; статья печатает +, скорость сохраняет только −</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Направляющая</translation>
+    </message>
+    <message>
+        <source>B = ℓ₀²/4 − Π/(2c): − of a compressed spring, + of a stretched one</source>
+        <translation>B = ℓ₀²/4 − Π/(2c): − у сжатой пружины, + у растянутой</translation>
+    </message>
+    <message>
+        <source>Least preload</source>
+        <translation>Наименьший преднатяг</translation>
+    </message>
+    <message>
+        <source>the spring must store what the mechanism takes up; 0: at φ = 0</source>
+        <translation>пружина должна запасти то, что поглощает механизм; 0 — при φ = 0</translation>
+    </message>
+    <message>
+        <source>Moment that a profile error makes</source>
+        <translation>Момент от погрешности профиля</translation>
+    </message>
+    <message>
+        <source>ε amplitude, n waves in a turn</source>
+        <translation>ε — амплитуда, n — волн за оборот</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Движение</translation>
+    </message>
+    <message>
+        <source>solved by the energy at every angle; ′ by φ, on the right the constant moment on the crank</source>
+        <translation>решается по энергии при каждом угле; ′ — по φ, справа — постоянный момент на кривошипе</translation>
+    </message>
+    <message>
+        <source>Friction, and play in the joints.</source>
+        <translation>Трение и зазоры в шарнирах.</translation>
+    </message>
+    <message>
+        <source>The mass of springs and rollers, and the inertia of the hinges themselves.</source>
+        <translation>Масса пружин и роликов, инерция самих упругих шарниров.</translation>
+    </message>
+    <message>
+        <source>Gas forces on the slider.</source>
+        <translation>Силы газов на ползун.</translation>
     </message>
 </context>
 <context>
@@ -3611,6 +4035,158 @@
     <message>
         <source>Rod as a rigid body</source>
         <translation>Шатун как твёрдое тело</translation>
+    </message>
+    <message>
+        <source>Ro&amp;d length L</source>
+        <translation>&amp;Длина шатуна L</translation>
+    </message>
+    <message>
+        <source>From crankpin to piston pin, instead of λ = R / L. It stays when the crank radius changes; λ stays where λ is given.</source>
+        <translation>От шатунной шейки до поршневого пальца, вместо λ = R / L. При другом радиусе кривошипа остаётся она; если задано λ — остаётся λ.</translation>
+    </message>
+    <message>
+        <source>Swing of the master rod</source>
+        <translation>Качание главного шатуна</translation>
+    </message>
+    <message>
+        <source>ψ counter-clockwise from the master cylinder&apos;s axis, index m: of the master cylinder</source>
+        <translation>ψ — против часовой стрелки от оси главного цилиндра, индекс m — главного цилиндра</translation>
+    </message>
+    <message>
+        <source>Knuckle pin</source>
+        <translation>Палец прицепного шатуна</translation>
+    </message>
+    <message>
+        <source>along the cylinder&apos;s own axis + i across it; r_k and γ radius and angle of the knuckle pin, β bank angle</source>
+        <translation>вдоль оси самого цилиндра + i поперёк неё; r_k и γ — радиус и угол пальца прицепного шатуна, β — угол ряда</translation>
+    </message>
+    <message>
+        <source>Articulated piston pin</source>
+        <translation>Поршневой палец прицепного шатуна</translation>
+    </message>
+    <message>
+        <source>l length of the articulated rod</source>
+        <translation>l — длина прицепного шатуна</translation>
+    </message>
+    <message>
+        <source>Rotating parts of order k</source>
+        <translation>Вращающиеся части порядка k</translation>
+    </message>
+    <message>
+        <source>A turns with the crank, B against it; each is cancelled by one shaft</source>
+        <translation>A вращается с кривошипом, B — против него; каждую уравновешивает один вал</translation>
+    </message>
+    <message>
+        <source>Balance shaft against a moment</source>
+        <translation>Уравновешивающий вал против момента</translation>
+    </message>
+    <message>
+        <source>L distance of its two weights; phase opposite to A or B</source>
+        <translation>L — расстояние двух его грузов; фаза противоположна A или B</translation>
+    </message>
+    <message>
+        <source>Balance shaft against a force</source>
+        <translation>Уравновешивающий вал против силы</translation>
+    </message>
+    <message>
+        <source>Rotating masses</source>
+        <translation>Вращающиеся массы</translation>
+    </message>
+    <message>
+        <source>force and moment; κ crankpin angle; two weights on the end webs are opposite to both</source>
+        <translation>сила и момент; κ — угол шатунной шейки; два груза на крайних щеках противоположны обоим</translation>
+    </message>
+    <message>
+        <source>Piston pin along its axis</source>
+        <translation>Поршневой палец вдоль своей оси</translation>
+    </message>
+    <message>
+        <source>θ = φ + β₁ + κ − β angle of the crankpin from the cylinder&apos;s axis, R crank radius, L = R/λ rod, e = K R offset</source>
+        <translation>θ = φ + β₁ + κ − β — угол шатунной шейки от оси цилиндра, R — радиус кривошипа, L = R/λ — шатун, e = K R — дезаксаж</translation>
+    </message>
+    <message>
+        <source>Inertia force, exact</source>
+        <translation>Сила инерции, точная</translation>
+    </message>
+    <message>
+        <source>orders 1 to 12 by a Fourier transform of the exact motion</source>
+        <translation>порядки с 1 по 12 преобразованием Фурье точного движения</translation>
+    </message>
+    <message>
+        <source>Inertia force, two terms</source>
+        <translation>Сила инерции, два члена</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s form, beside which the exact one stands</source>
+        <translation>форма статьи, рядом с которой показана точная</translation>
+    </message>
+    <message>
+        <source>Top dead centre</source>
+        <translation>Верхняя мёртвая точка</translation>
+    </message>
+    <message>
+        <source>on the side of the offset</source>
+        <translation>на стороне дезаксажа</translation>
+    </message>
+    <message>
+        <source>Shift of the second bank&apos;s crankpins</source>
+        <translation>Сдвиг шеек второго ряда</translation>
+    </message>
+    <message>
+        <source>for even firing; γ angle between the banks, φ₀ top dead centre. The paper prints γ + φ₀, its own number is this</source>
+        <translation>для равномерного чередования вспышек; γ — угол между рядами, φ₀ — верхняя мёртвая точка. Статья печатает γ + φ₀, её же число — это</translation>
+    </message>
+    <message>
+        <source>Force on the engine</source>
+        <translation>Сила на двигатель</translation>
+    </message>
+    <message>
+        <source>uᵢ direction of cylinder i</source>
+        <translation>uᵢ — направление цилиндра i</translation>
+    </message>
+    <message>
+        <source>Moments in the horizontal and vertical plane</source>
+        <translation>Моменты в горизонтальной и вертикальной плоскости</translation>
+    </message>
+    <message>
+        <source>zᵢ place of cylinder i along the crank, z₀ the point that moments refer to</source>
+        <translation>zᵢ — место цилиндра i вдоль вала, z₀ — точка, к которой отнесены моменты</translation>
+    </message>
+    <message>
+        <source>Roll moment</source>
+        <translation>Момент крена</translation>
+    </message>
+    <message>
+        <source>of the offset axes, and the reaction to the torque on the crank</source>
+        <translation>смещённых осей и реакция на момент на кривошипе</translation>
+    </message>
+    <message>
+        <source>what its inertia differs from two masses; acts on roll moment and torque</source>
+        <translation>отличие его инерции от двух масс; действует на момент крена и крутящий момент</translation>
+    </message>
+    <message>
+        <source>The engine is rigid, and the crank turns at constant speed.</source>
+        <translation>Двигатель жёсткий, вал вращается с постоянной скоростью.</translation>
+    </message>
+    <message>
+        <source>Gas forces act inside the engine and come out as torque only; half orders belong to them.</source>
+        <translation>Силы газов действуют внутри двигателя и выходят наружу лишь крутящим моментом; половинные порядки относятся к ним.</translation>
+    </message>
+    <message>
+        <source>All cylinders have the same masses, the same crank radius and the same rod, but for articulated rods.</source>
+        <translation>У всех цилиндров одинаковые массы, радиус кривошипа и шатун — кроме прицепных шатунов.</translation>
+    </message>
+    <message>
+        <source>The inertia of a master rod&apos;s big end beyond the mass at its knuckle pins is left out.</source>
+        <translation>Инерция нижней головки главного шатуна сверх массы у пальцев прицепных шатунов не учитывается.</translation>
+    </message>
+    <message>
+        <source>must be greater than the crank radius, %1; %2</source>
+        <translation>должно быть больше радиуса кривошипа, %1; %2</translation>
+    </message>
+    <message>
+        <source>must be at most %1, 1e9 times the crank radius</source>
+        <translation>должно быть не больше %1, 1e9 радиусов кривошипа</translation>
     </message>
 </context>
 <context>
@@ -5480,6 +6056,142 @@ but nothing can be built</source>
         <source>Load</source>
         <translation>Нагрузка</translation>
     </message>
+    <message>
+        <source>Torque table</source>
+        <translation>Таблица момента</translation>
+    </message>
+    <message>
+        <source>%1 better</source>
+        <translation>%1 лучше</translation>
+    </message>
+    <message>
+        <source>%1 worse</source>
+        <translation>%1 хуже</translation>
+    </message>
+    <message>
+        <source>Tipping moment on the engine without a shaft, −Mᵢ, N·m</source>
+        <translation>Опрокидывающий момент двигателя без вала, −Mᵢ, Н·м</translation>
+    </message>
+    <message>
+        <source>Moment of the shaft, P₁ l sin(α + φ), N·m</source>
+        <translation>Момент вала, P₁ l sin(α + φ), Н·м</translation>
+    </message>
+    <message>
+        <source>Moment on the mounts with the shaft, Mᵤₚ + Mₛ, N·m</source>
+        <translation>Момент на опорах с валом, Mᵤₚ + Mₛ, Н·м</translation>
+    </message>
+    <message>
+        <source>Mᵤₚₛ against Mᵤₚ, as a share of Mᵤₚ. Better: less range, RMS and maximum, a minimum nearer to zero.</source>
+        <translation>Mᵤₚₛ против Mᵤₚ в долях Mᵤₚ. Лучше — меньше размах, СКЗ и максимум, минимум ближе к нулю.</translation>
+    </message>
+    <message>
+        <source>Largest less smallest value over the cycle, max − min</source>
+        <translation>Наибольшее минус наименьшее значение за цикл, max − min</translation>
+    </message>
+    <message>
+        <source>Root of the mean square about the mean over the cycle</source>
+        <translation>Среднеквадратичное отклонение от среднего за цикл</translation>
+    </message>
+    <message>
+        <source>Mean over the cycle; that of the shaft is 0 at every α</source>
+        <translation>Среднее за цикл; у вала оно 0 при любом α</translation>
+    </message>
+    <message>
+        <source>Mean the way the paper takes it: over the printed rows, with the end of the cycle counted twice. It shows what the paper&apos;s numbers are and says nothing of the shaft.</source>
+        <translation>Среднее, как его берёт статья: по напечатанным строкам, с концом цикла, взятым дважды. Оно объясняет числа статьи и ничего не говорит о вале.</translation>
+    </message>
+    <message>
+        <source>Largest value over the cycle</source>
+        <translation>Наибольшее значение за цикл</translation>
+    </message>
+    <message>
+        <source>Smallest value over the cycle; most are negative, and nearer to zero is better</source>
+        <translation>Наименьшее значение за цикл; обычно отрицательно, и ближе к нулю лучше</translation>
+    </message>
+    <message>
+        <source>Of first order, mⱼ r ω²</source>
+        <translation>Первого порядка, mⱼ r ω²</translation>
+    </message>
+    <message>
+        <source>Of each of the two counterweights, mⱼ r / (2 ρ₁), eq. (1), or as entered</source>
+        <translation>Каждого из двух противовесов, mⱼ r / (2 ρ₁), формула (1), или заданная</translation>
+    </message>
+    <message>
+        <source>m₁ ρ₁ ω²</source>
+        <translation>m₁ ρ₁ ω²</translation>
+    </message>
+    <message>
+        <source>Largest moment of the shaft</source>
+        <translation>Наибольший момент вала</translation>
+    </message>
+    <message>
+        <source>Of the mean square about the mean. It is all that a shaft at crank speed can change.</source>
+        <translation>В среднем квадрате отклонения. Только её и может изменить вал, вращающийся со скоростью коленчатого.</translation>
+    </message>
+    <message>
+        <source>Box around cylinder, crank circle, shaft circle, gears and wall in the front view</source>
+        <translation>Прямоугольник вокруг цилиндра, окружностей кривошипа и вала, шестерён и стенки на виде спереди</translation>
+    </message>
+    <message>
+        <source>Work of a cycle over the displacement</source>
+        <translation>Работа цикла к рабочему объёму</translation>
+    </message>
+    <message>
+        <source>∮ (p − p₀) dV</source>
+        <translation>∮ (p − p₀) dV</translation>
+    </message>
+    <message>
+        <source>Work of a cycle times cycles a second</source>
+        <translation>Работа цикла на число циклов в секунду</translation>
+    </message>
+    <message>
+        <source>Work of a cycle over its crank angle</source>
+        <translation>Работа цикла к углу поворота за цикл</translation>
+    </message>
+    <message>
+        <source>Largest pressure in the cylinder</source>
+        <translation>Наибольшее давление в цилиндре</translation>
+    </message>
+    <message>
+        <source>Crank angle of the peak pressure</source>
+        <translation>Угол поворота при наибольшем давлении</translation>
+    </message>
+    <message>
+        <source>Piston area times stroke</source>
+        <translation>Площадь поршня на ход</translation>
+    </message>
+    <message>
+        <source>Displacement over the compression ratio less 1</source>
+        <translation>Рабочий объём к степени сжатия без единицы</translation>
+    </message>
+    <message>
+        <source>Released by the combustion, entered or found for the mean pressure</source>
+        <translation>Выделенная при сгорании: заданная или найденная по среднему давлению</translation>
+    </message>
+    <message>
+        <source>Largest less smallest ∫ (Mᵢ − mean) dφ over the cycle</source>
+        <translation>Наибольший минус наименьший ∫ (Mᵢ − среднее) dφ за цикл</translation>
+    </message>
+    <message>
+        <source>(ω_max − ω_min) / ω = ΔE / (J ω²)</source>
+        <translation>(ω_max − ω_min) / ω = ΔE / (J ω²)</translation>
+    </message>
+    <message>
+        <source>Of all that turns evenly, ΔE / (δ ω²)</source>
+        <translation>Всего, что вращается равномерно, ΔE / (δ ω²)</translation>
+    </message>
+    <message>
+        <source>Half of δ n to either side of the mean speed</source>
+        <translation>Половина δ n в обе стороны от средней частоты</translation>
+    </message>
+    <message>
+        <source>Where the excess energy is largest</source>
+        <translation>Где избыточная энергия наибольшая</translation>
+    </message>
+    <message>
+        <source>Where the excess energy is smallest</source>
+        <translation>Где избыточная энергия наименьшая</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BalanceShaftPage</name>
@@ -5755,6 +6467,10 @@ but nothing can be built</source>
         <source>Tipping moment: the reaction to the engine torque</source>
         <translation>Опрокидывающий момент: реакция на момент двигателя</translation>
     </message>
+    <message>
+        <source>Over all α that can be built, exact for the continuous cycle</source>
+        <translation>По всем α, которые можно построить, точно для непрерывного цикла</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BalancingForm</name>
@@ -5781,6 +6497,36 @@ but nothing can be built</source>
     <message>
         <source>Counterweights</source>
         <translation>Противовесы</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::CaseProperties</name>
+    <message>
+        <source>Title and notes</source>
+        <translation>Название и заметки</translation>
+    </message>
+    <message>
+        <source>&amp;Title</source>
+        <translation>&amp;Название</translation>
+    </message>
+    <message>
+        <source>What the case is called, in its file and in the window</source>
+        <translation>Как называется задача — в файле и в окне</translation>
+    </message>
+    <message>
+        <source>&amp;Notes</source>
+        <translation>&amp;Заметки</translation>
+    </message>
+    <message>
+        <source>Your own text on the case: sources, assumptions, what is left to do. It is saved with it.</source>
+        <translation>Ваш текст о задаче: источники, допущения, что осталось сделать. Сохраняется вместе с ней.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::Comparison</name>
+    <message>
+        <source>Reference %1: %2</source>
+        <translation>Эталон %1: %2</translation>
     </message>
 </context>
 <context>
@@ -6037,6 +6783,104 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::DiskNotice</name>
+    <message>
+        <source>Reload</source>
+        <translation>Перечитать</translation>
+    </message>
+    <message>
+        <source>Show what the file holds now. Undo brings back what is shown here.</source>
+        <translation>Показать то, что сейчас в файле. Отмена вернёт то, что показано здесь.</translation>
+    </message>
+    <message>
+        <source>Keep mine</source>
+        <translation>Оставить моё</translation>
+    </message>
+    <message>
+        <source>Go on with what is shown here. Saving writes it over the file.</source>
+        <translation>Продолжить с тем, что показано здесь. При сохранении оно заменит содержимое файла.</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Сохранить как…</translation>
+    </message>
+    <message>
+        <source>Save what is shown here in another file.</source>
+        <translation>Сохранить то, что показано здесь, в другой файл.</translation>
+    </message>
+    <message>
+        <source>%1 is no longer there: it was deleted, moved or renamed.</source>
+        <translation>Файла %1 больше нет: он удалён, перемещён или переименован.</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program.</source>
+        <translation>Файл %1 изменён другой программой.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::Documents</name>
+    <message>
+        <source>Open cases</source>
+        <translation>Открытые задачи</translation>
+    </message>
+    <message>
+        <source>Open case</source>
+        <translation>Открыть задачу</translation>
+    </message>
+    <message>
+        <source>&amp;Locate file…</source>
+        <translation>&amp;Указать файл…</translation>
+    </message>
+    <message>
+        <source>Where is %1?</source>
+        <translation>Где %1?</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt *.tsv);;All files (*)</source>
+        <translation>Таблицы (*.csv *.txt *.tsv);;Все файлы (*)</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Несохранённые изменения</translation>
+    </message>
+    <message>
+        <source>Save the changes of “%1”?</source>
+        <translation>Сохранить изменения в «%1»?</translation>
+    </message>
+    <message>
+        <source>Save case</source>
+        <translation>Сохранить задачу</translation>
+    </message>
+    <message>
+        <source>Ravnoves case</source>
+        <translation>Задача Ravnoves</translation>
+    </message>
+    <message>
+        <source>%1 is open in another tab. Close that first, or choose another name.</source>
+        <translation>Файл %1 открыт на другой вкладке. Сначала закройте её или выберите другое имя.</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Сохранить как…</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program since it was opened or saved here. Overwrite it?</source>
+        <translation>Файл %1 изменён другой программой с тех пор, как был открыт или сохранён здесь. Записать поверх?</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>&amp;Записать поверх</translation>
+    </message>
+    <message>
+        <source>Close (%1)</source>
+        <translation>Закрыть (%1)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Закрыть</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::ElasticHingeModel</name>
     <message>
         <source>Zotov and Sviridov 2021</source>
@@ -6202,6 +7046,62 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>from %1 rad/s</source>
         <translation>от %1 рад/с</translation>
     </message>
+    <message>
+        <source>Largest less smallest radius of the guide</source>
+        <translation>Наибольший минус наименьший радиус направляющей</translation>
+    </message>
+    <message>
+        <source>|ℓ₀/2 − ρ₀|: the least with which the spring can store the energy, and the present one</source>
+        <translation>|ℓ₀/2 − ρ₀|: наименьший, с которым пружина может запасти энергию, и нынешний</translation>
+    </message>
+    <message>
+        <source>Largest less smallest length of the spring over a turn</source>
+        <translation>Наибольшая минус наименьшая длина пружины за оборот</translation>
+    </message>
+    <message>
+        <source>c |ℓ − ℓ₀|, largest over a turn</source>
+        <translation>c |ℓ − ℓ₀|, наибольшая за оборот</translation>
+    </message>
+    <message>
+        <source>Largest error of the hinge&apos;s moment when the guide is made so much off its profile; in brackets against the largest moment</source>
+        <translation>Наибольшая погрешность момента шарнира, если направляющая сделана с таким отступлением от профиля; в скобках — к наибольшему моменту</translation>
+    </message>
+    <message>
+        <source>Of the guide; a cutter must be smaller</source>
+        <translation>Направляющей; фреза должна быть меньше</translation>
+    </message>
+    <message>
+        <source>That still touches the whole guide</source>
+        <translation>Который ещё касается всей направляющей</translation>
+    </message>
+    <message>
+        <source>Work of the rod hinge&apos;s moment over a turn; 0 where a spring can give it</source>
+        <translation>Работа момента шарнира шатуна за оборот; 0, если её может дать пружина</translation>
+    </message>
+    <message>
+        <source>Largest force of the slider on its guide</source>
+        <translation>Наибольшая сила ползуна на направляющую</translation>
+    </message>
+    <message>
+        <source>The same with the hinge in the rod; in brackets how many times less</source>
+        <translation>То же с шарниром в шатуне; в скобках — во сколько раз меньше</translation>
+    </message>
+    <message>
+        <source>On the rod, with which ∮ M₁₂ dφ = 0, or as entered</source>
+        <translation>На шатуне, с которым ∮ M₁₂ dφ = 0, или заданный</translation>
+    </message>
+    <message>
+        <source>(ω_max − ω_min) / ω mean of the free motion, %</source>
+        <translation>(ω_max − ω_min) к средней ω свободного движения, %</translation>
+    </message>
+    <message>
+        <source>The same with the crank&apos;s hinge</source>
+        <translation>То же с шарниром кривошипа</translation>
+    </message>
+    <message>
+        <source>The same when the crank starts at another speed than the hinge is made for</source>
+        <translation>То же, если кривошип начинает с другой скорости, чем та, на которую сделан шарнир</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::ElasticHingePage</name>
@@ -6301,24 +7201,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Кривошипно-шатунный механизм</translation>
     </message>
     <message>
-        <source>Rod length L</source>
-        <translation>Длина шатуна L</translation>
-    </message>
-    <message>
-        <source>R / λ</source>
-        <translation>R / λ</translation>
-    </message>
-    <message>
         <source>φ at TDC</source>
         <translation>φ в ВМТ</translation>
     </message>
     <message>
         <source>Top dead centre: arcsin(λK/(1 + λ)), from the cylinder&apos;s axis on the side of its offset. Volkswagen VR5: 3°20′.</source>
         <translation>Верхняя мёртвая точка: arcsin(λK/(1 + λ)), от оси цилиндра в сторону её смещения. Volkswagen VR5: 3°20′.</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> мм</translation>
     </message>
     <message>
         <source>Cylinder la&amp;yout</source>
@@ -6523,6 +7411,37 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::FileDialogs</name>
+    <message>
+        <source>“%1” cannot be written as .%2. What can be written: %3.</source>
+        <translation>«%1» нельзя записать как .%2. Можно записать: %3.</translation>
+    </message>
+    <message>
+        <source>“%1” is there already. Replace it?</source>
+        <translation>«%1» уже есть. Заменить?</translation>
+    </message>
+    <message>
+        <source>Table, CSV</source>
+        <translation>Таблица, CSV</translation>
+    </message>
+    <message>
+        <source>Drawing, DXF</source>
+        <translation>Чертёж, DXF</translation>
+    </message>
+    <message>
+        <source>PDF</source>
+        <translation>PDF</translation>
+    </message>
+    <message>
+        <source>Picture, PNG</source>
+        <translation>Рисунок, PNG</translation>
+    </message>
+    <message>
+        <source>Drawing, SVG</source>
+        <translation>Векторный рисунок, SVG</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::FiringWheel</name>
     <message>
         <source>Firing order</source>
@@ -6718,10 +7637,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>поперёк, кН</translation>
     </message>
     <message>
-        <source>along the cylinder, kN</source>
-        <translation>вдоль цилиндра, кН</translation>
-    </message>
-    <message>
         <source>crank only, 1st + 2nd</source>
         <translation>без вала, 1-й + 2-й</translation>
     </message>
@@ -6813,6 +7728,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Balanced on the crank alone</source>
         <translation>Уравновешено только кривошипом</translation>
     </message>
+    <message>
+        <source>along, kN</source>
+        <translation>вдоль, кН</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::GuideExportForm</name>
@@ -6889,14 +7808,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Угол кривошипа, полярный угол, радиус, x и y пути и профиля; °, мм</translation>
     </message>
     <message>
-        <source>DXF drawing (*.dxf)</source>
-        <translation>Чертёж DXF (*.dxf)</translation>
-    </message>
-    <message>
-        <source>CSV table (*.csv)</source>
-        <translation>Таблица CSV (*.csv)</translation>
-    </message>
-    <message>
         <source>This guide does not exist; see the answer on the right.</source>
         <translation>Такой направляющей нет, см. ответ справа.</translation>
     </message>
@@ -6949,6 +7860,30 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>There is no help on this page yet.</source>
         <translation>Справки по этой странице ещё нет.</translation>
+    </message>
+    <message>
+        <source>Search all pages (Ctrl+F)</source>
+        <translation>Искать на всех страницах (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Search in the help</source>
+        <translation>Поиск в справке</translation>
+    </message>
+    <message>
+        <source>Previous (Shift+F3)</source>
+        <translation>Назад (Shift+F3)</translation>
+    </message>
+    <message>
+        <source>Next (F3)</source>
+        <translation>Дальше (F3)</translation>
+    </message>
+    <message>
+        <source>Pages of the help</source>
+        <translation>Страницы справки</translation>
+    </message>
+    <message>
+        <source>nothing found</source>
+        <translation>ничего не найдено</translation>
     </message>
 </context>
 <context>
@@ -7605,6 +8540,34 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Fx left</source>
         <translation>Fx остаток</translation>
     </message>
+    <message>
+        <source>Forces over φ</source>
+        <translation>Силы от φ</translation>
+    </message>
+    <message>
+        <source>Moments over φ</source>
+        <translation>Моменты от φ</translation>
+    </message>
+    <message>
+        <source>By the two-term formulas: orders 1 and 2</source>
+        <translation>По двучленным формулам: порядки 1 и 2</translation>
+    </message>
+    <message>
+        <source>Sum of −m a of all reciprocating parts, exact: every order in it</source>
+        <translation>Сумма −m a всех поступательных масс, точно: со всеми порядками</translation>
+    </message>
+    <message>
+        <source>With rotating masses, and with the counterweights and shafts that are on</source>
+        <translation>С вращающимися массами и с включёнными противовесами и валами</translation>
+    </message>
+    <message>
+        <source>Over φ</source>
+        <translation>От φ</translation>
+    </message>
+    <message>
+        <source>Forces and moments of all orders over two turns</source>
+        <translation>Силы и моменты всех порядков за два оборота</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::InertiaMomentsModel</name>
@@ -7816,6 +8779,138 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Radial %1</source>
         <translation>Звезда %1</translation>
     </message>
+    <message>
+        <source>Force to the right, N; the number is its order</source>
+        <translation>Сила вправо, Н; число — её порядок</translation>
+    </message>
+    <message>
+        <source>Force upwards, N; the number is its order</source>
+        <translation>Сила вверх, Н; число — её порядок</translation>
+    </message>
+    <message>
+        <source>Moment in the horizontal plane, Σ Fx (z − z_ref), N·m</source>
+        <translation>Момент в горизонтальной плоскости, Σ Fx (z − z₀), Н·м</translation>
+    </message>
+    <message>
+        <source>Moment in the vertical plane, Σ Fy (z − z_ref), N·m</source>
+        <translation>Момент в вертикальной плоскости, Σ Fy (z − z₀), Н·м</translation>
+    </message>
+    <message>
+        <source>Roll moment on the engine, of offsets, rods and the reaction of the torque, N·m</source>
+        <translation>Момент крена двигателя: от дезаксажей, шатунов и реакции крутящего момента, Н·м</translation>
+    </message>
+    <message>
+        <source>Amplitude of the order in the exact motion of the pistons</source>
+        <translation>Амплитуда порядка при точном движении поршней</translation>
+    </message>
+    <message>
+        <source>kφ at which the exact component is largest</source>
+        <translation>kφ, при котором точная составляющая наибольшая</translation>
+    </message>
+    <message>
+        <source>Amplitude by the paper&apos;s cos θ + K λ sin θ + λ cos 2θ</source>
+        <translation>Амплитуда по формуле статьи cos θ + K λ sin θ + λ cos 2θ</translation>
+    </message>
+    <message>
+        <source>Two-term against exact, as a share of exact</source>
+        <translation>Двучленная против точной, в долях точной</translation>
+    </message>
+    <message>
+        <source>Force of the order k = the number, N</source>
+        <translation>Сила порядка k, равного числу, Н</translation>
+    </message>
+    <message>
+        <source>Moment of the order k = the number, N·m</source>
+        <translation>Момент порядка k, равного числу, Н·м</translation>
+    </message>
+    <message>
+        <source>Part A that turns with the crank: x + iy = A e^{ikφ} + B e^{−ikφ}</source>
+        <translation>Часть A, вращающаяся с валом: x + iy = A e^{ikφ} + B e^{−ikφ}</translation>
+    </message>
+    <message>
+        <source>Part B that turns against the crank</source>
+        <translation>Часть B, вращающаяся навстречу валу</translation>
+    </message>
+    <message>
+        <source>Direction of the part to the left at φ = 0, counter-clockwise from x</source>
+        <translation>Направление части слева при φ = 0, против часовой стрелки от x</translation>
+    </message>
+    <message>
+        <source>Order, task and direction; a full dot is switched on</source>
+        <translation>Порядок, задача и направление; закрашенная точка — включён</translation>
+    </message>
+    <message>
+        <source>The part of the order that the shaft cancels, N or N·m</source>
+        <translation>Часть порядка, которую вал уравновешивает, Н или Н·м</translation>
+    </message>
+    <message>
+        <source>Weight times radius: m ρ (kω)² is the force, m ρ L (kω)² the moment cancelled</source>
+        <translation>Масса на радиус: m ρ (kω)² — сила, m ρ L (kω)² — момент, которые он уравновешивает</translation>
+    </message>
+    <message>
+        <source>Direction of its weight (of that towards cylinder 1) at φ = 0, counter-clockwise from x</source>
+        <translation>Направление его груза (того, что к цилиндру 1) при φ = 0, против часовой стрелки от x</translation>
+    </message>
+    <message>
+        <source>Largest value of the order with this shaft alone, N or N·m</source>
+        <translation>Наибольшее значение порядка с одним этим валом, Н или Н·м</translation>
+    </message>
+    <message>
+        <source>Of the rotating masses, m R ω² |Σ e^{iκ}|</source>
+        <translation>Вращающихся масс, m R ω² |Σ e^{iκ}|</translation>
+    </message>
+    <message>
+        <source>Of the rotating masses about their middle, m R ω² |Σ z e^{iκ}|</source>
+        <translation>Вращающихся масс относительно их середины, m R ω² |Σ z e^{iκ}|</translation>
+    </message>
+    <message>
+        <source>Where a counterweight against the force stands</source>
+        <translation>Где стоит противовес против силы</translation>
+    </message>
+    <message>
+        <source>Where the front one of two opposite counterweights against the moment stands</source>
+        <translation>Где стоит передний из двух противоположных противовесов против момента</translation>
+    </message>
+    <message>
+        <source>Rotating mass on one crankpin that carries so many rods, at the crank radius</source>
+        <translation>Вращающаяся масса на одной шейке с таким числом шатунов, на радиусе кривошипа</translation>
+    </message>
+    <message>
+        <source>Mass times radius of the counterweight in front</source>
+        <translation>Масса на радиус переднего противовеса</translation>
+    </message>
+    <message>
+        <source>Mass of the counterweight in front at its radius</source>
+        <translation>Масса переднего противовеса на его радиусе</translation>
+    </message>
+    <message>
+        <source>Mass times radius of the counterweight at the rear</source>
+        <translation>Масса на радиус заднего противовеса</translation>
+    </message>
+    <message>
+        <source>Mass of the counterweight at the rear at its radius</source>
+        <translation>Масса заднего противовеса на его радиусе</translation>
+    </message>
+    <message>
+        <source>From crankpin 1, counter-clockwise</source>
+        <translation>От шейки 1 против часовой стрелки</translation>
+    </message>
+    <message>
+        <source>From crankpin 1 against the rotation</source>
+        <translation>От шейки 1 против вращения</translation>
+    </message>
+    <message>
+        <source>Largest value over a turn, with the rotating masses, without balancing</source>
+        <translation>Наибольшее значение за оборот, с вращающимися массами, без уравновешивания</translation>
+    </message>
+    <message>
+        <source>Largest value with the counterweights and shafts that are on</source>
+        <translation>Наибольшее значение с включёнными противовесами и валами</translation>
+    </message>
+    <message>
+        <source>What is left as a share of what was there before</source>
+        <translation>Сколько осталось в долях того, что было</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::InertiaMomentsPage</name>
@@ -7846,6 +8941,53 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Balancing</source>
         <translation>Баланс</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::InputComparison</name>
+    <message>
+        <source>Inputs against the reference</source>
+        <translation>Данные против эталона</translation>
+    </message>
+    <message>
+        <source>Inputs that differ</source>
+        <translation>Данные, которые отличаются</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Ввод</translation>
+    </message>
+    <message>
+        <source>Present</source>
+        <translation>Сейчас</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Эталон</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Единица</translation>
+    </message>
+    <message>
+        <source>Copy as &amp;text</source>
+        <translation>Копировать как &amp;текст</translation>
+    </message>
+    <message>
+        <source>Copy as &amp;CSV</source>
+        <translation>Копировать как &amp;CSV</translation>
+    </message>
+    <message>
+        <source>No reference is chosen.</source>
+        <translation>Эталон не выбран.</translation>
+    </message>
+    <message>
+        <source>The present input is that of the reference %1.</source>
+        <translation>Нынешние данные те же, что у эталона %1.</translation>
+    </message>
+    <message>
+        <source>Present input against the reference %1</source>
+        <translation>Нынешние данные против эталона %1</translation>
     </message>
 </context>
 <context>
@@ -8084,10 +9226,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Выгрузка списка</translation>
     </message>
     <message>
-        <source>CSV table (*.csv)</source>
-        <translation>Таблица CSV (*.csv)</translation>
-    </message>
-    <message>
         <source>Written: %1</source>
         <translation>Записано: %1</translation>
     </message>
@@ -8214,14 +9352,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>&amp;Язык</translation>
     </message>
     <message>
-        <source>Language</source>
-        <translation>Язык</translation>
-    </message>
-    <message>
-        <source>The language changes when the program starts again.</source>
-        <translation>Язык сменится при следующем запуске программы.</translation>
-    </message>
-    <message>
         <source>&amp;Help</source>
         <translation>&amp;Справка</translation>
     </message>
@@ -8246,14 +9376,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Главная панель</translation>
     </message>
     <message>
-        <source>Unsaved changes</source>
-        <translation>Несохранённые изменения</translation>
-    </message>
-    <message>
-        <source>Save the changes of “%1”?</source>
-        <translation>Сохранить изменения в «%1»?</translation>
-    </message>
-    <message>
         <source>Open case</source>
         <translation>Открыть задачу</translation>
     </message>
@@ -8262,28 +9384,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Задачи Ravnoves (*.case.json *.json);;Все файлы (*)</translation>
     </message>
     <message>
-        <source>Save case</source>
-        <translation>Сохранить задачу</translation>
-    </message>
-    <message>
         <source>Saved %1</source>
         <translation>Сохранено: %1</translation>
     </message>
     <message>
-        <source>Ravnoves cases (*.case.json)</source>
-        <translation>Задачи Ravnoves (*.case.json)</translation>
-    </message>
-    <message>
         <source>Save page as picture</source>
         <translation>Сохранить страницу как рисунок</translation>
-    </message>
-    <message>
-        <source>PNG picture (*.png)</source>
-        <translation>Рисунок PNG (*.png)</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written.</source>
-        <translation>Не удалось записать %1.</translation>
     </message>
     <message>
         <source>No files yet</source>
@@ -8300,6 +9406,78 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>This page has no case file: its numbers are measured anew. Copy or export them.</source>
         <translation>У этой страницы нет файла расчёта: её числа измеряются заново. Скопируйте или запишите их.</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Начало</translation>
+    </message>
+    <message>
+        <source>Scenes, recent files, examples</source>
+        <translation>Разделы, недавние файлы, примеры</translation>
+    </message>
+    <message>
+        <source>New case &amp;from…</source>
+        <translation>Новая задача &amp;из…</translation>
+    </message>
+    <message>
+        <source>E&amp;xamples</source>
+        <translation>При&amp;меры</translation>
+    </message>
+    <message>
+        <source>Repor&amp;t…</source>
+        <translation>От&amp;чёт…</translation>
+    </message>
+    <message>
+        <source>&amp;Close case</source>
+        <translation>&amp;Закрыть задачу</translation>
+    </message>
+    <message>
+        <source>Open the same cases at the next s&amp;tart</source>
+        <translation>Открывать те же задачи при след&amp;ующем запуске</translation>
+    </message>
+    <message>
+        <source>Title and &amp;notes…</source>
+        <translation>Название и &amp;заметки…</translation>
+    </message>
+    <message>
+        <source>&amp;Settings…</source>
+        <translation>&amp;Настройки…</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt case</source>
+        <translation>&amp;Следующая задача</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious case</source>
+        <translation>Пр&amp;едыдущая задача</translation>
+    </message>
+    <message>
+        <source>&amp;Variants: one design against another</source>
+        <translation>&amp;Варианты: одна конструкция против другой</translation>
+    </message>
+    <message>
+        <source>New case</source>
+        <translation>Новая задача</translation>
+    </message>
+    <message>
+        <source>Not opened again: %1</source>
+        <translation>Не открыты снова: %1</translation>
+    </message>
+    <message>
+        <source>Unsaved cases</source>
+        <translation>Несохранённые задачи</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Отчёт</translation>
+    </message>
+    <message>
+        <source>Web page</source>
+        <translation>Веб-страница</translation>
+    </message>
+    <message>
+        <source>Report written: %1</source>
+        <translation>Отчёт записан: %1</translation>
     </message>
 </context>
 <context>
@@ -8638,14 +9816,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Экспорт</translation>
     </message>
     <message>
-        <source>Table (*.csv)</source>
-        <translation>Таблица (*.csv)</translation>
-    </message>
-    <message>
-        <source>Table (*.csv);;Charts, SVG (*.svg);;Charts, PNG (*.png)</source>
-        <translation>Таблица (*.csv);;Графики, SVG (*.svg);;Графики, PNG (*.png)</translation>
-    </message>
-    <message>
         <source>Exported %1</source>
         <translation>Записано: %1</translation>
     </message>
@@ -8656,6 +9826,96 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Beyond the tolerance: %1.</source>
         <translation>Вне допуска: %1.</translation>
+    </message>
+    <message>
+        <source>How the quantity is computed; the one in use is marked</source>
+        <translation>Как вычисляется величина; применяемый способ выделен</translation>
+    </message>
+    <message>
+        <source>Steps, terms or samples that the method takes</source>
+        <translation>Шаги, члены или отсчёты, которые берёт способ</translation>
+    </message>
+    <message>
+        <source>Largest error against 50 digits, in the kernel&apos;s own measure</source>
+        <translation>Наибольшая погрешность против 50 знаков, в мере этого ядра</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::NewCaseDialog</name>
+    <message>
+        <source>New case</source>
+        <translation>Новая задача</translation>
+    </message>
+    <message>
+        <source>&amp;Scene</source>
+        <translation>&amp;Раздел</translation>
+    </message>
+    <message>
+        <source>&amp;Begin with</source>
+        <translation>&amp;Начать с</translation>
+    </message>
+    <message>
+        <source>&amp;Create</source>
+        <translation>Со&amp;здать</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::NewCases</name>
+    <message>
+        <source>TMZ-650D, balance shaft at 45 deg</source>
+        <translation>ТМЗ-650Д, балансирный вал под 45°</translation>
+    </message>
+    <message>
+        <source>Zotov and Sviridov 2021, formulas as printed</source>
+        <translation>Зотов и Свиридов 2021, формулы как напечатаны</translation>
+    </message>
+    <message>
+        <source>counterweight on the rod, solved</source>
+        <translation>противовес на шатуне, подобран</translation>
+    </message>
+    <message>
+        <source>the same mechanism, exact kinematics, guide that keeps the energy constant</source>
+        <translation>тот же механизм, точная кинематика, направляющая сохраняет энергию</translation>
+    </message>
+    <message>
+        <source>4.25 l V-8, oversize pistons and bearings (part masses are examples)</source>
+        <translation>V-8 4,25 л, ремонтные поршни и вкладыши (массы деталей условные)</translation>
+    </message>
+    <message>
+        <source>6 l V-8, improved piston and rod (part masses are examples)</source>
+        <translation>V-8 6 л, усовершенствованные поршень и шатун (массы деталей условные)</translation>
+    </message>
+    <message>
+        <source>Volkswagen VR5 at 6200 rpm</source>
+        <translation>Volkswagen VR5 при 6200 мин⁻¹</translation>
+    </message>
+    <message>
+        <source>Nine-cylinder radial with articulated rods</source>
+        <translation>Девятицилиндровая звезда с прицепными шатунами</translation>
+    </message>
+    <message>
+        <source>Zotov and Sviridov 2021</source>
+        <translation>Зотов и Свиридов 2021</translation>
+    </message>
+    <message>
+        <source>V-8 of %1 litres</source>
+        <translation>V-8, %1 л</translation>
+    </message>
+    <message>
+        <source>Radial engine, %1 cylinders</source>
+        <translation>Звезда, цилиндров: %1</translation>
+    </message>
+    <message>
+        <source>Preset: %1</source>
+        <translation>Образец: %1</translation>
+    </message>
+    <message>
+        <source>Example: %1</source>
+        <translation>Пример: %1</translation>
+    </message>
+    <message>
+        <source>Empty: round numbers to replace</source>
+        <translation>С чистого листа: круглые числа на замену</translation>
     </message>
 </context>
 <context>
@@ -8793,6 +10053,44 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>A four-stroke cycle has half orders, a two-stroke one has whole ones. A shaft at crank speed changes order 1 alone; the best RMS is where it opposes that order.</source>
         <translation>У четырёхтактного цикла есть половинные порядки, у двухтактного — только целые. Вал, вращающийся со скоростью коленчатого, меняет только порядок 1; лучшее СКЗ — там, где он ему противоположен.</translation>
     </message>
+    <message>
+        <source>Multiple of the crank speed</source>
+        <translation>Кратность частоте вращения вала</translation>
+    </message>
+    <message>
+        <source>Fourier amplitude of the moment without a shaft</source>
+        <translation>Амплитуда Фурье момента без вала</translation>
+    </message>
+    <message>
+        <source>Fourier amplitude with the shaft at the present α</source>
+        <translation>Амплитуда Фурье с валом при нынешнем α</translation>
+    </message>
+    <message>
+        <source>Of the moment to the left: amplitude × sin(kφ + phase)</source>
+        <translation>Момента слева: амплитуда × sin(kφ + фаза)</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::PageColumns</name>
+    <message>
+        <source>Results</source>
+        <translation>Результаты</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::PictureFile</name>
+    <message>
+        <source>%1: a picture is written as .png, .svg or .pdf.</source>
+        <translation>%1: рисунок записывается как .png, .svg или .pdf.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>Не удалось записать %1.</translation>
+    </message>
+    <message>
+        <source>Width in pixels; %1 print with 300 dots to the inch:</source>
+        <translation>Ширина в пикселах; %1 печатаются с 300 точками на дюйм:</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::PicturePanel</name>
@@ -8826,6 +10124,53 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::PlotSentence</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 при %2</translation>
+    </message>
+    <message>
+        <source>constant, %1</source>
+        <translation>постоянно %1</translation>
+    </message>
+    <message>
+        <source>across from %1 to %2, up from %3 to %4</source>
+        <translation>по горизонтали от %1 до %2, по вертикали от %3 до %4</translation>
+    </message>
+    <message>
+        <source>rises from %1 at %2 to %3 at %4</source>
+        <translation>растёт от %1 при %2 до %3 при %4</translation>
+    </message>
+    <message>
+        <source>falls from %1 at %2 to %3 at %4</source>
+        <translation>убывает от %1 при %2 до %3 при %4</translation>
+    </message>
+    <message>
+        <source>from %1 at %2 to %3 at %4</source>
+        <translation>от %1 при %2 до %3 при %4</translation>
+    </message>
+    <message>
+        <source>Over %1 from %2 to %3.</source>
+        <translation>По оси %1 от %2 до %3.</translation>
+    </message>
+    <message>
+        <source>No data.</source>
+        <translation>Данных нет.</translation>
+    </message>
+    <message>
+        <source>; and %1 more.</source>
+        <translation>; и ещё %1.</translation>
+    </message>
+    <message>
+        <source>Marked: %1.</source>
+        <translation>Отмечено: %1.</translation>
+    </message>
+    <message>
+        <source>Now at %1.</source>
+        <translation>Сейчас %1.</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::PlotView</name>
     <message>
         <source>Show %1</source>
@@ -8836,32 +10181,32 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Показать или скрыть: %1</translation>
     </message>
     <message>
-        <source>%1 cannot be written.</source>
-        <translation>Не удалось записать %1.</translation>
-    </message>
-    <message>
         <source>Reset zoom</source>
         <translation>Сбросить масштаб</translation>
-    </message>
-    <message>
-        <source>Copy data as CSV</source>
-        <translation>Копировать данные как CSV</translation>
     </message>
     <message>
         <source>Copy picture</source>
         <translation>Копировать рисунок</translation>
     </message>
     <message>
-        <source>Save picture…</source>
-        <translation>Сохранить рисунок…</translation>
+        <source>Show reference %1</source>
+        <translation>Показать эталон %1</translation>
     </message>
     <message>
-        <source>Save picture</source>
-        <translation>Сохранение рисунка</translation>
+        <source>Show or hide the curves of the reference %1</source>
+        <translation>Показать или скрыть кривые эталона %1</translation>
     </message>
     <message>
-        <source>PNG picture (*.png);;SVG drawing (*.svg)</source>
-        <translation>Рисунок PNG (*.png);;Чертёж SVG (*.svg)</translation>
+        <source>Copy data</source>
+        <translation>Копировать данные</translation>
+    </message>
+    <message>
+        <source>Save picture or data…</source>
+        <translation>Сохранить рисунок или данные…</translation>
+    </message>
+    <message>
+        <source>Save picture or data</source>
+        <translation>Сохранить рисунок или данные</translation>
     </message>
 </context>
 <context>
@@ -8896,6 +10241,64 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>not to scale: sizes on the sheet “Plug”</source>
         <translation>без масштаба: размеры — на листе «Пробка»</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::Recovery</name>
+    <message>
+        <source>Unsaved changes are not kept for a crash: %1</source>
+        <translation>Несохранённые изменения не сохраняются на случай сбоя: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::RecoveryDialog</name>
+    <message>
+        <source>Unsaved cases</source>
+        <translation>Несохранённые задачи</translation>
+    </message>
+    <message>
+        <source>The program ended unexpectedly. These cases were not saved:</source>
+        <translation>Программа завершилась неожиданно. Эти задачи не были сохранены:</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Задача</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Файл</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Запомнена</translation>
+    </message>
+    <message>
+        <source>no file yet</source>
+        <translation>ещё без файла</translation>
+    </message>
+    <message>
+        <source>A case that was not saved cannot be read: its copy is damaged. It lies aside as %1.</source>
+        <translation>Несохранённую задачу нельзя прочитать: её копия повреждена. Она отложена в файл %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Восстановить</translation>
+    </message>
+    <message>
+        <source>&amp;Throw away</source>
+        <translation>В&amp;ыбросить</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Закрыть</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Позже</translation>
+    </message>
+    <message>
+        <source>Ask again at the next start</source>
+        <translation>Спросить при следующем запуске</translation>
     </message>
 </context>
 <context>
@@ -8972,20 +10375,124 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>МПа</translation>
     </message>
     <message>
-        <source>The smallest bar that can have the unbalance at this length</source>
-        <translation>Наименьший пруток, дающий дисбаланс при этой длине</translation>
-    </message>
-    <message>
-        <source>The shortest relief that can have it with this bar</source>
-        <translation>Кратчайшая проточка, дающая его с этим прутком</translation>
-    </message>
-    <message>
-        <source>Of the relieved part on two supports under its own centrifugal load</source>
-        <translation>Части с проточкой на двух опорах под собственной центробежной нагрузкой</translation>
-    </message>
-    <message>
         <source>Feasible.</source>
         <translation>Осуществимо.</translation>
+    </message>
+    <message>
+        <source>bearing span L</source>
+        <translation>пролёт L</translation>
+    </message>
+    <message>
+        <source>whirling speed</source>
+        <translation>критическая частота</translation>
+    </message>
+    <message>
+        <source>min⁻¹</source>
+        <translation>мин⁻¹</translation>
+    </message>
+    <message>
+        <source>over the speed</source>
+        <translation>к рабочей частоте</translation>
+    </message>
+    <message>
+        <source>load of a bearing</source>
+        <translation>нагрузка подшипника</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>Н</translation>
+    </message>
+    <message>
+        <source>permitted sag</source>
+        <translation>допускаемый прогиб</translation>
+    </message>
+    <message>
+        <source>sag at rest</source>
+        <translation>прогиб от веса</translation>
+    </message>
+    <message>
+        <source>tilt of the journals</source>
+        <translation>наклон шеек</translation>
+    </message>
+    <message>
+        <source>mrad</source>
+        <translation>мрад</translation>
+    </message>
+    <message>
+        <source>stress with shear</source>
+        <translation>напряжение с учётом сдвига</translation>
+    </message>
+    <message>
+        <source>What both counterweights have by equation (1)</source>
+        <translation>Какой имеют оба противовеса по формуле (1)</translation>
+    </message>
+    <message>
+        <source>U = 2/3 ρ b a³, a² = h (D − h)</source>
+        <translation>U = 2/3 ρ b a³, a² = h (D − h)</translation>
+    </message>
+    <message>
+        <source>2 a = 2 √(h (D − h))</source>
+        <translation>2 a = 2 √(h (D − h))</translation>
+    </message>
+    <message>
+        <source>ρ b A of the section that is left</source>
+        <translation>ρ b A оставшегося сечения</translation>
+    </message>
+    <message>
+        <source>ρ b times the area of the segment</source>
+        <translation>ρ b на площадь сегмента</translation>
+    </message>
+    <message>
+        <source>U over the mass of the relieved part, on the side away from the flat</source>
+        <translation>U к массе снятого участка, со стороны, обратной лыске</translation>
+    </message>
+    <message>
+        <source>The smallest bar radius that can have the unbalance at this length: with half of the bar milled away, ∛(3 U / (2 ρ b)). It has nothing to do with vibration.</source>
+        <translation>Наименьший радиус прутка, который даёт дисбаланс при этой длине: со снятой половиной прутка, ∛(3 U / (2 ρ b)). С колебаниями не связан.</translation>
+    </message>
+    <message>
+        <source>The shortest relief that can have the unbalance with this bar: with half of it milled away, 3 U / (2 ρ R³). It has nothing to do with vibration.</source>
+        <translation>Наименьшая длина снятого участка, которая даёт дисбаланс при этом прутке: со снятой половиной, 3 U / (2 ρ R³). С колебаниями не связана.</translation>
+    </message>
+    <message>
+        <source>As entered, or b + D; the relief stands in the middle</source>
+        <translation>Заданный или b + D; снятый участок посередине</translation>
+    </message>
+    <message>
+        <source>First bending critical speed between two simple supports, towards the flat; finite elements of the beam with its steps</source>
+        <translation>Первая критическая частота изгиба на двух шарнирных опорах в сторону лыски; конечные элементы ступенчатой балки</translation>
+    </message>
+    <message>
+        <source>Whirling speed over the speed entered; must reach the margin asked for</source>
+        <translation>Критическая частота к заданной рабочей; должна достигать требуемого запаса</translation>
+    </message>
+    <message>
+        <source>Half of the centrifugal load U ω², grown by the deflection, and of the weight</source>
+        <translation>Половина центробежной нагрузки U ω², выросшей от прогиба, и веса</translation>
+    </message>
+    <message>
+        <source>Largest deflection under the centrifugal load, which grows with it, and the weight</source>
+        <translation>Наибольший прогиб от центробежной нагрузки, которая с ним растёт, и веса</translation>
+    </message>
+    <message>
+        <source>As entered, or L / 1200</source>
+        <translation>Заданный или L / 1200</translation>
+    </message>
+    <message>
+        <source>Largest deflection under the weight alone, flat up</source>
+        <translation>Наибольший прогиб от одного веса, лыской вверх</translation>
+    </message>
+    <message>
+        <source>Slope in the bearings at speed. Ball bearings take 1 to 3 mrad, plain ones less.</source>
+        <translation>Наклон в подшипниках на ходу. Шариковые допускают от 1 до 3 мрад, подшипники скольжения меньше.</translation>
+    </message>
+    <message>
+        <source>Largest bending moment over the section modulus, σ = M / W</source>
+        <translation>Наибольший изгибающий момент к моменту сопротивления, σ = M / W</translation>
+    </message>
+    <message>
+        <source>Largest √(σ² + 3 τ²), τ = 4/3 V / A; must not be above the allowable stress</source>
+        <translation>Наибольшее √(σ² + 3 τ²), τ = 4/3 V / A; не должно превышать допускаемого напряжения</translation>
     </message>
 </context>
 <context>
@@ -9051,8 +10558,131 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Запись чертежа</translation>
     </message>
     <message>
-        <source>DXF drawings (*.dxf)</source>
-        <translation>Чертежи DXF (*.dxf)</translation>
+        <source>What it must bear</source>
+        <translation>Что он должен выдержать</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ReportWords</name>
+    <message>
+        <source>SHA-256 of the file</source>
+        <translation>SHA-256 файла</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the case, with changes that are not saved</source>
+        <translation>SHA-256 задачи с несохранёнными изменениями</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Сцена</translation>
+    </message>
+    <message>
+        <source>Case file</source>
+        <translation>Файл задачи</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Программа</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Дата</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Заметки</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Результаты</translation>
+    </message>
+    <message>
+        <source>Left out, since this case gives them nothing to show: %1.</source>
+        <translation>Опущены, так как в этой задаче им нечего показать: %1.</translation>
+    </message>
+    <message>
+        <source>Formulas</source>
+        <translation>Формулы</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Величина</translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation>Формула</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Источник</translation>
+    </message>
+    <message>
+        <source>mechanics</source>
+        <translation>механика</translation>
+    </message>
+    <message>
+        <source>What the model leaves out</source>
+        <translation>Чего модель не учитывает</translation>
+    </message>
+    <message>
+        <source>Validation of the methods</source>
+        <translation>Проверка методов</translation>
+    </message>
+    <message>
+        <source>Every number that the paper prints beside that of this program, computed anew from the paper&apos;s data when this report was made. %1.</source>
+        <translation>Каждое напечатанное в статье число рядом с числом этой программы, вычисленным заново по данным статьи при составлении отчёта. %1.</translation>
+    </message>
+    <message>
+        <source>Report of a calculation: %1</source>
+        <translation>Отчёт о расчёте: %1</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Исходные данные</translation>
+    </message>
+    <message>
+        <source>%1: a report ends in .pdf or .html</source>
+        <translation>%1: имя отчёта кончается на .pdf или .html</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Ввод</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Значение</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Единица</translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation>Что это</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>да</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>нет</translation>
+    </message>
+    <message>
+        <source>%1 values, %2 … %3</source>
+        <translation>значений: %1, %2 … %3</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Таблица</translation>
+    </message>
+    <message>
+        <source>Fig.</source>
+        <translation>Рис.</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Страница %1 из %2</translation>
     </message>
 </context>
 <context>
@@ -9068,6 +10698,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Copy table as CSV</source>
         <translation>Копировать таблицу как CSV</translation>
+    </message>
+    <message>
+        <source>Present value less that of the reference %1</source>
+        <translation>Нынешнее значение минус значение эталона %1</translation>
     </message>
 </context>
 <context>
@@ -9122,6 +10756,129 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>New case</source>
         <translation>Новая задача</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>да</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>нет</translation>
+    </message>
+    <message>
+        <source>Title and notes</source>
+        <translation>Название и заметки</translation>
+    </message>
+    <message>
+        <source>%1 (changed)</source>
+        <translation>%1 (изменено)</translation>
+    </message>
+    <message>
+        <source>Keep variant %1</source>
+        <translation>Сохранение варианта %1</translation>
+    </message>
+    <message>
+        <source>A variant has a name.</source>
+        <translation>У варианта должно быть имя.</translation>
+    </message>
+    <message>
+        <source>Another variant is called %1.</source>
+        <translation>Другой вариант называется %1.</translation>
+    </message>
+    <message>
+        <source>Rename variant</source>
+        <translation>Переименование варианта</translation>
+    </message>
+    <message>
+        <source>Delete variant %1</source>
+        <translation>Удаление варианта %1</translation>
+    </message>
+    <message>
+        <source>Swap with variant %1</source>
+        <translation>Обмен с вариантом %1</translation>
+    </message>
+    <message>
+        <source>Take variant %1</source>
+        <translation>Взятие варианта %1</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Настройки</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Как на рабочем столе</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Язык</translation>
+    </message>
+    <message>
+        <source>Of all texts, and how numbers are written.</source>
+        <translation>Всех текстов и записи чисел.</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Тема</translation>
+    </message>
+    <message>
+        <source>Light or dark colours.</source>
+        <translation>Светлые или тёмные цвета.</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Светлая</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Тёмная</translation>
+    </message>
+    <message>
+        <source>small, 85 %</source>
+        <translation>мелкий, 85 %</translation>
+    </message>
+    <message>
+        <source>normal, 100 %</source>
+        <translation>обычный, 100 %</translation>
+    </message>
+    <message>
+        <source>large, 125 %</source>
+        <translation>крупный, 125 %</translation>
+    </message>
+    <message>
+        <source>very large, 150 %</source>
+        <translation>очень крупный, 150 %</translation>
+    </message>
+    <message>
+        <source>largest, 200 %</source>
+        <translation>самый крупный, 200 %</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt size</source>
+        <translation>&amp;Размер текста</translation>
+    </message>
+    <message>
+        <source>Of all texts and of the fields that hold them.</source>
+        <translation>Всех текстов и полей, в которых они стоят.</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>автоматически</translation>
+    </message>
+    <message>
+        <source>%1 significant digits</source>
+        <translation>значащих цифр: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Digits of results</source>
+        <translation>&amp;Цифры результатов</translation>
+    </message>
+    <message>
+        <source>Automatic: each number has the digits that its use needs. Copies and exports have them too.</source>
+        <translation>Автоматически: у каждого числа столько цифр, сколько нужно там, где оно стоит. То же в копиях и выгрузках.</translation>
     </message>
 </context>
 <context>
@@ -9551,6 +11308,33 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::SpeedMapPlot</name>
+    <message>
+        <source>Map over α and speed</source>
+        <translation>Карта по α и частоте</translation>
+    </message>
+    <message>
+        <source>α, °</source>
+        <translation>α, °</translation>
+    </message>
+    <message>
+        <source>n, min⁻¹</source>
+        <translation>n, мин⁻¹</translation>
+    </message>
+    <message>
+        <source>α %1°, n %2 min⁻¹: %3 of that without a shaft, %4</source>
+        <translation>α %1°, n %2 мин⁻¹: %3 от значения без вала, %4</translation>
+    </message>
+    <message>
+        <source>%1 % worse</source>
+        <translation>на %1 % хуже</translation>
+    </message>
+    <message>
+        <source>%1 % better</source>
+        <translation>на %1 % лучше</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::SpeedStudyModel</name>
     <message>
         <source>Speed band</source>
@@ -9652,10 +11436,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>α наименьшего СКЗ при каждой частоте</translation>
     </message>
     <message>
-        <source>Map over α and speed</source>
-        <translation>Карта по α и частоте</translation>
-    </message>
-    <message>
         <source>n, min⁻¹</source>
         <translation>n, мин⁻¹</translation>
     </message>
@@ -9688,12 +11468,35 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Размах</translation>
     </message>
     <message>
-        <source>The criterion with the shaft over that without it at the same speed; dark is small, light is large. Click to set α and, with a computed torque, the speed.</source>
-        <translation>Критерий с валом, делённый на критерий без вала при той же частоте; тёмное — мало, светлое — много. Щелчок задаёт α и, при рассчитанном моменте, частоту.</translation>
-    </message>
-    <message>
         <source>What the map shows and the least bad α makes least</source>
         <translation>Что показывает карта и что минимизирует наименее плохой α</translation>
+    </message>
+    <message>
+        <source>The criterion with the shaft over that without it at the same speed: blue is less, orange is more, paled cannot be built. Along the thick line, 1.0, the shaft changes nothing. Click to set α and, with a computed torque, the speed.</source>
+        <translation>Критерий с валом к критерию без вала при той же частоте: синее — меньше, оранжевое — больше, бледное нельзя построить. На толстой линии 1,0 вал ничего не меняет. Щелчок задаёт α, а при вычисленном моменте и частоту.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::StartPage</name>
+    <message>
+        <source>What shall be balanced?</source>
+        <translation>Что уравновешиваем?</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Файлы</translation>
+    </message>
+    <message>
+        <source>New case…</source>
+        <translation>Новая задача…</translation>
+    </message>
+    <message>
+        <source>Open a case…</source>
+        <translation>Открыть задачу…</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Примеры</translation>
     </message>
 </context>
 <context>
@@ -9789,6 +11592,22 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>A plain cycle: constant pressures for gas exchange, polytropic compression, one Wiebe heat release, polytropic expansion. 360° is the firing top dead centre.</source>
         <translation>Простой цикл: постоянные давления газообмена, политропное сжатие, одно тепловыделение по Вибе, политропное расширение. 360° — верхняя мёртвая точка сгорания.</translation>
     </message>
+    <message>
+        <source>The torque is still the computed one: there is no table yet. Paste one, import a CSV file, or take over the computed torque.</source>
+        <translation>Крутящий момент пока вычисленный: таблицы ещё нет. Вставьте её, импортируйте файл CSV или возьмите вычисленный момент.</translation>
+    </message>
+    <message>
+        <source>Take over as table</source>
+        <translation>Взять как таблицу</translation>
+    </message>
+    <message>
+        <source>Make a table of the computed torque, with a row for each step of the curves. From then on it follows neither speed nor masses.</source>
+        <translation>Составить таблицу вычисленного момента, строка на каждый шаг кривых. Дальше он не зависит ни от частоты вращения, ни от масс.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read; read it again from where it is now.</source>
+        <translation>%1 не читается; прочитайте файл оттуда, где он теперь.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::TorqueTableEditor</name>
@@ -9811,10 +11630,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Export torque table</source>
         <translation>Запись таблицы момента</translation>
-    </message>
-    <message>
-        <source>CSV tables (*.csv)</source>
-        <translation>Таблицы CSV (*.csv)</translation>
     </message>
     <message>
         <source>Insert a row below</source>
@@ -10102,6 +11917,94 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>By the method alone; the shift that it neglects leaves up to %1.</source>
         <translation>Лишь по методу: смещение, которым он пренебрегает, оставляет до %1.</translation>
     </message>
+    <message>
+        <source>What is bored or replaced; ✓ it is enough, ✗ it is not, ! only by the method</source>
+        <translation>Что высверливают или заменяют; ✓ достаточно, ✗ недостаточно, ! только по методике</translation>
+    </message>
+    <message>
+        <source>Unbalanced mass that the option takes away with nothing bored, kₚ times the exchange of plugs</source>
+        <translation>Неуравновешенная масса, которую вариант убирает без сверления, kₚ на замену пробок</translation>
+    </message>
+    <message>
+        <source>Unbalanced mass for each gram that is bored out of a plug</source>
+        <translation>Неуравновешенная масса на каждый грамм, высверленный из пробки</translation>
+    </message>
+    <message>
+        <source>Largest unbalanced mass that the option compensates</source>
+        <translation>Наибольшая неуравновешенная масса, которую вариант компенсирует</translation>
+    </message>
+    <message>
+        <source>To come off each plug; negative or beyond what is possible where the option cannot</source>
+        <translation>Сколько снять с каждой пробки; отрицательно или больше возможного, если вариант не годится</translation>
+    </message>
+    <message>
+        <source>Unbalanced mass that stays</source>
+        <translation>Неуравновешенная масса, которая остаётся</translation>
+    </message>
+    <message>
+        <source>Unbalance that stays, mass times crank radius</source>
+        <translation>Дисбаланс, который остаётся: масса на радиус кривошипа</translation>
+    </message>
+    <message>
+        <source>Share of the part in the bob weight times its mass</source>
+        <translation>Доля детали в грузе на её массу</translation>
+    </message>
+    <message>
+        <source>By the nominal masses, g</source>
+        <translation>По номинальным массам, г</translation>
+    </message>
+    <message>
+        <source>With the parts as they are, g</source>
+        <translation>С деталями, какие есть, г</translation>
+    </message>
+    <message>
+        <source>After the compensation, g</source>
+        <translation>После компенсации, г</translation>
+    </message>
+    <message>
+        <source>Sum of the lines: what is hung on each crankpin</source>
+        <translation>Сумма строк: что вешают на каждую шейку</translation>
+    </message>
+    <message>
+        <source>Correction plane of the crankshaft</source>
+        <translation>Плоскость коррекции коленчатого вала</translation>
+    </message>
+    <message>
+        <source>Permissible residual unbalance, share of U = G m / ω (ISO 21940-11)</source>
+        <translation>Допускаемый остаточный дисбаланс, доля от U = G m / ω (ISO 21940-11)</translation>
+    </message>
+    <message>
+        <source>What the balancing machine reads</source>
+        <translation>Показание балансировочного станка</translation>
+    </message>
+    <message>
+        <source>Passes where the reading is not above what is allowed</source>
+        <translation>Годен, если показание не выше допускаемого</translation>
+    </message>
+    <message>
+        <source>A dot: the part stays; a number: it comes from that cylinder</source>
+        <translation>Точка: деталь остаётся; число: она приходит из этого цилиндра</translation>
+    </message>
+    <message>
+        <source>Cylinder from which the piston comes</source>
+        <translation>Цилиндр, из которого приходит поршень</translation>
+    </message>
+    <message>
+        <source>Cylinder from which the rod comes</source>
+        <translation>Цилиндр, из которого приходит шатун</translation>
+    </message>
+    <message>
+        <source>Excess on each crankpin over the mean, parts where they are</source>
+        <translation>Избыток на каждой шейке над средним, детали на своих местах</translation>
+    </message>
+    <message>
+        <source>Excess on each crankpin over the mean, parts moved</source>
+        <translation>Избыток на каждой шейке над средним, детали переставлены</translation>
+    </message>
+    <message>
+        <source>Largest less smallest excess of the four crankpins</source>
+        <translation>Наибольший минус наименьший избыток четырёх шеек</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::V8PlugsPage</name>
@@ -10212,10 +12115,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Job card as PDF</source>
         <translation>Карта в PDF</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
     </message>
     <message>
         <source>Written: %1</source>
@@ -10329,6 +12228,112 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::ValueSlider</name>
+    <message>
+        <source>“%1” is refused. %2</source>
+        <translation>«%1» не принято. %2</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::VariantMenu</name>
+    <message>
+        <source>&amp;Variants</source>
+        <translation>&amp;Варианты</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as reference</source>
+        <translation>&amp;Сохранить как эталон</translation>
+    </message>
+    <message>
+        <source>Keeps the present input as a variant and shows what changes against it</source>
+        <translation>Сохраняет нынешние данные как вариант и показывает, что меняется против него</translation>
+    </message>
+    <message>
+        <source>&amp;No reference</source>
+        <translation>&amp;Без эталона</translation>
+    </message>
+    <message>
+        <source>Shows the present input alone; the variants stay</source>
+        <translation>Показывает одни нынешние данные; варианты остаются</translation>
+    </message>
+    <message>
+        <source>&amp;Compare inputs…</source>
+        <translation>С&amp;равнить данные…</translation>
+    </message>
+    <message>
+        <source>Which inputs differ from those of the reference, and by how much</source>
+        <translation>Какие данные отличаются от эталона и насколько</translation>
+    </message>
+    <message>
+        <source>&amp;Swap with the present</source>
+        <translation>&amp;Обменять с нынешним</translation>
+    </message>
+    <message>
+        <source>Present input and reference change places</source>
+        <translation>Нынешние данные и эталон меняются местами</translation>
+    </message>
+    <message>
+        <source>&amp;Take over</source>
+        <translation>&amp;Взять</translation>
+    </message>
+    <message>
+        <source>The reference becomes the present input; it stays</source>
+        <translation>Эталон становится нынешними данными и остаётся эталоном</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>&amp;Переименовать…</translation>
+    </message>
+    <message>
+        <source>Another name for the reference</source>
+        <translation>Другое имя эталона</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Удалить</translation>
+    </message>
+    <message>
+        <source>Takes the reference out of the case</source>
+        <translation>Убирает эталон из задачи</translation>
+    </message>
+    <message>
+        <source>This page has no inputs to keep as variants.</source>
+        <translation>На этой странице нет данных, чтобы сохранять варианты.</translation>
+    </message>
+    <message>
+        <source>Variants: keep the present input as reference (Ctrl+K) and see what changes against it</source>
+        <translation>Варианты: сохраните нынешние данные как эталон (Ctrl+K) и смотрите, что меняется против него</translation>
+    </message>
+    <message>
+        <source>Variants: the reference is %1</source>
+        <translation>Варианты: эталон – %1</translation>
+    </message>
+    <message>
+        <source>%1 – refused: %2</source>
+        <translation>%1 – отклонён: %2</translation>
+    </message>
+    <message>
+        <source>Show the present input against %1</source>
+        <translation>Показать нынешние данные против %1</translation>
+    </message>
+    <message>
+        <source>Kept as variant %1; what changes from here on is shown against it.</source>
+        <translation>Сохранено как вариант %1; что изменится дальше, показывается против него.</translation>
+    </message>
+    <message>
+        <source>Rename variant</source>
+        <translation>Переименование варианта</translation>
+    </message>
+    <message>
+        <source>Name of the variant</source>
+        <translation>Имя варианта</translation>
+    </message>
+    <message>
+        <source>Variants</source>
+        <translation>Варианты</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::WeighInSheet</name>
     <message>
         <source>Take the mass changes &amp;from this sheet</source>
@@ -10424,6 +12429,100 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Paste weights</source>
         <translation>Вставка масс</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::WhatsThis</name>
+    <message>
+        <source>&amp;What’s this?</source>
+        <translation>Что &amp;это?</translation>
+    </message>
+</context>
+<context>
+    <name>v8-plugs</name>
+    <message>
+        <source>mⱼ and m_R nominal reciprocating and rotating mass, mₘ oil, k_m its coefficient</source>
+        <translation>mⱼ и m_R — номинальные поступательная и вращающаяся массы, mₘ — масло, k_m — его коэффициент</translation>
+    </message>
+    <message>
+        <source>Bob weight, steel plugs</source>
+        <translation>Балансировочный груз, стальные пробки</translation>
+    </message>
+    <message>
+        <source>Bob weight, aluminium plugs</source>
+        <translation>Балансировочный груз, алюминиевые пробки</translation>
+    </message>
+    <message>
+        <source>Coefficients</source>
+        <translation>Коэффициенты</translation>
+    </message>
+    <message>
+        <source>r crank radius, rₚ and rₚₙ distance of the centre of mass of today&apos;s and of the new plug from the crank axis</source>
+        <translation>r — радиус кривошипа, rₚ и rₚₙ — расстояние центра масс нынешней и новой пробки от оси вала</translation>
+    </message>
+    <message>
+        <source>Excess on the crankpin axis</source>
+        <translation>Лишняя масса на оси шатунной шейки</translation>
+    </message>
+    <message>
+        <source>Δmₚ piston, Δm_b big end of the rod, in repair Δm_rp repair piston with rings and Δm_sh repair shells; kᵣ coefficient of the rod</source>
+        <translation>Δmₚ — поршень, Δm_b — нижняя головка шатуна, в ремонте Δm_rp — ремонтный поршень с кольцами и Δm_sh — ремонтные вкладыши; kᵣ — коэффициент шатуна</translation>
+    </message>
+    <message>
+        <source>Lightening of each plug</source>
+        <translation>Облегчение каждой пробки</translation>
+    </message>
+    <message>
+        <source>Aluminium in place of steel plugs</source>
+        <translation>Алюминиевые пробки вместо стальных</translation>
+    </message>
+    <message>
+        <source>constant part; mₛ and mₐ mass of a plug of steel and of aluminium</source>
+        <translation>постоянная часть; mₛ и mₐ — масса стальной и алюминиевой пробки</translation>
+    </message>
+    <message>
+        <source>Crankshaft made for new plugs, today&apos;s fitted</source>
+        <translation>Вал под новые пробки с нынешними</translation>
+    </message>
+    <message>
+        <source>constant parts with plugs of steel and of aluminium; mₛₙ mass of a new steel plug</source>
+        <translation>постоянные части со стальными и с алюминиевыми пробками; mₛₙ — масса новой стальной пробки</translation>
+    </message>
+    <message>
+        <source>Compensated by an option</source>
+        <translation>Компенсируется вариантом</translation>
+    </message>
+    <message>
+        <source>Cᵢ its constant part, Δmᵢ lightening of each plug, up to the limit of its wall</source>
+        <translation>Cᵢ — его постоянная часть, Δmᵢ — облегчение каждой пробки, до предела по стенке</translation>
+    </message>
+    <message>
+        <source>What the shift of the centre of mass leaves</source>
+        <translation>Что оставляет смещение центра масс</translation>
+    </message>
+    <message>
+        <source>d distance by which the metal bored off lies beyond the centre of mass of the plug</source>
+        <translation>d — насколько снятый металл лежит дальше центра масс пробки</translation>
+    </message>
+    <message>
+        <source>Permissible residual unbalance</source>
+        <translation>Допустимый остаточный дисбаланс</translation>
+    </message>
+    <message>
+        <source>g·mm with the mass m in kg, the grade G in mm/s and the service speed ω in rad/s</source>
+        <translation>г·мм при массе m в кг, классе G в мм/с и рабочей скорости ω в рад/с</translation>
+    </message>
+    <message>
+        <source>All eight crankpins are treated alike, with the means of the weighed parts.</source>
+        <translation>Все шатунные шейки считаются одинаковыми, со средними массами взвешенных деталей.</translation>
+    </message>
+    <message>
+        <source>The crankshaft is rigid.</source>
+        <translation>Коленчатый вал жёсткий.</translation>
+    </message>
+    <message>
+        <source>Drilling in the webs, flywheel and damper are the balancing machine&apos;s business.</source>
+        <translation>Сверление щёк, маховик и демпфер — дело балансировочного станка.</translation>
     </message>
 </context>
 </TS>
