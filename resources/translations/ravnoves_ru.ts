@@ -10629,10 +10629,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Проверка методов</translation>
     </message>
     <message>
-        <source>Every number that the paper prints beside that of this program, computed anew from the paper&apos;s data when this report was made. %1.</source>
-        <translation>Каждое напечатанное в статье число рядом с числом этой программы, вычисленным заново по данным статьи при составлении отчёта. %1.</translation>
-    </message>
-    <message>
         <source>Report of a calculation: %1</source>
         <translation>Отчёт о расчёте: %1</translation>
     </message>
@@ -10683,6 +10679,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Page %1 of %2</source>
         <translation>Страница %1 из %2</translation>
+    </message>
+    <message>
+        <source>Every number that the paper prints was compared with that of this program, computed anew from the paper&apos;s data when this report was made: %1. The page Methods shows each of them.</source>
+        <translation>Каждое напечатанное в статье число сравнено с числом этой программы, вычисленным заново по данным статьи при составлении отчёта: %1. Все они показаны на странице «Методы».</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Чисел</translation>
+    </message>
+    <message>
+        <source>Largest difference</source>
+        <translation>Наибольшая разница</translation>
     </message>
 </context>
 <context>

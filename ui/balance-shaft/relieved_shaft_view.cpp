@@ -223,7 +223,8 @@ QWidget* RelievedShaftView::buildForm(BalanceShaftModel* model) {
         form->number((std::string("/relieved_shaft/") + limit).c_str());
     }
     QScrollArea* area = scrolled(form, panel);
-    area->setMinimumWidth(form->minimumSizeHint().width() +
+    constexpr int frames = 2;  // of the area, both sides
+    area->setMinimumWidth(form->minimumSizeHint().width() + frames +
                           area->verticalScrollBar()->sizeHint().width());
     area->setMinimumHeight(120);
     column->addWidget(area, 1);

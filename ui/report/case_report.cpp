@@ -5,6 +5,7 @@
 #include <QDateTime>
 #include <QFileInfo>
 #include <algorithm>
+#include <cmath>
 
 #include "bibliography/bibliography.h"
 #include "case-file/case_file.h"
@@ -190,43 +191,58 @@ void addValidation(Report& report, const QString& scene) {
     model.setPaper(static_cast<std::size_t>(paper - papers.begin()));
     report.items.push_back(Heading{ReportWords::tr("Validation of the methods")});
     report.items.push_back(Paragraph{
-        ReportWords::tr("Every number that the paper prints beside that of this program, "
-                        "computed anew from the paper's data when this report was made. %1.")
+        ReportWords::tr("Every number that the paper prints was compared with that of this "
+                        "program, computed anew from the paper's data when this report was made: "
+                        "%1. The page Methods shows each of them.")
             .arg(model.countsText())
             .toHtmlEscaped()});
+    // What each place of the paper became; the page Methods has every number.
     Table table;
-    table.isSmall = true;
-    constexpr std::array columns{Model::Quantity, Model::Unit,       Model::Printed,
-                                 Model::Ours,     Model::Difference, Model::VerdictColumn};
-    for (const Model::Column column : columns) {
-        table.headings << model.headerData(column, Qt::Horizontal).toString().toHtmlEscaped();
-        table.numbers << (column == Model::Printed || column == Model::Ours ||
-                          column == Model::Difference);
-    }
-    QString place;
+    table.headings = {
+        model.headerData(Model::Place, Qt::Horizontal).toString().toHtmlEscaped(),
+        model.headerData(Model::VerdictColumn, Qt::Horizontal).toString().toHtmlEscaped(),
+        ReportWords::tr("Numbers"), ReportWords::tr("Largest difference")};
+    table.numbers = {false, false, true, true};
+    struct Group {
+        QString place;
+        QString verdict;
+        int count = 0;
+        double largest = -1.0;
+        QString difference;
+    };
+    std::vector<Group> found;
     QStringList slips;
     for (int row = 0; row < model.rowCount(); ++row) {
         const auto cell = [&](int column) { return model.index(row, column).data().toString(); };
-        if (cell(Model::Place) != place) {
-            place = cell(Model::Place);
-            table.rows << QStringList{place.toHtmlEscaped()};
-        }
-        QStringList cells;
-        for (const Model::Column column : columns) {
-            cells << cell(column).toHtmlEscaped();
-        }
         const methods::ValidationRow& number = *model.rows()[static_cast<std::size_t>(row)];
-        const bool explains = number.verdict == methods::Verdict::slip ||
-                              number.verdict == methods::Verdict::artefact ||
-                              number.verdict == methods::Verdict::differs;
-        if (explains) {
+        QString verdict = cell(Model::VerdictColumn).toHtmlEscaped();
+        if (number.verdict == methods::Verdict::slip ||
+            number.verdict == methods::Verdict::artefact ||
+            number.verdict == methods::Verdict::differs) {
             const QString why = methodText(number.reason).toHtmlEscaped();
             if (!slips.contains(why)) {
                 slips << why;
             }
-            cells.last() += QStringLiteral(" [%1]").arg(slips.indexOf(why) + 1);
+            verdict += QStringLiteral(" [%1]").arg(slips.indexOf(why) + 1);
         }
-        table.rows << cells;
+        const QString place = cell(Model::Place).toHtmlEscaped();
+        auto group = std::find_if(found.begin(), found.end(), [&](const Group& each) {
+            return each.place == place && each.verdict == verdict;
+        });
+        if (group == found.end()) {
+            group = found.insert(found.end(),
+                                 Group{.place = place, .verdict = verdict, .difference = {}});
+        }
+        ++group->count;
+        const auto difference = number.relative_difference();
+        if (difference && std::abs(*difference) > group->largest) {
+            group->largest = std::abs(*difference);
+            group->difference = cell(Model::Difference).toHtmlEscaped();
+        }
+    }
+    for (const Group& group : found) {
+        table.rows << QStringList{group.place, group.verdict, QString::number(group.count),
+                                  group.difference};
     }
     report.items.push_back(std::move(table));
     for (qsizetype i = 0; i < slips.size(); ++i) {

@@ -24,6 +24,7 @@ using namespace report;
 namespace {
 
 constexpr int figureWidth = 660;     ///< pixels, of a plot
+constexpr int narrowWidth = 480;     ///< of one that is high
 constexpr int pictureWidth = 430;    ///< of a picture
 constexpr qint64 patience = 60'000;  // ms
 
@@ -68,7 +69,9 @@ void drawAt(QWidget* widget, const QSize& size, Draw&& draw) {
 Figure figureOf(PlotView* plot) {
     // As high as it stands on the page, within reason.
     const double shape = static_cast<double>(plot->height()) / std::max(plot->width(), 1);
-    const QSize size(figureWidth, std::clamp(static_cast<int>(figureWidth * shape), 270, 560));
+    constexpr double narrow = 0.62;  // on the page it shares its row
+    const int width = shape < narrow ? figureWidth : narrowWidth;
+    const QSize size(width, std::clamp(static_cast<int>(width * shape), 270, 430));
     return {{},
             plot->accessibleDescription().isEmpty() ? plot->title() : plot->accessibleDescription(),
             size,

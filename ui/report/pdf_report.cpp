@@ -368,7 +368,7 @@ QByteArray reportAsPdf(const Report& report) {
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     QPdfWriter writer(&buffer);
-    writer.setResolution(1200);
+    writer.setResolution(96);  // recorded pictures are scaled by it, their text too
     writer.setTitle(report.title);
     writer.setCreator(report.program);
     QPageLayout layout(QPageSize(QPageSize::A4), QPageLayout::Portrait, QMarginsF());

@@ -52,15 +52,10 @@ Documents::Documents(QWidget* parent) : QWidget(parent), scenes_(sceneList()) {
     tabs_->setUsesScrollButtons(true);
     tabs_->setElideMode(Qt::ElideMiddle);
     tabs_->setIconSize(QSize(16, 16));
-    tabs_->setFont(Theme::font(Theme::smallSize));
     tabs_->installEventFilter(this);
     tabs_->hide();
     column->addWidget(tabs_);
-    notice_ = new DiskNotice(this);
-    column->addWidget(notice_);
-    connect(notice_, &DiskNotice::reloadAsked, this, &Documents::reload);
-    connect(notice_, &DiskNotice::keepAsked, this, [this] { current_->document->keepMine(); });
-    connect(notice_, &DiskNotice::saveAsAsked, this, [this] { current_->document->saveAs(); });
+    makeNotice();
     stack_ = new QStackedWidget(this);
     column->addWidget(stack_, 1);
     connect(tabs_, &QTabBar::currentChanged, this, [this](int tab) {
@@ -178,6 +173,15 @@ void Documents::putPage(OpenDocument& document, ScenePage* page) {
     stack_->addWidget(page);
 }
 
+void Documents::makeNotice() {
+    tabs_->setFont(Theme::font(Theme::smallSize));
+    notice_ = new DiskNotice(this);
+    static_cast<QVBoxLayout*>(layout())->insertWidget(1, notice_);  // below the tabs
+    connect(notice_, &DiskNotice::reloadAsked, this, &Documents::reload);
+    connect(notice_, &DiskNotice::keepAsked, this, [this] { current_->document->keepMine(); });
+    connect(notice_, &DiskNotice::saveAsAsked, this, [this] { current_->document->saveAs(); });
+}
+
 void Documents::renewPages() {
     scenes_ = sceneList();
     for (const auto& each : documents_) {
@@ -190,6 +194,9 @@ void Documents::renewPages() {
     }
     tabs_->setAccessibleName(tr("Open cases"));
     stack_->setCurrentWidget(current_->page);
+    delete notice_;
+    makeNotice();
+    showNotice();
     arrangeTabs();
     current_->page->setActive(true);
     Q_EMIT currentChanged();
@@ -551,10 +558,6 @@ void Documents::arrangeTabs() {
             button->setIconSize(QSize(12, 12));
             button->setAutoRaise(true);
             button->setFocusPolicy(Qt::NoFocus);  // Ctrl+W does it
-            button->setToolTip(
-                tr("Close (%1)")
-                    .arg(QKeySequence(Qt::CTRL | Qt::Key_W).toString(QKeySequence::NativeText)));
-            button->setAccessibleName(tr("Close"));
             connect(button, &QToolButton::clicked, this,
                     [this, document = each.get()] { close(*document); });
             tabs_->setTabButton(tab, QTabBar::RightSide, button);
@@ -570,6 +573,13 @@ void Documents::arrangeTabs() {
 }
 
 void Documents::nameTabs() {
+    for (int tab = 0; tab < tabs_->count(); ++tab) {
+        QWidget* button = tabs_->tabButton(tab, QTabBar::RightSide);
+        button->setToolTip(
+            tr("Close (%1)")
+                .arg(QKeySequence(Qt::CTRL | Qt::Key_W).toString(QKeySequence::NativeText)));
+        button->setAccessibleName(tr("Close"));
+    }
     QStringList names;
     for (int tab = 0; tab < tabs_->count(); ++tab) {
         const OpenDocument& document = *ofTab(tab);

@@ -122,6 +122,7 @@ class Documents : public QWidget {
     void put(const CaseFile& file, OpenDocument* there,
              const std::function<void(CaseDocument&)>& load);
     void keep(OpenDocument& document);
+    void makeNotice();
     void showNotice();
     void reload();
     /// Asks where the file is that could not be read.

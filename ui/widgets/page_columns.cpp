@@ -128,4 +128,17 @@ void addScrolledTab(QTabWidget* tabs, QWidget* view, const QString& name, const 
     tabs->addTab(area, title);
 }
 
+void showTabOf(QWidget* view) {
+    for (QWidget* around = view->parentWidget(); around != nullptr;
+         around = around->parentWidget()) {
+        if (auto* tabs = qobject_cast<QTabWidget*>(around)) {
+            for (int tab = 0; tab < tabs->count(); ++tab) {
+                if (tabs->widget(tab) == view || tabs->widget(tab)->isAncestorOf(view)) {
+                    tabs->setCurrentIndex(tab);
+                }
+            }
+        }
+    }
+}
+
 }  // namespace ravnoves

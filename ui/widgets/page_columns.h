@@ -73,5 +73,7 @@ class FoldingRow : public QWidget {
 /// Adds a view to tabs so that it scrolls where it is larger than they are; `name` is that of the
 /// tab for pictures.
 void addScrolledTab(QTabWidget* tabs, QWidget* view, const QString& name, const QString& title);
+/// Brings the tabs to the front that a view stands in.
+void showTabOf(QWidget* view);
 
 }  // namespace ravnoves

@@ -37,6 +37,7 @@
 #include "numerics/constants.h"
 #include "text/language.h"
 #include "theme/theme.h"
+#include "widgets/page_columns.h"
 
 namespace {
 
@@ -102,7 +103,7 @@ std::map<std::string, std::function<Drag()>> drags() {
          [] {
              auto* page = new BalanceShaftPage;
              auto* view = page->findChild<ShaftMapView*>();
-             page->views()->setCurrentWidget(view);
+             showTabOf(view);
              page->show();
              while (view->mapModel()->job()->isRunning()) {
                  QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);

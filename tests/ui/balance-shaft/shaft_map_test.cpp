@@ -21,6 +21,7 @@
 #include "model/background_job.h"
 #include "widgets/decimal_spin_box.h"
 #include "widgets/number_field.h"
+#include "widgets/page_columns.h"
 #include "widgets/value_slider.h"
 
 namespace ravnoves {
@@ -45,7 +46,7 @@ class ShaftMapTest : public ::testing::Test {
         test::showAt(page, {1280, 800});
         page.activateWindow();
         view = page.findChild<ShaftMapView*>();
-        page.views()->setCurrentWidget(view);
+        showTabOf(view);
         map = view->mapModel();
         plot = view->plot();
         wait();
@@ -284,7 +285,7 @@ TEST_F(ShaftMapTest, AnotherInputMakesANewMapAndPalesTheOldOne) {
     model->edit(QStringLiteral("Speed"),
                 [](balance_shaft::Input& input) { input.angular_speed *= 0.8; });
     EXPECT_FALSE(map->job()->isRunning());
-    page.views()->setCurrentWidget(view);
+    showTabOf(view);
     EXPECT_TRUE(map->job()->isRunning());
     wait();
     // A shaft outside of the picture makes a larger one.

@@ -20,6 +20,7 @@
 #include "events.h"
 #include "model/background_job.h"
 #include "widgets/number_field.h"
+#include "widgets/page_columns.h"
 #include "widgets/result_table.h"
 #include "widgets/value_slider.h"
 
@@ -36,7 +37,7 @@ class BalanceShaftViewsTest : public ::testing::Test {
     template <typename View>
     View* open() {
         auto* view = page.findChild<View*>();
-        page.views()->setCurrentWidget(view);
+        showTabOf(view);
         QApplication::processEvents();
         return view;
     }

@@ -60,8 +60,9 @@ QString allowed(const FieldEntry& entry) {
     QStringList parts;
     for (const Word& word : entry.field.words) {
         const QString label = shownText(word.label);
-        const QString name = entry.kind == FieldKind::integer ? code(plain(word.word))
-                                                              : code(u'"' + plain(word.word) + u'"');
+        const QString name = entry.kind == FieldKind::integer
+                                 ? code(plain(word.word))
+                                 : code(u'"' + plain(word.word) + u'"');
         parts << (label.isEmpty() ? name : name + u" ("_s + label + u')');
     }
     if (entry.kind == FieldKind::flag) {

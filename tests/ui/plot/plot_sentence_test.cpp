@@ -53,8 +53,8 @@ TEST(PlotSentence, SaysHowACurveGoes) {
     PlotView* plot = torquePlot(&window);
     plot->setCurve(0, {0.0, 360.0, 720.0}, {1.0, 20.0, 300.0});
     plot->grab();
-    EXPECT_TRUE(plot->sentence().contains(
-        u"Mᵤₚ: rises from 1.0 at 0.0° to 300.0\u00A0N·m at 720.0°"_s))
+    EXPECT_TRUE(
+        plot->sentence().contains(u"Mᵤₚ: rises from 1.0 at 0.0° to 300.0\u00A0N·m at 720.0°"_s))
         << plot->sentence().toStdString();
     plot->setCurve(0, {0.0, 360.0, 720.0}, {300.0, 20.0, 20.0});
     EXPECT_TRUE(plot->sentence().contains(u"falls from"_s));

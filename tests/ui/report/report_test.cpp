@@ -249,6 +249,10 @@ TEST_F(ReportInWindow, TheMenuAsksWhereAndAddsTheSuffix) {
 /// The program's own word: status and standard error.
 std::pair<int, QString> run(const QStringList& arguments) {
     QProcess process;
+    const QTemporaryDir runtime;  // or Qt tells where it takes one
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(u"XDG_RUNTIME_DIR"_s, runtime.path());
+    process.setProcessEnvironment(environment);
     process.start(QStringLiteral(RAVNOVES_PROGRAM), arguments);
     EXPECT_TRUE(process.waitForFinished(120'000));
     return {process.exitCode(), QString::fromUtf8(process.readAllStandardError())};

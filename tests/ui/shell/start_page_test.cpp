@@ -224,9 +224,10 @@ TEST_F(StartInTheWindow, TwoClicksLeadToAMovingSlider) {
     EXPECT_FALSE(window.isAtStart());
     EXPECT_TRUE(action(u"Save case"_s)->isEnabled());
     QApplication::processEvents();
-    auto* field = window.currentPage()->findChild<ValueSlider*>();
+    auto* slider = test::named<QSlider>(*window.currentPage(), "shaft_angle_slider");
+    ASSERT_NE(slider, nullptr);
+    auto* field = qobject_cast<ValueSlider*>(slider->parentWidget());
     ASSERT_NE(field, nullptr);
-    QSlider* slider = field->slider();
     ASSERT_TRUE(slider->isVisible());
     const double before = field->value();
     QTest::mouseClick(slider, Qt::LeftButton, {},
