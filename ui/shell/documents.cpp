@@ -542,6 +542,7 @@ void Documents::arrangeTabs() {
     for (int tab = tabs_->count(); tab-- > 0;) {
         const OpenDocument* document = ofTab(tab);
         if (document == nullptr || !belongs(*document)) {
+            tabs_->tabButton(tab, QTabBar::RightSide)->deleteLater();  // the bar only hides it
             tabs_->removeTab(tab);
         }
     }

@@ -193,6 +193,7 @@ TEST_P(RussianPage, ChangesWhileItsWindowIsOpen) {
     Preferences::instance().setLanguage(u"ru"_s);
     QApplication::processEvents();
     EXPECT_EQ(window.currentScene(), scene);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     for (const QString& text : englishAmong(textsOfScene(window, scene) + textsBelow(window))) {
         ADD_FAILURE() << "still in English: " << text.toStdString();
     }

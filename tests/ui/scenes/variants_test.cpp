@@ -194,11 +194,15 @@ TEST_P(EveryPagesVariants, DifferencesAreThePresentLessTheReference) {
                 const bool isAngle = table.horizontalHeaderItem(column)->text().endsWith(u'°') ||
                                      now->unit == u"°"_s;
                 const double wanted = now->value - before->value;
-                EXPECT_NEAR(isAngle ? std::remainder(difference->value - wanted, 360.0)
-                                    : difference->value - wanted,
-                            0.0,
-                            now->isPlain ? 1e-9 * std::abs(now->value) + 1e-9
-                                         : 0.01 * std::abs(now->value));
+                // Both are as shown, with as many digits as the greater has.
+                const double greater = std::max(std::abs(now->value), std::abs(before->value));
+                EXPECT_NEAR(
+                    isAngle ? std::remainder(difference->value - wanted, 360.0)
+                            : difference->value - wanted,
+                    0.0, now->isPlain && before->isPlain ? 1e-9 * greater + 1e-9 : 0.01 * greater)
+                    << table.item(row, column)->text().toStdString() << " after "
+                    << cell.text.toStdString() << ": " << found[0].toStdString();
+
                 other += wanted != 0.0 ? 1 : 0;
             }
         }
