@@ -78,7 +78,7 @@ QWidget* BalanceShaftPage::buildAnswer() {
     answerColumn->addWidget(quantities_);
     notes_ = captionLabel({}, answer);
     notes_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    notesArea_ = scrolled(new Apart(notes_), answer);
+    notesArea_ = scrolled(notes_, answer);
     notesArea_->setMinimumHeight(4 * notes_->fontMetrics().height());
     notesArea_->viewport()->setAutoFillBackground(false);
     notes_->setAutoFillBackground(false);

@@ -26,7 +26,7 @@ QSize Apart::minimumSizeHint() const {
 }
 
 int Apart::heightForWidth(int width) const {
-    return width == this->width() && height_ > 0 ? height_ : needed(width);
+    return needed(width);
 }
 
 int Apart::needed(int width) const {

@@ -46,6 +46,19 @@ class BalanceShaftViewsTest : public ::testing::Test {
     BalanceShaftModel* model = nullptr;
 };
 
+// Whatever room is left for the notes: a scroll bar that came and went took the program with it.
+TEST_F(BalanceShaftViewsTest, NotesOfAnyHeightComeToRest) {
+    for (int height = 560; height <= 860; height += 15) {
+        page.resize(1175, height);
+        for (const double radius : {51.0, 46.0, 5.0, 50.0, 55.0, 40.0, 60.0}) {
+            model->edit(QStringLiteral("r"),
+                        [&](auto& input) { input.crank_radius = radius * units::mm; });
+            QApplication::processEvents();
+        }
+    }
+    EXPECT_EQ(model->input().crank_radius, 60.0 * units::mm);
+}
+
 TEST_F(BalanceShaftViewsTest, OrdersFollowTheShaft) {
     auto* view = open<OrdersView>();
     const double before = *view->plot()->valueAt(1, 1.0);
