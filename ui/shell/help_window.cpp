@@ -26,6 +26,8 @@ namespace {
 constexpr int topicRole = Qt::UserRole;
 constexpr int hitRole = Qt::UserRole + 1;  ///< its number on the page; none: the page itself
 
+constexpr std::size_t mostHits = 60;  ///< of one page
+
 /// Draws the figures in the colours of the theme, as sharp as the screen is.
 class HelpText : public QTextBrowser {
   public:
@@ -96,8 +98,6 @@ HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent) 
     text_ = new HelpText(halves);
     text_->setFrameShape(QFrame::NoFrame);
     text_->setAccessibleName(tr("Help"));
-    text_->document()->setDocumentMargin(Theme::margin * 2);
-    text_->document()->setDefaultFont(Theme::font(Theme::baseSize + 1));
     text_->setSearchPaths({QStringLiteral(":/help")});  // of the pictures
     halves->setStretchFactor(1, 1);
     halves->setSizes({250, 730});
@@ -122,17 +122,28 @@ HelpWindow::HelpWindow(const QString& topic, QWidget* parent) : QDialog(parent) 
     key(Qt::Key_F3, [this] { step(1); });
     key(Qt::SHIFT | Qt::Key_F3, [this] { step(-1); });
     connect(&Theme::instance(), &Theme::changed, this, [this] {
+        readPages();
         showPage(topic_);
-        markHits();
+        search();
     });
     text_->setFocus();
 }
 
-HelpWindow::~HelpWindow() = default;
+HelpWindow::~HelpWindow() {
+    text_->setDocument(nullptr);  // it is of a page, and they go first
+}
 
+/// Read while nothing shows them: a document in view is laid out anew at every paragraph.
 void HelpWindow::readPages() {
+    text_->setDocument(nullptr);
+    pages_.clear();
     for (const QString& topic : helpTopics()) {
         Page page{topic, {}, std::make_unique<QTextDocument>(), {}};
+        page.text->setDocumentMargin(Theme::margin * 2);
+        page.text->setDefaultFont(Theme::font(Theme::baseSize + 1));
+        page.text->setResourceProvider([this](const QUrl& name) {
+            return text_->loadResource(QTextDocument::ImageResource, name);
+        });
         if (loadHelp(topic, page.text.get())) {
             page.title = helpTitle(*page.text);
             pages_.push_back(std::move(page));
@@ -148,7 +159,9 @@ const HelpWindow::Page* HelpWindow::page(const QString& topic) const {
 
 void HelpWindow::showPage(const QString& topic) {
     topic_ = topic;
-    if (!loadHelp(topic, text_->document())) {
+    const Page* shown = page(topic);
+    text_->setDocument(shown != nullptr ? shown->text.get() : nullptr);
+    if (shown == nullptr) {
         text_->setPlainText(tr("There is no help on this page yet."));
     }
     text_->moveCursor(QTextCursor::Start);
@@ -165,15 +178,24 @@ void HelpWindow::showPage(const QString& topic) {
 void HelpWindow::search() {
     hit_ = nullptr;
     std::size_t found = 0;
+    bool areMore = false;
     for (Page& each : pages_) {
         each.hits = findInHelp(*each.text, field_->text());
+        // A single letter stands everywhere; nobody goes through thousands.
+        if (each.hits.size() > mostHits) {
+            each.hits.resize(mostHits);
+            areMore = true;
+        }
         found += each.hits.size();
     }
     const bool asked = !field_->text().trimmed().isEmpty();
     fillList();
     previous_->setEnabled(found > 0);
     next_->setEnabled(found > 0);
-    count_->setText(!asked ? QString() : found == 0 ? tr("nothing found") : QString::number(found));
+    count_->setText(!asked ? QString()
+                    : found == 0
+                        ? tr("nothing found")
+                        : QString::number(found) + (areMore ? QStringLiteral("+") : QString()));
     markHits();
     if (found > 0) {
         // The page that is open, if it has one; else the first that has.
