@@ -151,8 +151,8 @@ inline constexpr Field rod_length{
     .label = CORE_TEXT("balance-shaft", "Rod lengt&h L"),
     .symbol = "L",
     .hint = CORE_TEXT("balance-shaft",
-                      "Between the centres of the rod's eyes; only the picture uses it. Empty: r "
-                      "/ 0.3."),
+                      "Between the centres of the rod's eyes. It decides what can be built, the "
+                      "r/L of the torque's check and a computed torque. Empty: r / 0.3."),
     .placeholder = CORE_TEXT("balance-shaft", "auto")};
 /// Part of m_j r that an engine without a shaft balances on the crank.
 inline constexpr Field crank_share{

@@ -218,8 +218,8 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
                                 "The torque on the gas-exchange stroke holds an inertia torque of "
                                 "mⱼ r² ω² = %1 N·m (r/L = %2); the masses and the speed entered "
                                 "give %3 N·m. They do not belong together: the torque fits these "
-                                "masses at %4 min⁻¹, or %5 kg at this speed. The best angle found "
-                                "below is that of no real engine until they agree."),
+                                "masses at %4 min⁻¹, or %5 kg at this speed. The best angles found "
+                                "are those of no real engine until they agree."),
                       number(fit.scale), number(fit.lambda), number(check.entered),
                       number(check.matching_speed / units::rpm, 4), number(check.matching_mass));
     return check;

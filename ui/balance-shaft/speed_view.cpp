@@ -80,6 +80,7 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
                                    .toolTip = tr("α of the least RMS at each speed"),
                                    .gaps = true});
     map_ = new SpeedMapPlot(this);
+    mapTitle_ = map_->title();
     bestLine_ = map_->addCurve({.name = tr("best α"), .colour = 7, .width = 2.0, .gaps = true});
     connect(map_, &PlotView::pickedAt, study_, &SpeedStudyModel::pick);
     auto* charts = new FoldingRow(pairWidth, this);
@@ -99,6 +100,13 @@ SpeedView::SpeedView(BalanceShaftModel* model, QWidget* parent)
     goLeastBad_->setAccessibleName(tr("Go to the α that is least bad over the band"));
     goLeastBad_->setToolTip(goLeastBad_->accessibleName());
     row->addWidget(goLeastBad_);
+    rebuild_ = new QPushButton(tr("Rebuild torque"), panel);
+    rebuild_->setObjectName(QStringLiteral("rebuild_torque_here"));
+    rebuild_->setToolTip(
+        tr("Take the fitted inertia torque out of the table and put that of the masses and speed "
+           "entered in."));
+    connect(rebuild_, &QPushButton::clicked, model_, &BalanceShaftModel::rebuildTorque);
+    row->addWidget(rebuild_);
     column->addWidget(panel);
 
     connect(goLeastBad_, &QPushButton::clicked, study_, &SpeedStudyModel::goToLeastBad);
@@ -196,6 +204,8 @@ void SpeedView::showInput() {
 void SpeedView::showStudy() {
     answer_->setText(study_->answer());
     goLeastBad_->setEnabled(study_->isSolved());
+    goLeastBad_->setVisible(study_->isSolved());
+    rebuild_->setVisible(!study_->isSolved() && model_->canRebuildTorque());
     if (!study_->isSolved()) {
         for (const int curve : {rangeAngle_, rmsAngle_}) {
             angles_->setCurve(curve, {}, {});
@@ -203,6 +213,8 @@ void SpeedView::showStudy() {
         angles_->setLines({});
         map_->setCurve(bestLine_, {}, {});
         map_->setMap({});
+        map_->setTitle(mapTitle_);
+        map_->setToolTip({});
         map_->setBands({});
         angles_->setBands({});
         const SpeedBand asked = study_->band();

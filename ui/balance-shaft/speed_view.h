@@ -43,6 +43,8 @@ class SpeedView : public QWidget {
     ValueSlider* speed_;
     ValueSlider* load_;
     QComboBox* criterion_;
+    QPushButton* rebuild_;
+    QString mapTitle_;  ///< of an empty map
     QPushButton* goLeastBad_;
     QLabel* answer_;
     PlotView* angles_;

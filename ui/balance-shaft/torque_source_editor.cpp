@@ -141,11 +141,7 @@ QWidget* TorqueSourceEditor::buildCheck() {
             input = balance_shaft::with_matching_speed(input, model_->result().inertia_check);
         });
     });
-    connect(rebuild, &QPushButton::clicked, this, [this] {
-        model_->edit(tr("Rebuild torque"), [this](Input& input) {
-            input = balance_shaft::with_rebuilt_torque(input, model_->result().inertia_check);
-        });
-    });
+    connect(rebuild, &QPushButton::clicked, model_, &BalanceShaftModel::rebuildTorque);
     return check_;
 }
 

@@ -130,6 +130,17 @@ QString BalanceShaftModel::tabulateTorque() {
     });
 }
 
+bool BalanceShaftModel::canRebuildTorque() const {
+    const auto& consistent = result().inertia_check.consistent;
+    return !input().torque.is_computed() && consistent && !*consistent;
+}
+
+QString BalanceShaftModel::rebuildTorque() {
+    return edit(tr("Rebuild torque"), [this](Input& input) {
+        input = balance_shaft::with_rebuilt_torque(input, result().inertia_check);
+    });
+}
+
 QString BalanceShaftModel::importPressureTrace(const QString& path, QString& described) {
     QString why;
     try {

@@ -64,6 +64,10 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     QString setTorqueKind(balance_shaft::TorqueSource::Kind kind);
     /// Makes a table of the torque as it is now, at the angles of the curves. Returns as edit().
     QString tabulateTorque();
+    /// The table's inertia torque is not that of the masses and speed entered.
+    bool canRebuildTorque() const;
+    /// Puts the inertia torque of the masses and speed into the table. Returns as edit().
+    QString rebuildTorque();
     /// Reads a measured trace and computes the torque from it.
     /// @param described  what was read
     /// @return an empty string, or what is wrong, with the file's name

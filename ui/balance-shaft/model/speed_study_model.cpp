@@ -170,8 +170,10 @@ QString SpeedStudyModel::answer() const {
     }
     if (!isSolved()) {
         return messageText(study_.study->reason()) + QLatin1Char(' ') +
-               tr("Rebuild the torque (Torque tab) or choose a pressure trace or a computed "
-                  "cycle.");
+               (model_->canRebuildTorque()
+                    ? tr("Rebuild the torque here, or choose a pressure trace or a computed "
+                         "cycle on the Torque tab.")
+                    : tr("Choose a pressure trace or a computed cycle on the Torque tab."));
     }
     const QLocale locale;
     const LeastBad& best = leastBad();

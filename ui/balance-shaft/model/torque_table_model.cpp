@@ -11,6 +11,18 @@ namespace ravnoves {
 
 using balance_shaft::TorqueTable;
 
+namespace {
+
+/// A number as the table shows it; editing and copying have all its digits.
+QString shortened(const QString& text) {
+    constexpr qsizetype longest = 9;
+    constexpr int digits = 6;
+    const auto value = text.size() > longest ? readFormNumber(text) : std::nullopt;
+    return value ? formNumber(*value, QLocale(), digits) : text;
+}
+
+}  // namespace
+
 void TorqueTableModel::setTable(const TorqueTable& table) {
     if (table == valid_ && trouble_.isEmpty() && !rows_.empty()) {
         return;
@@ -139,6 +151,7 @@ QVariant TorqueTableModel::data(const QModelIndex& index, int role) const {
     const Row& row = rows_[static_cast<std::size_t>(index.row())];
     switch (role) {
         case Qt::DisplayRole:
+            return shortened(index.column() == CrankAngle ? row.angle : row.torque);
         case Qt::EditRole:
             return index.column() == CrankAngle ? row.angle : row.torque;
         case Qt::TextAlignmentRole:
