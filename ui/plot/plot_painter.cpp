@@ -201,11 +201,12 @@ void PlotPainter::paintGhosts(QPainter& painter) const {
         if (ghost == nullptr) {
             continue;
         }
-        const QColor colour = veil(Theme::instance().curve(curve.style.colour), 0.55F);
-        QPen pen(colour, std::max(1.0, 0.8 * curve.style.width), Qt::SolidLine, Qt::FlatCap,
-                 Qt::BevelJoin);
-        pen.setDashPattern({4.0, 3.0});
-        painter.setPen(pen);
+        // Wide and pale: dashes and dots are styles of curves.
+        const QColor ink = Theme::instance().curve(curve.style.colour);
+        const QColor colour = veil(ink, 0.55F);
+        const QPen pen(colour, 1.2, Qt::DashLine, Qt::FlatCap, Qt::BevelJoin);
+        painter.setPen(QPen(veil(ink, 0.32F), std::max(4.0, 2.5 * curve.style.width), Qt::SolidLine,
+                            Qt::FlatCap, Qt::BevelJoin));
         for (const QPolygonF& stretch : data_.stretchesOf(*ghost)) {
             painter.drawPolyline(stretch);
         }

@@ -14,6 +14,17 @@
 
 namespace ravnoves {
 
+namespace {
+
+/// Pale, as the curves of a reference are.
+QColor ghostSwatch() {
+    QColor colour = Theme::instance().mutedText();
+    colour.setAlphaF(0.4F);
+    return colour;
+}
+
+}  // namespace
+
 PlotView::PlotView(const QString& title, QWidget* parent)
     : QWidget(parent), painter_(std::make_unique<PlotPainter>(data_)) {
     makePlotsAccessible();
@@ -60,7 +71,7 @@ void PlotView::setReference(PlotView* plot, const QString& name) {
                                                       : name);
         referenceItem_->setAccessibleName(tr("Show reference %1").arg(name));
         referenceItem_->setToolTip(tr("Show or hide the curves of the reference %1").arg(name));
-        referenceItem_->setSwatch(Theme::instance().mutedText(), Qt::DashLine, Shape::Line);
+        referenceItem_->setSwatch(ghostSwatch(), Qt::SolidLine, Shape::Line);
     }
     chartChanged();
 }
@@ -282,7 +293,7 @@ void PlotView::showTheme() {
         setCurveStyle(curve, data_.curve(curve).style);
     }
     if (referenceItem_ != nullptr) {
-        referenceItem_->setSwatch(Theme::instance().mutedText(), Qt::DashLine, Shape::Line);
+        referenceItem_->setSwatch(ghostSwatch(), Qt::SolidLine, Shape::Line);
     }
     chartChanged();
 }

@@ -41,6 +41,25 @@ TEST(PlotScale, KeepsToWhatIsFixed) {
     EXPECT_DOUBLE_EQ(scale.high, 10.3);
 }
 
+TEST(PlotData, AFixedAxisHoldsTheReference) {
+    PlotData plot;
+    PlotData reference;
+    for (PlotData* each : {&plot, &reference}) {
+        each->x.spec = {QStringLiteral("x"), 0.0, 1.0};
+        each->curves.push_back({});
+    }
+    plot.left.fix(-1.0, 1.0);
+    plot.curve(0).set({}, {}, plot.x, plot.left);
+    reference.curve(0).set({0.0, 1.0}, {-5.0, 800.0}, reference.x, reference.left);
+    plot.reference = &reference;
+    plot.fitScales();
+    EXPECT_LT(plot.left.low, -5.0);
+    EXPECT_GT(plot.left.high, 800.0);
+    plot.referenceShown = false;
+    plot.fitScales();
+    EXPECT_LT(plot.left.high, 2.0);
+}
+
 TEST(PlotScale, LogarithmicHoldsWholeDecades) {
     PlotScale scale;
     scale.spec.logarithmic = true;

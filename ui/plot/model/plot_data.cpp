@@ -11,6 +11,7 @@
 namespace ravnoves {
 
 using plot::Shape;
+using plot::Side;
 
 bool PlotCurve::set(std::vector<double> newX, std::vector<double> newY, const PlotScale& xScale,
                     const PlotScale& yScale) {
@@ -93,6 +94,26 @@ bool PlotData::hasGhosts() const {
                        [](const PlotCurve& curve) { return !curve.x.empty(); });
 }
 
+namespace {
+
+/// Widens an axis that does not follow its data until it holds the reference's curves.
+void includeGhosts(const PlotData& data, Side side, PlotScale& follower) {
+    const auto [low, high] = *follower.fixed;
+    for (const PlotCurve& curve : data.curves) {
+        const PlotCurve* ghost = curve.style.side == side ? data.ghostOf(curve) : nullptr;
+        if (ghost != nullptr) {
+            const auto [least, most] = std::minmax_element(ghost->y.begin(), ghost->y.end());
+            follower.low = std::min(follower.low, *least);
+            follower.high = std::max(follower.high, *most);
+        }
+    }
+    const double pad = follower.spec.logarithmic ? 0.0 : 0.04 * (follower.high - follower.low);
+    follower.low -= follower.low < low ? pad : 0.0;
+    follower.high += follower.high > high ? pad : 0.0;
+}
+
+}  // namespace
+
 void PlotData::fitScales() {
     if (zoomed) {
         return;
@@ -131,6 +152,8 @@ void PlotData::fitScales() {
         if (both && follower.fixed && reference->scale(side).fixed) {
             follower.low = std::min(follower.low, reference->scale(side).fixed->first);
             follower.high = std::max(follower.high, reference->scale(side).fixed->second);
+        } else if (both && follower.fixed) {
+            includeGhosts(*this, side, follower);
         }
     }
 }
