@@ -6,6 +6,7 @@
 #include <QScrollBar>
 #include <QTabWidget>
 #include <algorithm>
+#include <utility>
 
 #include "theme/theme.h"
 #include "widgets/form_section.h"
@@ -28,7 +29,9 @@ PageColumns::PageColumns(const Parts& parts, QWidget* parent)
       grid_(new QGridLayout(this)),
       results_(scrolled(parts.results, this)),
       resultsWidth_(leastWidth(parts.results) + results_->verticalScrollBar()->sizeHint().width() +
-                    2) {
+                    2),
+      inputsLeast_(leastWidth(parts.inputs)),
+      inputsMost_(parts.inputs->maximumWidth()) {
     grid_->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     grid_->setSpacing(Theme::space);
     grid_->addWidget(parts_.inputs, 0, 0, 2, 1);
@@ -52,17 +55,32 @@ int PageColumns::inputsWidth() {
     return Theme::withText(designed);
 }
 
-int PageColumns::widthForAll() const {
-    const int plots = std::max(Theme::withText(plotsWidth), leastWidth(parts_.plots));
-    return leastWidth(parts_.inputs) + plots + resultsWidth_ + 4 * Theme::space;
+PageColumns::Fold PageColumns::foldFor(int width) const {
+    const int plots = leastWidth(parts_.plots);
+    const int two = inputsLeast_ + 3 * Theme::space;
+    const int roomy = std::max(Theme::withText(plotsWidth), plots);
+    if (width >= two + roomy + resultsWidth_ + Theme::space) {
+        return Fold::None;
+    }
+    // What stands over plots and results stays there.
+    return width >= two + plots || parts_.top != nullptr ? Fold::Results : Fold::Plots;
 }
 
 void PageColumns::arrange() {
-    const bool folded = width() < widthForAll();
-    if (folded == folded_) {
+    const Fold fold = foldFor(width());
+    if (fold == fold_) {
         return;
     }
-    folded_ = folded;
+    const Fold was = std::exchange(fold_, fold);
+    if ((was == Fold::None) != (fold == Fold::None)) {
+        foldResults(fold != Fold::None);
+    }
+    if ((was == Fold::Plots) != (fold == Fold::Plots)) {
+        foldPlots(fold == Fold::Plots);
+    }
+}
+
+void PageColumns::foldResults(bool folded) {
     if (folded) {
         grid_->removeWidget(results_);
         most_ = results_->maximumWidth();
@@ -79,6 +97,21 @@ void PageColumns::arrange() {
     grid_->setColumnStretch(2, folded ? 0 : parts_.resultShare);
 }
 
+void PageColumns::foldPlots(bool folded) {
+    if (folded) {
+        grid_->removeWidget(parts_.plots);
+        parts_.inputs->setMaximumWidth(QWIDGETSIZE_MAX);
+        parts_.tabs->addTab(parts_.plots, tr("Plots"));
+    } else {
+        parts_.tabs->removeTab(parts_.tabs->indexOf(parts_.plots));
+        parts_.inputs->setMaximumWidth(inputsMost_);
+        grid_->addWidget(parts_.plots, 1, 1);
+        parts_.plots->show();
+    }
+    grid_->setColumnStretch(0, folded ? 1 : 0);
+    grid_->setColumnStretch(1, folded ? 0 : parts_.plotShare);
+}
+
 void PageColumns::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     arrange();
@@ -86,7 +119,9 @@ void PageColumns::resizeEvent(QResizeEvent* event) {
 
 QSize PageColumns::minimumSizeHint() const {
     const QSize all = QWidget::minimumSizeHint();
-    const int narrowest = leastWidth(parts_.inputs) + leastWidth(parts_.plots) + 3 * Theme::space;
+    const int plots = leastWidth(parts_.plots);
+    const int narrowest = parts_.top != nullptr ? inputsLeast_ + plots + 3 * Theme::space
+                                                : std::max(inputsLeast_, plots) + 2 * Theme::space;
     return {std::min(all.width(), narrowest), all.height()};
 }
 

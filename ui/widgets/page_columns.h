@@ -11,8 +11,8 @@ class QTabWidget;
 namespace ravnoves {
 
 /// The columns of a page: inputs, plots, results. Where the window is too narrow for three (or its
-/// text too large), the results become the last tab of the inputs; a column that is too high for
-/// the window scrolls.
+/// text too large), the results become the last tab of the inputs, and where it is too narrow for
+/// two, the plots too; a column that is too high for the window scrolls.
 class PageColumns : public QWidget {
     Q_OBJECT
 
@@ -32,22 +32,28 @@ class PageColumns : public QWidget {
     /// Of the inputs of every page.
     static int inputsWidth();
 
-    bool isFolded() const { return folded_; }
+    bool isFolded() const { return fold_ != Fold::None; }
     QSize minimumSizeHint() const override;
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
 
   private:
+    enum class Fold { None, Results, Plots };
+
     void arrange();
-    int widthForAll() const;
+    Fold foldFor(int width) const;
+    void foldResults(bool folded);
+    void foldPlots(bool folded);
 
     Parts parts_;
     QGridLayout* grid_;
     QScrollArea* results_;
     int resultsWidth_;  ///< that they need beside the plots
+    int inputsLeast_;   ///< width that they need
+    int inputsMost_;
     int most_ = 0;
-    bool folded_ = false;
+    Fold fold_ = Fold::None;
 };
 
 /// Widgets beside each other where there is room for them, else one below the other.
