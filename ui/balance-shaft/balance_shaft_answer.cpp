@@ -20,7 +20,7 @@ namespace ravnoves {
 
 QWidget* BalanceShaftPage::buildAnswer() {
     auto* holder = new QWidget(this);
-    holder->setMinimumWidth(Theme::withText(312));
+    holder->setMinimumWidth(Theme::withText(338));
     holder->setMaximumWidth(Theme::withText(440));
     auto* column = new QVBoxLayout(holder);
     column->setContentsMargins(0, 0, 0, 0);
@@ -41,6 +41,7 @@ QWidget* BalanceShaftPage::buildAnswer() {
     criteria_ = new ResultTable(answer);
     criteria_->setAccessibleName(tr("Criteria of the three moments"));
     criteria_->setColumns(model_->criteriaColumns());
+    criteria_->horizontalHeaderItem(criteria_->columnCount() - 1)->setData(Qt::UserRole, true);
     criteria_->setTips(BalanceShaftModel::criteriaTips());
     answerColumn->addWidget(criteria_);
 

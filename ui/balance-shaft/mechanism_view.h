@@ -17,7 +17,8 @@ class MechanismView : public MechanismPicture {
   public:
     explicit MechanismView(BalanceShaftModel* model, QWidget* parent = nullptr);
 
-    QSize sizeHint() const override { return {300, 300}; }
+    /// The results below it come first: in a low window it is as low as it can be.
+    QSize sizeHint() const override { return minimumSizeHint(); }
     QSize minimumSizeHint() const override { return {Theme::withText(180), Theme::withText(180)}; }
 
   protected:

@@ -6,7 +6,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPushButton>
-#include <QScrollBar>
+#include <QScrollArea>
 #include <algorithm>
 #include <cmath>
 
@@ -163,8 +163,7 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     table_->setColumns({tr("Shaft"), tr("Value"), tr("Unit")});
     table_->setTips(RelievedShaftModel::tips());
     table_->setShownRows(9);
-    answerColumn->addWidget(table_);
-    answerColumn->addStretch();
+    answerColumn->addWidget(table_, 1);
     upper->add(answerPanel, 3);
 
     drawing_ = new RelievedShaftDrawing(this);
@@ -223,9 +222,6 @@ QWidget* RelievedShaftView::buildForm(BalanceShaftModel* model) {
         form->number((std::string("/relieved_shaft/") + limit).c_str());
     }
     QScrollArea* area = scrolled(form, panel);
-    constexpr int frames = 2;  // of the area, both sides
-    area->setMinimumWidth(form->minimumSizeHint().width() + frames +
-                          area->verticalScrollBar()->sizeHint().width());
     area->setMinimumHeight(120);
     column->addWidget(area, 1);
     export_ = new QPushButton(tr("E&xport drawing (DXF)…"), panel);

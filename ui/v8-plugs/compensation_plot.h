@@ -14,6 +14,8 @@ class CompensationPlot : public PlotView {
 
   public:
     explicit CompensationPlot(QWidget* parent = nullptr);
+    /// As low as it can be read, so that the page needs no scroll bar for it.
+    QSize sizeHint() const override { return {420, minimumSizeHint().height()}; }
 
     void showSolution(const v8_plugs::Result& solution);
 

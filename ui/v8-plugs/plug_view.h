@@ -15,7 +15,7 @@ class PlugView : public QWidget {
   public:
     explicit PlugView(V8PlugsModel* model, QWidget* parent = nullptr);
 
-    QSize sizeHint() const override { return {300, 200}; }
+    QSize sizeHint() const override { return {300, minimumSizeHint().height()}; }
     QSize minimumSizeHint() const override { return {Theme::withText(200), Theme::withText(130)}; }
 
   protected:

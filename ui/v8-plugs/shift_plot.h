@@ -13,6 +13,8 @@ class ShiftPlot : public PlotView {
 
   public:
     explicit ShiftPlot(QWidget* parent = nullptr);
+    /// As low as it can be read, so that the page needs no scroll bar for it.
+    QSize sizeHint() const override { return {420, minimumSizeHint().height()}; }
 
     /// @param crankRadius  of this engine, m
     void showRadius(const std::optional<double>& crankRadius);

@@ -168,7 +168,10 @@ void ResultTable::showDifferences() {
         const int other = reference_ != nullptr ? rowInReference(row) : -1;
         for (int column = 1; column < columns_; ++column) {
             QTableWidgetItem* cell = item(row, column);
-            const QTableWidgetItem* was = other >= 0 ? reference_->item(other, column) : nullptr;
+            // Marked: the column says itself how others differ.
+            const bool isChange = horizontalHeaderItem(column)->data(Qt::UserRole).toBool();
+            const QTableWidgetItem* was =
+                other >= 0 && !isChange ? reference_->item(other, column) : nullptr;
             const bool isAngle = horizontalHeaderItem(column)->text().endsWith(QChar(0x00B0));
             const auto found = cell != nullptr && was != nullptr
                                    ? difference(cell->text(), was->text(), isAngle)

@@ -5,6 +5,7 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTabWidget>
+#include <QTableView>
 #include <cmath>
 
 #include "balance-shaft/balance_shaft_page.h"
@@ -17,6 +18,7 @@
 #include "balance-shaft/speed_map_plot.h"
 #include "balance-shaft/speed_view.h"
 #include "balance-shaft/torque_source_editor.h"
+#include "balance-shaft/torque_table_editor.h"
 #include "events.h"
 #include "model/background_job.h"
 #include "widgets/number_field.h"
@@ -239,6 +241,47 @@ TEST_F(BalanceShaftViewsTest, SpeedStudyIsSolvedInTheBackground) {
     const QPoint at(view->mapPlot()->toPixel(200.0, speed).toPoint());
     QTest::mouseClick(view->mapPlot(), Qt::LeftButton, {}, at);
     EXPECT_NEAR(model->shaftAngleDeg(), 200.0, 3.0);
+}
+
+TEST_F(BalanceShaftViewsTest, AnEmptySpeedMapHasItsRemedyBesideIt) {
+    auto* view = open<SpeedView>();
+    const QString empty = view->mapPlot()->title();
+    QTRY_VERIFY_WITH_TIMEOUT(!view->job()->isRunning(), 20000);
+    auto* rebuild = test::named<QPushButton>(*view, "rebuild_torque_here");
+    ASSERT_TRUE(rebuild->isVisible());
+    EXPECT_FALSE(view->answer().contains(QStringLiteral("below")));
+    QTest::mouseClick(rebuild, Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!view->job()->isRunning() && !rebuild->isVisible(), 20000);
+    EXPECT_TRUE(view->answer().contains(QStringLiteral("Least bad")))
+        << view->answer().toStdString();
+    EXPECT_NE(view->mapPlot()->title(), empty);
+    // The rebuilt numbers are shown shorter than they are.
+    const QAbstractItemModel* table = page.torqueEditor()->view()->model();
+    for (int row = 0; row < table->rowCount(); ++row) {
+        EXPECT_LE(table->index(row, 1).data(Qt::DisplayRole).toString().size(), 10);
+    }
+    EXPECT_GT(table->index(1, 1).data(Qt::EditRole).toString().size(), 10);
+    // An empty map says nothing about its values.
+    model->history()->undo();
+    QTRY_VERIFY_WITH_TIMEOUT(!view->job()->isRunning() && rebuild->isVisible(), 20000);
+    EXPECT_EQ(view->mapPlot()->title(), empty);
+}
+
+TEST_F(BalanceShaftViewsTest, TheChangeIsWholeAndIsComparedWithNothing) {
+    BalanceShaftPage other;
+    test::showAt(page, {1175, 700});  // of a window of 1280×800
+    auto* here = page.findChild<ResultTable*>();
+    auto* there = other.findChild<ResultTable*>();
+    const int change = here->columnCount() - 1;
+    other.viewModel()->setShaftAngleDeg(100.0);
+    EXPECT_EQ(here->horizontalScrollBarPolicy(), Qt::ScrollBarAlwaysOff);
+    here->setReference(there, QStringLiteral("B"));
+    QApplication::processEvents();
+    EXPECT_EQ(here->horizontalScrollBarPolicy(), Qt::ScrollBarAlwaysOff);
+    EXPECT_FALSE(here->differenceAt(0, change - 1).isEmpty());
+    for (int row = 0; row < here->rowCount(); ++row) {
+        EXPECT_TRUE(here->differenceAt(row, change).isEmpty()) << row;
+    }
 }
 
 TEST_F(BalanceShaftViewsTest, TheSpeedMapSaysWhereTheShaftHelps) {
