@@ -40,6 +40,20 @@ QColor veil(QColor colour, float opacity) {
     return colour;
 }
 
+/// The axis makes its ticks anew at each word of ours, one by one from its anchor on: none of them
+/// may leave it with a fine step on a long range, or far from the anchor.
+void moveAxis(QValueAxis& axis, double low, double high, double step) {
+    constexpr double many = 1e3;
+    const double extent =
+        std::max({std::abs(low), std::abs(high), std::abs(axis.min()), std::abs(axis.max())});
+    if (extent > many * std::min(step, axis.tickInterval())) {
+        axis.setTickInterval(2.0 * extent);
+    }
+    axis.setTickAnchor(std::abs(low) > many * step ? std::ceil(low / step - 1e-9) * step : 0.0);
+    axis.setRange(low, high);
+    axis.setTickInterval(step);
+}
+
 /// A text from its base point on, over whatever is drawn there.
 void drawOnVeil(QPainter& painter, const QPointF& base, const QString& text) {
     const QFontMetricsF metrics(painter.font());
@@ -146,9 +160,12 @@ void PlotPainter::layoutAxes() {
         axis->setTitleText(scale.spec.title);
         scale.chooseStep(pixels, pixelsPerTick);
         if (!scale.isOwn()) {
-            axis->setTickInterval(scale.step);
-            axis->setLabelFormat(QStringLiteral("%.%1f").arg(tickDecimals(scale.step)));
-            axis->setRange(scale.number(scale.low), scale.number(scale.high));
+            const double low = scale.number(scale.low);
+            const double high = scale.number(scale.high);
+            const TickFormat format = tickFormat(low, high, scale.step);
+            axis->setLabelFormat(
+                QStringLiteral("%.%1%2").arg(format.digits).arg(QLatin1Char(format.letter)));
+            moveAxis(*axis, low, high, scale.step);
         }
     };
     apply(0, data_.x, Qt::AlignBottom, data_.area.width(), columnPerTick());

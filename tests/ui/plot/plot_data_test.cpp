@@ -16,6 +16,48 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 using Values = std::vector<double>;
 using Starts = std::vector<std::size_t>;
 
+TEST(PlotScale, HasFewTicksWhateverTheData) {
+    constexpr double subnormal = 5e-324;
+    constexpr double huge = std::numeric_limits<double>::max();
+    for (const auto& [least, most] :
+         std::initializer_list<std::pair<double, double>>{{0.0, 0.0},
+                                                          {-1e-17, 1e-17},
+                                                          {0.0, 1e-17},
+                                                          {1e3 - 1e-17, 1e3 + 1e-17},
+                                                          {1e3, 1e3 + 1e-12},
+                                                          {-1e3 - 1e-9, -1e3},
+                                                          {0.0, 1e-300},
+                                                          {0.0, subnormal},
+                                                          {subnormal, subnormal},
+                                                          {-1e308, 1e308},
+                                                          {0.0, huge},
+                                                          {-huge, huge},
+                                                          {1e308, huge},
+                                                          {1e-9, 1e9},
+                                                          {2.0, 2.0 + 1e-7}}) {
+        for (const bool degrees : {false, true}) {
+            PlotScale scale;
+            scale.spec.degrees = degrees;
+            scale.fit(least, most);
+            scale.chooseStep(600.0, 40.0);
+            const std::string what = std::to_string(least) + " " + std::to_string(most);
+            ASSERT_LT(scale.low, scale.high) << what;
+            ASSERT_GT(scale.step, 0.0) << what;
+            EXPECT_LE((scale.high - scale.low) / scale.step, 50.0) << what;
+            // A step that is lost in the values never ends.
+            EXPECT_NE(scale.low + 1e-3 * scale.step, scale.low) << what;
+            EXPECT_NE(scale.high - 1e-3 * scale.step, scale.high) << what;
+            EXPECT_LE(scale.tickText(scale.high, QLocale::c()).size(), 24) << what;
+        }
+        if (most > 0.0) {
+            PlotScale scale;
+            scale.spec.logarithmic = true;
+            scale.fit(std::max(least, subnormal), most);
+            EXPECT_LE(scale.ownTicks(600.0, 40.0).size(), 50U) << least << " " << most;
+        }
+    }
+}
+
 TEST(PlotScale, RestsWhileTheDataFit) {
     PlotScale scale;
     scale.fit(-100.0, 100.0);

@@ -38,6 +38,10 @@ void PlotScale::fit(double least, double most) {
         return;
     }
     if (spec.logarithmic) {
+        constexpr double smallest = 1e-300;  // as scaled() has it
+        constexpr double largest = 1e300;
+        least = std::clamp(least, smallest, largest);
+        most = std::clamp(most, smallest, largest);
         low = std::pow(10.0, std::floor(std::log10(least)));
         high = std::pow(10.0, std::ceil(std::log10(most)));
         if (low == high) {
@@ -59,7 +63,7 @@ void PlotScale::fit(double least, double most) {
 bool PlotScale::fix(double min, double max) {
     const double pad = spec.logarithmic ? 0.0 : 0.03 * (max - min);
     const std::pair wanted(min - pad, max + pad);
-    if (!std::isfinite(min) || !std::isfinite(max) || !(wanted.first < wanted.second) ||
+    if (!std::isfinite(wanted.second - wanted.first) || !(wanted.first < wanted.second) ||
         fixed == wanted) {
         return false;
     }
@@ -122,7 +126,8 @@ QString PlotScale::tickText(double value, const QLocale& locale) const {
     if (isOwn()) {
         return spec.label ? spec.label(number(value)) : powerText(number(value), locale);
     }
-    return locale.toString(number(value), 'f', tickDecimals(step));
+    const TickFormat format = tickFormat(number(low), number(high), step);
+    return locale.toString(number(value), format.letter, format.digits);
 }
 
 QString PlotScale::readout(double value, const QLocale& locale, int decimals) const {

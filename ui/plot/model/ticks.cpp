@@ -47,14 +47,26 @@ double readableStep(double low, double high, int wanted, bool degrees) {
         }
         step = choose(ticks);
     }
-    return step;
+    constexpr double many = 50.0;  // an axis of more is no axis
+    return (high - low) / step <= many ? step : niceStep(high - low, wanted);
 }
 
 std::pair<double, double> niceInterval(double min, double max, int wanted) {
-    if (!(max > min)) {
-        const double pad = std::max(1e-12, std::abs(min) * 0.1);
+    // Beyond these neither spans nor their squares are numbers.
+    constexpr double largest = 1e150;
+    min = std::clamp(min, -largest, largest);
+    max = std::clamp(max, -largest, largest);
+    const double size = std::max(std::abs(min), std::abs(max));
+    // What is less is rounding, and no axis can number it.
+    constexpr double least = 1e-9;
+    constexpr double zero = 1e-12;
+    if (!(max - min > least * size)) {
+        const double pad = size > zero ? 0.1 * size : 1.0;
         min -= pad;
         max += pad;
+    } else if (size <= zero) {
+        min = -1.0;
+        max = 1.0;
     }
     const double step = niceStep(max - min, wanted);
     return {std::floor(min / step + 1e-9) * step, std::ceil(max / step - 1e-9) * step};
@@ -71,6 +83,16 @@ int tickDecimals(double step) {
     return 12;
 }
 
+TickFormat tickFormat(double low, double high, double step) {
+    constexpr double longest = 1e9;
+    const double size = std::max(std::abs(low), std::abs(high));
+    if (size < longest) {
+        return {'f', tickDecimals(step)};
+    }
+    const double digits = std::floor(std::log10(size)) - std::floor(std::log10(step));
+    return {'e', static_cast<int>(std::clamp(digits + 1.0, 1.0, 10.0))};
+}
+
 std::vector<double> logarithmicTicks(double low, double high, int wanted) {
     constexpr double rounding = 1e-9;
     const int first = static_cast<int>(std::ceil(std::log10(low) - rounding));
@@ -84,8 +106,9 @@ std::vector<double> logarithmicTicks(double low, double high, int wanted) {
     };
     if (std::log10(high / low) < 1.0) {
         const double step = niceStep(high - low, wanted);
-        for (double k = std::ceil(low / step); k * step <= high; ++k) {
-            take(k * step);
+        const double start = std::ceil(low / step);
+        for (int i = 0; i <= 4 * wanted && (start + i) * step <= high; ++i) {
+            take((start + i) * step);
         }
         return ticks;
     }
