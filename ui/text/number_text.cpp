@@ -64,6 +64,10 @@ QString fixedDecimals(double value, int decimals, const QLocale& locale) {
     if (!std::isfinite(value)) {
         return QStringLiteral("–");
     }
+    constexpr double longest = 1e9;  // beyond it digits say nothing
+    if (std::abs(value) >= longest) {
+        return formNumber(value, locale, 6).replace(QLatin1Char('-'), QChar(0x2212));
+    }
     // −0.00 is no number that a person wants to see.
     const double scale = std::pow(10.0, decimals);
     const double shown = std::round(value * scale) == 0.0 ? 0.0 : value;
