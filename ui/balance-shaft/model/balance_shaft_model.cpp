@@ -355,11 +355,23 @@ QVector<QStringList> BalanceShaftModel::criteriaRows() const {
         return QStringList{name, number(result().M_up.*value, 1), number(result().M_s.*value, 1),
                            number(result().M_ups.*value, 1), change};
     };
-    const auto relative = [](double with, double without) -> std::optional<double> {
-        if (without == 0.0) {
+    double scale = 0.0;
+    for (const MomentMetrics* each : {&result().M_up, &result().M_s, &result().M_ups}) {
+        scale = std::max({scale, std::abs(each->max), std::abs(each->min)});
+    }
+    // Rounding noise changes by nothing that has a meaning.
+    const auto isNoise = [scale](double without) {
+        constexpr double rounding = 1e-9;
+        return std::abs(without) <= rounding * scale;
+    };
+    const auto relative = [&](double with, double without) -> std::optional<double> {
+        if (isNoise(without)) {
             return std::nullopt;
         }
         return (with - without) / std::abs(without);
+    };
+    const auto unlessNoise = [&](const std::optional<double>& change, double without) {
+        return isNoise(without) ? std::nullopt : change;
     };
     // The sign of a change does not say whether it is a good one.
     const auto judged = [](const std::optional<double>& fraction, bool lessIsBetter) {
@@ -372,8 +384,10 @@ QVector<QStringList> BalanceShaftModel::criteriaRows() const {
         return (rounded < 0.0) == lessIsBetter ? tr("%1 better").arg(size)
                                                : tr("%1 worse").arg(size);
     };
-    return {row(tr("range"), &MomentMetrics::range, judged(result().range_change, true)),
-            row(tr("RMS"), &MomentMetrics::rms, judged(result().rms_change, true)),
+    return {row(tr("range"), &MomentMetrics::range,
+                judged(unlessNoise(result().range_change, result().M_up.range), true)),
+            row(tr("RMS"), &MomentMetrics::rms,
+                judged(unlessNoise(result().rms_change, result().M_up.rms), true)),
             row(tr("mean"), &MomentMetrics::mean,
                 percent(relative(result().M_ups.mean, result().M_up.mean))),
             {tr("nodes"), number(result().printed_mean_M_up, 1),
