@@ -1,6 +1,5 @@
 #include <unistd.h>
 
-#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -12,18 +11,12 @@
 #include "case-file/text_file.h"
 #include "command.h"
 #include "output.h"
+#include "scenes/case_sources.h"
 #include "scenes/scenes.h"
 
 namespace ravnoves::cli {
 
 namespace {
-
-/// By whatever path, link or hard link.
-bool is_same_file(const std::filesystem::path& file, const std::filesystem::path& other) {
-    std::error_code ignored;
-    return std::filesystem::is_regular_file(other, ignored) &&
-           std::filesystem::equivalent(file, other, ignored);
-}
 
 int solve_file(const std::string& case_path, const std::string& result_path, const Wanted& wanted) {
     if (is_same_file(case_path, result_path)) {
@@ -34,9 +27,7 @@ int solve_file(const std::string& case_path, const std::string& result_path, con
     try {
         const CaseFile file = parse_case(read_text_file(case_path));
         const CaseContext context{std::filesystem::path(case_path).parent_path()};
-        const auto inputs = files_named_by(file, context);
-        if (std::any_of(inputs.begin(), inputs.end(),
-                        [&](const auto& input) { return is_same_file(input, result_path); })) {
+        if (is_named_by(file, context, result_path)) {
             complain(result_path,
                      "is a file that the case reads; the result must go to another file");
             return exit_bad_input;

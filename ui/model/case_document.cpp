@@ -1,5 +1,6 @@
 #include "model/case_document.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QSettings>
@@ -8,7 +9,9 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "model/case_sources.h"
 #include "model/open_case.h"
+#include "scenes/case_sources.h"
 #include "scenes/scenes.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
@@ -20,6 +23,12 @@ namespace {
 const QString ending = QStringLiteral(".case.json");
 const QString recentKey = QStringLiteral("files/recent");
 constexpr int recentFiles = 8;
+
+/// Those that live.
+QList<const CaseDocument*>& documents() {
+    static QList<const CaseDocument*> all;
+    return all;
+}
 
 void remember(const QString& path) {
     QStringList files = CaseDocument::recentPaths();
@@ -51,6 +60,7 @@ CaseDocument::CaseDocument(SceneModel* model, DocumentDialogs dialogs, QObject* 
       model_(model),
       dialogs_(std::move(dialogs)),
       rest_(std::make_unique<CaseFile>()) {
+    documents() << this;
     connect(model, &SceneModel::historyChanged, this, [this] {
         if (std::exchange(neededSaving_, needsSaving()) != neededSaving_) {
             Q_EMIT nameChanged();
@@ -59,7 +69,9 @@ CaseDocument::CaseDocument(SceneModel* model, DocumentDialogs dialogs, QObject* 
     connect(model, &SceneModel::titleChanged, this, &CaseDocument::nameChanged);
 }
 
-CaseDocument::~CaseDocument() = default;
+CaseDocument::~CaseDocument() {
+    documents().removeOne(this);
+}
 
 QString CaseDocument::name() const {
     return path_.isEmpty() ? model_->title() : QFileInfo(path_).fileName();
@@ -73,6 +85,38 @@ CaseFile CaseDocument::asFile() const {
     CaseFile file = model_->caseFile();
     file.study = rest_->study;
     return file;
+}
+
+std::string CaseDocument::asText(const QString& path) const {
+    CaseFile file = asFile();
+    if (!path.isEmpty()) {
+        move_files(file, model_->context(), {fsPath(QFileInfo(path).absolutePath())});
+    }
+    return write_case(file).dump(2) + "\n";
+}
+
+bool CaseDocument::names(const QString& path) const {
+    const CaseContext folder{fsPath(QFileInfo(path_).absolutePath())};
+    return is_named_by(asFile(), model_->context(), fsPath(path)) ||
+           (!path_.isEmpty() && is_named_by(*rest_, folder, fsPath(path)));
+}
+
+QString sourceTrouble(const QString& path) {
+    for (const CaseDocument* document : documents()) {
+        const QString& own = document->path();
+        if (!own.isEmpty() && is_same_file(fsPath(own), fsPath(path))) {
+            return QCoreApplication::translate("ravnoves::CaseDocument",
+                                               "%1 is an open case; choose another file.")
+                .arg(path);
+        }
+        if (document->model()->hasCaseFile() && document->names(path)) {
+            return QCoreApplication::translate(
+                       "ravnoves::CaseDocument",
+                       "%1 is a file that an open case reads; choose another file.")
+                .arg(path);
+        }
+    }
+    return {};
 }
 
 QStringList CaseDocument::recentPaths() {
@@ -145,9 +189,7 @@ void CaseDocument::keepMine() {
 QString CaseDocument::saveTo(const QString& path) {
     model_->keepTyped();
     try {
-        CaseFile file = asFile();
-        move_files(file, model_->context(), {fsPath(QFileInfo(path).absolutePath())});
-        write_text_file(fsPath(path), write_case(file).dump(2) + "\n");
+        write_text_file(fsPath(path), asText(path));
     } catch (const InputError& error) {
         return path + QStringLiteral(": ") + errorText(error);
     }

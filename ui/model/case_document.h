@@ -53,6 +53,11 @@ class CaseDocument : public QObject {
     OpenCase asOpenCase() const;
     /// All that its file holds, as it stands now; files are named from the model's folder.
     CaseFile asFile() const;
+    /// The text of asFile() for a path, from where files are named; empty: for none.
+    /// @throws InputError
+    std::string asText(const QString& path) const;
+    /// Whether this is a file that the case names, as it stands or as its own file has it.
+    bool names(const QString& path) const;
 
     /// A case file, not yet checked by its scene.
     /// @throws InputError

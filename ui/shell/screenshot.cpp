@@ -6,6 +6,7 @@
 #include <QTabWidget>
 
 #include "case-file/input_error.h"
+#include "model/case_sources.h"
 #include "shell/main_window.h"
 #include "shell/scene_page.h"
 
@@ -52,6 +53,13 @@ QString writeScreenshot(MainWindow& window, const QString& path, const QString& 
     const QRegularExpressionMatch match = form.match(size);
     if (!match.hasMatch()) {
         return QStringLiteral("--size: must be like 1280x800, got %1").arg(size);
+    }
+    if (!path.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)) {
+        return QStringLiteral("--screenshot: must end in .png, got %1").arg(path);
+    }
+    const QString source = sourceTrouble(path);
+    if (!source.isEmpty()) {
+        return source;
     }
     window.resize(match.captured(1).toInt(), match.captured(2).toInt());
     window.show();

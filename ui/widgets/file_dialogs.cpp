@@ -9,6 +9,8 @@
 #include <QSettings>
 #include <algorithm>
 
+#include "model/case_sources.h"
+
 namespace ravnoves {
 
 namespace {
@@ -92,6 +94,13 @@ QString askSavePath(QWidget* parent, const QString& title, const QString& sugges
                                         "“%1” cannot be written as .%2. What can be written: %3."))
                     .arg(QFileInfo(typed).fileName(), QFileInfo(typed).suffix(),
                          suffixes.join(QLatin1String(", "))));
+            continue;
+        }
+        // A case that is saved takes the place of a case.
+        const bool isCase = formats.front().suffix == QLatin1String("case.json");
+        const QString trouble = isCase ? QString() : sourceTrouble(path);
+        if (!trouble.isEmpty()) {
+            QMessageBox::warning(parent, title, trouble);
             continue;
         }
         const bool replaces = QFileInfo::exists(path);
