@@ -14,6 +14,9 @@
 #include "case-file/text_file.h"
 #include "methods/model/method_words.h"
 #include "methods/model/validation_model.h"
+#include "model/case_document.h"
+#include "model/case_sources.h"
+#include "model/input_differences.h"
 #include "report/input_tables.h"
 #include "report/page_parts.h"
 #include "report/report.h"
@@ -31,6 +34,12 @@ namespace ravnoves {
 using namespace report;
 
 namespace {
+
+/// A text of the user's that may have any length.
+QString shortened(const QString& text) {
+    constexpr qsizetype longest = 400;
+    return text.size() <= longest ? text : text.left(longest) + QChar(0x2026);
+}
 
 /// Paper is white: the page is drawn in the light theme meanwhile.
 class LightTheme {
@@ -68,33 +77,30 @@ QString sceneTitle(const QString& name) {
 }
 
 /// The case as its file holds it, or would hold it; in words what it is of.
-std::pair<QString, QString> fingerprint(const SceneModel& model, const QString& path) {
-    const auto sum = [](const std::string& bytes) {
-        return QString::fromLatin1(
-            QCryptographicHash::hash(QByteArray::fromStdString(bytes), QCryptographicHash::Sha256)
-                .toHex());
-    };
-    if (!path.isEmpty() && !model.hasChanges()) {
-        try {
-            return {ReportWords::tr("SHA-256 of the file"), sum(read_text_file(fsPath(path)))};
-        } catch (const InputError&) {
-            // The file went meanwhile; what it held is still known.
-        }
+std::pair<QString, QString> fingerprint(CaseDocument& document) {
+    const bool isFile = !document.path().isEmpty() && !document.needsSaving();
+    if (isFile && !document.disk().digest().isEmpty()) {
+        return {document.disk().check() == FileOnDisk::State::Same
+                    ? ReportWords::tr("SHA-256 of the file")
+                    : ReportWords::tr("SHA-256 of the file as it was read; it is another now"),
+                QString::fromLatin1(document.disk().digest().toHex())};
     }
-    return {ReportWords::tr("SHA-256 of the case, with changes that are not saved"),
-            sum(write_case(model.caseFile()).dump(2) + "\n")};
+    const auto text = QByteArray::fromStdString(document.asText(document.path()));
+    return {
+        ReportWords::tr("SHA-256 of the case, with changes that are not saved"),
+        QString::fromLatin1(QCryptographicHash::hash(text, QCryptographicHash::Sha256).toHex())};
 }
 
-void addCase(Report& report, const SceneModel& model, const QString& caseFile) {
+void addCase(Report& report, const SceneModel& model, CaseDocument& document) {
     Table table;
     const auto row = [&](const QString& name, const QString& value) {
         table.rows << QStringList{name.toHtmlEscaped(), value.toHtmlEscaped()};
     };
     row(ReportWords::tr("Scene"), sceneTitle(model.sceneName()));
-    if (!caseFile.isEmpty()) {
-        row(ReportWords::tr("Case file"), QFileInfo(caseFile).fileName());
+    if (!document.path().isEmpty()) {
+        row(ReportWords::tr("Case file"), QFileInfo(document.path()).fileName());
     }
-    const auto [name, sum] = fingerprint(model, caseFile);
+    const auto [name, sum] = fingerprint(document);
     row(name, sum);
     row(ReportWords::tr("Program"), report.program);
     row(ReportWords::tr("Date"), report.date);
@@ -251,22 +257,77 @@ void addValidation(Report& report, const QString& scene) {
     }
 }
 
-Report makeReport(ScenePage& page, const QString& caseFile) {
+/// The variants of the case, and how the present input differs from the one that the curves and
+/// tables are seen against.
+void addVariants(Report& report, const SceneModel& model) {
+    const int reference = model.reference();
+    if (model.variants().isEmpty()) {
+        return;
+    }
+    report.items.push_back(Heading{ReportWords::tr("Variants")});
+    QStringList names;
+    for (const Variant& variant : model.variants()) {
+        names << variant.name;
+    }
+    report.items.push_back(Paragraph{ReportWords::tr("Kept beside the present input: %1.")
+                                         .arg(shortened(names.join(QStringLiteral(", "))))
+                                         .toHtmlEscaped()});
+    if (reference < 0) {
+        return;
+    }
+    const QString name = shortened(names[reference]);
+    report.items.push_back(
+        Paragraph{ReportWords::tr("The results are seen against the variant %1: its curves are "
+                                  "dashed, and Δ is the present value less its value.")
+                      .arg(name)
+                      .toHtmlEscaped()});
+    const auto differences = inputDifferences(model, model.variantInput(reference));
+    if (differences.empty()) {
+        report.items.push_back(Paragraph{
+            ReportWords::tr("The present input is that of %1.").arg(name).toHtmlEscaped()});
+        return;
+    }
+    Table table;
+    table.caption = ReportWords::tr("Inputs that differ");
+    table.headings = {ReportWords::tr("Input"), ReportWords::tr("Present"), name.toHtmlEscaped(),
+                      ReportWords::tr("Unit"),  QStringLiteral("Δ"),        QStringLiteral("Δ, %")};
+    table.numbers = {false, true, true, false, true, true};
+    constexpr std::size_t most = 200;  // of long lists element by element
+    for (std::size_t i = 0; i < std::min(most, differences.size()); ++i) {
+        const InputDifference& each = differences[i];
+        QStringList cells;
+        for (const QString& text : {each.name, shortened(each.present), shortened(each.reference),
+                                    each.unit, each.absolute(), each.percent()}) {
+            cells << text.toHtmlEscaped();
+        }
+        table.rows << cells;
+    }
+    report.items.push_back(std::move(table));
+    if (differences.size() > most) {
+        report.items.push_back(
+            Paragraph{ReportWords::tr("… and %1 more.").arg(differences.size() - most),
+                      Paragraph::Kind::Muted});
+    }
+}
+
+Report makeReport(ScenePage& page, CaseDocument& document) {
     SceneModel& model = *page.model();
     model.keepTyped();
     Report report;
     report.program = QStringLiteral("Ravnoves " RAVNOVES_VERSION);
     report.date = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
     report.language = currentLanguage();
-    report.title = model.title().isEmpty() ? sceneTitle(model.sceneName()) : model.title();
+    report.title = model.title().isEmpty() ? sceneTitle(model.sceneName())
+                                           : shortened(model.title().simplified());
     report.subtitle =
         ReportWords::tr("Report of a calculation: %1").arg(sceneTitle(model.sceneName()));
     std::vector<PageGroup> groups = pageParts(page);
-    addCase(report, model, caseFile);
+    addCase(report, model, document);
     report.items.push_back(Heading{ReportWords::tr("Inputs")});
     for (Table& table : inputTables(model)) {
         report.items.push_back(std::move(table));
     }
+    addVariants(report, model);
     addResults(report, std::move(groups));
     addTheory(report, model);
     addValidation(report, model.sceneName());
@@ -284,13 +345,17 @@ bool isReportName(const QString& path) {
            path.endsWith(QLatin1String(".htm"), Qt::CaseInsensitive);
 }
 
-QString writeReport(ScenePage& page, const QString& caseFile, const QString& path) {
+QString writeReport(ScenePage& page, CaseDocument& document, const QString& path) {
     if (!isReportName(path)) {
         return ReportWords::tr("%1: a report ends in .pdf or .html").arg(path);
     }
+    const QString source = sourceTrouble(path);
+    if (!source.isEmpty()) {
+        return source;
+    }
     try {
         const LightTheme light(page.window());
-        const Report report = makeReport(page, caseFile);
+        const Report report = makeReport(page, document);
         const QByteArray bytes = isPdf(path) ? reportAsPdf(report) : reportAsHtml(report);
         write_text_file(fsPath(path), bytes.toStdString());
     } catch (const InputError& error) {

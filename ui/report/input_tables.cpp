@@ -83,17 +83,40 @@ class Inputs {
         if (entry != nullptr && !entry->field.label.empty()) {
             return fieldName(entry->field);
         }
-        if (entry != nullptr && !entry->field.hint.empty()) {
-            return firstSentence(shownText(entry->field.hint));
+        // The form names the field that may be given in its place.
+        const std::string parent = pointer.substr(0, pointer.rfind('/') + 1);
+        for (const std::string& other : entry != nullptr ? entry->alternatives : noKeys()) {
+            const FieldEntry* named = entryAt(parent + other);
+            if (named != nullptr && !named->field.label.empty()) {
+                return fieldName(named->field);
+            }
         }
-        return QString::fromStdString(key);
+        return inWords(key, !unitOf(pointer).name.isEmpty());
+    }
+
+    static const std::vector<std::string>& noKeys() {
+        static const std::vector<std::string> none;
+        return none;
+    }
+
+    /// A key without the unit that it ends in: "stiffness_N_m" as "stiffness".
+    static QString inWords(const std::string& key, bool hasUnit) {
+        QStringList parts = QString::fromStdString(key).split(QLatin1Char('_'));
+        static const QStringList units{
+            QStringLiteral("deg"),  QStringLiteral("rad"), QStringLiteral("s"),
+            QStringLiteral("mm"),   QStringLiteral("m"),   QStringLiteral("N"),
+            QStringLiteral("Nm"),   QStringLiteral("kg"),  QStringLiteral("g"),
+            QStringLiteral("rpm"),  QStringLiteral("bar"), QStringLiteral("K"),
+            QStringLiteral("kgmm2")};
+        while (hasUnit && parts.size() > 1 && units.contains(parts.last())) {
+            parts.removeLast();
+        }
+        return parts.join(QLatin1Char(' '));
     }
 
     QString meaningOf(const std::string& pointer) const {
         const FieldEntry* entry = entryAt(pointer);
-        return entry == nullptr || entry->field.label.empty()
-                   ? QString()
-                   : firstSentence(shownText(entry->field.hint));
+        return entry == nullptr ? QString() : firstSentence(shownText(entry->field.hint));
     }
 
     ShownUnit unitOf(const std::string& pointer) const {

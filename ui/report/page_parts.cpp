@@ -108,11 +108,20 @@ Table tableOf(const ResultTable& table) {
         shown.numbers << (column > 0 && table.rowCount() > 0 && table.item(0, column) != nullptr &&
                           (table.item(0, column)->textAlignment() & Qt::AlignRight) != 0);
     }
+    const bool inColumns =
+        !shown.headings.isEmpty() && shown.headings.last() == QStringLiteral("Δ, %");
     for (int row = 0; row < table.rowCount(); ++row) {
         QStringList cells;
         for (int column = 0; column < table.columnCount(); ++column) {
             const QTableWidgetItem* cell = table.item(row, column);
             cells << (cell != nullptr ? fragment(cell->text()) : QString());
+            // Differences have columns of their own, or stand below their numbers.
+            QStringList parts = inColumns ? QStringList() : table.differenceAt(row, column);
+            parts.removeAll(QString());
+            if (!parts.isEmpty()) {
+                cells.last() += QStringLiteral("<br/><small>Δ %1</small>")
+                                    .arg(parts.join(QStringLiteral("; ")).toHtmlEscaped());
+            }
         }
         shown.rows << cells;
     }

@@ -335,6 +335,11 @@ std::vector<Placed> placed(const Strips& all) {
     return result;
 }
 
+/// Words that are far longer than a line cost time that grows with their square.
+QString frameTitle(const Report& report) {
+    return report.title.left(500);
+}
+
 void drawFrame(QPainter& painter, const Report& report, int page, int pages) {
     const QFont font = paperFont(9);
     painter.setFont(font);
@@ -347,7 +352,7 @@ void drawFrame(QPainter& painter, const Report& report, int page, int pages) {
     if (page > 0) {
         const QRectF head(left, 12.0 * perMillimetre, width, 14.0);
         painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter,
-                         QFontMetricsF(font).elidedText(report.title, Qt::ElideRight, width));
+                         QFontMetricsF(font).elidedText(frameTitle(report), Qt::ElideRight, width));
         painter.setPen(QPen(QColor::fromRgb(hairline), 0.6));
         painter.drawLine(head.bottomLeft() + QPointF(0, 3), head.bottomRight() + QPointF(0, 3));
     }
@@ -357,7 +362,7 @@ void drawFrame(QPainter& painter, const Report& report, int page, int pages) {
 
 QByteArray reportAsPdf(const Report& report) {
     Strips strips;
-    strips.text(report.title.toHtmlEscaped(), 22, true, ink, 0.0, true);
+    strips.text(frameTitle(report).toHtmlEscaped(), 22, true, ink, 0.0, true);
     strips.text(report.subtitle.toHtmlEscaped(), 13, false, pale, 2.0, true);
     for (const Item& item : report.items) {
         std::visit(strips, item);
@@ -369,7 +374,7 @@ QByteArray reportAsPdf(const Report& report) {
     buffer.open(QIODevice::WriteOnly);
     QPdfWriter writer(&buffer);
     writer.setResolution(96);  // recorded pictures are scaled by it, their text too
-    writer.setTitle(report.title);
+    writer.setTitle(frameTitle(report));
     writer.setCreator(report.program);
     QPageLayout layout(QPageSize(QPageSize::A4), QPageLayout::Portrait, QMarginsF());
     layout.setMode(QPageLayout::FullPageMode);

@@ -657,7 +657,7 @@ void MainWindow::exportPicture() {
 }
 
 QString MainWindow::writeReport(const QString& path) {
-    return ravnoves::writeReport(*currentPage(), documents_->current().document->path(), path);
+    return ravnoves::writeReport(*currentPage(), *documents_->current().document, path);
 }
 
 void MainWindow::exportReport() {

@@ -6,17 +6,21 @@
 #include <QApplication>
 #include <QCryptographicHash>
 #include <QDir>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
+#include <filesystem>
 
 #include "case-file/json.h"
 #include "events.h"
+#include "model/case_document.h"
 #include "report/case_report.h"
 #include "report/report.h"
+#include "shell/documents.h"
 #include "shell/main_window.h"
 #include "shell/scene_page.h"
 #include "text/language.h"
@@ -229,6 +233,93 @@ TEST_F(ReportInWindow, RefusesWhatCannotBeWrittenAndLeavesNothing) {
     EXPECT_TRUE(QDir(folder.path()).isEmpty());
 }
 
+TEST_F(ReportInWindow, SpeaksOfTheFileThatWasOpened) {
+    const QString path = file(u"own.case.json"_s);
+    ASSERT_TRUE(QFile::copy(example(), path));
+    QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner);
+    ASSERT_EQ(window.openCase(path), QString());
+    const auto sumOf = [](const QString& text) {
+        return QString::fromLatin1(
+            QCryptographicHash::hash(text.toUtf8(), QCryptographicHash::Sha256).toHex());
+    };
+    const QString opened = sumOf(fileText(path));
+    QFile other(path);
+    ASSERT_TRUE(other.open(QIODevice::Append));
+    other.write("\n");
+    other.close();
+    const QString html = file(u"report.html"_s);
+    ASSERT_EQ(window.writeReport(html), QString());
+    EXPECT_TRUE(fileText(html).contains(opened));
+    EXPECT_FALSE(fileText(html).contains(sumOf(fileText(path))));
+    EXPECT_TRUE(fileText(html).contains(u"as it was read"_s));
+    // What is not saved yet has the sum of what would be saved.
+    window.currentPage()->model()->setByKey(u"shaft_angle_deg"_s, u"50"_s);
+    ASSERT_EQ(window.writeReport(html), QString());
+    ASSERT_EQ(window.documents().current().document->saveTo(path), QString());
+    EXPECT_TRUE(fileText(html).contains(sumOf(fileText(path))));
+}
+
+TEST_F(ReportInWindow, WritesOverNoCaseAndOverNothingThatOneReads) {
+    const QString path = file(u"self.html"_s);
+    const QString table = file(u"torque.html"_s);
+    Json json = Json::parse(fileText(example()).toStdString());
+    {
+        QFile csv(table);
+        ASSERT_TRUE(csv.open(QIODevice::WriteOnly));
+        const Json& torque = json["input"]["torque"];
+        for (std::size_t i = 0; i < torque["torque_Nm"].size(); ++i) {
+            csv.write(QByteArray::number(torque["crank_angle_deg"][i].get<double>()) + ',' +
+                      QByteArray::number(torque["torque_Nm"][i].get<double>()) + '\n');
+        }
+    }
+    json["input"]["torque"] = Json{{"csv", "torque.html"}};
+    {
+        QFile own(path);
+        ASSERT_TRUE(own.open(QIODevice::WriteOnly));
+        own.write(QByteArray::fromStdString(json.dump()));
+    }
+    const QString before = fileText(path) + fileText(table);
+    const QString trouble = window.openCase(path);
+    ASSERT_EQ(trouble, QString());
+    const QString soft = file(u"soft.html"_s);
+    const QString hard = file(u"hard.pdf"_s);
+    ASSERT_TRUE(QFile::link(path, soft));
+    std::filesystem::create_hard_link(table.toStdString(), hard.toStdString());
+    for (const QString& each : {path, table, soft, hard}) {
+        const QString why = window.writeReport(each);
+        EXPECT_TRUE(why.contains(each)) << each.toStdString();
+        EXPECT_TRUE(why.contains(u"open case"_s)) << why.toStdString();
+    }
+    EXPECT_EQ(fileText(path) + fileText(table), before);
+}
+
+TEST_F(ReportInWindow, SaysWhatItsCurvesAreSeenAgainst) {
+    ASSERT_EQ(window.openCase(example()), QString());
+    SceneModel* model = window.currentPage()->model();
+    model->keepVariant(u"As drawn"_s);
+    model->setByKey(u"shaft_angle_deg"_s, u"51.25"_s);
+    const QString html = file(u"report.html"_s);
+    ASSERT_EQ(window.writeReport(html), QString());
+    QStringList references;
+    const QString text = htmlText(html, references);
+    EXPECT_TRUE(text.contains(u"seen against the variant As drawn"_s));
+    EXPECT_TRUE(text.contains(u"51.25"_s));
+    EXPECT_TRUE(text.contains(u"Δ, %"_s) || text.contains(u"Δ "_s));
+}
+
+TEST(ReportPages, ALongTitleIsCut) {
+    Report report;
+    report.title = QString(1'000'000, u'W');
+    report.language = u"en"_s;
+    for (int i = 0; i < 100; ++i) {
+        report.items.push_back(report::Paragraph{u"text"_s});
+    }
+    QElapsedTimer time;
+    time.start();
+    EXPECT_TRUE(reportAsPdf(report).startsWith("%PDF"));
+    EXPECT_LT(time.elapsed(), 5000);
+}
+
 TEST_F(ReportInWindow, TheMenuAsksWhereAndAddsTheSuffix) {
     ASSERT_EQ(window.openCase(example()), QString());
     QString filters;
@@ -278,6 +369,7 @@ TEST_F(ReportInWindow, TheProgramSaysWhyItWritesNone) {
     };
     refused({u"--report"_s, file(u"a.txt"_s), u"--case"_s, example()}, u".pdf or .html"_s);
     refused({u"--report"_s, file(u"a.pdf"_s)}, u"--case"_s);
+    refused({u"--screenshot"_s, file(u"a.case.json"_s), u"--case"_s, example()}, u".png"_s);
     refused({u"--report"_s, file(u"a.pdf"_s), u"--case"_s, file(u"none.json"_s)}, u"none.json"_s);
     refused({u"--report"_s, u"/proc/a.pdf"_s, u"--case"_s, example()}, u"/proc/a.pdf"_s);
     if (QFile::exists(u"/dev/full"_s)) {
