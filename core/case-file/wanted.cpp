@@ -17,6 +17,12 @@ bool is_within(std::string_view pointer, std::string_view around) {
            (pointer.size() == around.size() || pointer[around.size()] == '/');
 }
 
+/// A pointer as a message shows it: one line of text, whatever its bytes are.
+std::string shown(const std::string& pointer) {
+    const std::string quoted = Json(pointer).dump(-1, ' ', false, Json::error_handler_t::replace);
+    return printable(std::string_view(quoted).substr(1, quoted.size() - 2));
+}
+
 }  // namespace
 
 Wanted::Wanted(std::vector<std::string> pointers) : pointers_(std::move(pointers)) {
@@ -51,7 +57,7 @@ Json Wanted::pick(Json result) const {
     for (const std::string& text : pointers_) {
         const Json::json_pointer pointer(text);
         if (!result.contains(pointer)) {
-            throw InputError("/result" + text,
+            throw InputError("/result" + shown(text),
                              CORE_TEXT("core", "must be a value that the result has"));
         }
         // What lies in another comes with it.

@@ -38,6 +38,20 @@ TEST(Wanted, WhatLiesInAnotherComesWithIt) {
     EXPECT_EQ(Wanted({"/a/b/1", "/a", "/a-b", "/a/b"}).pick(result), result);
 }
 
+TEST(Wanted, SaysInOneShortLineWhatIsNotThere) {
+    for (const std::string& pointer :
+         {std::string("/a\nb"), std::string("/\xff"), "/" + std::string(120'000, 'x')}) {
+        try {
+            Wanted({pointer}).pick({{"a", 1}});
+            FAIL();
+        } catch (const InputError& error) {
+            EXPECT_LE(error.where().size(), 100U);
+            EXPECT_EQ(error.where().find('\n'), std::string::npos);
+            EXPECT_NO_THROW(Json(error.where()).dump()) << "is UTF-8";
+        }
+    }
+}
+
 TEST(Wanted, RefusesWhatIsNoPointerOrNotThere) {
     for (const char* pointer : {"", "a", "/~2"}) {
         EXPECT_THROW(Wanted({pointer}), InputError) << pointer;
