@@ -9,6 +9,7 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "model/scene_model.h"
+#include "model/state_brought_in.h"
 #include "scenes/scenes.h"
 
 namespace ravnoves {
@@ -18,6 +19,14 @@ namespace {
 bool isTaken(const QList<Variant>& variants, const QString& name) {
     return std::any_of(variants.begin(), variants.end(),
                        [&](const Variant& variant) { return variant.name == name; });
+}
+
+/// Passes on why an input is not taken over; where it is, all fields show it.
+QString broughtIn(SceneModel* model, const QString& why) {
+    if (why.isEmpty()) {
+        Q_EMIT StateBroughtIn::of(model).done();
+    }
+    return why;
 }
 
 }  // namespace
@@ -97,12 +106,14 @@ QString SceneModel::swapVariant(int place) {
     Variants next = variants_;
     Variant& variant = next.list[place];
     const std::string input = std::exchange(variant.input, inputJson().dump());
-    return changeVariants(tr("Swap with variant %1").arg(variant.name), next, input);
+    return broughtIn(this,
+                     changeVariants(tr("Swap with variant %1").arg(variant.name), next, input));
 }
 
 QString SceneModel::takeVariant(int place) {
     const Variant& variant = variants_.list.at(place);
-    return changeVariants(tr("Take variant %1").arg(variant.name), variants_, variant.input);
+    return broughtIn(
+        this, changeVariants(tr("Take variant %1").arg(variant.name), variants_, variant.input));
 }
 
 Json SceneModel::variantInput(int place) const {

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <utility>
 
+#include "model/state_brought_in.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -38,6 +39,13 @@ void EntryField::setModel(SceneModel* model) {
     connect(model, &SceneModel::refused, this, [this](const QString& why) {
         if (isPassing_) {
             refusal_ = why;
+        }
+    });
+    connect(&StateBroughtIn::of(model), &StateBroughtIn::done, this, [this] {
+        if (!trouble_.isEmpty()) {
+            setTrouble({});
+            showValue();
+            endEditing();
         }
     });
 }
