@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "case-file/input_error.h"
+#include "case-file/text_size.h"
 
 namespace ravnoves {
 
@@ -27,9 +28,6 @@ InputError not_read() {
 }
 
 constexpr std::size_t block_size = 1U << 16U;
-constexpr std::size_t largest_text = 64U << 20U;  // bytes
-constexpr Text too_large = CORE_TEXT("core", "must be at most 64 MiB");
-constexpr Text not_a_file = CORE_TEXT("core", "must be a file, not a pipe or a device");
 
 struct Descriptor {
     explicit Descriptor(int it) : number(it) {}
@@ -193,9 +191,7 @@ std::string read_text_file(const std::filesystem::path& path) {
     std::string text;
     std::vector<char> block(block_size);
     while (const std::size_t count = read_some(file.number, block)) {
-        if (text.size() + count > largest_text) {
-            throw InputError("", too_large);
-        }
+        check_text_size(text.size() + count);
         text.append(block.data(), count);
     }
     return text;
@@ -256,10 +252,15 @@ void write_text_file(const std::filesystem::path& path, std::string_view text) {
         in_place = static_cast<bool>(error);  // a link to nothing yet
     }
     if (in_place) {
-        // A device or a pipe has no place beside it: write straight through.
-        const Descriptor device(
-            ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOCTTY | O_CLOEXEC, 0666));
+        // A device or a pipe has no place beside it: write straight through. Opening a pipe that
+        // nobody reads would wait for ever.
+        const int waits_not = std::filesystem::is_fifo(path, error) ? O_NONBLOCK : 0;
+        const Descriptor device(::open(
+            path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOCTTY | O_CLOEXEC | waits_not, 0666));
         if (device.number < 0) {
+            if (waits_not != 0 && errno == ENXIO) {
+                throw InputError("", CORE_TEXT("core", "is a pipe that nobody reads"));
+            }
             throw not_written();
         }
         write_all(device.number, text);

@@ -1,5 +1,6 @@
 #include "case-file/text_file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -88,6 +89,23 @@ TEST_F(TextFile, PlantedLinksAreNotFollowed) {
     EXPECT_EQ(read_text_file(path_), "after");
     EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(path_)));
     EXPECT_EQ(files(), before);
+}
+
+TEST_F(TextFile, APipeIsWrittenWhereSomebodyReadsIt) {
+    ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0);
+    try {
+        write_text_file(path_, "text");
+        FAIL() << "nobody reads";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("nobody reads"), std::string::npos);
+    }
+    const int reader = ::open(path_.c_str(), O_RDONLY | O_NONBLOCK);
+    ASSERT_GE(reader, 0);
+    write_text_file(path_, "text");
+    char read[8] = {};
+    EXPECT_EQ(::read(reader, read, sizeof read), 4);
+    EXPECT_STREQ(read, "text");
+    ::close(reader);
 }
 
 TEST_F(TextFile, ALinkIsFollowed) {
