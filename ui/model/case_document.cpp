@@ -9,6 +9,7 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "case-file/text_file.h"
+#include "case-file/text_size.h"
 #include "model/case_sources.h"
 #include "model/open_case.h"
 #include "scenes/case_sources.h"
@@ -53,6 +54,15 @@ bool isExample(const CaseFile& file) {
     return false;
 }
 
+bool holdsCase(const QString& path) {
+    try {
+        CaseDocument::read(path);
+        return true;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
 }  // namespace
 
 CaseDocument::CaseDocument(SceneModel* model, DocumentDialogs dialogs, QObject* parent)
@@ -61,16 +71,25 @@ CaseDocument::CaseDocument(SceneModel* model, DocumentDialogs dialogs, QObject* 
       dialogs_(std::move(dialogs)),
       rest_(std::make_unique<CaseFile>()) {
     documents() << this;
-    connect(model, &SceneModel::historyChanged, this, [this] {
-        if (std::exchange(neededSaving_, needsSaving()) != neededSaving_) {
-            Q_EMIT nameChanged();
-        }
-    });
+    connect(model, &SceneModel::historyChanged, this, &CaseDocument::tellNeed);
     connect(model, &SceneModel::titleChanged, this, &CaseDocument::nameChanged);
+    connect(&disk_, &FileOnDisk::stateChanged, this, [this] {
+        const FileOnDisk::State state = disk_.state();
+        isLastCopy_ = state == FileOnDisk::State::Gone ||
+                      (state == FileOnDisk::State::Changed && !holdsCase(path_));
+        tellNeed();
+    });
 }
 
 CaseDocument::~CaseDocument() {
     documents().removeOne(this);
+}
+
+void CaseDocument::tellNeed() {
+    const bool needs = needsSaving();
+    if (std::exchange(neededSaving_, needs) != needs) {
+        Q_EMIT nameChanged();
+    }
 }
 
 QString CaseDocument::name() const {
@@ -123,29 +142,37 @@ QStringList CaseDocument::recentPaths() {
     return QSettings().value(recentKey).toStringList();
 }
 
-void CaseDocument::setPath(const QString& path) {
+void CaseDocument::setPath(const QString& path, const QByteArray& known) {
     path_ = path.isEmpty() ? path : QFileInfo(path).absoluteFilePath();
     if (!path.isEmpty()) {
         remember(path_);
     }
-    disk_.setPath(path_);
+    if (known.isEmpty()) {
+        disk_.setPath(path_);
+    } else {
+        disk_.setPath(path_, known);
+    }
     model_->history()->setClean();
     Q_EMIT nameChanged();
 }
 
-CaseFile CaseDocument::read(const QString& path) {
-    return parse_case(read_text_file(fsPath(path)));
+CaseFile CaseDocument::read(const QString& path, QByteArray* digest) {
+    const std::string text = read_text_file(fsPath(path));
+    if (digest != nullptr) {
+        *digest = FileOnDisk::digestOf(text);
+    }
+    return parse_case(text);
 }
 
-void CaseDocument::open(const CaseFile& file, const QString& path) {
+void CaseDocument::open(const CaseFile& file, const QString& path, const QByteArray& known) {
     begin(file, {fsPath(QFileInfo(path).absolutePath())});
-    setPath(path);
+    setPath(path, known);
 }
 
 void CaseDocument::begin(const CaseFile& file, const CaseContext& context) {
     load(file, context);
     model_->history()->clear();  // undo must not bring another case's values under this one's name
-    setPath({});
+    setPath({}, {});
 }
 
 Json* CaseDocument::fileNamedAt(CaseFile& file, const InputError& error) {
@@ -171,12 +198,13 @@ void CaseDocument::restore(const CaseFile& file, const CaseContext& context, con
 }
 
 QString CaseDocument::reload() {
+    QByteArray known;
     try {
-        load(read(path_), {fsPath(QFileInfo(path_).absolutePath())});
+        load(read(path_, &known), {fsPath(QFileInfo(path_).absolutePath())});
     } catch (const InputError& error) {
         return path_ + QStringLiteral(": ") + errorText(error);
     }
-    setPath(path_);
+    setPath(path_, known);
     return {};
 }
 
@@ -186,14 +214,29 @@ void CaseDocument::keepMine() {
     Q_EMIT nameChanged();
 }
 
+void CaseDocument::checkReadable(const std::string& text) {
+    check_text_size(text.size());
+    constexpr std::size_t certainlyFew = 5'000'000;  // bytes
+    if (text.size() > certainlyFew) {
+        parse_json(text);  // which counts its values
+    }
+}
+
 QString CaseDocument::saveTo(const QString& path) {
     model_->keepTyped();
+    std::string text;
     try {
-        write_text_file(fsPath(path), asText(path));
+        const QFileInfo there(path);
+        if (there.exists() && !there.isFile() && !there.isDir()) {
+            throw InputError("", not_a_file);
+        }
+        text = asText(path);
+        checkReadable(text);
+        write_text_file(fsPath(path), text);
     } catch (const InputError& error) {
         return path + QStringLiteral(": ") + errorText(error);
     }
-    setPath(path);
+    setPath(path, FileOnDisk::digestOf(text));
     return {};
 }
 
@@ -236,6 +279,7 @@ bool CaseDocument::saveElsewhere(const QString& trouble) {
 }
 
 bool CaseDocument::mayGo() {
+    disk_.check();
     if (!needsSaving()) {
         return true;
     }

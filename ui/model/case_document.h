@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "model/file_on_disk.h"
 #include "model/scene_model.h"
@@ -48,7 +49,8 @@ class CaseDocument : public QObject {
     QString path() const { return path_; }
     /// The file's name, else the case's title, which may be empty.
     QString name() const;
-    bool needsSaving() const { return model_->hasChanges(); }
+    /// Also a case whose file is gone, or is no case file any more: this is the last copy.
+    bool needsSaving() const { return model_->hasChanges() || isLastCopy_; }
     /// For other pages to refer to.
     OpenCase asOpenCase() const;
     /// All that its file holds, as it stands now; files are named from the model's folder.
@@ -60,12 +62,14 @@ class CaseDocument : public QObject {
     bool names(const QString& path) const;
 
     /// A case file, not yet checked by its scene.
+    /// @param digest  is set to the FileOnDisk::digest() of what was read
     /// @throws InputError
-    static CaseFile read(const QString& path);
+    static CaseFile read(const QString& path, QByteArray* digest = nullptr);
     /// Takes over what read() found at the path, or a case without a file, with a history that
     /// begins there. A fault leaves all as it was.
+    /// @param known  the digest of read(); empty: of what the path holds now
     /// @throws InputError
-    void open(const CaseFile& file, const QString& path);
+    void open(const CaseFile& file, const QString& path, const QByteArray& known = {});
     void begin(const CaseFile& file, const CaseContext& context);
     /// Where the case names the file that open() could not read; null where something else is
     /// wrong.
@@ -77,6 +81,9 @@ class CaseDocument : public QObject {
                  const QByteArray& known);
     /// @return an empty string, or what is wrong, with the file's name
     QString saveTo(const QString& path);
+    /// Before a text is written that read() would refuse for its size.
+    /// @throws InputError
+    static void checkReadable(const std::string& text);
 
     /// The file, as others may change it.
     FileOnDisk& disk() { return disk_; }
@@ -101,7 +108,8 @@ class CaseDocument : public QObject {
     void saved(const QString& path);
 
   private:
-    void setPath(const QString& path);
+    void setPath(const QString& path, const QByteArray& known);
+    void tellNeed();
     void load(const CaseFile& file, const CaseContext& context);
     bool saveElsewhere(const QString& trouble);
 
@@ -110,6 +118,7 @@ class CaseDocument : public QObject {
     QString path_;
     std::unique_ptr<CaseFile> rest_;  ///< of the file, what the model does not know
     FileOnDisk disk_;
+    bool isLastCopy_ = false;
     bool neededSaving_ = false;
 };
 

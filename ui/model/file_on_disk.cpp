@@ -10,12 +10,17 @@ namespace {
 
 constexpr int settleTime = 150;  // ms
 
-QByteArray digestOf(const QString& path) {
+/// Empty where nothing is there or it cannot be read; a pipe, which is never opened, or a folder is
+/// like no file's content.
+QByteArray digestNow(const QString& path) {
+    const QFileInfo info(path);
+    if (info.exists() && !info.isFile()) {
+        return QByteArrayLiteral("no file");
+    }
     QFile file(path);
     QCryptographicHash hash(QCryptographicHash::Sha256);
-    return QFileInfo(path).isFile() && file.open(QIODevice::ReadOnly) && hash.addData(&file)
-               ? hash.result()
-               : QByteArray();
+    return info.isFile() && file.open(QIODevice::ReadOnly) && hash.addData(&file) ? hash.result()
+                                                                                  : QByteArray();
 }
 
 }  // namespace
@@ -29,8 +34,14 @@ FileOnDisk::FileOnDisk(QObject* parent) : QObject(parent) {
     connect(&watcher_, &QFileSystemWatcher::directoryChanged, this, look);
 }
 
+QByteArray FileOnDisk::digestOf(std::string_view content) {
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    hash.addData(QByteArray::fromRawData(content.data(), static_cast<qsizetype>(content.size())));
+    return hash.result();
+}
+
 void FileOnDisk::setPath(const QString& path) {
-    setPath(path, path.isEmpty() ? QByteArray() : digestOf(path));
+    setPath(path, path.isEmpty() ? QByteArray() : digestNow(path));
 }
 
 void FileOnDisk::setPath(const QString& path, const QByteArray& known) {
@@ -57,15 +68,18 @@ void FileOnDisk::watch() {
 
 FileOnDisk::State FileOnDisk::check() {
     State now = State::Same;
+    QByteArray found;
     if (!path_.isEmpty()) {
         watch();
-        const QByteArray found = digestOf(path_);
+        found = digestNow(path_);
         now = found == known_            ? State::Same
               : !found.isEmpty()         ? State::Changed
               : QFileInfo::exists(path_) ? State::Same  // it cannot be read now
                                          : State::Gone;
     }
-    if (now != state_) {
+    const bool changedAgain = now == State::Changed && found != found_;
+    found_ = found;
+    if (now != state_ || changedAgain) {
         state_ = now;
         Q_EMIT stateChanged();
     }
@@ -73,7 +87,7 @@ FileOnDisk::State FileOnDisk::check() {
 }
 
 void FileOnDisk::accept() {
-    known_ = digestOf(path_);
+    known_ = found_;
     check();
 }
 

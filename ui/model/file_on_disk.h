@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QString>
 #include <QTimer>
+#include <string_view>
 
 namespace ravnoves {
 
@@ -20,17 +21,19 @@ class FileOnDisk : public QObject {
 
     /// The file was read or written now. Empty: there is none.
     void setPath(const QString& path);
-    /// The same, with the content known that digest() told before.
+    /// The same with the digest of what was read or written, which others may have changed since.
     void setPath(const QString& path, const QByteArray& known);
+    static QByteArray digestOf(std::string_view content);
     /// Of the content known; empty where there is none.
     const QByteArray& digest() const { return known_; }
     State state() const { return state_; }
     /// Looks at the file now.
     State check();
-    /// What is there now is known from now on.
+    /// What was found there by the last look is known from now on.
     void accept();
 
   Q_SIGNALS:
+    /// Also where a changed file changed again.
     void stateChanged();
 
   private:
@@ -38,6 +41,7 @@ class FileOnDisk : public QObject {
 
     QString path_;
     QByteArray known_;
+    QByteArray found_;  ///< by the last look; empty where nothing can be read
     State state_ = State::Same;
     QFileSystemWatcher watcher_;
     QTimer settle_;  ///< others write in several steps
