@@ -47,8 +47,7 @@ RecoveredCase readKept(const QString& file) {
 
 Recovery::Recovery(const QString& folder, QObject* parent)
     : QObject(parent), folder_(folder), session_(QUuid::createUuid().toString(QUuid::Id128)) {
-    QDir().mkpath(folder_);
-    lock(session_);
+    lock(session_);  // else keep() tries again
 }
 
 Recovery::~Recovery() = default;
@@ -58,17 +57,18 @@ QString Recovery::defaultFolder() {
         .filePath(QStringLiteral("recovery"));
 }
 
-bool Recovery::lock(const QString& session) {
+Recovery::Lock Recovery::lock(const QString& session) {
     if (locks_.count(session) > 0) {
-        return true;
+        return Lock::Ours;
     }
+    QDir().mkpath(folder_);
     auto file = std::make_unique<QLockFile>(QDir(folder_).filePath(session + lockEnding));
     file->setStaleLockTime(0);
     if (!file->tryLock(0)) {
-        return false;
+        return file->error() == QLockFile::LockFailedError ? Lock::Others : Lock::Failed;
     }
     locks_[session] = std::move(file);
-    return true;
+    return Lock::Ours;
 }
 
 QStringList Recovery::filesOf(const QString& session) const {
@@ -126,18 +126,28 @@ void Recovery::keep(CaseDocument* document) {
                  {"known", document->disk().digest().toHex().toStdString()},
                  {"directory", model.context().directory.string()},
                  {"draft", found->draft().toStdString()}};
-    const std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace);
+    const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
     const QByteArray bytes = QByteArray::fromStdString(text);
     if (bytes == found->written) {
         return;
     }
     try {
-        write_text_file(fsPath(found->file), text);
-        found->written = bytes;
-    } catch (const InputError& error) {
-        if (!std::exchange(failed_, true)) {
-            Q_EMIT failed(tr("Unsaved changes are not kept for a crash: %1").arg(errorText(error)));
+        CaseDocument::checkReadable(text);
+        // Without the lock another program would take the case for one that a crash has left.
+        if (lock(session_) == Lock::Ours) {
+            write_text_file(fsPath(found->file), text);
+            found->written = bytes;
+        } else {
+            tellFailed(tr("%1 cannot be written to").arg(folder_));
         }
+    } catch (const InputError& error) {
+        tellFailed(errorText(error));
+    }
+}
+
+void Recovery::tellFailed(const QString& why) {
+    if (!std::exchange(failed_, true)) {
+        Q_EMIT failed(tr("Unsaved changes are not kept for a crash: %1").arg(why));
     }
 }
 
@@ -177,7 +187,7 @@ Recovery::Found Recovery::leftBehind() {
     sessions.removeDuplicates();
     sessions.removeAll(session_);
     for (const QString& session : sessions) {
-        if (!lock(session)) {
+        if (lock(session) == Lock::Others) {
             continue;  // that program runs
         }
         for (const QString& file : filesOf(session)) {

@@ -77,7 +77,9 @@ class Recovery : public QObject {
     };
 
     void forget(Watched& watched);
-    bool lock(const QString& session);
+    void tellFailed(const QString& why);
+    enum class Lock { Ours, Others, Failed };
+    Lock lock(const QString& session);
     QStringList filesOf(const QString& session) const;
 
     QString folder_;

@@ -3,12 +3,15 @@
 #include "model/recovery.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <QDir>
 #include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <csignal>
 
 #include "model/case_document.h"
 #include "model/root_model.h"
@@ -155,6 +158,72 @@ TEST_F(RecoveryTest, ADamagedFileIsKeptAside) {
     EXPECT_TRUE(next.leftBehind().damaged.isEmpty()) << "said once";
 }
 
+/// While it lives, nothing can be written, as on a full disk.
+class FullDisk {
+  public:
+    FullDisk() {
+        ::signal(SIGXFSZ, SIG_IGN);
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit none{0, before_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &none);
+    }
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+    ~FullDisk() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+
+  private:
+    rlimit before_{};
+};
+
+TEST_F(RecoveryTest, WithoutItsLockNothingIsKept) {
+    std::unique_ptr<Recovery> recovery;
+    {
+        const FullDisk full;
+        recovery = std::make_unique<Recovery>(keptIn());
+        QSignalSpy failed(recovery.get(), &Recovery::failed);
+        watch(*recovery);
+        model.set("square", 9.0);
+        recovery->keep(&document);
+        EXPECT_TRUE(kept().isEmpty());
+        EXPECT_EQ(failed.size(), 1);
+    }
+    recovery->keep(&document);
+    EXPECT_EQ(kept().size(), 1) << "there is room again";
+    {
+        Recovery other(keptIn());
+        EXPECT_TRUE(other.leftBehind().cases.isEmpty()) << "that program runs";
+    }
+    recovery.reset();
+    const FullDisk full;
+    Recovery next(keptIn());
+    const Recovery::Found found = next.leftBehind();
+    ASSERT_EQ(found.cases.size(), 1) << "nobody has it, though it cannot be locked";
+    next.discard(found.cases.constFirst());
+    EXPECT_TRUE(kept().isEmpty());
+}
+
+TEST_F(RecoveryTest, WhatIsTooLargeToBeReadIsNotWritten) {
+    const QString path = file("a.case.json");
+    ASSERT_EQ(document.saveTo(path), QString());
+    const qint64 size = QFileInfo(path).size();
+    CaseFile large = document.asFile();
+    large.notes = std::string((64U << 20U) + 1, 'n');
+    document.open(large, path);
+    EXPECT_TRUE(document.saveTo(path).contains(QStringLiteral("64 MiB")));
+    Recovery recovery(keptIn());
+    QSignalSpy failed(&recovery, &Recovery::failed);
+    watch(recovery);
+    model.set("square", 9.0);
+    recovery.keep(&document);
+    EXPECT_TRUE(kept().isEmpty());
+    EXPECT_EQ(failed.size(), 1);
+    large.notes.clear();
+    large.study = {{"samples", std::vector<int>(5'000'000, 0)}};
+    document.open(large, path);
+    EXPECT_TRUE(document.saveTo(path).contains(QStringLiteral("values")));
+    EXPECT_EQ(QFileInfo(path).size(), size);
+}
+
 // ------------------------------------------------------------------------------ other programs
 
 class DiskTest : public ::testing::Test {
@@ -262,6 +331,55 @@ TEST_F(DiskTest, ADeletedFileIsSaidAndWrittenAgain) {
     EXPECT_TRUE(document.save());
     EXPECT_TRUE(QFile::exists(path));
     EXPECT_TRUE(asked.isEmpty());
+}
+
+TEST_F(DiskTest, AChangeWhileTheFileIsReadIsSeen) {
+    QByteArray known;
+    const CaseFile read = CaseDocument::read(path, &known);
+    writeByOthers(25.0);
+    document.open(read, path, known);
+    EXPECT_EQ(document.disk().state(), FileOnDisk::State::Changed);
+    EXPECT_FALSE(document.save());
+    EXPECT_EQ(asked, QStringList{path});
+    EXPECT_EQ(CaseDocument::read(path).input.at("crank_radius_mm"), 25.0);
+    // What is written is known without another look at the disk.
+    EXPECT_EQ(document.saveTo(path), QString());
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_EQ(document.disk().digest(), FileOnDisk::digestOf(file.readAll().toStdString()));
+}
+
+TEST_F(DiskTest, MineIsKeptAgainstWhatWasSeenOnly) {
+    writeByOthers(25.0);
+    EXPECT_EQ(document.disk().check(), FileOnDisk::State::Changed);
+    writeByOthers(36.0);
+    document.keepMine();
+    EXPECT_EQ(document.disk().state(), FileOnDisk::State::Changed);
+}
+
+TEST_F(DiskTest, TheLastCopyDoesNotGoUnasked) {
+    writeByOthers(25.0);
+    EXPECT_TRUE(document.mayGo()) << "nothing was changed here";
+    ASSERT_TRUE(QFile::resize(path, 20));
+    EXPECT_FALSE(document.mayGo());
+    EXPECT_TRUE(document.needsSaving());
+    writeByOthers(9.0);
+    EXPECT_TRUE(document.mayGo());
+    ASSERT_TRUE(QFile::remove(path));
+    EXPECT_FALSE(document.mayGo());
+    EXPECT_TRUE(document.save());
+    EXPECT_TRUE(document.mayGo());
+}
+
+TEST_F(DiskTest, APipeInPlaceOfTheFileIsRefused) {
+    ASSERT_TRUE(QFile::remove(path));
+    ASSERT_EQ(::mkfifo(QFile::encodeName(path).constData(), 0600), 0);
+    EXPECT_EQ(document.disk().check(), FileOnDisk::State::Changed);
+    EXPECT_FALSE(document.mayGo());
+    overwrite = DocumentDialogs::Overwrite::Yes;
+    EXPECT_FALSE(document.save());
+    ASSERT_EQ(asked.size(), 2);
+    EXPECT_TRUE(asked[1].contains(QStringLiteral("pipe"))) << asked[1].toStdString();
 }
 
 TEST_F(DiskTest, AReadOnlyFileStaysAsItIs) {
