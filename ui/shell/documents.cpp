@@ -236,6 +236,7 @@ ScenePage* Documents::page(const QString& scene) {
 void Documents::bringToFront(OpenDocument& document) {
     if (current_ == &document) {
         arrangeTabs();
+        Q_EMIT currentAsked();
         return;
     }
     if (current_ != nullptr) {
@@ -289,13 +290,14 @@ QString Documents::open(const QString& path, bool locates) {
         return {};
     }
     CaseFile file;
+    QByteArray known;
     for (bool isMoved = false;; isMoved = true) {
         try {
             if (!isMoved) {
-                file = CaseDocument::read(path);
+                file = CaseDocument::read(path, &known);
             }
             put(file, nullptr, [&](CaseDocument& document) {
-                document.open(file, path);
+                document.open(file, path, known);
                 // Where a file is now, and what an older version has become, is to be saved.
                 if (isMoved || !file.changes.empty()) {
                     document.model()->history()->resetClean();
@@ -313,7 +315,8 @@ QString Documents::open(const QString& path, bool locates) {
             if (name == nullptr) {
                 return trouble;
             }
-            const QString found = locate(QString::fromStdString(name->get<std::string>()), trouble);
+            const QString found =
+                locate(QString::fromStdString(name->get<std::string>()), tr("Open case"), trouble);
             if (found.isEmpty()) {
                 return {};
             }
@@ -322,8 +325,8 @@ QString Documents::open(const QString& path, bool locates) {
     }
 }
 
-QString Documents::locate(const QString& name, const QString& trouble) {
-    QMessageBox box(QMessageBox::Warning, tr("Open case"), trouble, QMessageBox::Cancel, this);
+QString Documents::locate(const QString& name, const QString& title, const QString& trouble) {
+    QMessageBox box(QMessageBox::Warning, title, trouble, QMessageBox::Cancel, this);
     const QPushButton* locate = box.addButton(tr("&Locate file…"), QMessageBox::AcceptRole);
     box.exec();
     return box.clickedButton() == locate
@@ -371,18 +374,35 @@ void Documents::keep(OpenDocument& document) {
     }
 }
 
-QString Documents::restore(const RecoveredCase& recovered) {
+bool Documents::restore(const RecoveredCase& recovered) {
     OpenDocument* there = recovered.path.isEmpty() ? nullptr : withFile(recovered.path);
     if (there != nullptr && (there->document->needsSaving() ||
                              scenes_[there->scene].name.toStdString() != recovered.content.scene)) {
         there = nullptr;
     }
-    try {
-        put(recovered.content, there, [&](CaseDocument& document) {
-            document.restore(recovered.content, recovered.context, recovered.path, recovered.known);
-        });
-    } catch (const InputError& error) {
-        return errorText(error);
+    CaseFile file = recovered.content;
+    for (bool isThere = false; !isThere;) {
+        try {
+            put(file, there, [&](CaseDocument& document) {
+                document.restore(file, recovered.context, recovered.path, recovered.known);
+            });
+            isThere = true;
+        } catch (const InputError& error) {
+            const QString title = tr("Unsaved cases");
+            const QString trouble = (recovered.path.isEmpty() ? recovered.file : recovered.path) +
+                                    QStringLiteral(": ") + errorText(error);
+            Json* const name = CaseDocument::fileNamedAt(file, error);
+            if (name == nullptr) {
+                QMessageBox::warning(window(), title, trouble);
+                return false;
+            }
+            const QString found =
+                locate(QString::fromStdString(name->get<std::string>()), title, trouble);
+            if (found.isEmpty()) {
+                return false;
+            }
+            *name = QFileInfo(found).absoluteFilePath().toStdString();
+        }
     }
     if (!recovered.draft.isEmpty()) {
         current_->page->takeDraft(recovered.draft);
@@ -390,7 +410,7 @@ QString Documents::restore(const RecoveredCase& recovered) {
     if (recovery_ != nullptr) {
         recovery_->keep(current_->document);  // before the other copy goes
     }
-    return {};
+    return true;
 }
 
 void Documents::drop(const RecoveredCase& recovered) {

@@ -79,9 +79,10 @@ class Documents : public QWidget {
 
     /// Keeps what is not saved for the case of a crash, from now on.
     void keepIn(Recovery* recovery);
-    /// Opens what a crash has left, as it was, in a tab of its own; it needs saving.
-    /// @return an empty string, or what is wrong
-    QString restore(const RecoveredCase& recovered);
+    /// Opens what a crash has left, as it was, in a tab of its own; it needs saving. Asks for files
+    /// that the case names and that cannot be read, and says what else is wrong.
+    /// @return false where the copy is still needed
+    bool restore(const RecoveredCase& recovered);
     /// Nobody wants it: the page's own copy goes too.
     void drop(const RecoveredCase& recovered);
     /// The files that are open, in the order of the tabs.
@@ -93,6 +94,8 @@ class Documents : public QWidget {
   Q_SIGNALS:
     /// Another document is in front.
     void currentChanged();
+    /// The document that was in front already shall be seen.
+    void currentAsked();
     /// What is open, in which order or under which names is another.
     void changed();
     /// Of the document in front: name() or needsSaving(); what there is to undo or redo.
@@ -127,7 +130,7 @@ class Documents : public QWidget {
     void reload();
     /// Asks where the file is that could not be read.
     /// @return an empty text where the user gives up
-    QString locate(const QString& name, const QString& trouble);
+    QString locate(const QString& name, const QString& title, const QString& trouble);
     DocumentDialogs dialogsOf(OpenDocument& document);
     QString nameOf(const OpenDocument& document) const;
     void arrangeTabs();

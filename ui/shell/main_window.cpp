@@ -77,6 +77,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     statusBar()->setSizeGripEnabled(false);
     connect(documents_, &Documents::currentChanged, this,
             [this] { isAtStart() ? leaveStart() : showCurrent(); });
+    connect(documents_, &Documents::currentAsked, this, &MainWindow::leaveStart);
     connect(documents_, &Documents::titleChanged, this, &MainWindow::updateTitle);
     connect(documents_, &Documents::historyChanged, this, &MainWindow::updateHistoryActions);
     connect(documents_, &Documents::changed, this, &MainWindow::updateCaseActions);
@@ -530,12 +531,8 @@ void MainWindow::offerRecovered() {
     auto* dialog = new RecoveryDialog(found, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &RecoveryDialog::restored, this, [this](const RecoveredCase& recovered) {
-        const QString trouble = documents_->restore(recovered);
-        if (trouble.isEmpty()) {
+        if (documents_->restore(recovered)) {
             recovery_->discard(recovered);
-        } else {
-            QMessageBox::warning(this, tr("Unsaved cases"),
-                                 recovered.file + QStringLiteral(": ") + trouble);
         }
     });
     connect(dialog, &RecoveryDialog::thrownAway, this, [this](const RecoveredCase& recovered) {

@@ -26,6 +26,7 @@
 #include "shell/scene_page.h"
 #include "shell/screenshot.h"
 #include "text/file_path.h"
+#include "widgets/file_dialogs.h"
 
 namespace ravnoves {
 namespace {
@@ -137,6 +138,63 @@ TEST_F(NothingIsLost, ACrashLeavesEveryUnsavedCase) {
     window.reset();
     start();
     EXPECT_NE(offered(), nullptr);
+}
+
+TEST_F(NothingIsLost, WhatIsRestoredStandsBeforeTheStartPage) {
+    ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
+    set(u"shaft_angle_deg=77"_s);
+    crash();
+    start();
+    window->showStart();
+    ASSERT_NE(offered(), nullptr);
+    click(*window->findChild<RecoveryDialog*>(), "recovery_restore");
+    EXPECT_FALSE(window->isAtStart());
+    EXPECT_TRUE(window->windowTitle().contains(u"tmz-650d.case.json"_s));
+    EXPECT_EQ(model().inputJson().at("shaft_angle_deg"), 77);
+}
+
+TEST_F(NothingIsLost, AMissingTableOfARecoveredCaseIsLookedFor) {
+    const QString table = folder.filePath(u"torque.csv"_s);
+    {
+        QFile f(file("tmz-650d"));
+        ASSERT_TRUE(f.open(QIODevice::ReadWrite));
+        Json json = Json::parse(f.readAll().toStdString());
+        Json& torque = json["input"]["torque"];
+        QFile csv(table);
+        ASSERT_TRUE(csv.open(QIODevice::WriteOnly));
+        for (std::size_t i = 0; i < torque["torque_Nm"].size(); ++i) {
+            csv.write(QByteArray::fromStdString(torque["crank_angle_deg"][i].dump() + "," +
+                                                torque["torque_Nm"][i].dump() + "\n"));
+        }
+        torque = {{"csv", "torque.csv"}};
+        f.resize(0);
+        f.seek(0);
+        f.write(QByteArray::fromStdString(json.dump()));
+    }
+    ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
+    set(u"shaft_angle_deg=77"_s);
+    crash();
+    ASSERT_TRUE(QFile::rename(table, folder.filePath(u"moved.csv"_s)));
+    start();
+    ASSERT_NE(offered(), nullptr);
+    press(u"Cancel"_s);
+    click(*window->findChild<RecoveryDialog*>(), "recovery_restore");
+    EXPECT_TRUE(asked.contains(u"torque.csv"_s)) << asked.toStdString();
+    EXPECT_EQ(QDir(Recovery::defaultFolder()).entryList({u"*.json"_s}).size(), 1)
+        << "the copy stays";
+    window->close();
+    window.reset();
+    start();
+    ASSERT_NE(offered(), nullptr);
+    press(u"Locate file…"_s);
+    const FileChoosers before = fileChoosers();
+    fileChoosers().open = [this](QWidget*, const QString&, const QString&, const QString&) {
+        return folder.filePath(u"moved.csv"_s);
+    };
+    click(*window->findChild<RecoveryDialog*>(), "recovery_restore");
+    fileChoosers() = before;
+    EXPECT_EQ(model().inputJson().at("shaft_angle_deg"), 77);
+    EXPECT_TRUE(window->isWindowModified());
 }
 
 TEST_F(NothingIsLost, WhatIsThrownAwayIsGoneAndLaterIsLater) {
@@ -333,6 +391,7 @@ TEST_F(NothingIsLost, TheOpenCasesComeBackIfTheUserLikes) {
     EXPECT_TRUE(window->windowTitle().contains(u"tmz-650d"_s));
     QTest::keyClick(window.get(), Qt::Key_Tab, Qt::ControlModifier);
     ASSERT_TRUE(QFile::remove(file("tmz-650d")));
+    press(u"Discard"_s);  // it is the last copy
     quit();
     EXPECT_EQ(tabs(), QStringList{u"vr5-volkswagen"_s});
     window->close();
