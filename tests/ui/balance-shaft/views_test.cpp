@@ -258,7 +258,8 @@ TEST_F(BalanceShaftViewsTest, AnEmptySpeedMapHasItsRemedyBesideIt) {
     // The rebuilt numbers are shown shorter than they are.
     const QAbstractItemModel* table = page.torqueEditor()->view()->model();
     for (int row = 0; row < table->rowCount(); ++row) {
-        EXPECT_LE(table->index(row, 1).data(Qt::DisplayRole).toString().size(), 10);
+        // A sign, a point, 6 digits, and zeros or an exponent.
+        EXPECT_LE(table->index(row, 1).data(Qt::DisplayRole).toString().size(), 12);
     }
     EXPECT_GT(table->index(1, 1).data(Qt::EditRole).toString().size(), 10);
     // An empty map says nothing about its values.
