@@ -1172,10 +1172,6 @@
         <translation>Д&amp;лина шатуна L</translation>
     </message>
     <message>
-        <source>Between the centres of the rod&apos;s eyes; only the picture uses it. Empty: r / 0.3.</source>
-        <translation>Между центрами головок шатуна; нужна только для рисунка. Пусто: r / 0,3.</translation>
-    </message>
-    <message>
         <source>auto</source>
         <translation>авто</translation>
     </message>
@@ -2012,10 +2008,6 @@
         <translation>На такте газообмена в моменте содержится инерционный момент mⱼ r² ω² = %1 Н·м (r/L = %2); введённые массы и частота дают %3 Н·м. Они соответствуют друг другу.</translation>
     </message>
     <message>
-        <source>The torque on the gas-exchange stroke holds an inertia torque of mⱼ r² ω² = %1 N·m (r/L = %2); the masses and the speed entered give %3 N·m. They do not belong together: the torque fits these masses at %4 min⁻¹, or %5 kg at this speed. The best angle found below is that of no real engine until they agree.</source>
-        <translation>На такте газообмена в моменте содержится инерционный момент mⱼ r² ω² = %1 Н·м (r/L = %2); введённые массы и частота дают %3 Н·м. Они не соответствуют друг другу: момент подходит этим массам при %4 мин⁻¹ или массе %5 кг при этой частоте. Пока это не согласовано, найденный лучший угол не относится ни к одному настоящему двигателю.</translation>
-    </message>
-    <message>
         <source>must be at most the mass of the whole rod, %1</source>
         <translation>должно быть не больше массы всего шатуна, %1</translation>
     </message>
@@ -2306,6 +2298,14 @@
     <message>
         <source>A bearing carries %1; %2 is its limit.</source>
         <translation>Подшипник несёт %1; его предел %2.</translation>
+    </message>
+    <message>
+        <source>Between the centres of the rod&apos;s eyes. It decides what can be built, the r/L of the torque&apos;s check and a computed torque. Empty: r / 0.3.</source>
+        <translation>Между центрами головок шатуна. От неё зависит, что можно построить, r/L при проверке момента и рассчитанный момент. Пусто: r / 0,3.</translation>
+    </message>
+    <message>
+        <source>The torque on the gas-exchange stroke holds an inertia torque of mⱼ r² ω² = %1 N·m (r/L = %2); the masses and the speed entered give %3 N·m. They do not belong together: the torque fits these masses at %4 min⁻¹, or %5 kg at this speed. The best angles found are those of no real engine until they agree.</source>
+        <translation>На такте газообмена в моменте содержится инерционный момент mⱼ r² ω² = %1 Н·м (r/L = %2); введённые массы и частота дают %3 Н·м. Они не соответствуют друг другу: момент подходит этим массам при %4 мин⁻¹ или массе %5 кг при этой частоте. Пока это не согласовано, найденные лучшие углы не относятся ни к одному настоящему двигателю.</translation>
     </message>
 </context>
 <context>
@@ -2773,6 +2773,10 @@
     <message>
         <source>lbf/in</source>
         <translation>фунт-с./дюйм</translation>
+    </message>
+    <message>
+        <source>is a pipe that nobody reads</source>
+        <translation>это канал, который никто не читает</translation>
     </message>
 </context>
 <context>
@@ -6192,6 +6196,10 @@ but nothing can be built</source>
         <source>Where the excess energy is smallest</source>
         <translation>Где избыточная энергия наименьшая</translation>
     </message>
+    <message>
+        <source>Rebuild torque</source>
+        <translation>Пересобрать</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BalanceShaftPage</name>
@@ -6497,6 +6505,17 @@ but nothing can be built</source>
     <message>
         <source>Counterweights</source>
         <translation>Противовесы</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::CaseDocument</name>
+    <message>
+        <source>%1 is an open case; choose another file.</source>
+        <translation>%1 — открытая задача; выберите другой файл.</translation>
+    </message>
+    <message>
+        <source>%1 is a file that an open case reads; choose another file.</source>
+        <translation>%1 — файл, который читает открытая задача; выберите другой файл.</translation>
     </message>
 </context>
 <context>
@@ -6878,6 +6897,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Close</source>
         <translation>Закрыть</translation>
+    </message>
+    <message>
+        <source>Unsaved cases</source>
+        <translation>Несохранённые задачи</translation>
     </message>
 </context>
 <context>
@@ -9464,10 +9487,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Не открыты снова: %1</translation>
     </message>
     <message>
-        <source>Unsaved cases</source>
-        <translation>Несохранённые задачи</translation>
-    </message>
-    <message>
         <source>Report</source>
         <translation>Отчёт</translation>
     </message>
@@ -10076,6 +10095,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Results</source>
         <translation>Результаты</translation>
     </message>
+    <message>
+        <source>Plots</source>
+        <translation>Графики</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::PictureFile</name>
@@ -10248,6 +10271,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Unsaved changes are not kept for a crash: %1</source>
         <translation>Несохранённые изменения не сохраняются на случай сбоя: %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written to</source>
+        <translation>в %1 нельзя писать</translation>
     </message>
 </context>
 <context>
@@ -10681,6 +10708,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Страница %1 из %2</translation>
     </message>
     <message>
+        <source>SHA-256 of the file as it was read; it is another now</source>
+        <translation>SHA-256 файла, каким он был прочитан; теперь он другой</translation>
+    </message>
+    <message>
         <source>Every number that the paper prints was compared with that of this program, computed anew from the paper&apos;s data when this report was made: %1. The page Methods shows each of them.</source>
         <translation>Каждое напечатанное в статье число сравнено с числом этой программы, вычисленным заново по данным статьи при составлении отчёта: %1. Все они показаны на странице «Методы».</translation>
     </message>
@@ -10691,6 +10722,34 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Largest difference</source>
         <translation>Наибольшая разница</translation>
+    </message>
+    <message>
+        <source>Variants</source>
+        <translation>Варианты</translation>
+    </message>
+    <message>
+        <source>Kept beside the present input: %1.</source>
+        <translation>Хранятся рядом с текущими исходными данными: %1.</translation>
+    </message>
+    <message>
+        <source>The results are seen against the variant %1: its curves are dashed, and Δ is the present value less its value.</source>
+        <translation>Результаты сопоставлены с вариантом %1: его кривые штриховые, а Δ — текущее значение минус его значение.</translation>
+    </message>
+    <message>
+        <source>The present input is that of %1.</source>
+        <translation>Текущие исходные данные те же, что у %1.</translation>
+    </message>
+    <message>
+        <source>Inputs that differ</source>
+        <translation>Данные, которые отличаются</translation>
+    </message>
+    <message>
+        <source>Present</source>
+        <translation>Сейчас</translation>
+    </message>
+    <message>
+        <source>… and %1 more.</source>
+        <translation>… и ещё %1.</translation>
     </message>
 </context>
 <context>
@@ -11353,10 +11412,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Отменено. Любое изменение данных запускает расчёт снова.</translation>
     </message>
     <message>
-        <source>Rebuild the torque (Torque tab) or choose a pressure trace or a computed cycle.</source>
-        <translation>Пересоберите момент (вкладка «Момент») или возьмите давление или расчётный цикл.</translation>
-    </message>
-    <message>
         <source> But nothing can be built.</source>
         <translation> Но построить нельзя ничего.</translation>
     </message>
@@ -11383,6 +11438,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>smaller</source>
         <translation>меньше</translation>
+    </message>
+    <message>
+        <source>Rebuild the torque here, or choose a pressure trace or a computed cycle on the Torque tab.</source>
+        <translation>Пересоберите момент здесь или возьмите давление или расчётный цикл на вкладке «Момент».</translation>
+    </message>
+    <message>
+        <source>Choose a pressure trace or a computed cycle on the Torque tab.</source>
+        <translation>Возьмите давление или расчётный цикл на вкладке «Момент».</translation>
     </message>
 </context>
 <context>
@@ -11482,6 +11545,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The criterion with the shaft over that without it at the same speed: blue is less, orange is more, paled cannot be built. Along the thick line, 1.0, the shaft changes nothing. Click to set α and, with a computed torque, the speed.</source>
         <translation>Критерий с валом к критерию без вала при той же частоте: синее — меньше, оранжевое — больше, бледное нельзя построить. На толстой линии 1,0 вал ничего не меняет. Щелчок задаёт α, а при вычисленном моменте и частоту.</translation>
+    </message>
+    <message>
+        <source>Rebuild torque</source>
+        <translation>Пересобрать</translation>
+    </message>
+    <message>
+        <source>Take the fitted inertia torque out of the table and put that of the masses and speed entered in.</source>
+        <translation>Вычесть из таблицы подобранный инерционный момент и прибавить момент введённых масс при введённой частоте.</translation>
     </message>
 </context>
 <context>
