@@ -12,6 +12,7 @@
 
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/relieved_shaft_model.h"
+#include "shell/refused_entries.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
@@ -50,6 +51,8 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
     const Theme& theme = Theme::instance();
     painter.fillRect(rect(), theme.panel());
     painter.setFont(Theme::font(Theme::smallSize));
+    constexpr double muted = 0.35;
+    painter.setOpacity(isEnabled() ? 1.0 : muted);
     if (!(shaft_.half_width > 0.0)) {
         painter.setPen(theme.mutedText());
         painter.drawText(rect(), Qt::AlignCenter, tr("No shaft of these sizes"));
@@ -236,19 +239,36 @@ QWidget* RelievedShaftView::buildForm(BalanceShaftModel* model) {
 
 void RelievedShaftView::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
+    // Fields on the page's other tabs go into the shaft too.
+    for (const EntryField* field : entriesOfPage(this)) {
+        connect(field, &EntryField::troubleChanged, this, &RelievedShaftView::showShaft,
+                Qt::UniqueConnection);
+    }
     showShaft();
 }
 
 void RelievedShaftView::showShaft() {
     table_->setRows(model_->rows());
-    verdict_->setText(model_->verdict());
+    const QStringList refused = refusedEntries(this);
+    const bool isTyped = refused.isEmpty();
+    verdict_->setText(isTyped ? model_->verdict()
+                              : tr("Not of what stands in the form, but of the values before it; "
+                                   "refused entries: %1")
+                                    .arg(refused.join(QStringLiteral("; "))));
     const Theme& theme = Theme::instance();
-    colourText(verdict_, model_->shaft().feasible ? theme.text() : theme.warning());
+    colourText(verdict_, !isTyped                   ? theme.error()
+                         : model_->shaft().feasible ? theme.text()
+                                                    : theme.warning());
+    table_->setEnabled(isTyped);
+    drawing_->setEnabled(isTyped);
     export_->setEnabled(model_->shaft().feasible);
     drawing_->setShaft(model_->shaft());
 }
 
 void RelievedShaftView::chooseFile() {
+    if (!goOnWithoutRefused(this, tr("Export drawing"))) {
+        return;
+    }
     const QString path =
         askSavePath(this, tr("Export drawing"), QStringLiteral("balance-shaft.dxf"), {dxfFormat()});
     if (path.isEmpty()) {

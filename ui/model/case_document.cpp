@@ -12,6 +12,7 @@
 #include "case-file/text_size.h"
 #include "model/case_sources.h"
 #include "model/open_case.h"
+#include "model/state_brought_in.h"
 #include "scenes/case_sources.h"
 #include "scenes/scenes.h"
 #include "text/error_text.h"
@@ -186,6 +187,7 @@ Json* CaseDocument::fileNamedAt(CaseFile& file, const InputError& error) {
 void CaseDocument::load(const CaseFile& file, const CaseContext& context) {
     model_->loadFile(file, context, isExample(file));
     *rest_ = file;
+    Q_EMIT StateBroughtIn::of(model_).done();
 }
 
 void CaseDocument::restore(const CaseFile& file, const CaseContext& context, const QString& path,
@@ -241,13 +243,16 @@ QString CaseDocument::saveTo(const QString& path) {
 }
 
 bool CaseDocument::save() {
+    if (!mayBeSaved()) {
+        return false;
+    }
     if (path_.isEmpty()) {
-        return saveAs();
+        return chooseAndSave();
     }
     if (disk_.check() == FileOnDisk::State::Changed && dialogs_.overwrite) {
         const DocumentDialogs::Overwrite answer = dialogs_.overwrite(path_);
         if (answer != DocumentDialogs::Overwrite::Yes) {
-            return answer == DocumentDialogs::Overwrite::Elsewhere && saveAs();
+            return answer == DocumentDialogs::Overwrite::Elsewhere && chooseAndSave();
         }
     }
     const QString trouble = saveTo(path_);
@@ -259,6 +264,10 @@ bool CaseDocument::save() {
 }
 
 bool CaseDocument::saveAs() {
+    return mayBeSaved() && chooseAndSave();
+}
+
+bool CaseDocument::chooseAndSave() {
     QString path = dialogs_.choosePath(path_.isEmpty() ? model_->sceneName() + ending : path_);
     if (path.isEmpty()) {
         return false;
@@ -267,12 +276,16 @@ bool CaseDocument::saveAs() {
         path += ending;
     }
     const QString trouble = saveTo(path);
-    return trouble.isEmpty() || saveElsewhere(trouble);
+    if (!trouble.isEmpty()) {
+        return saveElsewhere(trouble);
+    }
+    Q_EMIT saved(path_);
+    return true;
 }
 
 bool CaseDocument::saveElsewhere(const QString& trouble) {
     if (dialogs_.elsewhere) {
-        return dialogs_.elsewhere(trouble) && saveAs();
+        return dialogs_.elsewhere(trouble) && chooseAndSave();
     }
     dialogs_.tell(trouble);
     return false;

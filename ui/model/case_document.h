@@ -32,6 +32,8 @@ struct DocumentDialogs {
     /// The file was changed by others since it was read or written.
     enum class Overwrite { Yes, Elsewhere, No };
     std::function<Overwrite(const QString& path)> overwrite{};
+    /// Before saving: entries may be refused, and are not in the case; @return false to stay.
+    std::function<bool()> goOnWithoutRefused{};
 };
 
 /// A case between its file and its model: where it came from, whether it has to be saved, and what
@@ -111,6 +113,10 @@ class CaseDocument : public QObject {
     void setPath(const QString& path, const QByteArray& known);
     void tellNeed();
     void load(const CaseFile& file, const CaseContext& context);
+    bool mayBeSaved() const {
+        return !dialogs_.goOnWithoutRefused || dialogs_.goOnWithoutRefused();
+    }
+    bool chooseAndSave();
     bool saveElsewhere(const QString& trouble);
 
     SceneModel* model_;

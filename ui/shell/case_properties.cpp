@@ -3,8 +3,10 @@
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QShortcut>
 #include <QVBoxLayout>
 
 #include "model/scene_model.h"
@@ -39,12 +41,34 @@ CaseProperties::CaseProperties(SceneModel* model, QWidget* parent)
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &CaseProperties::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &CaseProperties::reject);
+    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter}) {  // a new line is Return's in notes
+        connect(new QShortcut(QKeySequence(Qt::CTRL | key), this), &QShortcut::activated, this,
+                &CaseProperties::accept);
+    }
     resize(480, 320);
 }
 
 void CaseProperties::accept() {
     model_->editText(title_->text().trimmed(), notes_->toPlainText());
     QDialog::accept();
+}
+
+void CaseProperties::reject() {
+    if (title_->text().trimmed() == model_->title() && notes_->toPlainText() == model_->notes()) {
+        QDialog::reject();
+        return;
+    }
+    QMessageBox box(QMessageBox::Question, windowTitle(), tr("Keep the changed title and notes?"),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+    box.button(QMessageBox::Save)->setText(tr("&Keep"));
+    box.button(QMessageBox::Discard)->setText(tr("Do&n’t keep"));
+    box.setDefaultButton(QMessageBox::Save);
+    const int answer = box.exec();
+    if (answer == QMessageBox::Save) {
+        accept();
+    } else if (answer == QMessageBox::Discard) {
+        QDialog::reject();
+    }
 }
 
 }  // namespace ravnoves

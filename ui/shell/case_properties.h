@@ -17,6 +17,8 @@ class CaseProperties : public QDialog {
     CaseProperties(SceneModel* model, QWidget* parent);
 
     void accept() override;
+    /// Also by Escape; changes are asked for.
+    void reject() override;
 
   private:
     SceneModel* model_;

@@ -18,6 +18,7 @@
 #include "model/recovery.h"
 #include "numerics/demand.h"
 #include "shell/disk_notice.h"
+#include "shell/refused_entries.h"
 #include "shell/scene_page.h"
 #include "text/error_text.h"
 #include "text/message_text.h"
@@ -495,11 +496,13 @@ DocumentDialogs Documents::dialogsOf(OpenDocument& document) {
         }
         const QString scene = scenes_[document.scene].title;
         const QString name = nameOf(document);
-        const auto answer = QMessageBox::question(
-            window(), tr("Unsaved changes"),
-            tr("Save the changes of “%1”?")
-                .arg(name == scene ? scene : name + QStringLiteral(" – ") + scene),
-            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+        QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
+                        tr("Save the changes of “%1”?")
+                            .arg(name == scene ? scene : name + QStringLiteral(" – ") + scene),
+                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window());
+        box.setDefaultButton(QMessageBox::Save);
+        box.button(QMessageBox::Discard)->setText(tr("Do&n’t save"));
+        const int answer = box.exec();
         return answer == QMessageBox::Save      ? DocumentDialogs::Answer::Save
                : answer == QMessageBox::Discard ? DocumentDialogs::Answer::Discard
                                                 : DocumentDialogs::Answer::Stay;
@@ -519,6 +522,9 @@ DocumentDialogs Documents::dialogsOf(OpenDocument& document) {
     };
     dialogs.tell = [this](const QString& trouble) {
         QMessageBox::warning(window(), tr("Save case"), trouble);
+    };
+    dialogs.goOnWithoutRefused = [this, &document] {
+        return goOnWithoutRefused(document.page, tr("Save case"));
     };
     dialogs.elsewhere = [this](const QString& trouble) {
         QMessageBox box(QMessageBox::Warning, tr("Save case"), trouble, QMessageBox::Cancel,

@@ -29,6 +29,7 @@
 #include "shell/new_case_dialog.h"
 #include "shell/page_drawing.h"
 #include "shell/recovery_dialog.h"
+#include "shell/refused_entries.h"
 #include "shell/scene_page.h"
 #include "shell/settings_dialog.h"
 #include "shell/start_page.h"
@@ -658,6 +659,9 @@ QString MainWindow::writeReport(const QString& path) {
 }
 
 void MainWindow::exportReport() {
+    if (!goOnWithoutRefused(currentPage(), tr("Report"))) {
+        return;
+    }
     const QFileInfo file(documents_->current().document->path());
     const QString name = file.filePath().isEmpty()
                              ? currentScene()

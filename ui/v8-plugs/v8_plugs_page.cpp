@@ -9,12 +9,14 @@
 #include <QPrintDialog>
 #include <QPrintPreviewDialog>
 #include <QPrinter>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "shell/refused_entries.h"
 #include "text/language.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
@@ -272,18 +274,7 @@ void V8PlugsPage::continueDraft(const JournalDraft& draft) {
 }
 
 bool V8PlugsPage::refusedEntriesAreKnown() {
-    QStringList refused;
-    for (const SheetForm* form : forms_) {
-        refused << form->refused();
-    }
-    if (refused.isEmpty()) {
-        return true;
-    }
-    return QMessageBox::warning(this, tr("Refused entries"),
-                                tr("These entries were refused; the values before them count:") +
-                                    QStringLiteral("\n\n") + refused.join(QLatin1Char('\n')),
-                                QMessageBox::Ignore | QMessageBox::Cancel,
-                                QMessageBox::Cancel) == QMessageBox::Ignore;
+    return goOnWithoutRefused(this, tr("Refused entries"));
 }
 
 std::optional<bool> V8PlugsPage::askToSave() {
@@ -314,9 +305,12 @@ bool V8PlugsPage::leaveJob() {
     if (!model_->hasChanges()) {
         return true;
     }
-    const auto answer = QMessageBox::question(
-        this, tr("Unsaved job"), tr("Save the job on the sheet in the journal?"),
-        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+    QMessageBox box(QMessageBox::Question, tr("Unsaved job"),
+                    tr("Save the job on the sheet in the journal?"),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+    box.setDefaultButton(QMessageBox::Save);
+    box.button(QMessageBox::Discard)->setText(tr("Do&n’t save"));
+    const int answer = box.exec();
     if (answer == QMessageBox::Save) {
         bool saved = false;
         const QString text = model_->saveJob(&saved);

@@ -1,11 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTabWidget>
 #include <QTableView>
+#include <QTimer>
+#include <algorithm>
 #include <cmath>
 
 #include "balance-shaft/balance_shaft_page.h"
@@ -14,6 +18,7 @@
 #include "balance-shaft/forces_view.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/orders_view.h"
+#include "balance-shaft/relieved_shaft_view.h"
 #include "balance-shaft/solver.h"
 #include "balance-shaft/speed_map_plot.h"
 #include "balance-shaft/speed_view.h"
@@ -21,6 +26,7 @@
 #include "balance-shaft/torque_table_editor.h"
 #include "events.h"
 #include "model/background_job.h"
+#include "widgets/file_dialogs.h"
 #include "widgets/number_field.h"
 #include "widgets/page_columns.h"
 #include "widgets/result_table.h"
@@ -68,6 +74,48 @@ TEST_F(BalanceShaftViewsTest, OrdersFollowTheShaft) {
     model->setShaftAngleDeg(200.0);
     EXPECT_NE(*view->plot()->valueAt(1, 1.0), before);
     EXPECT_EQ(*view->plot()->valueAt(1, 0.5), half);
+}
+
+TEST_F(BalanceShaftViewsTest, TheReliefIsNotOfWhatIsRefused) {
+    auto* view = open<RelievedShaftView>();
+    auto* drawing = view->findChild<RelievedShaftDrawing*>();
+    const auto says = [&](const QString& text) {
+        const auto labels = view->findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+            return label->isVisible() && label->text().contains(text);
+        });
+    };
+    const QString refused = QStringLiteral("refused entries");
+    EXPECT_FALSE(says(refused));
+    EXPECT_TRUE(drawing->isEnabled());
+    auto* span = test::named<NumberField>(*view, "bearing_span_mm");
+    span->setFocus();
+    span->selectAll();
+    QTest::keyClicks(span, QStringLiteral("abc"));
+    EXPECT_TRUE(says(refused));
+    EXPECT_FALSE(says(QStringLiteral("Feasible")));
+    EXPECT_FALSE(drawing->isEnabled());
+    // The drawing for the shop asks before it asks for a name.
+    bool isAsked = false;
+    const FileChoosers before = fileChoosers();
+    fileChoosers().save = [](auto&&...) {
+        ADD_FAILURE();
+        return QString();
+    };
+    QTimer::singleShot(50, &page, [&] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        ASSERT_NE(box, nullptr);
+        isAsked = box->text().contains(QStringLiteral("“abc” is not a number"));
+        QTest::mouseClick(box->button(QMessageBox::Cancel), Qt::LeftButton);
+    });
+    auto* button = view->findChild<QPushButton*>();
+    ASSERT_TRUE(button->isEnabled());
+    QTest::mouseClick(button, Qt::LeftButton);
+    fileChoosers() = before;
+    EXPECT_TRUE(isAsked);
+    QTest::keyClick(span, Qt::Key_Escape);
+    EXPECT_FALSE(says(refused));
+    EXPECT_TRUE(drawing->isEnabled());
 }
 
 TEST_F(BalanceShaftViewsTest, TheFlywheelAnswersForInertiaAndForFluctuation) {

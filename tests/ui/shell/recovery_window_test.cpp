@@ -218,7 +218,7 @@ TEST_F(NothingIsLost, ACleanEndLeavesNothing) {
     ASSERT_EQ(window->openCase(file("tmz-650d")), QString());
     set(u"shaft_angle_deg=77"_s);
     QTest::qWait(900);
-    press(u"Discard"_s);
+    press(u"Don’t save"_s);
     EXPECT_TRUE(window->close());
     window.reset();
     start();

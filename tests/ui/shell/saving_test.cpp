@@ -10,6 +10,7 @@
 #include <QPlainTextEdit>
 #include <QProcess>
 #include <QStandardPaths>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTimer>
 
@@ -17,11 +18,13 @@
 #include "case-file/text_file.h"
 #include "events.h"
 #include "shell/case_properties.h"
+#include "shell/documents.h"
 #include "shell/main_window.h"
 #include "shell/scene_page.h"
 #include "shell/screenshot.h"
 #include "text/file_path.h"
 #include "widgets/file_dialogs.h"
+#include "widgets/number_field.h"
 
 namespace ravnoves {
 namespace {
@@ -66,6 +69,16 @@ class SavingTest : public ::testing::Test {
         window.activateWindow();  // a message may have been in front
         ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
         QTest::keyClick(&window, key, Qt::ControlModifier | more);
+    }
+    /// Types what a field of the page in front refuses.
+    void refuse(const char* name, const char* text) {
+        auto* field = test::named<NumberField>(*window.currentPage(), name);
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClick(field, Qt::Key_Delete);
+        QTest::keyClicks(field, QString::fromUtf8(text));
+        EXPECT_FALSE(field->trouble().isEmpty()) << name;
+        window.currentPage()->setFocus();
     }
     void saveAs() { press(Qt::Key_S, Qt::ShiftModifier); }
     /// The example with its torque in a file beside it.
@@ -131,6 +144,101 @@ TEST_F(SavingTest, TitleAndNotesAreFieldsThatAreSavedAndUndone) {
     EXPECT_EQ(model().notes(), QString());
     model().redo();
     EXPECT_EQ(model().notes(), QStringLiteral("Measured on Monday"));
+}
+
+TEST_F(SavingTest, NotesTypedAreNotLostByEscape) {
+    const auto dialog = [this] {
+        press(Qt::Key_I);
+        return window.findChildren<CaseProperties*>().constLast();
+    };
+    CaseProperties* open = dialog();
+    QTest::keyClick(open, Qt::Key_Escape);  // nothing was typed: nothing is asked
+    EXPECT_FALSE(open->isVisible());
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    open = dialog();
+    auto* notes = test::named<QPlainTextEdit>(*open, "case_notes");
+    QTest::keyClicks(notes, QStringLiteral("one"));
+    QTest::keyClick(notes, Qt::Key_Return);
+    QTest::keyClicks(notes, QStringLiteral("two"));
+    answer("Cancel");
+    QTest::keyClick(open, Qt::Key_Escape);
+    ASSERT_EQ(asked.size(), 1);
+    EXPECT_TRUE(open->isVisible());
+    open->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(open));
+    QTest::keyClick(notes, Qt::Key_Return, Qt::ControlModifier);
+    EXPECT_FALSE(open->isVisible());
+    EXPECT_EQ(model().notes(), QStringLiteral("one\ntwo"));
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    open = dialog();
+    QTest::keyClicks(test::named<QPlainTextEdit>(*open, "case_notes"), QStringLiteral("zero "));
+    answer("Don’t keep");
+    QTest::keyClick(open, Qt::Key_Escape);
+    EXPECT_FALSE(open->isVisible());
+    EXPECT_EQ(model().notes(), QStringLiteral("one\ntwo"));
+}
+
+TEST_F(SavingTest, RefusedEntriesAreSaidBeforeTheCaseIsWritten) {
+    const QString path = caseWithTable("a");
+    ASSERT_EQ(window.openCase(path), QString());
+    const std::string before = read_text_file(fsPath(path));
+    refuse("crank_radius_mm", "abc");
+    refuse("speed_rpm", "");
+    refuse("bearing_span_mm", "-5");  // on a tab that is not in front
+    answer("Stay");
+    press(Qt::Key_S);
+    ASSERT_EQ(asked.size(), 1);
+    EXPECT_TRUE(asked[0].contains(QStringLiteral("“abc” is not a number")))
+        << asked[0].toStdString();
+    EXPECT_TRUE(asked[0].contains(QStringLiteral("A value is needed"))) << asked[0].toStdString();
+    EXPECT_EQ(read_text_file(fsPath(path)), before);
+    answer("Stay");
+    press(Qt::Key_R);
+    ASSERT_EQ(asked.size(), 2);
+    EXPECT_EQ(asked[1], asked[0]);
+    answer("Go on without them");
+    press(Qt::Key_S);
+    ASSERT_EQ(asked.size(), 3);
+    EXPECT_NE(read_text_file(fsPath(path)), before);
+    EXPECT_EQ(read(path).at("input").at("crank_radius_mm"),
+              parse_json(before).at("input").at("crank_radius_mm"));
+    // Those of another case are not asked for.
+    ASSERT_TRUE(window.newCase(QStringLiteral("balance-shaft")));
+    typed = QStringList{file("new.case.json")};
+    press(Qt::Key_S);
+    EXPECT_EQ(asked.size(), 3);
+    EXPECT_TRUE(QFile::exists(file("new.case.json")));
+    EXPECT_TRUE(window.statusBar()->currentMessage().contains(QStringLiteral("new.case.json")));
+}
+
+TEST_F(SavingTest, AnotherStateOfTheCaseEndsWhatWasRefused) {
+    const QString path = caseWithTable("a");
+    ASSERT_EQ(window.openCase(path), QString());
+    const auto radius = [this] {
+        return test::named<NumberField>(*window.currentPage(), "crank_radius_mm");
+    };
+    const QString text = radius()->text();
+    const auto isBack = [&] {
+        EXPECT_EQ(radius()->text(), text);
+        EXPECT_EQ(radius()->trouble(), QString());
+    };
+    ASSERT_EQ(applySetting(window, QStringLiteral("shaft_angle_deg=70")), QString());
+    refuse("crank_radius_mm", "abc");
+    // Another value alone does not.
+    ASSERT_EQ(applySetting(window, QStringLiteral("shaft_angle_deg=80")), QString());
+    EXPECT_EQ(radius()->text(), QStringLiteral("abc"));
+    press(Qt::Key_Z);
+    isBack();
+    refuse("crank_radius_mm", "");
+    press(Qt::Key_Y);
+    isBack();
+    model().keepVariant();
+    refuse("crank_radius_mm", "abc");
+    EXPECT_EQ(model().swapVariant(0), QString());
+    isBack();
+    refuse("crank_radius_mm", "abc");
+    EXPECT_EQ(window.documents().current().document->reload(), QString());
+    isBack();
 }
 
 TEST_F(SavingTest, AnExamplesNameDoesNotStickToAnotherEngine) {

@@ -1,0 +1,57 @@
+#include "shell/refused_entries.h"
+
+#include <QCoreApplication>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include "shell/scene_page.h"
+#include "widgets/entry_field.h"
+
+namespace ravnoves {
+
+namespace {
+
+QString said(const char* text) {
+    return QCoreApplication::translate("ravnoves::RefusedEntries", text);
+}
+
+}  // namespace
+
+QList<EntryField*> entriesOfPage(const QWidget* part) {
+    const QWidget* page = part;
+    while (qobject_cast<const ScenePage*>(page) == nullptr && page->parentWidget() != nullptr) {
+        page = page->parentWidget();
+    }
+    return page->findChildren<EntryField*>();
+}
+
+QStringList refusedEntries(const QWidget* part) {
+    QStringList refused;
+    for (const EntryField* field : entriesOfPage(part)) {
+        if (!field->trouble().isEmpty()) {
+            refused << field->accessibleName() + QStringLiteral(": ") + field->trouble();
+        }
+    }
+    return refused;
+}
+
+bool goOnWithoutRefused(QWidget* part, const QString& title) {
+    const QStringList refused = refusedEntries(part);
+    if (refused.isEmpty()) {
+        return true;
+    }
+    QMessageBox box(
+        QMessageBox::Warning, title,
+        said(QT_TRANSLATE_NOOP("ravnoves::RefusedEntries",
+                               "These entries were refused; the values before them count:")) +
+            QStringLiteral("\n\n") + refused.join(QLatin1Char('\n')),
+        QMessageBox::Ignore | QMessageBox::Cancel, part->window());
+    box.button(QMessageBox::Ignore)
+        ->setText(said(QT_TRANSLATE_NOOP("ravnoves::RefusedEntries", "&Go on without them")));
+    box.button(QMessageBox::Cancel)
+        ->setText(said(QT_TRANSLATE_NOOP("ravnoves::RefusedEntries", "&Stay")));
+    box.setDefaultButton(QMessageBox::Cancel);
+    return box.exec() == QMessageBox::Ignore;
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <QStringList>
+
+class QWidget;
+
+namespace ravnoves {
+
+class EntryField;
+
+/// The entries of the page that a widget is part of, whatever their tab.
+QList<EntryField*> entriesOfPage(const QWidget* part);
+
+/// What is typed and refused in them now:
+/// "Crank radius r, mm: The value must be greater than 0 mm."
+QStringList refusedEntries(const QWidget* part);
+
+/// Says which entries of that page are refused and that the values before them are used.
+/// @param title  what is about to be done
+/// @return true where there are none, or the user wants to go on without them
+bool goOnWithoutRefused(QWidget* part, const QString& title);
+
+}  // namespace ravnoves
