@@ -6540,6 +6540,18 @@ but nothing can be built</source>
         <source>Your own text on the case: sources, assumptions, what is left to do. It is saved with it.</source>
         <translation>Ваш текст о задаче: источники, допущения, что осталось сделать. Сохраняется вместе с ней.</translation>
     </message>
+    <message>
+        <source>Keep the changed title and notes?</source>
+        <translation>Оставить изменённые название и заметки?</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Оставить</translation>
+    </message>
+    <message>
+        <source>Do&amp;n’t keep</source>
+        <translation>&amp;Не оставлять</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::Comparison</name>
@@ -6901,6 +6913,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Unsaved cases</source>
         <translation>Несохранённые задачи</translation>
+    </message>
+    <message>
+        <source>Do&amp;n’t save</source>
+        <translation>&amp;Не сохранять</translation>
     </message>
 </context>
 <context>
@@ -10329,6 +10345,21 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::RefusedEntries</name>
+    <message>
+        <source>These entries were refused; the values before them count:</source>
+        <translation>Эти значения не приняты; действуют прежние:</translation>
+    </message>
+    <message>
+        <source>&amp;Go on without them</source>
+        <translation>&amp;Продолжить без них</translation>
+    </message>
+    <message>
+        <source>&amp;Stay</source>
+        <translation>&amp;Остаться</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::RelievedShaftDrawing</name>
     <message>
         <source>Drawing of the shaft with a relieved middle</source>
@@ -10587,6 +10618,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>What it must bear</source>
         <translation>Что он должен выдержать</translation>
+    </message>
+    <message>
+        <source>Not of what stands in the form, but of the values before it; refused entries: %1</source>
+        <translation>Посчитано не по тому, что стоит в форме, а по прежним значениям; не принято: %1</translation>
     </message>
 </context>
 <context>
@@ -12204,8 +12239,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Непринятые значения</translation>
     </message>
     <message>
-        <source>These entries were refused; the values before them count:</source>
-        <translation>Эти значения не приняты; действуют прежние:</translation>
+        <source>Do&amp;n’t save</source>
+        <translation>&amp;Не сохранять</translation>
     </message>
 </context>
 <context>
