@@ -377,8 +377,9 @@ TEST_F(ShaftMapTest, NumbersOfTheMapOverlapNowhere) {
             EXPECT_GT(plot->plotArea().height(), 100.0);
         }
         // Where there is room the charts stand beside the map.
-        EXPECT_EQ(view->charts()->count(), size.width() > 1500 ? 2 : 4);
-        EXPECT_EQ(view->sizePlot()->isVisible(), size.width() > 1500);
+        const bool isWide = view->width() >= 860;  // the page may have folded
+        EXPECT_EQ(view->charts()->count(), isWide ? 2 : 4);
+        EXPECT_EQ(view->sizePlot()->isVisible(), isWide);
     }
 }
 

@@ -391,7 +391,7 @@ TEST_F(NothingIsLost, TheOpenCasesComeBackIfTheUserLikes) {
     EXPECT_TRUE(window->windowTitle().contains(u"tmz-650d"_s));
     QTest::keyClick(window.get(), Qt::Key_Tab, Qt::ControlModifier);
     ASSERT_TRUE(QFile::remove(file("tmz-650d")));
-    press(u"Discard"_s);  // it is the last copy
+    press(u"Don’t save"_s);  // it is the last copy
     quit();
     EXPECT_EQ(tabs(), QStringList{u"vr5-volkswagen"_s});
     window->close();

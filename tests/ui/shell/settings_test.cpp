@@ -172,7 +172,7 @@ TEST_F(Settings, DigitsOfResults) {
     EXPECT_EQ(fixedNumber(-2.5, 0, english), u"−2.50000"_s);
     EXPECT_EQ(fixedNumber(12.0, 0, english), u"12"_s);
     EXPECT_EQ(fixedNumber(0.0, 2, english), u"0.00"_s);
-    EXPECT_EQ(fixedNumber(-7.8357568328379722e26, 4, english), u"−7.83576e+26"_s);
+    EXPECT_EQ(fixedNumber(-7.8357568328379722e26, 4, english), u"−7.83576E+26"_s);
     choose(dialog, "digits", 0);
     EXPECT_EQ(fixedNumber(1234.5678, 1, english), u"1234.6"_s);
 }
