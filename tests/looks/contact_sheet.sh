@@ -27,7 +27,9 @@ for scene in "$@"; do
             for language in en ru; do
                 name=$scene-$size-$text-x$scale-$theme-$language
                 for tab in ${tabs:-first}; do
-                    "$program" --scene "$scene" $([ "$tab" = first ] || echo "--set tab=$tab") \
+                    set --
+                    [ "$tab" = first ] || set -- --set "tab=$tab"
+                    "$program" --scene "$scene" "$@" \
                         --size "$size" --text "$text" --scale "$scale" --theme "$theme" \
                         --language "$language" --screenshot "$folder/single/$name-$tab.png"
                 done
