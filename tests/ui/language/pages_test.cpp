@@ -23,6 +23,7 @@
 #include "language/catalogue.h"
 #include "methods/methods_page.h"
 #include "model/background_job.h"
+#include "scene_tests.h"
 #include "shell/help_window.h"
 #include "shell/main_window.h"
 #include "shell/scene_list.h"
@@ -200,20 +201,8 @@ TEST_P(RussianPage, ChangesWhileItsWindowIsOpen) {
     Preferences::instance().setLanguage({});
 }
 
-std::vector<std::string> scenesWithPage() {
-    std::vector<std::string> names;
-    for (const SceneInfo& info : sceneList()) {
-        names.push_back(info.name.toStdString());
-    }
-    return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(Scenes, RussianPage, ::testing::ValuesIn(scenesWithPage()),
-                         [](const auto& scene) {
-                             std::string name = scene.param;
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Scenes, RussianPage, ::testing::ValuesIn(test::sceneNames()),
+                         test::sceneOf<::testing::TestParamInfo<std::string>>);
 
 class RussianWindow : public ::testing::Test {
   protected:
@@ -231,7 +220,7 @@ TEST_F(RussianWindow, HasNoEnglishMenu) {
 
 TEST_F(RussianWindow, HasHelpInRussianOnEveryTopic) {
     QStringList topics{u"keys"_s, u"case-files"_s};
-    for (const std::string& scene : scenesWithPage()) {
+    for (const std::string& scene : test::sceneNames()) {
         topics << QString::fromStdString(scene);
     }
     static const QRegularExpression letters(u"[А-Яа-яЁё]"_s);

@@ -27,6 +27,7 @@
 #include "events.h"
 #include "plot/legend_item.h"
 #include "plot/plot_view.h"
+#include "scene_tests.h"
 #include "shell/main_window.h"
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
@@ -363,24 +364,14 @@ TEST_P(Looks, NoLetterOfThePageIsAMenus) {
     });
 }
 
-std::vector<std::string> scenes() {
-    std::vector<std::string> names;
-    for (const SceneInfo& info : sceneList()) {
-        names.push_back(info.name.toStdString());
-    }
-    return names;
-}
-
 INSTANTIATE_TEST_SUITE_P(Pages, Looks,
-                         ::testing::Combine(::testing::ValuesIn(scenes()),
+                         ::testing::Combine(::testing::ValuesIn(test::sceneNames()),
                                             ::testing::ValuesIn(looks),
                                             ::testing::Values("en", "ru")),
                          [](const auto& each) {
-                             std::string name = std::get<0>(each.param) + "_" +
-                                                std::get<1>(each.param).name + "_" +
-                                                std::get<2>(each.param);
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
+                             return test::testName(std::get<0>(each.param) + "_" +
+                                                   std::get<1>(each.param).name + "_" +
+                                                   std::get<2>(each.param));
                          });
 
 }  // namespace

@@ -32,6 +32,7 @@
 #include "events.h"
 #include "model/case_document.h"
 #include "plot/plot_view.h"
+#include "scene_tests.h"
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
 #include "widgets/form_section.h"
@@ -51,14 +52,7 @@ class EveryPage : public ::testing::TestWithParam<std::string> {
         page->activateWindow();
     }
 
-    static std::unique_ptr<ScenePage> make() {
-        for (const SceneInfo& info : sceneList()) {
-            if (info.name.toStdString() == GetParam()) {
-                return std::unique_ptr<ScenePage>(info.make(nullptr));
-            }
-        }
-        return nullptr;
-    }
+    static std::unique_ptr<ScenePage> make() { return test::makePage(GetParam()); }
     SceneModel& model() { return *page->model(); }
 
     /// Calls `look` with each tab of the page in front in turn.
@@ -497,20 +491,8 @@ TEST_P(EveryPage, TakesInATableWhatItCopiedAndRefusesOtherText) {
     }
 }
 
-std::vector<std::string> sceneNames() {
-    std::vector<std::string> names;
-    for (const SceneInfo& info : sceneList()) {
-        names.push_back(info.name.toStdString());
-    }
-    return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(Scenes, EveryPage, ::testing::ValuesIn(sceneNames()),
-                         [](const auto& scene) {
-                             std::string name = scene.param;
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryPage, ::testing::ValuesIn(test::sceneNames()),
+                         test::sceneOf<::testing::TestParamInfo<std::string>>);
 
 }  // namespace
 }  // namespace ravnoves

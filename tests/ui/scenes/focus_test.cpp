@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "events.h"
+#include "scene_tests.h"
 #include "shell/main_window.h"
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
@@ -66,20 +67,8 @@ TEST_P(FocusOnPage, IsSeenAtEveryStopAndComesRound) {
     EXPECT_LT(stops.size(), most);
 }
 
-std::vector<std::string> pagesToGoRound() {
-    std::vector<std::string> names;
-    for (const SceneInfo& info : sceneList()) {
-        names.push_back(info.name.toStdString());
-    }
-    return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(Scenes, FocusOnPage, ::testing::ValuesIn(pagesToGoRound()),
-                         [](const auto& scene) {
-                             std::string name = scene.param;
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Scenes, FocusOnPage, ::testing::ValuesIn(test::sceneNames()),
+                         test::sceneOf<::testing::TestParamInfo<std::string>>);
 
 }  // namespace
 }  // namespace ravnoves

@@ -16,6 +16,7 @@
 #include "model/case_document.h"
 #include "model/input_differences.h"
 #include "plot/plot_view.h"
+#include "scene_tests.h"
 #include "shell/comparison.h"
 #include "shell/input_comparison.h"
 #include "shell/scene_list.h"
@@ -39,14 +40,7 @@ class EveryPagesVariants : public ::testing::TestWithParam<std::string> {
         }
     }
 
-    static std::unique_ptr<ScenePage> make() {
-        for (const SceneInfo& info : sceneList()) {
-            if (info.name.toStdString() == GetParam()) {
-                return std::unique_ptr<ScenePage>(info.make(nullptr));
-            }
-        }
-        return nullptr;
-    }
+    static std::unique_ptr<ScenePage> make() { return test::makePage(GetParam()); }
     SceneModel& model() { return *page->model(); }
     Comparison& comparison() { return *page->findChild<Comparison*>(); }
 
@@ -296,22 +290,9 @@ TEST_P(EveryPagesVariants, APageThatGoesLeavesNothingBehind) {
     QApplication::processEvents();
 }
 
-std::vector<std::string> scenesWithCases() {
-    std::vector<std::string> names;
-    for (const SceneInfo& info : sceneList()) {
-        if (info.name != u"methods"_s) {
-            names.push_back(info.name.toStdString());
-        }
-    }
-    return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(Scenes, EveryPagesVariants, ::testing::ValuesIn(scenesWithCases()),
-                         [](const auto& scene) {
-                             std::string name = scene.param;
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryPagesVariants,
+                         ::testing::ValuesIn(test::sceneNamesWithCases()),
+                         test::sceneOf<::testing::TestParamInfo<std::string>>);
 
 }  // namespace
 }  // namespace ravnoves
