@@ -8,6 +8,14 @@ namespace {
 
 constexpr std::string_view gots_klevtsov = "gots-klevtsov";
 
+void add_piston_pin(std::vector<Formula>& list) {
+    list.push_back({CORE_TEXT("balance-shaft", "Piston pin"),
+                    "s = r cos θ + √(L<sup>2</sup> − (r sin θ − e)<sup>2</sup>)", "", "",
+                    CORE_TEXT("balance-shaft",
+                              "L length of the rod, e offset of the cylinder, θ angle of the crank "
+                              "from the cylinder's direction")});
+}
+
 void add_torque(std::vector<Formula>& list) {
     list.push_back({CORE_TEXT("balance-shaft", "Torque of the engine"),
                     "M<sub>i</sub> = M<sub>g</sub> + M<sub>j</sub>, "
@@ -18,11 +26,6 @@ void add_torque(std::vector<Formula>& list) {
                               "gas torque and inertia torque; p pressure in the cylinder, p₀ in "
                               "the crankcase, A piston area, s distance of the piston pin from the "
                               "crank axis, ′ by φ")});
-    list.push_back({CORE_TEXT("balance-shaft", "Piston pin"),
-                    "s = r cos θ + √(L<sup>2</sup> − (r sin θ − e)<sup>2</sup>)", "", "",
-                    CORE_TEXT("balance-shaft",
-                              "L length of the rod, e offset of the cylinder, θ angle of the crank "
-                              "from the cylinder's direction")});
 }
 
 void add_gears(std::vector<Formula>& list, const GearPair& gears) {
@@ -51,10 +54,16 @@ std::vector<Formula> formulas(const Input& input) {
              CORE_TEXT("balance-shaft", "piston, pin, rings and the small-end share of the rod")});
     }
     list.push_back({CORE_TEXT("balance-shaft", "First-order inertia force"),
-                    "P<sub>j1</sub> = m<sub>j</sub> r ω<sup>2</sup> cos φ", gots_klevtsov, "",
-                    CORE_TEXT("balance-shaft",
-                              "r crank radius, ω angular speed, φ crank angle from top dead "
-                              "centre")});
+                    offset
+                        ? "P<sub>j1</sub> = m<sub>j</sub> r<sub>1</sub> ω<sup>2</sup> cos(θ − δ)"
+                        : "P<sub>j1</sub> = m<sub>j</sub> r ω<sup>2</sup> cos φ",
+                    offset ? "" : gots_klevtsov, "",
+                    offset ? CORE_TEXT("balance-shaft",
+                                       "of the exact s″: −r₁ cos(θ − δ) is its first order; ω "
+                                       "angular speed, θ − φ the same at every angle")
+                           : CORE_TEXT("balance-shaft",
+                                       "r crank radius, ω angular speed, φ crank angle from top "
+                                       "dead centre")});
     if (!input.counterweight_mass) {
         list.push_back({CORE_TEXT("balance-shaft", "Counterweight"),
                         "m<sub>1</sub> = m<sub>j</sub> r / (2 ρ<sub>1</sub>)", gots_klevtsov, "(1)",
@@ -67,6 +76,9 @@ std::vector<Formula> formulas(const Input& input) {
                     {}});
     if (input.torque.is_computed()) {
         add_torque(list);
+    }
+    if (input.torque.is_computed() || offset) {
+        add_piston_pin(list);
     }
     list.push_back({CORE_TEXT("balance-shaft", "Tipping moment"),
                     offset ? "M<sub>up</sub> = −M<sub>i</sub> + e m<sub>j</sub> ω<sup>2</sup> s″"
@@ -94,14 +106,21 @@ std::vector<Formula> formulas(const Input& input) {
                     "√( (1/Φ) ∫ (M<sub>ups</sub> − M<sub>m</sub>)<sup>2</sup> dφ )", "", "",
                     CORE_TEXT("balance-shaft", "Φ length of the cycle, Mₘ its mean")});
     list.push_back({CORE_TEXT("balance-shaft", "Place of the least RMS"),
-                    "x = −c<sub>1</sub> / P<sub>1</sub>, y = −s<sub>1</sub> / P<sub>1</sub>", "",
-                    "",
+                    offset ? "x = (s<sub>1</sub> sin ε − c<sub>1</sub> cos ε) / P<sub>1</sub>, "
+                             "y = −(c<sub>1</sub> sin ε + s<sub>1</sub> cos ε) / P<sub>1</sub>, "
+                             "ε = θ − δ − φ"
+                           : "x = −c<sub>1</sub> / P<sub>1</sub>, y = −s<sub>1</sub> / "
+                             "P<sub>1</sub>",
+                    "", "",
                     CORE_TEXT("balance-shaft",
                               "c₁ and s₁ coefficients of cos φ and sin φ in Mᵤₚ; x = l sin α, "
                               "y = l cos α")});
     list.push_back({CORE_TEXT("balance-shaft", "Crank alone, without a shaft"),
-                    "(1 − κ) m<sub>j</sub> r ω<sup>2</sup>, κ m<sub>j</sub> r ω<sup>2</sup>", "",
-                    "",
+                    offset ? "m<sub>j</sub> (r<sub>1</sub> − κ r) ω<sup>2</sup>, κ m<sub>j</sub> r "
+                             "ω<sup>2</sup>"
+                           : "(1 − κ) m<sub>j</sub> r ω<sup>2</sup>, κ m<sub>j</sub> r "
+                             "ω<sup>2</sup>",
+                    "", "",
                     CORE_TEXT("balance-shaft",
                               "half-axes of the ellipse of the first-order force, along and across "
                               "the cylinder; κ balanced share")});
@@ -126,6 +145,14 @@ std::vector<Formula> formulas(const Input& input) {
                         CORE_TEXT("balance-shaft",
                                   "ρ density, b length of the relief, A the segment milled away, y "
                                   "from the axis")});
+        list.push_back({CORE_TEXT("balance-shaft", "Bending of the shaft at speed"),
+                        "(E I w″)″ = ρ A ω<sup>2</sup> (e + w), √(σ<sup>2</sup> + 3 "
+                        "τ<sup>2</sup>)",
+                        "", "",
+                        CORE_TEXT("balance-shaft",
+                                  "w deflection and e eccentricity of the section, on two simple "
+                                  "supports; it whirls where w has no bound; the bending by its "
+                                  "weight is added")});
     }
     return list;
 }
@@ -145,6 +172,10 @@ std::span<const Text> left_out() {
             "balance-shaft",
             "The play of the gears moves the shaft to any place within it; how it moves there "
             "is not computed."),
+        CORE_TEXT("balance-shaft",
+                  "Of the relieved shaft: notches, loads of its gear, and the resonance between "
+                  "half and 0.71 of the whirling speed that its own weight excites, because it "
+                  "bends more easily one way."),
         CORE_TEXT("balance-shaft",
                   "Whether parts that meet in the front view lie behind one another is not known."),
     };

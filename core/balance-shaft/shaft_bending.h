@@ -15,8 +15,9 @@ struct ShaftPiece {
 };
 
 /// How a shaft bends in its bearings: at rest under its weight and at speed under the centrifugal
-/// load of its eccentric sections, which grows with the deflection. Both at their worst, the weight
-/// in the direction of the centrifugal load.
+/// load of its eccentric sections, which grows with the deflection. The weight counts in the
+/// direction of the centrifugal load; that it shakes a section which bends more easily one way,
+/// with a resonance between half and 1/√2 of the whirling speed, is left out.
 struct ShaftBending {
     double critical_speed = 0.0;  ///< first whirling speed, rad/s
     double weight_sag = 0.0;      ///< largest deflection at rest, m

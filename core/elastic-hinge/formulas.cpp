@@ -60,8 +60,9 @@ void add_rod_hinge(std::vector<Formula>& list, const Input& input) {
                     "(7)",
                     {}});
     list.push_back({CORE_TEXT("elastic-hinge", "Moment on the crank beside the rod's hinge"),
-                    "M<sub>1</sub> = M + M<sub>12</sub> (1 + λ cos φ / cos ψ)", zotov_sviridov,
-                    input.rod_counterweight ? "(11)" : "(8)",
+                    "M<sub>1</sub> = M + (M<sub>12</sub> − (1/2π) ∮ M<sub>12</sub> dφ) "
+                    "(1 + λ cos φ / cos ψ)",
+                    zotov_sviridov, input.rod_counterweight ? "(11)" : "(8)",
                     CORE_TEXT("elastic-hinge",
                               "by virtual power; the paper prints a factor ½ that does not belong "
                               "to M₁₂")});
@@ -75,8 +76,11 @@ std::vector<Formula> formulas(const Input& input) {
     std::vector<Formula> list;
     list.push_back(
         {CORE_TEXT("elastic-hinge", "Moment that keeps the crank's speed"),
-         "M = d(T + V)/dφ = ½ (ω<sup>2</sup> dI/dφ + r (P<sub>1</sub> + P<sub>2</sub>) "
-         "cos φ)",
+         input.rod_counterweight
+             ? "M = d(T + V)/dφ = ½ (ω<sup>2</sup> dI/dφ + r (P<sub>1</sub> + P<sub>2</sub>) "
+               "cos φ) + P<sub>4</sub> (r + λ ℓ<sub>2</sub>) cos φ"
+             : "M = d(T + V)/dφ = ½ (ω<sup>2</sup> dI/dφ + r (P<sub>1</sub> + P<sub>2</sub>) "
+               "cos φ)",
          zotov_sviridov, "[13]",
          CORE_TEXT("elastic-hinge",
                    "T kinetic and V potential energy, I reduced moment of inertia, P₁ "
