@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "inertia-moments/layouts.h"
-
 namespace ravnoves::inertia_moments {
 
 namespace {
@@ -69,9 +67,9 @@ void add_weights(std::vector<Formula>& list, const Input& input) {
 }  // namespace
 
 std::vector<Formula> formulas(const Input& input) {
-    const auto cylinders = input.layout ? make_cylinders(*input.layout, input.crank_radius,
-                                                         input.lambda, input.cycle())
-                                        : input.cylinders;
+    // All of a layout have its offset, and none has an articulated rod.
+    const std::vector<Cylinder> cylinders =
+        input.layout ? std::vector{Cylinder{.offset = input.layout->offset}} : input.cylinders;
     const auto any = [&](auto&& test) {
         return std::any_of(cylinders.begin(), cylinders.end(), test);
     };

@@ -7,8 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "balance-shaft/fields.h"
 #include "balance-shaft/formulas.h"
 #include "balance-shaft/scene.h"
+#include "case-file/field_reader.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "elastic-hinge/formulas.h"
@@ -64,20 +66,20 @@ std::filesystem::path plain_path(const std::filesystem::path& path) {
     return plain.has_filename() ? plain : plain.parent_path();
 }
 
-std::vector<Formula> formulas_of_balance_shaft(const Json& input, const CaseContext& context) {
-    return balance_shaft::formulas(balance_shaft::read_input(input, context));
+/// The files that it names change no formula.
+std::vector<Formula> formulas_of_balance_shaft(const Json& input) {
+    return balance_shaft::formulas(read_fields<balance_shaft::Input>(input));
 }
 
-std::vector<Formula> formulas_of_elastic_hinge(const Json& input, const CaseContext& /*context*/) {
+std::vector<Formula> formulas_of_elastic_hinge(const Json& input) {
     return elastic_hinge::formulas(elastic_hinge::read_input(input));
 }
 
-std::vector<Formula> formulas_of_v8_plugs(const Json& input, const CaseContext& /*context*/) {
+std::vector<Formula> formulas_of_v8_plugs(const Json& input) {
     return v8_plugs::formulas(v8_plugs::read_input(input, Completeness::as_is));
 }
 
-std::vector<Formula> formulas_of_inertia_moments(const Json& input,
-                                                 const CaseContext& /*context*/) {
+std::vector<Formula> formulas_of_inertia_moments(const Json& input) {
     return inertia_moments::formulas(inertia_moments::read_input(input));
 }
 

@@ -23,7 +23,7 @@ struct SceneSolver {
     std::string_view name;  ///< the word in the case file, for example "balance-shaft"
     Json (*solve)(const Json& input, const CaseContext& context, const Wanted& wanted);
     /// What its result rests on. @throws InputError as solve()
-    std::vector<Formula> (*formulas)(const Json& input, const CaseContext& context);
+    std::vector<Formula> (*formulas)(const Json& input);
     std::span<const Text> (*left_out)();
 };
 

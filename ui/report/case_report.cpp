@@ -148,7 +148,7 @@ void addTheory(Report& report, const SceneModel& model) {
     table.headings = {ReportWords::tr("Quantity"), ReportWords::tr("Formula"),
                       ReportWords::tr("Source")};
     std::vector<std::string_view> cited;
-    for (const Formula& formula : scene->formulas(model.inputJson(), model.context())) {
+    for (const Formula& formula : scene->formulas(model.inputJson())) {
         QString from = ReportWords::tr("mechanics");
         if (!formula.source.empty()) {
             if (std::find(cited.begin(), cited.end(), formula.source) == cited.end()) {

@@ -25,8 +25,7 @@ void for_every_example(Look&& look) {
         const CaseFile file = parse_case(read_text_file(entry.path()));
         for (const SceneSolver& scene : scene_solvers()) {
             if (scene.name == file.scene) {
-                look(scene, entry.path(),
-                     scene.formulas(file.input, CaseContext{entry.path().parent_path()}));
+                look(scene, entry.path(), scene.formulas(file.input));
             }
         }
     }
@@ -81,7 +80,7 @@ TEST(Formulas, FollowTheCase) {
     const auto has = [](const Json& input, const char* name) {
         for (const SceneSolver& scene : scene_solvers()) {
             if (scene.name == "elastic-hinge") {
-                const auto formulas = scene.formulas(input, {});
+                const auto formulas = scene.formulas(input);
                 return std::any_of(formulas.begin(), formulas.end(), [&](const Formula& formula) {
                     return std::string_view(formula.name.english) == name;
                 });
