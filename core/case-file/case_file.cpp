@@ -255,17 +255,9 @@ CaseFile read_case(Json document, const std::vector<std::string>& scenes) {
     if (reader.has("kept")) {
         file.kept = checked_object(reader.raw("kept"), "/kept");
     }
-    try {
-        reader.finish();
-    } catch (const InputError& error) {
-        if (error.allowed() != "is not a known key") {
-            throw;  // one of ours, misspelt
-        }
-        throw InputError(error.where_message(),
-                         CORE_TEXT("core",
-                                   "is not a known key (a newer program may have written this "
-                                   "case; update to open it)"));
-    }
+    reader.finish(CORE_TEXT("core",
+                            "is not a known key (a newer program may have written this case; "
+                            "update to open it)"));
     return file;
 }
 

@@ -272,7 +272,7 @@ std::vector<std::string> ObjectReader::keys() {
     return names;
 }
 
-void ObjectReader::finish() const {
+void ObjectReader::finish(const Text& unknown) const {
     for (const auto& item : value_.items()) {
         if (std::find(known_.begin(), known_.end(), item.key()) != known_.end()) {
             continue;
@@ -282,7 +282,7 @@ void ObjectReader::finish() const {
                 pointer_to(item.key()),
                 {CORE_TEXT("core", "is not a known key; the nearest is %1"), quoted_list({*near})});
         }
-        throw InputError(pointer_to(item.key()), CORE_TEXT("core", "is not a known key"));
+        throw InputError(pointer_to(item.key()), unknown);
     }
 }
 

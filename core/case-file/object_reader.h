@@ -63,7 +63,7 @@ class ObjectReader {
     std::vector<std::string> keys();
 
     /// Refuses any key that was not asked for, with the nearest known key.
-    void finish() const;
+    void finish(const Text& unknown = CORE_TEXT("core", "is not a known key")) const;
 
   private:
     const Json& require(std::string_view key);
