@@ -368,27 +368,29 @@ void read_kept(const Json& kept, const CaseContext& context, Input& input) {
     TorqueSource& source = input.torque;
     const auto take = [&](const Json& torque) {
         const TorqueSource other = read_kept_source(input, torque);
+        if (other.is_computed() && !source.is_computed()) {
+            source.cylinder.bore = other.cylinder.bore;
+            source.cylinder.crankcase_pressure = other.cylinder.crankcase_pressure;
+        }
         // A file that is not there may come back; until then its numbers are missing.
         try {
             if (other.kind == Kind::csv) {
                 source.csv = other.csv;
-                source.table =
-                    parse_torque_table(read_text_file(context.directory / other.csv)).table;
+                source.table = read_beside(
+                    other.csv, "/kept/torque/csv", context,
+                    [](const std::string& text) { return parse_torque_table(text).table; });
             } else if (other.kind == Kind::pressure) {
                 source.trace_csv = other.trace_csv;
-                source.trace =
-                    parse_pressure_trace(read_text_file(context.directory / other.trace_csv)).trace;
+                source.trace = read_beside(
+                    other.trace_csv, "/kept/torque/pressure/csv", context,
+                    [](const std::string& text) { return parse_pressure_trace(text).trace; });
             } else if (other.kind == Kind::table) {
                 source.table = other.table;
             } else {
                 source.cycle = other.cycle;
             }
         } catch (const InputError&) {
-            return;
-        }
-        if (other.is_computed() && !source.is_computed()) {
-            source.cylinder.bore = other.cylinder.bore;
-            source.cylinder.crankcase_pressure = other.cylinder.crankcase_pressure;
+            // It is named still.
         }
     };
     Json table = Json::object();
