@@ -253,9 +253,9 @@ std::string relieved_shaft_dxf(const RelievedShaft& shaft, const std::string& ti
     const double arm = 1.2 * radius;
     drawing.line({-arm, 0.0}, {arm, 0.0}, "AXIS");
     drawing.line({0.0, -arm}, {0.0, arm}, "AXIS");
-    // Side view to the right, the bar whole for half a diameter on both sides.
+    // Side view to the right, the bar whole to the bearings on both sides.
     const double length = shaft.length / units::mm;
-    const double stub = radius;
+    const double stub = std::max((shaft.bearing_span - shaft.length) / 2.0 / units::mm, radius);
     const double left = 2.0 * radius;
     const double begin = left + stub;
     const double end = begin + length;
