@@ -574,8 +574,8 @@ Json write_speed_study(const SpeedStudy& study, const std::optional<SpeedStudy::
     json["least_bad_buildable"] = buildable.stretches.empty()
                                       ? Json{{"reason", buildable.reason.english()}}
                                       : least_bad(buildable.stretches);
-    Json& free_places = json["least_bad_place"] = Json::object();
-    Json& places = json["least_bad_place_buildable"] = Json::object();
+    Json free_places = Json::object();
+    Json places = Json::object();
     const auto put_places = [&](const char* name, Criterion criterion, Measure measure,
                                 const char* key) {
         const auto write = [&](const std::optional<SpeedStudy::LeastBadPlace>& found) -> Json {
@@ -603,6 +603,8 @@ Json write_speed_study(const SpeedStudy& study, const std::optional<SpeedStudy::
                 (study.makes_moment() ? ShaftPlaces::reason_for_none() : no_moment()).english();
         }
     }
+    json["least_bad_place"] = std::move(free_places);
+    json["least_bad_place_buildable"] = std::move(places);
     if (map) {
         const std::size_t angles = map->shaft_angle_deg.size();
         Json ranges = Json::array();
