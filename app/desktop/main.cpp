@@ -137,13 +137,16 @@ int main(int argc, char** argv) {
             return fail(u"--theme: must be light, dark or system, got %1"_s.arg(name));
         }
     }
-    const QString percent = parser.isSet(textOption)
-                                ? parser.value(textOption)
-                                : QSettings().value(u"view/text"_s, 100).toString();
-    if (percent.toInt() < 80 || percent.toInt() > 200) {
-        return fail(u"--text: must be from 80 to 200, got %1"_s.arg(percent));
+    const auto fits = [](int percent) { return percent >= 80 && percent <= 200; };
+    int percent = QSettings().value(u"view/text"_s, 100).toInt();
+    if (parser.isSet(textOption)) {
+        percent = parser.value(textOption).toInt();
+        if (!fits(percent)) {
+            return fail(u"--text: must be from 80 to 200, got %1"_s.arg(parser.value(textOption)));
+        }
     }
-    ravnoves::Theme::instance().setTextScale(percent.toInt() / 100.0);
+    // What stands in the settings keeps nobody from starting.
+    ravnoves::Theme::instance().setTextScale(fits(percent) ? percent / 100.0 : 1.0);
     ravnoves::Theme::instance().install(mode);
 
     const QString reportPath = parser.value(reportOption);
