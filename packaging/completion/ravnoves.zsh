@@ -2,7 +2,7 @@
 
 _arguments \
     '--scene[start with this scene]:scene:(start balance-shaft elastic-hinge v8-plugs inertia-moments methods)' \
-    '--case[open this case file]:case file:_files -g "*.json"' \
+    '*--case[open this case file]:case file:_files -g "*.json"' \
     '*--set[set a value of the case or of the page]:key=value' \
     '--screenshot[write the window as a PNG picture and exit]:picture:_files -g "*.png"' \
     '--report[write a report of the case as PDF or HTML and exit]:report:_files -g "*.(pdf|html)"' \
