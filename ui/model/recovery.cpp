@@ -111,14 +111,14 @@ void Recovery::watch(CaseDocument* document, const std::function<QString()>& dra
     later();
 }
 
-void Recovery::keep(CaseDocument* document) {
+bool Recovery::keep(CaseDocument* document) {
     const auto found = watched_.find(document);
     if (found == watched_.end()) {
-        return;
+        return false;
     }
     if (!document->needsSaving()) {
         forget(*found);
-        return;
+        return true;
     }
     const SceneModel& model = *document->model();
     Json json = {{"case", write_case(document->asFile())},
@@ -129,7 +129,7 @@ void Recovery::keep(CaseDocument* document) {
     const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
     const QByteArray bytes = QByteArray::fromStdString(text);
     if (bytes == found->written) {
-        return;
+        return true;
     }
     try {
         CaseDocument::checkReadable(text);
@@ -137,12 +137,13 @@ void Recovery::keep(CaseDocument* document) {
         if (lock(session_) == Lock::Ours) {
             write_text_file(fsPath(found->file), text);
             found->written = bytes;
-        } else {
-            tellFailed(tr("%1 cannot be written to").arg(folder_));
+            return true;
         }
+        tellFailed(tr("%1 cannot be written to").arg(folder_));
     } catch (const InputError& error) {
         tellFailed(errorText(error));
     }
+    return false;
 }
 
 void Recovery::tellFailed(const QString& why) {

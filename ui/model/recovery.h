@@ -48,8 +48,8 @@ class Recovery : public QObject {
     /// Keeps the document from now on.
     /// @param draft  asked for RecoveredCase::draft whenever it is written
     void watch(CaseDocument* document, const std::function<QString()>& draft);
-    /// Writes it now rather than soon.
-    void keep(CaseDocument* document);
+    /// Writes it now rather than soon. @return false where it could not be kept
+    bool keep(CaseDocument* document);
     /// The document is closed: nothing of it is kept.
     void release(CaseDocument* document);
     /// The program ends as it should: nothing is kept.

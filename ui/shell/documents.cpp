@@ -17,6 +17,7 @@
 #include "model/open_case.h"
 #include "model/recovery.h"
 #include "numerics/demand.h"
+#include "scenes/case_sources.h"
 #include "shell/disk_notice.h"
 #include "shell/refused_entries.h"
 #include "shell/scene_page.h"
@@ -27,17 +28,6 @@
 #include "widgets/file_dialogs.h"
 
 namespace ravnoves {
-
-namespace {
-
-/// Of one file, by whatever path or link.
-QString fileIdentity(const QString& path) {
-    const QFileInfo file(path);
-    const QString canonical = file.canonicalFilePath();
-    return canonical.isEmpty() ? file.absoluteFilePath() : canonical;
-}
-
-}  // namespace
 
 Documents::Documents(QWidget* parent) : QWidget(parent), scenes_(sceneList()) {
     auto* column = new QVBoxLayout(this);
@@ -95,10 +85,10 @@ OpenDocument* Documents::lastOf(std::size_t scene) const {
 }
 
 OpenDocument* Documents::withFile(const QString& path) const {
-    const QString identity = fileIdentity(path);
     for (const auto& each : documents_) {
         const QString other = each->document->path();
-        if (!other.isEmpty() && fileIdentity(other) == identity) {
+        if (!other.isEmpty() && (other == QFileInfo(path).absoluteFilePath() ||
+                                 is_same_file(fsPath(other), fsPath(path)))) {
             return each.get();
         }
     }
@@ -285,6 +275,19 @@ void Documents::put(const CaseFile& file, OpenDocument* there,
     bringToFront(target);
 }
 
+std::optional<bool> Documents::relocate(CaseFile& file, const InputError& error,
+                                        const QString& title, const QString& trouble) {
+    Json* const name = CaseDocument::fileNamedAt(file, error);
+    if (name == nullptr) {
+        return std::nullopt;
+    }
+    const QString found = locate(QString::fromStdString(name->get<std::string>()), title, trouble);
+    if (!found.isEmpty()) {
+        *name = QFileInfo(found).absoluteFilePath().toStdString();
+    }
+    return !found.isEmpty();
+}
+
 QString Documents::open(const QString& path, bool locates) {
     if (OpenDocument* there = withFile(path)) {
         bringToFront(*there);
@@ -312,16 +315,14 @@ QString Documents::open(const QString& path, bool locates) {
             return {};
         } catch (const InputError& error) {
             const QString trouble = path + QStringLiteral(": ") + errorText(error);
-            Json* const name = locates ? CaseDocument::fileNamedAt(file, error) : nullptr;
-            if (name == nullptr) {
+            const auto isMoving =
+                locates ? relocate(file, error, tr("Open case"), trouble) : std::nullopt;
+            if (!isMoving) {
                 return trouble;
             }
-            const QString found =
-                locate(QString::fromStdString(name->get<std::string>()), tr("Open case"), trouble);
-            if (found.isEmpty()) {
+            if (!*isMoving) {
                 return {};
             }
-            *name = QFileInfo(found).absoluteFilePath().toStdString();
         }
     }
 }
@@ -392,26 +393,19 @@ bool Documents::restore(const RecoveredCase& recovered) {
             const QString title = tr("Unsaved cases");
             const QString trouble = (recovered.path.isEmpty() ? recovered.file : recovered.path) +
                                     QStringLiteral(": ") + errorText(error);
-            Json* const name = CaseDocument::fileNamedAt(file, error);
-            if (name == nullptr) {
+            const auto isMoving = relocate(file, error, title, trouble);
+            if (!isMoving) {
                 QMessageBox::warning(window(), title, trouble);
+            }
+            if (!isMoving.value_or(false)) {
                 return false;
             }
-            const QString found =
-                locate(QString::fromStdString(name->get<std::string>()), title, trouble);
-            if (found.isEmpty()) {
-                return false;
-            }
-            *name = QFileInfo(found).absoluteFilePath().toStdString();
         }
     }
     if (!recovered.draft.isEmpty()) {
         current_->page->takeDraft(recovered.draft);
     }
-    if (recovery_ != nullptr) {
-        recovery_->keep(current_->document);  // before the other copy goes
-    }
-    return true;
+    return recovery_ == nullptr || recovery_->keep(current_->document);  // or the other copy stays
 }
 
 void Documents::drop(const RecoveredCase& recovered) {
@@ -519,9 +513,6 @@ DocumentDialogs Documents::dialogsOf(OpenDocument& document) {
             return QString();
         }
         return path;
-    };
-    dialogs.tell = [this](const QString& trouble) {
-        QMessageBox::warning(window(), tr("Save case"), trouble);
     };
     dialogs.goOnWithoutRefused = [this, &document] {
         return goOnWithoutRefused(document.page, tr("Save case"));

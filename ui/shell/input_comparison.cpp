@@ -50,6 +50,9 @@ InputComparison::InputComparison(ScenePage* page, QWidget* parent)
 }
 
 void InputComparison::showDifferences() {
+    if (model_ == nullptr) {
+        return;  // the page is gone, and this closes
+    }
     if (model_->reference() < 0) {
         title_->setText(tr("No reference is chosen."));
         table_->setRows({});
