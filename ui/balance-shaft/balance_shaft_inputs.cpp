@@ -6,7 +6,6 @@
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "balance-shaft/torque_source_editor.h"
-#include "model/state_brought_in.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
@@ -36,7 +35,7 @@ void BalanceShaftPage::addEngine(Form* form) {
                 tr("Preset TMZ-650D"),
                 [](Input& input) { input = balance_shaft::preset_tmz_650d(); },
                 QStringLiteral("TMZ-650D"));
-            Q_EMIT StateBroughtIn::of(model_).done();
+            Q_EMIT model_->broughtIn();
         }
         showPreset();
     });

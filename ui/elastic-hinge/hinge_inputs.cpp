@@ -6,7 +6,6 @@
 #include "elastic-hinge/fields.h"
 #include "elastic-hinge/number_list_field.h"
 #include "elastic-hinge/presets.h"
-#include "model/state_brought_in.h"
 #include "text/message_text.h"
 
 namespace ravnoves {
@@ -75,7 +74,7 @@ void HingeInputs::addMechanism() {
         [this](int index) {
             if (index == 1) {
                 model_->loadDefault();
-                Q_EMIT StateBroughtIn::of(model_).done();
+                Q_EMIT model_->broughtIn();
             }
         });
     addChoice(

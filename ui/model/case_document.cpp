@@ -12,7 +12,6 @@
 #include "case-file/text_size.h"
 #include "model/case_sources.h"
 #include "model/open_case.h"
-#include "model/state_brought_in.h"
 #include "scenes/case_sources.h"
 #include "scenes/scenes.h"
 #include "text/error_text.h"
@@ -34,6 +33,9 @@ QList<const CaseDocument*>& documents() {
 
 void remember(const QString& path) {
     QStringList files = CaseDocument::recentPaths();
+    if (files.value(0) == path) {
+        return;  // every write goes to the disk
+    }
     files.removeAll(path);
     files.prepend(path);
     QSettings().setValue(recentKey, files.mid(0, recentFiles));
@@ -179,15 +181,17 @@ void CaseDocument::begin(const CaseFile& file, const CaseContext& context) {
 Json* CaseDocument::fileNamedAt(CaseFile& file, const InputError& error) {
     const std::string place = error.where();
     const std::string_view root = "/input/";
-    return place.starts_with(root) && place.ends_with("/csv")
-               ? &file.input[Json::json_pointer(place.substr(root.size() - 1))]
-               : nullptr;
+    if (!place.starts_with(root) || !place.ends_with("/csv")) {
+        return nullptr;
+    }
+    const Json::json_pointer at(place.substr(root.size() - 1));
+    return file.input.contains(at) && file.input.at(at).is_string() ? &file.input.at(at) : nullptr;
 }
 
 void CaseDocument::load(const CaseFile& file, const CaseContext& context) {
     model_->loadFile(file, context, isExample(file));
     *rest_ = file;
-    Q_EMIT StateBroughtIn::of(model_).done();
+    Q_EMIT model_->broughtIn();
 }
 
 void CaseDocument::restore(const CaseFile& file, const CaseContext& context, const QString& path,

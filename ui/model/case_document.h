@@ -74,7 +74,7 @@ class CaseDocument : public QObject {
     void open(const CaseFile& file, const QString& path, const QByteArray& known = {});
     void begin(const CaseFile& file, const CaseContext& context);
     /// Where the case names the file that open() could not read; null where something else is
-    /// wrong.
+    /// wrong, with the name itself, too.
     static Json* fileNamedAt(CaseFile& file, const InputError& error);
     /// Takes over what was not saved, with the file that it belongs to, and needs saving.
     /// @param known  FileOnDisk::digest() of that file

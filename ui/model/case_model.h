@@ -265,7 +265,8 @@ class CaseModel : public SceneModel {
         keepTyped();
         prepared_ = std::move(solved);
         aboutToLoad();
-        if (next.input == input_) {
+        if (next.input == input_ && next.title == title() && next.notes == notes() &&
+            next.variants == variantState()) {
             restore(next);  // no step, but what a field shows of a refused text goes
         } else {
             push(name, state(), std::move(next), -1);

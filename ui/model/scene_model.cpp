@@ -3,7 +3,6 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "model/state_brought_in.h"
 #include "text/number_text.h"
 
 namespace ravnoves {
@@ -30,14 +29,14 @@ void SceneModel::undo() {
     keepTyped();
     history_.undo();
     finishDrag();
-    Q_EMIT StateBroughtIn::of(this).done();
+    Q_EMIT broughtIn();
 }
 
 void SceneModel::redo() {
     keepTyped();
     history_.redo();
     finishDrag();
-    Q_EMIT StateBroughtIn::of(this).done();
+    Q_EMIT broughtIn();
 }
 
 void SceneModel::sayRefused(const QString& why) {

@@ -104,8 +104,6 @@ class SceneModel : public QObject {
     /// Why a variant's input is refused; empty where it is none.
     QString variantTrouble(int place) const;
     Json variantInput(int place) const;
-    /// The "result" object of a variant, as the command line prints it. @throws InputError
-    Json variantResult(int place) const;
 
     QUndoStack* history() { return &history_; }
     const QUndoStack* history() const { return &history_; }
@@ -145,6 +143,9 @@ class SceneModel : public QObject {
     void variantsChanged();
     /// What the pictures show beside the input.
     void viewChanged();
+    /// It holds another state as a whole: undone, redone, loaded, a preset, a variant. Unlike a
+    /// change of one value, that ends what was typed and refused in any field.
+    void broughtIn();
 
   protected:
     void setContext(const CaseContext& context) { context_ = context; }

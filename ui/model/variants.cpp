@@ -9,8 +9,6 @@
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "model/scene_model.h"
-#include "model/state_brought_in.h"
-#include "scenes/scenes.h"
 
 namespace ravnoves {
 
@@ -22,9 +20,9 @@ bool isTaken(const QList<Variant>& variants, const QString& name) {
 }
 
 /// Passes on why an input is not taken over; where it is, all fields show it.
-QString broughtIn(SceneModel* model, const QString& why) {
+QString tellBroughtIn(SceneModel* model, const QString& why) {
     if (why.isEmpty()) {
-        Q_EMIT StateBroughtIn::of(model).done();
+        Q_EMIT model->broughtIn();
     }
     return why;
 }
@@ -106,27 +104,18 @@ QString SceneModel::swapVariant(int place) {
     Variants next = variants_;
     Variant& variant = next.list[place];
     const std::string input = std::exchange(variant.input, inputJson().dump());
-    return broughtIn(this,
+    return tellBroughtIn(this,
                      changeVariants(tr("Swap with variant %1").arg(variant.name), next, input));
 }
 
 QString SceneModel::takeVariant(int place) {
     const Variant& variant = variants_.list.at(place);
-    return broughtIn(
+    return tellBroughtIn(
         this, changeVariants(tr("Take variant %1").arg(variant.name), variants_, variant.input));
 }
 
 Json SceneModel::variantInput(int place) const {
     return parse_json(variants_.list.at(place).input);
-}
-
-Json SceneModel::variantResult(int place) const {
-    for (const SceneSolver& scene : scene_solvers()) {
-        if (scene.name == sceneName().toStdString()) {
-            return scene.solve(variantInput(place), context_, {});
-        }
-    }
-    return {};
 }
 
 QString SceneModel::variantTrouble(int place) const {

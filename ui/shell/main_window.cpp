@@ -515,13 +515,18 @@ void MainWindow::beginSession() {
 }
 
 void MainWindow::rememberSession() {
-    if (recovery_ == nullptr) {
-        return;
-    }
     QSettings settings;
-    settings.setValue(filesKey, documents_->paths());
+    if (recovery_ == nullptr || !settings.value(restoreKey, false).toBool()) {
+        return;  // nobody reads it
+    }
+    const auto keep = [&](const QString& key, const QVariant& value) {
+        if (settings.value(key) != value) {  // every write goes to the disk
+            settings.setValue(key, value);
+        }
+    };
+    keep(filesKey, documents_->paths());
     const QString path = documents_->current().document->path();
-    settings.setValue(currentKey, path.isEmpty() ? currentScene() : path);
+    keep(currentKey, path.isEmpty() ? currentScene() : path);
 }
 
 void MainWindow::offerRecovered() {

@@ -36,6 +36,7 @@ VariantMenu::VariantMenu(QWidget* parent)
             &VariantMenu::rename),
         add("delete", tr("&Delete"), {}, tr("Takes the reference out of the case"),
             &VariantMenu::remove)};
+    connect(this, &QMenu::aboutToShow, this, &VariantMenu::fillList);  // it solves each of them
     button_->setObjectName(QStringLiteral("variants_button"));
     button_->setMenu(this);
     button_->setPopupMode(QToolButton::InstantPopup);
@@ -75,7 +76,6 @@ void VariantMenu::setPage(ScenePage* page) {
 void VariantMenu::showState() {
     const bool usable = page_ != nullptr && model_->hasCaseFile();
     const int reference = usable ? model_->reference() : -1;
-    fillList();
     keep_->setEnabled(usable);
     none_->setChecked(reference < 0);
     none_->setEnabled(usable && !model_->variants().isEmpty());
@@ -99,7 +99,7 @@ void VariantMenu::showState() {
 void VariantMenu::fillList() {
     qDeleteAll(listed_);
     listed_.clear();
-    if (page_ == nullptr) {
+    if (page_ == nullptr || !model_->hasCaseFile()) {
         return;
     }
     QAction* const before = none_;

@@ -44,11 +44,6 @@ std::optional<double> readFormNumber(const QString& text) {
     return parse_decimal(text.trimmed().toStdString());
 }
 
-int resultDigits(int usual) {
-    const int chosen = Preferences::instance().digits();
-    return chosen > 0 ? chosen : usual;
-}
-
 QString fixedNumber(double value, int decimals, const QLocale& locale) {
     const int chosen = Preferences::instance().digits();
     // What is counted in whole numbers stays whole.

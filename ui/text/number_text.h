@@ -29,7 +29,5 @@ QString withUnit(const QString& number, const QString& unit);
 QString fixedDecimals(double value, int decimals, const QLocale& locale);
 /// A number of a result: so many decimals, unless the user has chosen significant digits.
 QString fixedNumber(double value, int decimals, const QLocale& locale);
-/// Significant digits of a result's number: the user's choice, else the usual.
-int resultDigits(int usual);
 
 }  // namespace ravnoves

@@ -4,7 +4,6 @@
 #include <QPainter>
 #include <utility>
 
-#include "model/state_brought_in.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -41,7 +40,7 @@ void EntryField::setModel(SceneModel* model) {
             refusal_ = why;
         }
     });
-    connect(&StateBroughtIn::of(model), &StateBroughtIn::done, this, [this] {
+    connect(model, &SceneModel::broughtIn, this, [this] {
         if (!trouble_.isEmpty()) {
             setTrouble({});
             showValue();

@@ -12,7 +12,6 @@
 
 #include "case-file/range.h"
 #include "model/scene_model.h"
-#include "model/state_brought_in.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
 #include "theme/theme.h"
@@ -96,7 +95,7 @@ void ValueSlider::setModel(SceneModel* model) {
             refuse(why);
         }
     });
-    connect(&StateBroughtIn::of(model), &StateBroughtIn::done, this, [this] { refuse({}); });
+    connect(model, &SceneModel::broughtIn, this, [this] { refuse({}); });
 }
 
 void ValueSlider::sayOutOfRange(const QString& typed) {

@@ -9,7 +9,6 @@
 #include "inertia-moments/fields.h"
 #include "inertia-moments/scene.h"
 #include "model/case_model_json.h"
-#include "model/state_brought_in.h"
 #include "numerics/angle.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
@@ -210,14 +209,14 @@ void InertiaMomentsModel::chooseLayout(const QString& name) {
         edit(
             tr("Layout"), [](Input& input) { input = inertia_moments::preset_vw_vr5(); },
             QStringLiteral("Volkswagen VR5"));
-        Q_EMIT StateBroughtIn::of(this).done();
+        Q_EMIT broughtIn();
         return;
     }
     if (const int count = radialCount(name); count > 0) {
         edit(
             tr("Layout"), [count](Input& input) { input = inertia_moments::preset_radial(count); },
             layoutTitle(name));
-        Q_EMIT StateBroughtIn::of(this).done();
+        Q_EMIT broughtIn();
         return;
     }
     if (name == ownTable) {
