@@ -22,6 +22,7 @@
 #include "shell/refused_entries.h"
 #include "shell/scene_page.h"
 #include "text/error_text.h"
+#include "text/file_path.h"
 #include "text/message_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
