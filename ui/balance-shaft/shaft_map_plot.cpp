@@ -673,6 +673,7 @@ const ShaftMapModel::Marker* ShaftMapPlot::markerAt(const QPointF& pixel) const 
 void ShaftMapPlot::mousePressEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton && isHandle(event->position())) {
         dragging_ = gripped_ = true;
+        map_->setHeld(true);
         grip_ = pixelOf(map_->present()) - event->position();
         setCursor(Qt::ClosedHandCursor);
         model_->beginEditing();
@@ -733,6 +734,7 @@ void ShaftMapPlot::endDrag() {
         dragging_ = false;
         setCursor(Qt::OpenHandCursor);
         model_->endEditing();
+        map_->setHeld(false);
         update();
     }
 }

@@ -502,6 +502,28 @@ TEST_F(ShaftMapTest, AMoveAfterEscapeWaitsForTheHandToLetGo) {
     EXPECT_EQ(model->history()->count(), 0);
 }
 
+TEST_F(ShaftMapTest, WhatIsShownRestsDuringADragAndFollowsAfterIt) {
+    const ShaftMap* before = map->map();
+    const double view = before->view;
+    const QPointF from = handle();
+    QTest::mousePress(plot, Qt::LeftButton, {}, from.toPoint());
+    const QPointF corner = plot->plotArea().topRight() + QPointF(300.0, -300.0);
+    for (int step = 1; step <= 5; ++step) {
+        move(from + (corner - from) * step / 5.0);
+        QApplication::processEvents();
+        EXPECT_EQ(map->map(), before);
+    }
+    const double reached = length();
+    EXPECT_GT(reached, view);
+    QTest::mouseRelease(plot, Qt::LeftButton, {}, corner.toPoint());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return map->map() != before && !map->isStale(); }, 30'000));
+    EXPECT_EQ(length(), reached);
+    EXPECT_GT(map->map()->view, reached);
+    // Back where it was, so is what is shown.
+    model->undo();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return map->map()->view == view; }, 30'000));
+}
+
 TEST_F(ShaftMapTest, WordsFollowTheShaft) {
     const QString before = map->placeText(map->present());
     QTest::keyClick(plot, Qt::Key_Right, Qt::ShiftModifier);

@@ -136,7 +136,8 @@ ShaftMapModel::ShaftMapModel(BalanceShaftModel* model, QObject* parent)
       job_(new BackgroundJob(this)),
       bandJob_(new BackgroundJob(this)) {
     job_->setPatience(500, 30);
-    connect(model_, &SceneModel::changed, this, &ShaftMapModel::follow);
+    connect(model_, &SceneModel::changed, this, [this] { follow(); });
+    connect(model_, &SceneModel::broughtIn, this, [this] { follow(true); });
     connect(model_, &BalanceShaftModel::shaftMoved, this, &ShaftMapModel::moved);
     connect(job_, &BackgroundJob::runningChanged, this, &ShaftMapModel::staleChanged);
     connect(job_, &BackgroundJob::failed, this, [this](const QString& why) {
@@ -155,14 +156,23 @@ void ShaftMapModel::setWatched(bool watched) {
     follow();
 }
 
-void ShaftMapModel::follow() {
+void ShaftMapModel::setHeld(bool held) {
+    held_ = held;
+    follow(true);
+}
+
+void ShaftMapModel::follow(bool mayShrink) {
     if (!watched_) {
         return;
     }
     const Input& input = model_->input();
     const bool same = mapped_ && *mapped_ == withoutPlace(input);
-    // A shaft outside of what is shown needs a larger map.
-    if (!same || (map_ && !job_->isRunning() && input.centre_distance > map_->view)) {
+    const auto fits = [&] {
+        constexpr double tooWide = 1.5;
+        return input.centre_distance <= map_->view &&
+               (!mayShrink || map_->view <= tooWide * viewOf(*map_, input.centre_distance));
+    };
+    if (!same || (map_ && !held_ && !job_->isRunning() && !fits())) {
         mapped_ = withoutPlace(input);
         start();
     }

@@ -81,6 +81,8 @@ class ShaftMapModel : public QObject {
     BackgroundJob* bandJob() const { return bandJob_; }
     /// Makes the map anew where it is not that of the input and someone looks.
     void setWatched(bool watched);
+    /// What the map shows stays as wide as it is while the shaft is dragged over it.
+    void setHeld(bool held);
     /// The map made last, or null; isStale() where a newer one is on the way.
     const ShaftMap* map() const { return map_.get(); }
     bool isStale() const;
@@ -149,7 +151,8 @@ class ShaftMapModel : public QObject {
     void moved();
 
   private:
-    void follow();
+    /// A shaft outside of what is shown needs a larger map.
+    void follow(bool mayShrink = false);
     void start();
     void startBand();
     void addBandMarker();
@@ -168,6 +171,7 @@ class ShaftMapModel : public QObject {
     BackgroundJob* job_;
     BackgroundJob* bandJob_;
     bool watched_ = false;
+    bool held_ = false;
     std::shared_ptr<const ShaftMap> map_;
     std::optional<balance_shaft::Input> mapped_;  ///< what the map is made of, or will be
     /// Least bad over the band, by range and by RMS.
