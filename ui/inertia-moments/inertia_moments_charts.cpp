@@ -68,6 +68,7 @@ InertiaMomentsCharts::InertiaMomentsCharts(InertiaMomentsModel* model, QWidget* 
         showMoments();
         showCursor(model_->crankAngleDeg());
     });
+    connect(model_, &SceneModel::viewChanged, this, &InertiaMomentsCharts::showMoments);
     connect(model_, &InertiaMomentsModel::crankAngleChanged, this,
             &InertiaMomentsCharts::showCursor);
     showMoments();
@@ -244,7 +245,7 @@ void InertiaMomentsCharts::nameMoments(bool force) {
 }
 
 void InertiaMomentsCharts::showMoments() {
-    if (const bool force = engine_curves::hasForcesOnly(model_->result()); force != isForce_) {
+    if (const bool force = model_->showsForces(); force != isForce_) {
         nameMoments(force);
     }
     for (int k = 1; k <= 2; ++k) {

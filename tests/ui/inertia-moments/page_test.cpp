@@ -485,6 +485,20 @@ TEST_F(InertiaMomentsPageTest, ARadialShowsStrokesAndForces) {
     EXPECT_EQ(page.charts()->moment(2)->curveName(3), QStringLiteral("Mx"));
 }
 
+TEST_F(InertiaMomentsPageTest, AnEngineBesideAnotherShowsTheSameQuantity) {
+    InertiaMomentsPage beside;  // the VR5, whose charts show moments
+    const PlotView* plot = beside.charts()->moment(2);
+    model->chooseLayout(QStringLiteral("radial-9"));
+    beside.viewModel()->takeView(*model);
+    EXPECT_EQ(plot->title(), QStringLiteral("Order 2, forces"));
+    const auto& second = beside.viewModel()->result().exact.order(2);
+    EXPECT_NEAR(*plot->valueAt(2, 30.0), second.force.at(60.0 * degree).imag(), 1e-6);
+    model->chooseLayout(QStringLiteral("vw-vr5"));
+    beside.viewModel()->takeView(*model);
+    EXPECT_EQ(plot->title(), QStringLiteral("Order 2"));
+    EXPECT_NEAR(*plot->valueAt(2, 30.0), second.moment.at(60.0 * degree).imag(), 1e-6);
+}
+
 TEST_F(InertiaMomentsPageTest, ClickOnAShaftShowsWhatItCancels) {
     tab(Tabs::Charts, "shafts");
     ShaftView* view = page.charts()->shaftView();

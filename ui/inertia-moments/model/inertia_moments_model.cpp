@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "inertia-moments/fields.h"
+#include "inertia-moments/model/engine_curves.h"
 #include "inertia-moments/scene.h"
 #include "model/case_model_json.h"
 #include "numerics/angle.h"
@@ -582,6 +583,22 @@ QString InertiaMomentsModel::setRodLength(std::optional<double> length) {
 }
 
 // ---------------------------------------------------------------------------------------- view
+
+bool InertiaMomentsModel::showsForces() const {
+    return forces_.value_or(engine_curves::hasForcesOnly(result()));
+}
+
+void InertiaMomentsModel::takeView(const SceneModel& other) {
+    const auto* model = qobject_cast<const InertiaMomentsModel*>(&other);
+    if (model == nullptr) {
+        return;
+    }
+    const bool before = showsForces();
+    forces_ = model->showsForces();
+    if (before != *forces_) {
+        Q_EMIT viewChanged();
+    }
+}
 
 void InertiaMomentsModel::setCrankAngleDeg(double angle) {
     if (!std::isfinite(angle)) {

@@ -122,6 +122,10 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
 
     // ---------------------------------------------------------------- view
 
+    /// True where the charts of the orders show forces, since no moment is left. What is compared
+    /// with another engine shows what that one does.
+    bool showsForces() const;
+    void takeView(const SceneModel& other) override;
     double crankAngleDeg() const { return crankAngle_; }  ///< φ of the picture, 0…720
     void setCrankAngleDeg(double angle);
 
@@ -160,6 +164,7 @@ class InertiaMomentsModel : public CaseModel<InertiaMomentsScene> {
 
     double crankAngle_ = 40.0;
     std::array<int, 3> tabs_{};
+    std::optional<bool> forces_;  ///< taken from another
     /// The table whose articulated rods were put back on their crankpins.
     std::vector<inertia_moments::Cylinder> hung_;
 };

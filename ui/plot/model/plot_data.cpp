@@ -85,7 +85,11 @@ const PlotCurve* PlotData::ghostOf(const PlotCurve& curve) const {
         number >= reference->curves.size() || reference->curves[number].x.empty()) {
         return nullptr;
     }
-    return &reference->curves[number];
+    const PlotCurve& ghost = reference->curves[number];
+    // Another quantity has no place on this axis.
+    const plot::Side side = curve.style.side;
+    return reference->scale(ghost.style.side).spec.title == scale(side).spec.title ? &ghost
+                                                                                   : nullptr;
 }
 
 bool PlotData::hasGhosts() const {
