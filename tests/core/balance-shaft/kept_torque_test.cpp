@@ -66,6 +66,20 @@ TEST(KeptTorque, AFileThatIsNotThereStaysNamed) {
     EXPECT_EQ(write_kept(input), kept);
 }
 
+TEST(KeptTorque, BoreAndPressureStayWhileTheTraceIsNotThere) {
+    Input input = preset_tmz_650d();
+    const Input diesel = test::diesel();
+    Input named = input;
+    named.torque.trace_csv = "gone.csv";
+    named.torque.cylinder.bore = diesel.torque.cylinder.bore;
+    const Json kept = write_kept(named);
+    ASSERT_EQ(kept.at("torque").count("pressure"), 1U) << kept.dump();
+    read_kept(kept, CaseContext{"/nonexistent"}, input);
+    EXPECT_EQ(input.torque.trace_csv, "gone.csv");
+    EXPECT_EQ(input.torque.cylinder.bore, diesel.torque.cylinder.bore);
+    EXPECT_EQ(write_kept(input), kept);
+}
+
 TEST(KeptTorque, RefusalsNameThePlace) {
     const auto refusal = [](const char* kept) {
         Input input = preset_tmz_650d();
