@@ -2307,6 +2307,22 @@
         <source>The torque on the gas-exchange stroke holds an inertia torque of mⱼ r² ω² = %1 N·m (r/L = %2); the masses and the speed entered give %3 N·m. They do not belong together: the torque fits these masses at %4 min⁻¹, or %5 kg at this speed. The best angles found are those of no real engine until they agree.</source>
         <translation>На такте газообмена в моменте содержится инерционный момент mⱼ r² ω² = %1 Н·м (r/L = %2); введённые массы и частота дают %3 Н·м. Они не соответствуют друг другу: момент подходит этим массам при %4 мин⁻¹ или массе %5 кг при этой частоте. Пока это не согласовано, найденные лучшие углы не относятся ни к одному настоящему двигателю.</translation>
     </message>
+    <message>
+        <source>of the exact s″: −r₁ cos(θ − δ) is its first order; ω angular speed, θ − φ the same at every angle</source>
+        <translation>из точной s″: −r₁ cos(θ − δ) — её первый порядок; ω — угловая скорость, θ − φ одинакова при всех углах</translation>
+    </message>
+    <message>
+        <source>Bending of the shaft at speed</source>
+        <translation>Изгиб вала при вращении</translation>
+    </message>
+    <message>
+        <source>w deflection and e eccentricity of the section, on two simple supports; it whirls where w has no bound; the bending by its weight is added</source>
+        <translation>w — прогиб, e — эксцентриситет сечения, на двух шарнирных опорах; критическая скорость — где w неограничен; изгиб от собственного веса прибавлен</translation>
+    </message>
+    <message>
+        <source>Of the relieved shaft: notches, loads of its gear, and the resonance between half and 0.71 of the whirling speed that its own weight excites, because it bends more easily one way.</source>
+        <translation>Для вала с лыской: концентраторы, силы в его зацеплении и резонанс между половиной и 0,71 критической скорости, который вызывает собственный вес, потому что в одну сторону вал гнётся легче.</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
