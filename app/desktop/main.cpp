@@ -15,7 +15,7 @@
 #include "text/language.h"
 #include "text/preferences.h"
 #include "theme/theme.h"
-#include "v8-plugs/model/journal.h"
+#include "workshop/model/journal.h"
 
 namespace {
 

@@ -9,12 +9,12 @@
 #include "v8-plugs/model/v8_plugs_model.h"
 #include "v8-plugs/model/v8_text.h"
 #include "v8-plugs/plug_view.h"
-#include "v8-plugs/sheet_form.h"
 #include "v8-plugs/shift_plot.h"
 #include "widgets/form_section.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
 #include "widgets/result_table.h"
+#include "workshop/sheet_form.h"
 
 namespace ravnoves {
 

@@ -1,6 +1,5 @@
 #include "v8-plugs/card_painter.h"
 
-#include <QDate>
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +7,7 @@
 #include "v8-plugs/model/v8_names.h"
 #include "v8-plugs/model/v8_text.h"
 #include "v8-plugs/plug_drawing.h"
+#include "workshop/card_blocks.h"
 
 namespace ravnoves {
 
@@ -34,18 +34,21 @@ void CardPainter::paint() {
     y = options(y + gap);
     y = bobWeights(y + gap);
     y = weighIn(y + gap);
-    y = remarks(y + gap, machineTop - gap - notesHeight());
-    notes(y + gap, machineTop - gap);
+    const QString notes = QString::fromStdString(input_.job.notes).simplified();
+    y = remarks(y + gap, machineTop - gap - cardNotesHeight(sheet_, notes));
+    cardNotes(sheet_, words_, notes, y + gap, machineTop - gap);
     machine(machineTop);
-    signatures(signaturesTop);
+    cardSignatures(sheet_, words_,
+                   words_
+                       .translate("JobCard",
+                                  "Ravnoves %1 · method: A. D. Nazarov, equations (3)–(24) · "
+                                  "masses in grams, radii in millimetres")
+                       .arg(QStringLiteral(RAVNOVES_VERSION)),
+                   signaturesTop);
 }
 
 QString CardPainter::grams(double mass, int decimals) const {
     return words_.number(mass / gram, decimals);
-}
-
-QString CardPainter::notesText() const {
-    return QString::fromStdString(input_.job.notes).simplified();
 }
 
 QString CardPainter::engineName() const {
@@ -53,43 +56,19 @@ QString CardPainter::engineName() const {
     return name.isEmpty() ? words_.translate("JobCard", "custom") : name;
 }
 
-QString CardPainter::dateText() const {
-    const QDate date = QDate::fromString(QString::fromStdString(input_.job.date), Qt::ISODate);
-    if (!date.isValid()) {
-        return QString::fromStdString(input_.job.date);
-    }
-    return words_.locale().language() == QLocale::Russian
-               ? date.toString(QStringLiteral("dd.MM.yyyy"))
-               : date.toString(Qt::ISODate);
-}
-
 double CardPainter::head(double y) {
-    sheet_.text(left, y, full * 0.7,
-                words_.translate("JobCard", "Job card: crankpin plugs and bob weights"), 14,
-                Qt::AlignLeft, true);
-    sheet_.text(left + full * 0.7, y + 1.2, full * 0.3,
-                words_.translate("JobCard", "V-8 engine %1").arg(engineName()), 10, Qt::AlignRight,
-                true);
-    y += 7.5;
-    sheet_.line(left, y, right, y, 0.5, CardPage::ink);
-    y += 1.5;
-    const double third = full / 3.0;
     const auto text = [](const std::string& value) { return QString::fromStdString(value); };
-    sheet_.blank(left, y, third, words_.translate("JobCard", "Engine number"),
-                 text(input_.job.engine_number));
-    sheet_.blank(left + third, y, third, words_.translate("JobCard", "Crankshaft number"),
-                 text(input_.job.crankshaft_number));
-    sheet_.blank(left + 2 * third, y, third + 3, words_.translate("JobCard", "Date"), dateText());
-    y += 9.5;
-    sheet_.blank(left, y, third, words_.translate("JobCard", "Customer"),
-                 text(input_.job.customer));
-    sheet_.blank(left + third, y, third, words_.translate("JobCard", "Technician"),
-                 text(input_.job.technician));
-    sheet_.blank(left + 2 * third, y, third + 3, words_.translate("JobCard", "Work · crankshaft"),
-                 words_.text(process_words[static_cast<int>(input_.process)].label) +
-                     QStringLiteral(" · ") +
-                     words_.text(crankshaft_words[static_cast<int>(input_.crankshaft)].label));
-    return y + 8.5;
+    const JobHeader& job = input_.job;
+    return cardHead(
+        sheet_, words_,
+        {words_.translate("JobCard", "Job card: crankpin plugs and bob weights"),
+         words_.translate("JobCard", "V-8 engine %1").arg(engineName()), text(job.engine_number),
+         text(job.crankshaft_number), text(job.date), text(job.customer), text(job.technician),
+         words_.translate("JobCard", "Work · crankshaft"),
+         words_.text(process_words[static_cast<int>(input_.process)].label) +
+             QStringLiteral(" · ") +
+             words_.text(crankshaft_words[static_cast<int>(input_.crankshaft)].label)},
+        y);
 }
 
 double CardPainter::answer(double y) {
@@ -119,23 +98,7 @@ double CardPainter::answer(double y) {
         fact = words_.translate("JobCard", "Not known without: %1.")
                    .arg(v8_text::missingNames(words_, input_, false));
     }
-    const QColor& colour = warning.isEmpty() ? CardPage::ink : CardPage::amber;
-    const double inner = left + 3.0;
-    const double room = full - 6.0;
-    const auto content = [&](double from) {
-        double at = from;
-        at += sheet_.paragraph(inner, at, room, fact, 9, 1);
-        at += sheet_.paragraph(inner, at + 0.4, room, action, 11.5, 4, true, colour) + 0.4;
-        at += sheet_.paragraph(inner, at + 0.4, room, more.join(QLatin1Char(' ')), 9, 3, false,
-                               colour);
-        return at + sheet_.paragraph(inner, at + 0.4, room, warning, 10, 4, true, colour);
-    };
-    sheet_.setMeasuring(true);
-    const double height = content(0.0) + 3.6;
-    sheet_.setMeasuring(false);
-    sheet_.box(left, y, full, height, CardPage::shade, colour, warning.isEmpty() ? 0.3 : 0.8);
-    content(y + 1.6);
-    return y + height;
+    return cardAnswer(sheet_, {fact, action, more.join(QLatin1Char(' ')), warning}, y);
 }
 
 double CardPainter::inputs(double y) {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "v8-plugs/card_page.h"
 #include "v8-plugs/input.h"
 #include "v8-plugs/model/v8_names.h"
-#include "v8-plugs/model/words.h"
 #include "v8-plugs/solver.h"
+#include "workshop/card_page.h"
+#include "workshop/model/words.h"
 
 namespace ravnoves {
 
@@ -27,23 +27,17 @@ class CardPainter {
     double bobWeights(double y);
     double weighIn(double y);
     double remarks(double y, double end);
-    void notes(double y, double end);
     void machine(double y);
-    void signatures(double y);
 
     double engineTable(double y, double width);
     void changesTable(double x, double y, double width);
     double bobWeightTable(double y);
     void plug(double x, double y, double w, double h);
-    double notesPoints() const;
-    double notesHeight() const;
 
     QString grams(double mass, int decimals = 2) const;
     QString unitGram() const { return words_.unit(units::gram); }
     QString unitUnbalance() const { return words_.unit(units::gram_mm); }
     QString engineName() const;
-    QString dateText() const;
-    QString notesText() const;
 
     static constexpr double left = CardPage::left;
     static constexpr double full = CardPage::full;

@@ -101,17 +101,6 @@ double CardPainter::remarks(double y, double end) {
     return y + sheet_.paragraph(left, y, full, list.join(QLatin1Char(' ')), points, lines);
 }
 
-/// More than a line is set smaller.
-double CardPainter::notesPoints() const {
-    return sheet_.textWidth(notesText(), 8.5) <= CardPage::full ? 8.5 : 7.2;
-}
-
-double CardPainter::notesHeight() const {
-    const double points = notesPoints();
-    const double lines = std::ceil(sheet_.textWidth(notesText(), points) / full * 1.05);
-    return 5.2 + 2.6 + std::clamp(lines, 1.0, 3.0) * sheet_.lineHeight(points);
-}
-
 void CardPainter::machine(double y) {
     sheet_.heading(left, y, full, words_.translate("JobCard", "Balancing machine"));
     QString limits;
@@ -157,43 +146,6 @@ void CardPainter::machine(double y) {
     row(words_.translate("JobCard", "Rear (flywheel)"),
         solution_.balancing ? &solution_.balancing->rear : nullptr, &BalancingSheet::rear_reading);
     table.draw(sheet_, left, y + 9.2);
-}
-
-/// What the technician typed, and lines to write on.
-void CardPainter::notes(double y, double end) {
-    constexpr double lineStep = 6.5;
-    if (end - y < 9.0) {
-        return;
-    }
-    sheet_.heading(left, y, full, words_.translate("JobCard", "Notes"));
-    y += 5.2;
-    const double points = notesPoints();
-    const int lines = std::max(1, static_cast<int>((end - y) / sheet_.lineHeight(points)));
-    y += sheet_.paragraph(left, y, full, notesText(), points, lines);
-    const int ruled = static_cast<int>(std::max(0.0, std::ceil((end - y) / lineStep) - 1.0));
-    for (int line = 1; line <= ruled; ++line) {
-        sheet_.line(left, y + line * lineStep, right, y + line * lineStep);
-    }
-}
-
-void CardPainter::signatures(double y) {
-    const double third = full / 3.0;
-    const QStringList captions{words_.translate("JobCard", "Technician, signature"),
-                               words_.translate("JobCard", "Inspector, signature"),
-                               words_.translate("JobCard", "Date")};
-    for (int i = 0; i < 3; ++i) {
-        const double x = left + i * third;
-        sheet_.line(x, y + 7.0, x + third - 6.0, y + 7.0, 0.2, CardPage::ink);
-        sheet_.text(x, y + 7.3, third - 6.0, captions.at(i), 7, Qt::AlignLeft, false,
-                    CardPage::grey);
-    }
-    sheet_.text(left, y + 13.0, full,
-                words_
-                    .translate("JobCard",
-                               "Ravnoves %1 · method: A. D. Nazarov, equations (3)–(24) · masses "
-                               "in grams, radii in millimetres")
-                    .arg(QStringLiteral(RAVNOVES_VERSION)),
-                6.5, Qt::AlignLeft, false, CardPage::grey);
 }
 
 }  // namespace ravnoves

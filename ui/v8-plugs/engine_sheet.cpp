@@ -13,7 +13,7 @@ namespace ravnoves {
 
 using namespace v8_plugs;
 
-EngineSheet::EngineSheet(V8PlugsModel* model, QWidget* parent) : SheetForm(model, parent) {
+EngineSheet::EngineSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model, parent) {
     section({});
     QLabel* note = captionLabel({}, this);
     current()->addWide(note);

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "v8-plugs/sheet_form.h"
+#include "v8-plugs/v8_sheet.h"
 
 class QPushButton;
 
 namespace ravnoves {
 
 /// Sheet 2: the values of the engine; engines of the user's own are kept and removed here.
-class EngineSheet : public SheetForm {
+class EngineSheet : public V8Sheet {
     Q_OBJECT
 
   public:

@@ -6,13 +6,13 @@
 #include "text/message_text.h"
 #include "theme/theme.h"
 #include "v8-plugs/fields.h"
-#include "v8-plugs/journal_dialog.h"
+#include "workshop/journal_dialog.h"
 
 namespace ravnoves {
 
 using namespace v8_plugs;
 
-JobSheet::JobSheet(V8PlugsModel* model, QWidget* parent) : SheetForm(model, parent) {
+JobSheet::JobSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model, parent) {
     section(tr("Job"));
     text("/job/engine_number");
     text("/job/crankshaft_number");
@@ -20,7 +20,10 @@ JobSheet::JobSheet(V8PlugsModel* model, QWidget* parent) : SheetForm(model, pare
     checked(field::date,
             {[](const QString& typed) { return readDay(typed).toString(Qt::ISODate); }, dayTrouble,
              [this] { return QString::fromStdString(model_->input().job.date); },
-             [](Input& input, const QString& day) { input.job.date = day.toStdString(); }});
+             [this](const QString& name, const QString& day) {
+                 model_->edit(name, [&](Input& input) { input.job.date = day.toStdString(); });
+             },
+             [](const QString& day) { return Words().day(day); }});
     text("/job/technician");
     buildWork();
     buildChanges();

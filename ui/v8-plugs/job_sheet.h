@@ -1,11 +1,11 @@
 #pragma once
 
-#include "v8-plugs/sheet_form.h"
+#include "v8-plugs/v8_sheet.h"
 
 namespace ravnoves {
 
 /// Sheet 1: whose engine it is, which engine, and how much heavier its parts are.
-class JobSheet : public SheetForm {
+class JobSheet : public V8Sheet {
     Q_OBJECT
 
   public:

@@ -5,7 +5,7 @@
 
 namespace ravnoves {
 
-MachineSheet::MachineSheet(V8PlugsModel* model, QWidget* parent) : SheetForm(model, parent) {
+MachineSheet::MachineSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model, parent) {
     section(tr("Permissible residual unbalance, ISO 21940-11"));
     number("/balancing/grade_mm_s");
     number("/balancing/rotor_mass_kg");

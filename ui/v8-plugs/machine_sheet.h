@@ -1,13 +1,13 @@
 #pragma once
 
-#include "v8-plugs/sheet_form.h"
+#include "v8-plugs/v8_sheet.h"
 
 namespace ravnoves {
 
 class ResultTable;
 
 /// Sheet 5: the permissible residual unbalance, what the balancing machine reads, and the notes.
-class MachineSheet : public SheetForm {
+class MachineSheet : public V8Sheet {
     Q_OBJECT
 
   public:

@@ -4,8 +4,8 @@
 #include <QFont>
 #include <QRectF>
 
-#include "v8-plugs/model/words.h"
 #include "v8-plugs/solver.h"
+#include "workshop/model/words.h"
 
 class QPainter;
 

@@ -25,7 +25,7 @@ QString nameOf(const std::optional<Thread>& thread) {
 
 }  // namespace
 
-PlugSizesSheet::PlugSizesSheet(V8PlugsModel* model, QWidget* parent) : SheetForm(model, parent) {
+PlugSizesSheet::PlugSizesSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model, parent) {
     section(tr("Plug"));
     addThread();
     for (const char* size : {"/plug/height_mm", "/plug/bore_diameter_mm", "/plug/bore_depth_mm"}) {
@@ -53,11 +53,13 @@ void PlugSizesSheet::addThread() {
                  const auto& sheet = model_->input().plug;
                  return sheet ? nameOf(sheet->thread) : QString();
              },
-             [](Input& input, const QString& name) {
-                 if (!input.plug) {
-                     input.plug.emplace();
-                 }
-                 input.plug->thread = readThread(name);
+             [this](const QString& step, const QString& name) {
+                 model_->edit(step, [&](Input& input) {
+                     if (!input.plug) {
+                         input.plug.emplace();
+                     }
+                     input.plug->thread = readThread(name);
+                 });
              }});
 }
 

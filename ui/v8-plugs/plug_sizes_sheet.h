@@ -1,11 +1,11 @@
 #pragma once
 
-#include "v8-plugs/sheet_form.h"
+#include "v8-plugs/v8_sheet.h"
 
 namespace ravnoves {
 
 /// Sheet 4: sizes of the plug, the cutter, the walls that must stay, densities.
-class PlugSizesSheet : public SheetForm {
+class PlugSizesSheet : public V8Sheet {
     Q_OBJECT
 
   public:

@@ -1,76 +1,79 @@
 #include "v8-plugs/v8_plugs_page.h"
 
-#include <QActionGroup>
-#include <QApplication>
-#include <QHBoxLayout>
-#include <QKeyEvent>
-#include <QMenu>
-#include <QMessageBox>
-#include <QPrintDialog>
-#include <QPrintPreviewDialog>
-#include <QPrinter>
-#include <QPushButton>
-#include <QScrollArea>
-#include <QTabBar>
 #include <QTabWidget>
-#include <QTimer>
-#include <QVBoxLayout>
 
-#include "shell/refused_entries.h"
-#include "text/language.h"
-#include "theme/icons.h"
-#include "theme/theme.h"
 #include "v8-plugs/answer_view.h"
 #include "v8-plugs/compensation_plot.h"
 #include "v8-plugs/engine_sheet.h"
-#include "v8-plugs/job_card.h"
 #include "v8-plugs/job_sheet.h"
-#include "v8-plugs/journal_banner.h"
-#include "v8-plugs/journal_dialog.h"
 #include "v8-plugs/machine_sheet.h"
+#include "v8-plugs/model/v8_names.h"
 #include "v8-plugs/model/v8_plugs_model.h"
+#include "v8-plugs/model/v8_text.h"
 #include "v8-plugs/plug_sizes_sheet.h"
+#include "v8-plugs/plugs_card.h"
 #include "v8-plugs/shift_plot.h"
 #include "v8-plugs/weigh_in_sheet.h"
-#include "widgets/entry_field.h"
-#include "widgets/file_dialogs.h"
-#include "widgets/form_section.h"
 #include "widgets/result_table.h"
+#include "workshop/journal_dialog.h"
 
 namespace ravnoves {
-
-namespace {
-constexpr int sheetWidth = 470;
-}
 
 V8PlugsPage::V8PlugsPage(QWidget* parent, SceneModel* kept)
     : V8PlugsPage(Journal::defaultPath(), parent, kept) {}
 
 V8PlugsPage::V8PlugsPage(const QString& journalPath, QWidget* parent, SceneModel* kept)
-    : ScenePage(parent), model_(takeOver<V8PlugsModel>(kept, journalPath)) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
-    column->setSpacing(Theme::space);
-    banner_ = new JournalBanner(model_, this);
-    column->addWidget(banner_);
-    auto* row = new QHBoxLayout;
-    row->setSpacing(Theme::space);
-    row->addWidget(buildSheets());
+    : WorkshopPage(parent), model_(takeOver<V8PlugsModel>(kept, journalPath)) {
+    auto* engine = new EngineSheet(model_);
+    connect(engine, &EngineSheet::status, this, &ScenePage::status);
+    machine_ = new MachineSheet(model_);
     answer_ = new AnswerView(model_, this);
-    row->addWidget(scrolled(answer_, this), 1);
-    column->addLayout(row, 1);
-    buildActions();
-
-    connect(banner_, &JournalBanner::continued, this, &V8PlugsPage::continueDraft);
-    connect(model_, &V8PlugsModel::sheetChosen, sheets_, &QTabWidget::setCurrentIndex);
+    build({{new JobSheet(model_), tr("&1 Job")},
+           {engine, tr("&2 Engine")},
+           {new WeighInSheet(model_), tr("&3 Weigh-in")},
+           {new PlugSizesSheet(model_), tr("&4 Plug")},
+           {machine_, tr("&5 Machine")}},
+          answer_);
+    connect(model_, &V8PlugsModel::sheetChosen, sheets(), &QTabWidget::setCurrentIndex);
 }
 
 SceneModel* V8PlugsPage::model() {
     return model_;
 }
 
-QList<QAction*> V8PlugsPage::sceneActions() {
-    return actions_;
+JobDesk* V8PlugsPage::desk() const {
+    return model_->desk();
+}
+
+std::unique_ptr<JobCard> V8PlugsPage::card() {
+    return std::make_unique<PlugsCard>(model_->input(), model_->desk()->cardWords());
+}
+
+QString V8PlugsPage::engineNumber() const {
+    return QString::fromStdString(model_->input().job.engine_number);
+}
+
+void V8PlugsPage::emptySheet() {
+    model_->newJob();
+}
+
+ListedJob V8PlugsPage::listed(const Words& words, const JournalJob& job) const {
+    ListedJob text{v8_text::engineName(words, job.engine.toStdString()), job.recommended};
+    if (job.recommended.isEmpty()) {
+        text.result = QStringLiteral("–");
+    } else if (job.recommended == QLatin1String("none-needed")) {
+        text.result = tr("nothing needed");
+    }
+    for (const v8_plugs::OptionId id : v8_plugs::all_options) {
+        if (job.recommended.toStdString() == v8_plugs::option_word(id).word) {
+            text.result = v8_text::optionName(words, id);
+            if (job.reduction) {
+                text.result +=
+                    QStringLiteral(", ") + v8_text::grams(words, *job.reduction * units::gram);
+            }
+        }
+    }
+    return text;
 }
 
 PlotView* V8PlugsPage::compensationPlot() const {
@@ -79,96 +82,6 @@ PlotView* V8PlugsPage::compensationPlot() const {
 
 PlotView* V8PlugsPage::shiftPlot() const {
     return answer_->shiftPlot();
-}
-
-QWidget* V8PlugsPage::buildSheets() {
-    sheets_ = new QTabWidget(this);
-    sheets_->setDocumentMode(true);
-    sheets_->setFixedWidth(Theme::withText(sheetWidth));
-    addSheet(new JobSheet(model_), tr("&1 Job"));
-    auto* engine = new EngineSheet(model_);
-    connect(engine, &EngineSheet::status, this, &ScenePage::status);
-    addSheet(engine, tr("&2 Engine"));
-    addSheet(new WeighInSheet(model_), tr("&3 Weigh-in"));
-    addSheet(new PlugSizesSheet(model_), tr("&4 Plug"));
-    machine_ = new MachineSheet(model_);
-    addSheet(machine_, tr("&5 Machine"));
-    return sheets_;
-}
-
-void V8PlugsPage::addSheet(SheetForm* form, const QString& title) {
-    auto* scroll = scrolled(form, sheets_);
-    sheets_->addTab(scroll, title);
-    forms_ << form;
-    const QList<QWidget*>& order = form->order();
-    const int tab = sheets_->count() - 1;
-    for (QWidget* field : order) {
-        field->installEventFilter(this);
-        // A tab that hides a refused entry says so.
-        const auto mark = [this, form, tab] {
-            sheets_->tabBar()->setTabTextColor(
-                tab, form->refused().isEmpty() ? QColor() : Theme::instance().error());
-        };
-        if (auto* entry = qobject_cast<EntryField*>(field)) {
-            connect(entry, &EntryField::troubleChanged, this, mark);
-        }
-    }
-    for (qsizetype i = 1; i < order.size(); ++i) {
-        QWidget::setTabOrder(order.at(i - 1), order.at(i));
-    }
-}
-
-QList<QWidget*> V8PlugsPage::fieldsOf(int sheet) const {
-    return forms_.value(sheet)->order();
-}
-
-void V8PlugsPage::buildActions() {
-    const auto add = [this](const QString& name, const QString& icon, const QString& text,
-                            const QKeySequence& keys, const QString& tip, auto&& slot) {
-        auto* action = new QAction(icon.isEmpty() ? QIcon() : themedIcon(icon), text, this);
-        action->setObjectName(name);
-        action->setShortcut(keys);
-        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-        action->setToolTip(tip +
-                           QStringLiteral(" (%1)").arg(keys.toString(QKeySequence::NativeText)));
-        connect(action, &QAction::triggered, this, slot);
-        addAction(action);
-        actions_ << action;
-        return action;
-    };
-    add(QStringLiteral("save_job"), QStringLiteral("job-done"), tr("&Save job in the journal"),
-        QKeySequence(Qt::Key_F2), tr("Save the job in the journal"), [this] { saveJob(); });
-    add(QStringLiteral("new_job"), QStringLiteral("job-new"), tr("&Next job"),
-        QKeySequence(Qt::Key_F4), tr("Next job: the engine's values stay, the rest is empty"),
-        [this] { newJob(); });
-    add(QStringLiteral("show_journal"), QStringLiteral("journal"), tr("&Journal…"),
-        QKeySequence(Qt::Key_F3), tr("Find, open and copy jobs"), [this] { showJournal(); });
-    actions_ << nullptr;
-    add(QStringLiteral("preview_card"), QStringLiteral("preview"), tr("Job card, &preview…"),
-        QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P), tr("Look at the job card"),
-        [this] { previewCard(); });
-    add(QStringLiteral("print_card"), QStringLiteral("print"), tr("&Print job card…"),
-        QKeySequence(Qt::CTRL | Qt::Key_P), tr("Print the job card"), [this] { printCard(); });
-    add(QStringLiteral("export_card"), QStringLiteral("pdf"), tr("Job card as P&DF…"),
-        QKeySequence(Qt::CTRL | Qt::Key_D), tr("Write the job card as PDF"),
-        [this] { exportCard(); });
-
-    auto* language = new QAction(tr("&Language of the job card"), this);
-    auto* menu = new QMenu(this);
-    auto* group = new QActionGroup(menu);
-    std::vector<Language> languages{{QString(), tr("As the program")}};
-    for (Language& available : availableLanguages()) {
-        languages.push_back(std::move(available));
-    }
-    for (const Language& each : languages) {
-        QAction* choice = menu->addAction(
-            each.ownName, this, [this, code = each.code] { model_->setCardLanguage(code); });
-        choice->setCheckable(true);
-        choice->setChecked(each.code == model_->cardLanguage());
-        group->addAction(choice);
-    }
-    language->setMenu(menu);
-    actions_ << language;
 }
 
 QString V8PlugsPage::resultsAsText() const {
@@ -182,242 +95,8 @@ QString V8PlugsPage::resultsAsCsv() const {
 void V8PlugsPage::setActive(bool active) {
     if (active) {
         model_->reloadEngines();
-        banner_->keepOnly(model_->crashedDrafts());  // another page may have taken one over
-    } else {
-        model_->flushDraft();
     }
-}
-
-// -------------------------------------------------------------------------------- going on
-
-bool V8PlugsPage::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::KeyPress) {
-        const auto* key = static_cast<QKeyEvent*>(event);
-        const bool enter = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
-        if (enter && key->modifiers().testFlag(Qt::ControlModifier) == false) {
-            goOn(static_cast<QWidget*>(watched));
-            return true;
-        }
-    } else if (event->type() == QEvent::FocusOut) {
-        model_->flushDraft();  // what was typed is in the draft when the next field is entered
-    } else if (event->type() == QEvent::FocusIn) {
-        auto* field = static_cast<QWidget*>(watched);
-        for (QWidget* parent = field->parentWidget(); parent != nullptr;
-             parent = parent->parentWidget()) {
-            if (auto* scroll = qobject_cast<QScrollArea*>(parent)) {
-                scroll->ensureWidgetVisible(field, 0, SheetForm::fieldHeight);
-                break;
-            }
-        }
-    }
-    return ScenePage::eventFilter(watched, event);
-}
-
-void V8PlugsPage::goOn(QWidget* from) {
-    const auto* entry = qobject_cast<EntryField*>(from);
-    if (entry != nullptr && !entry->trouble().isEmpty()) {
-        QApplication::beep();  // a refused entry is not passed over
-        return;
-    }
-    for (int sheet = 0; sheet < sheets_->count(); ++sheet) {
-        const QList<QWidget*>& order = forms_.at(sheet)->order();
-        const qsizetype at = order.indexOf(from);
-        if (at < 0) {
-            continue;
-        }
-        for (qsizetype next = at + 1; next < order.size(); ++next) {
-            if (order.at(next)->isEnabled() && order.at(next)->isVisibleTo(sheets_)) {
-                order.at(next)->setFocus(Qt::TabFocusReason);
-                return;
-            }
-        }
-        // The end of the sheet: the next one, and after the last the first.
-        const int following = (sheet + 1) % sheets_->count();
-        sheets_->setCurrentIndex(following);
-        for (QWidget* field : forms_.at(following)->order()) {
-            if (field->isEnabled()) {
-                field->setFocus(Qt::TabFocusReason);
-                return;
-            }
-        }
-    }
-}
-
-// ------------------------------------------------------------------------- journal and card
-
-void V8PlugsPage::showEvent(QShowEvent* event) {
-    ScenePage::showEvent(event);
-    if (!journalTried_) {
-        journalTried_ = true;
-        // After the first picture of the page: a slow disk must not delay it.
-        QTimer::singleShot(0, this, &V8PlugsPage::openJournal);
-    }
-}
-
-void V8PlugsPage::openJournal() {
-    journalTried_ = true;
-    model_->openJournal();
-    banner_->offer(model_->crashedDrafts());
-}
-
-void V8PlugsPage::continueDraft(const JournalDraft& draft) {
-    if (!leaveJob()) {
-        return;
-    }
-    const QString trouble = model_->restoreDraft(draft);
-    if (trouble.isEmpty()) {
-        Q_EMIT status(tr("The unfinished job is on the sheet again."));
-        banner_->next();
-    } else {
-        QMessageBox::warning(this, tr("Unfinished job"), trouble);
-    }
-}
-
-bool V8PlugsPage::refusedEntriesAreKnown() {
-    return goOnWithoutRefused(this, tr("Refused entries"));
-}
-
-std::optional<bool> V8PlugsPage::askToSave() {
-    return leaveJob();
-}
-
-QString V8PlugsPage::draftName() const {
-    return model_->journal() != nullptr ? model_->journal()->session() : QString();
-}
-
-void V8PlugsPage::takeDraft(const QString& name) {
-    openJournal();
-    for (const JournalDraft& draft : model_->crashedDrafts()) {
-        if (draft.session == name && model_->restoreDraft(draft).isEmpty()) {
-            banner_->keepOnly(model_->crashedDrafts());
-            return;
-        }
-    }
-}
-
-void V8PlugsPage::dropDraft(const QString& name) {
-    openJournal();
-    model_->discardDraft(name);
-    banner_->keepOnly(model_->crashedDrafts());
-}
-
-bool V8PlugsPage::leaveJob() {
-    if (!model_->hasChanges()) {
-        return true;
-    }
-    QMessageBox box(QMessageBox::Question, tr("Unsaved job"),
-                    tr("Save the job on the sheet in the journal?"),
-                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
-    box.setDefaultButton(QMessageBox::Save);
-    box.button(QMessageBox::Discard)->setText(tr("Do&n’t save"));
-    const int answer = box.exec();
-    if (answer == QMessageBox::Save) {
-        bool saved = false;
-        const QString text = model_->saveJob(&saved);
-        if (!saved) {
-            QMessageBox::warning(this, tr("Journal"), text);
-        }
-        return saved;
-    }
-    return answer == QMessageBox::Discard;
-}
-
-void V8PlugsPage::saveJob() {
-    if (!refusedEntriesAreKnown()) {
-        return;
-    }
-    bool saved = false;
-    const QString text = model_->saveJob(&saved);
-    if (saved) {
-        Q_EMIT status(text);
-    } else {
-        QMessageBox::warning(this, tr("Journal"), text);
-    }
-}
-
-void V8PlugsPage::newJob() {
-    if (leaveJob()) {
-        model_->newJob();
-        sheets_->setCurrentIndex(0);
-        forms_.constFirst()->order().constFirst()->setFocus(Qt::TabFocusReason);
-    }
-}
-
-void V8PlugsPage::showJournal() {
-    if (!model_->openJournal()) {
-        QMessageBox::warning(this, tr("Journal"), model_->journalTrouble());
-        return;
-    }
-    JournalDialog dialog(model_->journal(), this);
-    if (dialog.exec() != QDialog::Accepted || !leaveJob()) {
-        return;
-    }
-    const QString trouble = dialog.choice() == JournalDialog::Choice::Copy
-                                ? model_->copyJob(dialog.chosenId())
-                                : model_->openJob(dialog.chosenId());
-    if (!trouble.isEmpty()) {
-        QMessageBox::warning(this, tr("Journal"), trouble);
-    }
-}
-
-void V8PlugsPage::paintCard(QPrinter* printer) {
-    if (!JobCard(model_->input(), model_->cardWords()).print(*printer)) {
-        QMessageBox::warning(this, tr("Job card"), tr("The printer cannot be used."));
-    }
-}
-
-void V8PlugsPage::previewCard() {
-    if (!refusedEntriesAreKnown()) {
-        return;
-    }
-    QPrinter printer(QPrinter::HighResolution);
-    JobCard::setPage(printer);
-    QPrintPreviewDialog dialog(&printer, this);
-    dialog.setWindowTitle(tr("Job card"));
-    dialog.resize(900, 760);
-    connect(&dialog, &QPrintPreviewDialog::paintRequested, this, &V8PlugsPage::paintCard);
-    dialog.exec();
-}
-
-void V8PlugsPage::printCard() {
-    if (!refusedEntriesAreKnown()) {
-        return;
-    }
-    QPrinter printer(QPrinter::HighResolution);
-    JobCard::setPage(printer);
-    QPrintDialog dialog(&printer, this);
-    if (dialog.exec() == QDialog::Accepted) {
-        paintCard(&printer);
-    }
-}
-
-QString V8PlugsPage::writeCard(const QString& file) {
-    return JobCard(model_->input(), model_->cardWords()).writePdf(file);
-}
-
-void V8PlugsPage::exportCard() {
-    if (!refusedEntriesAreKnown()) {
-        return;
-    }
-    QString name = QString::fromStdString(model_->input().job.engine_number);
-    for (QChar& c : name) {
-        if (!c.isLetterOrNumber() && c != QLatin1Char('-')) {
-            c = QLatin1Char('_');
-        }
-    }
-    const QString file =
-        askSavePath(this, tr("Job card as PDF"),
-                    (name.isEmpty() ? QStringLiteral("job-card") : name) + QStringLiteral(".pdf"),
-                    {pdfFormat()});
-    if (file.isEmpty()) {
-        return;
-    }
-    const QString trouble = writeCard(file);
-    if (trouble.isEmpty()) {
-        Q_EMIT status(tr("Written: %1").arg(file));
-    } else {
-        QMessageBox::warning(this, tr("Job card as PDF"), trouble);
-    }
+    WorkshopPage::setActive(active);
 }
 
 }  // namespace ravnoves

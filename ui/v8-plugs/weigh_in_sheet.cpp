@@ -41,7 +41,7 @@ QLabel* put(QGridLayout* grid, int row, int column, const QString& text, int siz
 }  // namespace
 
 WeighInSheet::WeighInSheet(V8PlugsModel* model, QWidget* parent)
-    : SheetForm(model, parent), table_(new WeighInTable(model, this)) {
+    : V8Sheet(model, parent), table_(new WeighInTable(model, this)) {
     columnOf(this)->setSpacing(Theme::space);
     section({});
     ordered(box(

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "v8-plugs/model/weigh_in_table.h"
-#include "v8-plugs/sheet_form.h"
+#include "v8-plugs/v8_sheet.h"
 
 class QGridLayout;
 class QPushButton;
@@ -16,7 +16,7 @@ class ResultTable;
 /// permitted spread above, mean and spread below; then what the parts make of the crankpins and the
 /// best assignment. The order of the fields goes down the columns, as one weighs; a block of a
 /// spreadsheet is pasted from the cell that has the focus.
-class WeighInSheet : public SheetForm {
+class WeighInSheet : public V8Sheet {
     Q_OBJECT
 
   public:

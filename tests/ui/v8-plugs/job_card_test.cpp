@@ -1,7 +1,7 @@
 // The job card as a reader of the PDF finds it: its text is extracted and every number compared
 // with what the command line computes from the same case.
 
-#include "v8-plugs/job_card.h"
+#include "v8-plugs/plugs_card.h"
 #include "v8-plugs/scene.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ class JobCardTest : public ::testing::Test {
     /// The text of the card's PDF, in rows as they are printed.
     QStringList cardText(const Json& input, const QString& language) {
         const QString pdf = path(u"card.pdf"_s);
-        const JobCard card(v8_plugs::read_input(input, Completeness::as_is), Words(language));
+        const PlugsCard card(v8_plugs::read_input(input, Completeness::as_is), Words(language));
         EXPECT_EQ(card.writePdf(pdf), QString());
         const QByteArray text =
             run(QStringLiteral(PDFTOTEXT), {u"-layout"_s, u"-enc"_s, u"UTF-8"_s, pdf, u"-"_s});
@@ -420,7 +420,8 @@ TEST_F(JobCardTest, HalfFilledJobSaysWhatIsMissing) {
 }
 
 TEST_F(JobCardTest, AFileThatCannotBeWrittenIsSaid) {
-    const JobCard card(v8_plugs::read_input(workshopInput(), Completeness::as_is), Words(u"en"_s));
+    const PlugsCard card(v8_plugs::read_input(workshopInput(), Completeness::as_is),
+                         Words(u"en"_s));
     const QString trouble = card.writePdf(path(u"nowhere/card.pdf"_s));
     EXPECT_TRUE(trouble.contains(u"nowhere/card.pdf"_s));
 }

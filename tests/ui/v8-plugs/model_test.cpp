@@ -290,7 +290,7 @@ TEST_F(V8ModelTest, SpreadAbovePermittedIsWarnedOf) {
 
 TEST_F(V8ModelTest, JobsAreSavedOpenedChangedAndCopied) {
     V8PlugsModel model(path());
-    ASSERT_TRUE(model.openJournal()) << qPrintable(model.journalTrouble());
+    ASSERT_TRUE(model.desk()->openJournal()) << qPrintable(model.desk()->journalTrouble());
     model.loadInput(example("v8-4.25-repair.case.json"), {});
     model.edit(u"job"_s, [](Input& input) {
         input.job.engine_number = "53-11";
@@ -300,12 +300,12 @@ TEST_F(V8ModelTest, JobsAreSavedOpenedChangedAndCopied) {
         input.balancing->front_reading = 3e-6;
     });
     bool ok = false;
-    EXPECT_TRUE(model.saveJob(&ok).contains(u"53-11"_s));
+    EXPECT_TRUE(model.desk()->saveJob(&ok).contains(u"53-11"_s));
     ASSERT_TRUE(ok);
-    const qint64 id = model.jobId();
+    const qint64 id = model.desk()->jobId();
     EXPECT_GT(id, 0);
     EXPECT_TRUE(model.history()->isClean());
-    const auto row = model.journal()->job(id);
+    const auto row = model.desk()->journal()->job(id);
     ASSERT_TRUE(row);
     EXPECT_NEAR(*row->unbalancedMass, 4.3225, 1e-9);
     EXPECT_EQ(row->recommended, u"steel-machined"_s);
@@ -314,38 +314,38 @@ TEST_F(V8ModelTest, JobsAreSavedOpenedChangedAndCopied) {
 
     // Changed and saved again: the same job.
     number(model, "53-12");
-    model.saveJob(&ok);
+    model.desk()->saveJob(&ok);
     EXPECT_TRUE(ok);
-    EXPECT_EQ(model.jobId(), id);
-    EXPECT_EQ(model.journal()->search({}).size(), 1);
+    EXPECT_EQ(model.desk()->jobId(), id);
+    EXPECT_EQ(model.desk()->journal()->search({}).size(), 1);
 
     model.newJob();
-    EXPECT_EQ(model.jobId(), 0);
+    EXPECT_EQ(model.desk()->jobId(), 0);
     EXPECT_TRUE(model.input().job.engine_number.empty());
     EXPECT_EQ(model.input().engine, saved.engine);
     EXPECT_FALSE(model.history()->canUndo());  // undo never mixes two jobs
 
-    EXPECT_EQ(model.openJob(id), QString());
-    EXPECT_EQ(model.jobId(), id);
+    EXPECT_EQ(model.desk()->openJob(id), QString());
+    EXPECT_EQ(model.desk()->jobId(), id);
     EXPECT_EQ(model.input().job.engine_number, "53-12");
     EXPECT_EQ(model.input().engine, saved.engine);
 
-    EXPECT_EQ(model.copyJob(id), QString());
-    EXPECT_EQ(model.jobId(), 0);
+    EXPECT_EQ(model.desk()->copyJob(id), QString());
+    EXPECT_EQ(model.desk()->jobId(), 0);
     EXPECT_TRUE(model.input().job.engine_number.empty());
     EXPECT_EQ(model.input().job.customer, "Автобаза");
     EXPECT_EQ(model.input().job.date, QDate::currentDate().toString(Qt::ISODate).toStdString());
     EXPECT_FALSE(model.input().balancing->front_reading);
-    model.saveJob(&ok);
-    EXPECT_NE(model.jobId(), id);
-    EXPECT_EQ(model.journal()->search({}).size(), 2);
-    EXPECT_FALSE(model.openJob(9999).isEmpty());
+    model.desk()->saveJob(&ok);
+    EXPECT_NE(model.desk()->jobId(), id);
+    EXPECT_EQ(model.desk()->journal()->search({}).size(), 2);
+    EXPECT_FALSE(model.desk()->openJob(9999).isEmpty());
 }
 
 TEST_F(V8ModelTest, OwnEnginesAreKept) {
     {
         V8PlugsModel model(path());
-        ASSERT_TRUE(model.openJournal());
+        ASSERT_TRUE(model.desk()->openJournal());
         model.chooseEngine(3);
         model.edit(u"mass"_s, [](Input& input) {
             input.engine.steel_plug_mass = 22.75 * gram;
@@ -358,7 +358,7 @@ TEST_F(V8ModelTest, OwnEnginesAreKept) {
         EXPECT_EQ(model.engineIndex(), 7);
     }
     V8PlugsModel later(path());
-    ASSERT_TRUE(later.openJournal());
+    ASSERT_TRUE(later.desk()->openJournal());
     ASSERT_EQ(later.engineNames().size(), 8);
     later.chooseEngine(7);
     EXPECT_EQ(later.input().engine.name, "КамАЗ-740");
@@ -379,13 +379,13 @@ TEST_F(V8ModelTest, OwnEnginesAreKept) {
     EXPECT_EQ(later.engineNames().size(), 9);
     EXPECT_FALSE(later.renameEngine(u"not kept"_s, u"other"_s).isEmpty());
     // Values that are damaged are said, and the sheet stays.
-    ASSERT_TRUE(later.journal()->saveEngine({u"Broken"_s, "{\"crank_radius_mm\":"}));
+    ASSERT_TRUE(later.desk()->journal()->saveEngine({u"Broken"_s, "{\"crank_radius_mm\":"}));
     V8PlugsModel last(path());
-    ASSERT_TRUE(last.openJournal());
+    ASSERT_TRUE(last.desk()->openJournal());
     const Input before = last.input();
     last.chooseEngine(static_cast<int>(last.engineNames().indexOf(u"Broken"_s)));
     EXPECT_EQ(last.input(), before);
-    EXPECT_TRUE(last.journalTrouble().contains(u"Broken"_s));
+    EXPECT_TRUE(last.desk()->journalTrouble().contains(u"Broken"_s));
     EXPECT_EQ(last.removeEngine(u"Broken"_s), QString());
     // What another program kept is there once the page is looked at again.
     EXPECT_EQ(last.saveEngineAs(u"Elsewhere"_s), QString());
@@ -402,7 +402,7 @@ TEST_F(V8ModelTest, OwnEnginesAreKept) {
 TEST_F(V8ModelTest, DraftIsWrittenSoonAndGoneAfterAnOrdinaryEnd) {
     {
         V8PlugsModel model(path());
-        ASSERT_TRUE(model.openJournal());
+        ASSERT_TRUE(model.desk()->openJournal());
         number(model, "1");
         EXPECT_TRUE(QTest::qWaitFor(
                         [&] {
@@ -442,10 +442,10 @@ TEST_F(V8ModelTest, KilledSheetLosesAtMostTheFieldBeingTyped) {
         const int left = last.split(' ').value(1).toInt();
 
         V8PlugsModel model(path());
-        ASSERT_TRUE(model.openJournal());
-        const auto drafts = model.crashedDrafts();
+        ASSERT_TRUE(model.desk()->openJournal());
+        const auto drafts = model.desk()->crashedDrafts();
         ASSERT_EQ(drafts.size(), 1);
-        ASSERT_EQ(model.restoreDraft(drafts.constFirst()), QString());
+        ASSERT_EQ(model.desk()->restoreDraft(drafts.constFirst()), QString());
         const int found = std::stoi(model.input().job.engine_number);
         EXPECT_GE(found, left);
         EXPECT_LE(found, left + 1);
@@ -453,9 +453,9 @@ TEST_F(V8ModelTest, KilledSheetLosesAtMostTheFieldBeingTyped) {
         EXPECT_NEAR(*masses[static_cast<std::size_t>(left % 8)], (600.0 + left % 997) * gram,
                     1e-12);
         EXPECT_FALSE(model.history()->isClean());  // it still has to be saved
-        EXPECT_TRUE(model.crashedDrafts().isEmpty());
+        EXPECT_TRUE(model.desk()->crashedDrafts().isEmpty());
         bool ok = false;
-        model.saveJob(&ok);
+        model.desk()->saveJob(&ok);
         EXPECT_TRUE(ok);
     }
 }
@@ -466,21 +466,21 @@ TEST_F(V8ModelTest, DamagedJournalIsSaidOnThePage) {
     file.write("not a journal, but something that the user may want to keep");
     file.close();
     V8PlugsModel model(path());
-    EXPECT_TRUE(model.openJournal());
-    EXPECT_TRUE(model.journalTrouble().contains(u"damaged"_s));
+    EXPECT_TRUE(model.desk()->openJournal());
+    EXPECT_TRUE(model.desk()->journalTrouble().contains(u"damaged"_s));
     number(model, "1");
     bool ok = false;
-    model.saveJob(&ok);
+    model.desk()->saveJob(&ok);
     EXPECT_TRUE(ok);
 }
 
 TEST_F(V8ModelTest, WithoutAJournalNothingIsWritten) {
     V8PlugsModel model({});
-    EXPECT_FALSE(model.openJournal());
+    EXPECT_FALSE(model.desk()->openJournal());
     number(model, "1");
-    model.flushDraft();
+    model.desk()->flushDraft();
     bool ok = true;
-    EXPECT_FALSE(model.saveJob(&ok).isEmpty());
+    EXPECT_FALSE(model.desk()->saveJob(&ok).isEmpty());
     EXPECT_FALSE(ok);
 }
 

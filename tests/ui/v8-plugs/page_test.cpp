@@ -32,14 +32,14 @@
 #include "events.h"
 #include "plot/plot_view.h"
 #include "theme/theme.h"
-#include "v8-plugs/checked_field.h"
-#include "v8-plugs/job_card.h"
-#include "v8-plugs/journal_dialog.h"
 #include "v8-plugs/model/v8_plugs_model.h"
+#include "v8-plugs/plugs_card.h"
 #include "v8-plugs/presets.h"
 #include "v8-plugs/scene.h"
 #include "widgets/number_field.h"
 #include "widgets/result_table.h"
+#include "workshop/checked_field.h"
+#include "workshop/journal_dialog.h"
 
 namespace ravnoves {
 namespace {
@@ -333,10 +333,10 @@ TEST_F(V8PageTest, RefusedEntryStaysUntilItIsMended) {
     reply(QMessageBox::Cancel);
     press(Qt::Key_F2);
     EXPECT_TRUE(asked.contains(u"Steel plug mₚ"_s)) << qPrintable(asked);
-    EXPECT_EQ(model->jobId(), 0);
+    EXPECT_EQ(model->desk()->jobId(), 0);
     reply(QMessageBox::Ignore);
     press(Qt::Key_F2);
-    EXPECT_GT(model->jobId(), 0);
+    EXPECT_GT(model->desk()->jobId(), 0);
     page.sheets()->setCurrentIndex(1);
     type(mass, u"25"_s);
     EXPECT_TRUE(mass->trouble().isEmpty());
@@ -428,7 +428,7 @@ TEST_F(V8PageTest, TheWindowAsksForTheJournal) {
     type("engine_number", u"7"_s);
     answer(QMessageBox::Save);
     EXPECT_EQ(page.askToSave(), true);
-    EXPECT_EQ(model->journal()->search({}).size(), 1);
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 1);
     type("engine_number", u"8"_s);
     answer(QMessageBox::Cancel);
     EXPECT_EQ(page.askToSave(), false);
@@ -501,8 +501,8 @@ TEST_F(V8PageTest, EmptySheetGivesNoAnswerAndIsNotJournalled) {
     EXPECT_EQ(colour(), Theme::instance().mutedText());
     EXPECT_FALSE(label("hang").contains(u"Hang"_s)) << qPrintable(label("hang"));
     EXPECT_TRUE(save().startsWith(u"The sheet is empty: nothing is saved. Still needed:"_s));
-    EXPECT_EQ(model->jobId(), 0);
-    EXPECT_TRUE(model->journal()->search({}).isEmpty());
+    EXPECT_EQ(model->desk()->jobId(), 0);
+    EXPECT_TRUE(model->desk()->journal()->search({}).isEmpty());
     // A zero that was typed is something that is known.
     EXPECT_EQ(field("rod_big_end")->value(), std::nullopt);
     type("rod_big_end", u"0"_s);
@@ -510,7 +510,7 @@ TEST_F(V8PageTest, EmptySheetGivesNoAnswerAndIsNotJournalled) {
     EXPECT_EQ(colour(), Theme::instance().text());
     EXPECT_EQ(field("repair_bearing")->value(), 0.0);
     press(Qt::Key_F2);
-    EXPECT_GT(model->jobId(), 0);
+    EXPECT_GT(model->desk()->jobId(), 0);
     press(Qt::Key_F4);
     EXPECT_TRUE(label("advice").startsWith(u"Still needed: changes of mass"_s));
 }
@@ -521,7 +521,7 @@ TEST_F(V8PageTest, JobWithoutAnAnswerIsSavedAndSaidSo) {
     press(Qt::Key_F2);
     ASSERT_EQ(status.count(), 1);
     EXPECT_TRUE(status.at(0).at(0).toString().contains(u"saved in the journal. Still needed:"_s));
-    const auto job = model->journal()->job(model->jobId());
+    const auto job = model->desk()->journal()->job(model->desk()->jobId());
     ASSERT_TRUE(job);
     EXPECT_FALSE(job->unbalancedMass);
     EXPECT_TRUE(job->recommended.isEmpty());
@@ -629,10 +629,10 @@ TEST_F(V8PageTest, JobGoesToTheJournalByKeyAndComesBack) {
     press(Qt::Key_F2);
     ASSERT_EQ(status.count(), 1);
     EXPECT_TRUE(status.at(0).at(0).toString().contains(u"53-11"_s));
-    const qint64 id = model->jobId();
+    const qint64 id = model->desk()->jobId();
     EXPECT_GT(id, 0);
     press(Qt::Key_F4);
-    EXPECT_EQ(model->jobId(), 0);
+    EXPECT_EQ(model->desk()->jobId(), 0);
     EXPECT_EQ(QApplication::focusWidget(), find<QWidget>("engine_number"));
     // F3: search, Enter to the list, Enter opens.
     bool seen = false;
@@ -653,7 +653,7 @@ TEST_F(V8PageTest, JobGoesToTheJournalByKeyAndComesBack) {
     });
     press(Qt::Key_F3);
     EXPECT_TRUE(seen);
-    EXPECT_EQ(model->jobId(), id);
+    EXPECT_EQ(model->desk()->jobId(), id);
     EXPECT_NEAR(model->input().typed_changes.rod_big_end, 1 * gram, 1e-12);
 }
 
@@ -665,24 +665,25 @@ TEST_F(V8PageTest, UnsavedJobIsAskedAbout) {
     answer(QMessageBox::Save);
     press(Qt::Key_F4);
     EXPECT_TRUE(model->input().job.engine_number.empty());
-    EXPECT_EQ(model->journal()->search({}).size(), 1);
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 1);
     type("engine_number", u"8"_s);
     answer(QMessageBox::Discard);
     press(Qt::Key_F4);
-    EXPECT_EQ(model->journal()->search({}).size(), 1);
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 1);
 }
 
 TEST_F(V8PageTest, CrashedDraftIsOffered) {
     JournalDraft draft;
     draft.session = u"crashed"_s;
+    draft.scene = u"v8-plugs"_s;
     draft.engineNumber = u"99"_s;
     Input lost;
     lost.preset = "6 l";
     lost.engine = *find_preset("6 l");
     lost.job.engine_number = "99";
     draft.form = QByteArray::fromStdString(write_case({"v8-plugs", "", write_input(lost)}).dump());
-    ASSERT_TRUE(model->journal()->saveDraft(draft));
-    V8PlugsPage next(model->journal()->path(), nullptr);
+    ASSERT_TRUE(model->desk()->journal()->saveDraft(draft));
+    V8PlugsPage next(model->desk()->journal()->path(), nullptr);
     test::showAt(next, {1187, 712});
     auto* banner = next.findChild<QLabel*>(u"banner"_s);
     ASSERT_TRUE(banner->isVisible());
@@ -692,7 +693,7 @@ TEST_F(V8PageTest, CrashedDraftIsOffered) {
     EXPECT_EQ(next.viewModel()->input().job.engine_number, "99");
     EXPECT_EQ(next.viewModel()->input().preset, "6 l");
     // It is not offered twice.
-    V8PlugsPage third(model->journal()->path(), nullptr);
+    V8PlugsPage third(model->desk()->journal()->path(), nullptr);
     test::showAt(third, {1187, 712});
     EXPECT_FALSE(third.findChild<QLabel*>(u"banner"_s)->isVisible());
 }
@@ -713,11 +714,11 @@ TEST_F(V8PageTest, CardIsPrintedOnOnePageAsThePdfIs) {
     QPrinter printer(QPrinter::HighResolution);
     printer.setOutputFormat(QPrinter::PdfFormat);
     printer.setOutputFileName(printed);
-    JobCard::setPage(printer);
-    ASSERT_TRUE(JobCard(model->input(), model->cardWords()).print(printer));
+    PlugsCard::setPage(printer);
+    ASSERT_TRUE(PlugsCard(model->input(), model->desk()->cardWords()).print(printer));
     EXPECT_TRUE(textOf(exported).contains(u"card"_s));
     EXPECT_EQ(textOf(exported), textOf(printed));
-    model->setCardLanguage(u"ru"_s);
+    model->desk()->setCardLanguage(u"ru"_s);
     ASSERT_EQ(page.writeCard(exported), QString());
     EXPECT_TRUE(textOf(exported).contains(u"Номер двигателя"_s));
 }
@@ -740,16 +741,20 @@ TEST_F(V8PageTest, PreviewShowsTheCardOnOnePage) {
 
 TEST_F(V8PageTest, LongJournalSaysThatTheListIsCutAndExportsAll) {
     JournalJob job;
+    job.scene = u"v8-plugs"_s;
     job.date = QDate(2024, 5, 31);
     QSqlDatabase database = QSqlDatabase::database(QSqlDatabase::connectionNames().constFirst());
     database.transaction();  // one sync for all
     for (int i = 0; i < 1005; ++i) {
         job.id = 0;
         job.engineNumber = u"many %1"_s.arg(i);
-        ASSERT_EQ(model->journal()->save(job), Journal::Saved::Yes);
+        ASSERT_EQ(model->desk()->journal()->save(job), Journal::Saved::Yes);
     }
     database.commit();
-    JournalDialog dialog(model->journal());
+    JournalDialog dialog(model->desk()->journal(), u"v8-plugs"_s,
+                         [](const Words&, const JournalJob& job) {
+                             return ListedJob{job.engine, job.recommended};
+                         });
     EXPECT_EQ(dialog.findChild<QTableWidget*>(u"journal_table"_s)->rowCount(), 1000);
     bool said = false;
     for (const QLabel* each : dialog.findChildren<QLabel*>()) {
@@ -769,7 +774,10 @@ TEST_F(V8PageTest, JournalDialogExportsWhatItLists) {
         type("engine_number", number);
         press(Qt::Key_F2);
     }
-    JournalDialog dialog(model->journal());
+    JournalDialog dialog(model->desk()->journal(), u"v8-plugs"_s,
+                         [](const Words&, const JournalJob& job) {
+                             return ListedJob{job.engine, job.recommended};
+                         });
     dialog.findChild<QLineEdit*>(u"journal_search"_s)->setText(u"b-"_s);
     const QString file = QDir(folder.path()).filePath(u"list.csv"_s);
     EXPECT_EQ(dialog.exportTo(file), QString());
@@ -782,7 +790,7 @@ TEST_F(V8PageTest, JournalDialogExportsWhatItLists) {
     // Remove asks first.
     answer(QMessageBox::Yes);
     QTest::mouseClick(dialog.findChild<QPushButton*>(u"journal_remove"_s), Qt::LeftButton);
-    EXPECT_EQ(model->journal()->search({}).size(), 1);
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 1);
     // Days.
     EXPECT_EQ(readDay(u"2024-05-31"_s), QDate(2024, 5, 31));
     EXPECT_EQ(readDay(u" 1.2.24 "_s), QDate(2024, 2, 1));

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "v8-plugs/input.h"
-#include "v8-plugs/model/words.h"
+#include "workshop/model/words.h"
 
 namespace ravnoves::v8_text {
 

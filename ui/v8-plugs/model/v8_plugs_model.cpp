@@ -1,7 +1,6 @@
 #include "v8-plugs/model/v8_plugs_model.h"
 
 #include <QDate>
-#include <QSettings>
 #include <algorithm>
 #include <utility>
 
@@ -19,8 +18,6 @@ namespace ravnoves {
 using namespace v8_plugs;
 
 namespace {
-
-constexpr int draftDelay = 300;  // ms after the first change that is in no draft yet
 
 /// True where the sheet of sizes holds nothing of the user's own for the plug itself.
 bool isPrinted(const std::optional<PlugSheet>& sheet, const std::string& preset) {
@@ -76,28 +73,8 @@ Json V8PlugsScene::write(const Input& input) {
 template class CaseModel<V8PlugsScene>;
 
 V8PlugsModel::V8PlugsModel(const QString& journalPath, QObject* parent)
-    : CaseModel({.dated = !journalPath.isEmpty()}, parent), journalPath_(journalPath) {
-    if (!journalPath_.isEmpty()) {
-        cardLanguage_ = QSettings().value(QStringLiteral("v8-plugs/card-language")).toString();
-    }
-    draftTimer_.setSingleShot(true);
-    draftTimer_.setInterval(draftDelay);
-    connect(&draftTimer_, &QTimer::timeout, this, &V8PlugsModel::flushDraft);
-    // A job that was saved as a case file, or undone to where it was, needs no draft.
-    connect(this, &SceneModel::historyChanged, this, [this] {
-        if (!hasChanges() && draftKept_ && journal_ && journal_->isOpen()) {
-            draftStale_ = false;
-            draftTimer_.stop();
-            draftKept_ = !journal_->discardDraft(journal_->session());
-        }
-    });
-}
-
-V8PlugsModel::~V8PlugsModel() {
-    // An ordinary end: the user was asked about unsaved changes, the draft has done its work.
-    if (draftKept_ && journal_ && journal_->isOpen()) {
-        journal_->discardDraft(journal_->session());
-    }
+    : CaseModel({.dated = !journalPath.isEmpty()}, parent), desk_(this, journalPath, deskScene()) {
+    connect(&desk_, &JobDesk::journalOpened, this, &V8PlugsModel::reloadEngines);
 }
 
 Json V8PlugsModel::resultJson() const {
@@ -114,28 +91,6 @@ bool V8PlugsModel::setViewOption(const QString& key, const QString& value) {
     }
     Q_EMIT sheetChosen(oneOf(key, value, {"job", "engine", "weigh-in", "plug", "machine"}));
     return true;
-}
-
-void V8PlugsModel::taken() {
-    draftStale_ = true;
-    // Not restarted by further changes: the first waits no longer than the delay.
-    if (journal_ && !draftTimer_.isActive()) {
-        draftTimer_.start();
-    }
-}
-
-void V8PlugsModel::putJobId(qint64 id, int revision) {
-    jobId_ = id;
-    jobRevision_ = revision;
-}
-
-void V8PlugsModel::takeJob(const Input& job, const QString& title, qint64 id, int revision) {
-    putJobId(id, revision);
-    setTitle(title);
-    // Undo must not bring another job's values under this job's number.
-    restart(job);
-    draftStale_ = false;
-    draftTimer_.stop();
 }
 
 QString V8PlugsModel::editWeights(const QString& name,
@@ -160,14 +115,18 @@ void V8PlugsModel::newJob() {
     next.tolerance = input().tolerance;
     next.plug = input().plug;
     next.job.technician = input().job.technician;
-    takeJob(next, {}, 0, 0);
+    desk_.replaceJob(0, 0, [&] {
+        setTitle({});
+        // Undo must not bring another job's values under this job's number.
+        restart(next);
+    });
 }
 
 // ------------------------------------------------------------------------------------- engines
 
 void V8PlugsModel::reloadEngines() {
-    if (journal_ && journal_->isOpen()) {
-        ownEngines_ = journal_->engines();
+    if (desk_.isOpen()) {
+        ownEngines_ = desk_.journal()->engines();
         Q_EMIT enginesChanged();
     }
 }
@@ -223,8 +182,8 @@ void V8PlugsModel::chooseEngine(int place) {
                 }
             });
         } catch (const InputError& error) {
-            setJournalTrouble(tr("The values kept for the engine “%1” cannot be read: %2")
-                                  .arg(own.name, errorText(error)));
+            desk_.setJournalTrouble(tr("The values kept for the engine “%1” cannot be read: %2")
+                                        .arg(own.name, errorText(error)));
         }
     }
     finishDrag();
@@ -260,24 +219,24 @@ QString V8PlugsModel::saveEngineAs(const QString& name) {
     if (!trouble.isEmpty()) {
         return trouble;
     }
-    if (!openJournal()) {
-        return journalTrouble_;
+    if (!desk_.openJournal()) {
+        return desk_.journalTrouble();
     }
     // A name that differs in capitals alone is the same engine.
     for (const JournalEngine& own : std::as_const(ownEngines_)) {
         if (own.name != trimmed && own.name.compare(trimmed, Qt::CaseInsensitive) == 0 &&
-            !journal_->removeEngine(own.name)) {
-            return journal_->lastError();
+            !desk_.journal()->removeEngine(own.name)) {
+            return desk_.journal()->lastError();
         }
     }
     Input own = input();
     own.preset.clear();
     own.engine.name = trimmed.toStdString();
     const std::string values = write_input(own).at("engine").dump();
-    if (!journal_->saveEngine({trimmed, QByteArray::fromStdString(values)})) {
-        return journal_->lastError();
+    if (!desk_.journal()->saveEngine({trimmed, QByteArray::fromStdString(values)})) {
+        return desk_.journal()->lastError();
     }
-    ownEngines_ = journal_->engines();
+    ownEngines_ = desk_.journal()->engines();
     edit(tr("Save engine"), [&](Input& input) {
         input.preset.clear();
         input.engine.name = trimmed.toStdString();
@@ -295,13 +254,13 @@ QString V8PlugsModel::renameEngine(const QString& from, const QString& to) {
     if (from.compare(trimmed, Qt::CaseInsensitive) != 0 && hasOwnEngine(trimmed)) {
         return tr("“%1” is the name of another engine of your own; choose another.").arg(trimmed);
     }
-    if (!openJournal()) {
-        return journalTrouble_;
+    if (!desk_.openJournal()) {
+        return desk_.journalTrouble();
     }
-    if (!journal_->renameEngine(from, trimmed)) {
-        return journal_->lastError();
+    if (!desk_.journal()->renameEngine(from, trimmed)) {
+        return desk_.journal()->lastError();
     }
-    ownEngines_ = journal_->engines();
+    ownEngines_ = desk_.journal()->engines();
     if (QString::fromStdString(input().engine.name) == from) {
         edit(tr("Rename engine"), [&](Input& input) { input.engine.name = trimmed.toStdString(); });
     }
@@ -310,13 +269,13 @@ QString V8PlugsModel::renameEngine(const QString& from, const QString& to) {
 }
 
 QString V8PlugsModel::removeEngine(const QString& name) {
-    if (!openJournal()) {
-        return journalTrouble_;
+    if (!desk_.openJournal()) {
+        return desk_.journalTrouble();
     }
-    if (!journal_->removeEngine(name)) {
-        return journal_->lastError();
+    if (!desk_.journal()->removeEngine(name)) {
+        return desk_.journal()->lastError();
     }
-    ownEngines_ = journal_->engines();
+    ownEngines_ = desk_.journal()->engines();
     Q_EMIT enginesChanged();
     return {};
 }

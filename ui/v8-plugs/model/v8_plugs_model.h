@@ -2,16 +2,14 @@
 
 #include <QList>
 #include <QStringList>
-#include <QTimer>
 #include <QVector>
-#include <memory>
 
 #include "model/case_model.h"
 #include "text/result_tips.h"
 #include "v8-plugs/input.h"
-#include "v8-plugs/model/journal.h"
-#include "v8-plugs/model/words.h"
 #include "v8-plugs/solver.h"
+#include "workshop/model/job_desk.h"
+#include "workshop/model/words.h"
 
 namespace ravnoves {
 
@@ -36,15 +34,13 @@ struct V8PlugsScene {
 ///
 /// The sheet may be half filled: what is missing stays empty and is named, what can be computed is
 /// computed. A change that breaks a rule between fields (more off a plug than it weighs, a bore
-/// wider than the thread) is taken over and named in troubles(). Every change is kept as a draft in
-/// the journal within a third of a second, so that a crash loses at most the field being typed.
+/// wider than the thread) is taken over and named in troubles().
 class V8PlugsModel : public CaseModel<V8PlugsScene> {
     Q_OBJECT
 
   public:
     /// @param journalPath  the journal's file; empty: none is kept (pictures, tests)
     explicit V8PlugsModel(const QString& journalPath, QObject* parent = nullptr);
-    ~V8PlugsModel() override;
 
     QString sceneName() const override { return QStringLiteral("v8-plugs"); }
     Json resultJson() const override;
@@ -122,63 +118,26 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     ColumnNote columnNote(v8_plugs::Part part) const;
 
     // ------------------------------------------------------------------------------- journal
-    /// Opens the journal; called once the page is shown. False: no journal, see journalTrouble().
-    bool openJournal();
-    Journal* journal() { return journal_.get(); }
-    /// What is wrong with the journal, or what happened to it; empty where nothing.
-    QString journalTrouble() const { return journalTrouble_; }
-    /// Id of the job on the sheet; 0 where it is not in the journal.
-    qint64 jobId() const { return jobId_; }
-    /// Saves the job on the sheet as finished.
-    /// @return a sentence for the status bar; `ok` says whether it is saved
-    QString saveJob(bool* ok = nullptr);
-    /// Opens a job. @return an empty string, or what went wrong
-    QString openJob(qint64 id);
-    /// Its values as a new job: numbers, date, notes and the machine's readings are new.
-    QString copyJob(qint64 id);
+    /// Its place in the journal.
+    JobDesk* desk() { return &desk_; }
     /// Empties the sheet for the next job; the engine stays.
     void newJob();
-    /// Writes the draft now if something is not in it yet.
-    void flushDraft();
-    /// Drafts that a crash left.
-    QList<JournalDraft> crashedDrafts();
-    QString restoreDraft(const JournalDraft& draft);
-    void discardDraft(const QString& session);
-
-    /// Language of the job card: empty for that of the program.
-    QString cardLanguage() const { return cardLanguage_; }
-    void setCardLanguage(const QString& code);
-    Words cardWords() const;
 
   Q_SIGNALS:
     void enginesChanged();
-    void journalTroubleChanged(const QString& text);
     /// Which sheet of the form to show: job, engine, weigh-in, plug, machine.
     void sheetChosen(int sheet);
 
   private:
-    void aboutToLoad() override { putJobId(0, 0); }
-    void taken() override;
-    void putJobId(qint64 id, int revision);
-    void takeJob(const v8_plugs::Input& input, const QString& title, qint64 id, int revision);
+    void aboutToLoad() override { desk_.forgetJob(); }
+    JobDesk::Scene deskScene();
+    JournalJob journalEntry() const;
+    void takeJob(const CaseFile& file, bool isCopy);
     QString engineNameTrouble(const QString& name) const;
-    void setJournalTrouble(const QString& text);
-    QByteArray formText() const;
-    QString takeForm(const QByteArray& form, qint64 id, int revision, bool copy);
-    JournalJob journalJob() const;
 
     Words words_;
-    QString cardLanguage_;
-
-    QString journalPath_;
-    std::unique_ptr<Journal> journal_;
-    QString journalTrouble_;
     QList<JournalEngine> ownEngines_;
-    qint64 jobId_ = 0;
-    int jobRevision_ = 0;
-    QTimer draftTimer_;
-    bool draftStale_ = false;
-    bool draftKept_ = false;
+    JobDesk desk_;
 };
 
 extern template class CaseModel<V8PlugsScene>;

@@ -3,8 +3,8 @@
 #include <QString>
 #include <QStringList>
 
-#include "v8-plugs/model/words.h"
 #include "v8-plugs/solver.h"
+#include "workshop/model/words.h"
 
 namespace ravnoves::v8_text {
 

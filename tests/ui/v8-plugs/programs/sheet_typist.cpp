@@ -13,8 +13,8 @@ int main(int argc, char** argv) {
         return 2;
     }
     ravnoves::V8PlugsModel model(QCoreApplication::arguments().at(1), nullptr);
-    if (!model.openJournal()) {
-        std::fprintf(stderr, "%s\n", qPrintable(model.journalTrouble()));
+    if (!model.desk()->openJournal()) {
+        std::fprintf(stderr, "%s\n", qPrintable(model.desk()->journalTrouble()));
         return 1;
     }
     for (int field = 0; field < 100000; ++field) {
@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
                 .mass[static_cast<std::size_t>(field % 8)] = grams * 1e-3;
             input.job.engine_number = std::to_string(field);
         });
-        model.flushDraft();  // what the page does when a field loses the focus
+        model.desk()->flushDraft();  // what the page does when a field loses the focus
         std::printf("left %d %g\n", field, grams);
         std::fflush(stdout);
     }

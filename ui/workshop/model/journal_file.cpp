@@ -12,15 +12,17 @@
 #include <QThread>
 #include <algorithm>
 #include <cerrno>
+#include <map>
+#include <set>
 
-#include "v8-plugs/model/journal.h"
-#include "v8-plugs/model/journal_rows.h"
+#include "workshop/model/journal.h"
+#include "workshop/model/journal_rows.h"
 
 namespace ravnoves {
 
 namespace {
 
-constexpr int schemaVersion = 1;
+constexpr int schemaVersion = 2;           // 1 knew the V-8 plugs alone
 constexpr int applicationId = 0x52415650;  // "RAVP"
 
 /// Lets one program at a time through. The lock is the system's: it goes with its program, however
@@ -91,12 +93,10 @@ bool Journal::open() {
         return false;
     }
     if (!setAside_.isEmpty()) {
-        const int saved = takeOver(setAside_);
-        openMessage_ =
-            tr("The journal was damaged. The damaged file was kept as %1, and a new journal was "
-               "begun. Jobs taken over from it: %2.")
-                .arg(setAside_)
-                .arg(saved);
+        openMessage_ = tr("The journal was damaged. The damaged file was kept as %1, and a new "
+                          "journal was begun.")
+                           .arg(setAside_) +
+                       QLatin1Char(' ') + takeOver(setAside_);
     }
     identity_ = fileIdentity();
     sessionLock_ = std::make_unique<QLockFile>(lockPath(session_));
@@ -176,9 +176,39 @@ bool Journal::prepareSchema() {
             return fail(cannot, query.value(0).toString());
         }
     }
-    // IMMEDIATE: two programs that start together make the tables one after the other.
+    if (version == schemaVersion) {
+        // A file of this version has these columns, or it is not the journal it says it is.
+        QSqlQuery query(database());
+        return query.exec(
+                   QStringLiteral("SELECT %1, search FROM job LIMIT 1").arg(journal_rows::columns))
+                   ? true
+                   : fail(cannot, query.lastError().text());
+    }
+    if (version == 0) {
+        QSqlQuery query(database());
+        if (!query.exec(QStringLiteral("SELECT count(*) FROM sqlite_master")) || !query.next()) {
+            return fail(cannot, query.lastError().text());
+        }
+        if (query.value(0).toInt() > 0 && !database().tables().contains(QStringLiteral("job"))) {
+            return fail(tr("%1 is a database of another program; it was left as it is.").arg(path_),
+                        {});
+        }
+    }
+    // The programs that open it come through the gate one by one.
+    if (runText(QStringLiteral("BEGIN IMMEDIATE"), cannot) &&
+        (version == 1 ? fromVersionOne() : makeTables()) &&
+        runText(QStringLiteral("PRAGMA user_version = %1").arg(schemaVersion), cannot) &&
+        runText(QStringLiteral("COMMIT"), cannot)) {
+        return true;
+    }
+    const QString why = error_;
+    QSqlQuery(database()).exec(QStringLiteral("ROLLBACK"));
+    error_ = why;
+    return false;
+}
+
+bool Journal::makeTables() {
     static const QStringList statements{
-        QStringLiteral("BEGIN IMMEDIATE"),
         QStringLiteral("CREATE TABLE IF NOT EXISTS job ("
                        " id INTEGER PRIMARY KEY AUTOINCREMENT,"
                        " revision INTEGER NOT NULL,"
@@ -194,7 +224,12 @@ bool Journal::prepareSchema() {
                        " bob_weight_g REAL,"
                        " saved INTEGER NOT NULL,"
                        " form TEXT NOT NULL,"
-                       " search TEXT NOT NULL)"),
+                       " search TEXT NOT NULL,"
+                       " scene TEXT NOT NULL DEFAULT 'v8-plugs',"
+                       " crankshaft_number TEXT NOT NULL DEFAULT '',"
+                       " front_reading_g_mm REAL,"
+                       " rear_reading_g_mm REAL,"
+                       " verdict TEXT NOT NULL DEFAULT '')"),
         QStringLiteral("CREATE INDEX IF NOT EXISTS job_date ON job (job_date)"),
         QStringLiteral("CREATE INDEX IF NOT EXISTS job_engine_number ON job (engine_number)"),
         QStringLiteral("CREATE TABLE IF NOT EXISTS draft ("
@@ -203,41 +238,54 @@ bool Journal::prepareSchema() {
                        " job_revision INTEGER NOT NULL,"
                        " engine_number TEXT NOT NULL,"
                        " saved INTEGER NOT NULL,"
-                       " form TEXT NOT NULL)"),
+                       " form TEXT NOT NULL,"
+                       " scene TEXT NOT NULL DEFAULT 'v8-plugs')"),
         QStringLiteral("CREATE TABLE IF NOT EXISTS engine ("
                        " name TEXT PRIMARY KEY,"
                        " engine_values TEXT NOT NULL)"),
-        QStringLiteral("PRAGMA application_id = %1").arg(applicationId),
-        QStringLiteral("PRAGMA user_version = %1").arg(schemaVersion),
-        QStringLiteral("COMMIT")};
-    if (version == schemaVersion) {
-        // A file of this version has these columns, or it is not the journal it says it is.
-        QSqlQuery query(database());
-        return query.exec(
-                   QStringLiteral("SELECT %1, search FROM job LIMIT 1").arg(journal_rows::columns))
-                   ? true
-                   : fail(cannot, query.lastError().text());
+        QStringLiteral("PRAGMA application_id = %1").arg(applicationId)};
+    return runAll(statements);
+}
+
+/// Adds what version 2 has; what the jobs' forms know of it is found by searches then.
+bool Journal::fromVersionOne() {
+    static const QStringList statements{
+        QStringLiteral("ALTER TABLE job ADD COLUMN scene TEXT NOT NULL DEFAULT 'v8-plugs'"),
+        QStringLiteral("ALTER TABLE job ADD COLUMN crankshaft_number TEXT NOT NULL DEFAULT ''"),
+        QStringLiteral("ALTER TABLE job ADD COLUMN front_reading_g_mm REAL"),
+        QStringLiteral("ALTER TABLE job ADD COLUMN rear_reading_g_mm REAL"),
+        QStringLiteral("ALTER TABLE job ADD COLUMN verdict TEXT NOT NULL DEFAULT ''"),
+        QStringLiteral("ALTER TABLE draft ADD COLUMN scene TEXT NOT NULL DEFAULT 'v8-plugs'")};
+    if (!runAll(statements)) {
+        return false;
     }
-    {
-        QSqlQuery query(database());
-        if (!query.exec(QStringLiteral("SELECT count(*) FROM sqlite_master")) || !query.next()) {
-            return fail(cannot, query.lastError().text());
-        }
-        if (version == 0 && query.value(0).toInt() > 0 &&
-            !database().tables().contains(QStringLiteral("job"))) {
-            return fail(tr("%1 is a database of another program; it was left as it is.").arg(path_),
-                        {});
-        }
+    const QString cannot = tr("The journal %1 cannot be read.").arg(path_);
+    QSqlQuery rows(database());
+    rows.setForwardOnly(true);
+    if (!rows.exec(QStringLiteral("SELECT %1 FROM job").arg(journal_rows::columnsOfVersionOne))) {
+        return fail(cannot, rows.lastError().text());
     }
-    for (const QString& statement : statements) {
-        if (!runText(statement, cannot)) {
-            const QString why = error_;
-            QSqlQuery(database()).exec(QStringLiteral("ROLLBACK"));
-            error_ = why;
+    QList<JournalJob> jobs;
+    while (rows.next()) {
+        jobs << journal_rows::read(rows);
+    }
+    for (const JournalJob& job : jobs) {
+        QSqlQuery query(database());
+        query.prepare(QStringLiteral("UPDATE job SET (%1) = (%2) WHERE id = ?")
+                          .arg(journal_rows::written, journal_rows::places));
+        journal_rows::bind(query, job);
+        query.addBindValue(job.id);
+        if (!run(query, cannot)) {
             return false;
         }
     }
     return true;
+}
+
+bool Journal::runAll(const QStringList& statements) {
+    const QString cannot = tr("The journal %1 cannot be read.").arg(path_);
+    return std::all_of(statements.cbegin(), statements.cend(),
+                       [&](const QString& statement) { return runText(statement, cannot); });
 }
 
 bool Journal::isDamaged() {
@@ -278,49 +326,108 @@ bool Journal::putAside(const QString& why) {
     return true;
 }
 
-int Journal::takeOver(const QString& damaged) {
-    const QString connection = connection_ + QStringLiteral("-damaged");
-    QList<JournalJob> jobs;
+namespace {
+
+/// What can still be read of a damaged file.
+struct Rescued {
+    std::map<qint64, JournalJob> jobs;  ///< by id
+    qsizetype missing = 0;              ///< known by their numbers alone
     QList<JournalEngine> engines;
+};
+
+/// Row by row: a damaged page costs what is on it, not what lies behind it.
+Rescued rescue(const QSqlDatabase& database) {
+    Rescued found;
+    QSqlQuery query(database);
+    query.setForwardOnly(true);
+    const bool isNew =
+        query.exec(QStringLiteral("SELECT %1 FROM job LIMIT 0").arg(journal_rows::columns));
+    const QString select =
+        QStringLiteral("SELECT %1 FROM job ")
+            .arg(isNew ? journal_rows::columns : journal_rows::columnsOfVersionOne);
+    const auto take = [&] {
+        const JournalJob job = journal_rows::read(query);
+        if (job.id > 0 && !job.form.isEmpty()) {
+            found.jobs.emplace(job.id, job);
+        }
+    };
+    // The ids from the indexes, which lie elsewhere in the file, and from both ends of the table.
+    std::set<qint64> ids;
+    for (const char* index : {"job_date", "job_engine_number"}) {
+        const QLatin1String column(qstrcmp(index, "job_date") == 0 ? "job_date" : "engine_number");
+        for (const char* order : {"ASC", "DESC"}) {
+            if (query.exec(QStringLiteral("SELECT id FROM job INDEXED BY %1 ORDER BY %2 %3")
+                               .arg(QLatin1String(index), column, QLatin1String(order)))) {
+                while (query.next()) {
+                    ids.insert(query.value(0).toLongLong());
+                }
+            }
+        }
+    }
+    for (const char* order : {"ASC", "DESC"}) {
+        if (query.exec(select + QStringLiteral("ORDER BY id ") + QLatin1String(order))) {
+            while (query.next()) {
+                take();
+            }
+        }
+    }
+    // Between the ends that could be walked every number may be a job, known or not.
+    qint64 last = 0;
+    if (query.exec(QStringLiteral("SELECT seq FROM sqlite_sequence WHERE name = 'job'")) &&
+        query.next()) {
+        last = query.value(0).toLongLong();
+    }
+    for (const auto& [id, job] : found.jobs) {
+        ids.insert(id);
+    }
+    ids.erase(ids.begin(), ids.lower_bound(1));
+    constexpr qint64 mostTried = 1'000'000;  // a number that is no number of jobs
+    if (!ids.empty() && last < *ids.rbegin()) {
+        last = *ids.rbegin();
+    }
+    for (qint64 id = 1; id <= std::min(last, mostTried); ++id) {
+        if (!found.jobs.contains(id) && query.prepare(select + QStringLiteral("WHERE id = ?"))) {
+            query.addBindValue(id);
+            if (query.exec() && query.next()) {
+                take();
+            }
+            // No such row is no damage: a job that was removed.
+            if (query.lastError().isValid()) {
+                ids.insert(id);
+            }
+        }
+    }
+    found.missing = static_cast<qsizetype>(
+        std::count_if(ids.begin(), ids.end(), [&](qint64 id) { return !found.jobs.contains(id); }));
+    if (query.exec(QStringLiteral("SELECT name, engine_values FROM engine"))) {
+        while (query.next()) {
+            found.engines << JournalEngine{query.value(0).toString(),
+                                           query.value(1).toString().toUtf8()};
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+/// @return how many jobs came over and how many did not, in words
+QString Journal::takeOver(const QString& damaged) {
+    const QString connection = connection_ + QStringLiteral("-damaged");
+    Rescued found;
     {
         QSqlDatabase db = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), connection);
         db.setDatabaseName(damaged);
         db.setConnectOptions(QStringLiteral("QSQLITE_OPEN_READONLY"));
         if (db.open()) {
-            QSqlQuery query(db);
-            query.setForwardOnly(true);
-            // From both ends: a damaged page stops a walk through the table.
-            for (const char* order : {"ASC", "DESC"}) {
-                if (query.exec(QStringLiteral("SELECT %1 FROM job ORDER BY id %2")
-                                   .arg(journal_rows::columns, QLatin1String(order)))) {
-                    while (query.next()) {
-                        const JournalJob job = journal_rows::read(query);
-                        const bool known =
-                            std::any_of(jobs.cbegin(), jobs.cend(),
-                                        [&](const JournalJob& j) { return j.id == job.id; });
-                        if (!known && job.id > 0 && !job.form.isEmpty()) {
-                            jobs << job;
-                        }
-                    }
-                }
-            }
-            if (query.exec(QStringLiteral("SELECT name, engine_values FROM engine"))) {
-                while (query.next()) {
-                    engines << JournalEngine{query.value(0).toString(),
-                                             query.value(1).toString().toUtf8()};
-                }
-            }
-            query.clear();
+            found = rescue(db);
             db.close();
         }
     }
     QSqlDatabase::removeDatabase(connection);
-    std::sort(jobs.begin(), jobs.end(),
-              [](const JournalJob& a, const JournalJob& b) { return a.id < b.id; });
     int count = 0;
     identity_ = fileIdentity();
     const bool together = database().transaction();  // one sync for all
-    for (JournalJob job : jobs) {
+    for (auto& [id, job] : found.jobs) {
         const QDateTime saved = job.saved;
         job.id = 0;
         if (saveOnce(job) == Saved::Yes) {
@@ -332,13 +439,17 @@ int Journal::takeOver(const QString& damaged) {
             query.exec();
         }
     }
-    for (const JournalEngine& engine : engines) {
+    for (const JournalEngine& engine : found.engines) {
         saveEngine(engine);
     }
     if (together && !database().commit()) {
-        return 0;
+        found.missing += count;
+        count = 0;
     }
-    return count;
+    const QString taken = tr("Jobs taken over from it: %1.").arg(count);
+    return found.missing == 0 ? taken
+                              : taken + QLatin1Char(' ') +
+                                    tr("Jobs that could not be read: %1.").arg(found.missing);
 }
 
 }  // namespace ravnoves

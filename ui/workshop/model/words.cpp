@@ -1,6 +1,7 @@
-#include "v8-plugs/model/words.h"
+#include "workshop/model/words.h"
 
 #include <QCoreApplication>
+#include <QDate>
 #include <QTranslator>
 
 #include "text/number_text.h"
@@ -61,6 +62,13 @@ QString Words::number(double si, Unit unit, int decimals) const {
 
 QString Words::number(double value, int decimals) const {
     return fixedDecimals(value, decimals, locale_);
+}
+
+QString Words::day(const QString& iso) const {
+    const QDate day = QDate::fromString(iso, Qt::ISODate);
+    return day.isValid() && locale_.language() == QLocale::Russian
+               ? day.toString(QStringLiteral("dd.MM.yyyy"))
+               : iso;
 }
 
 QString Words::plain(double value, int decimals) const {

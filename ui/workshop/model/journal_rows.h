@@ -4,16 +4,17 @@
 #include <QSqlQuery>
 #include <QVariant>
 
-#include "v8-plugs/model/journal.h"
+#include "workshop/model/journal.h"
 
 namespace ravnoves::journal_rows {
 
 // How jobs stand in the rows of the database; shared by the parts of the journal.
 
-/// The columns that read() expects, in their order.
+/// The columns that read() expects, in their order; a file of version 1 has the first of them.
 extern const QString columns;
+extern const QString columnsOfVersionOne;
 
-/// The job in the query's present row.
+/// The job in the query's present row. What a row of version 1 has not is taken from its form.
 JournalJob read(const QSqlQuery& query);
 /// The columns that bind() fills, in their order, and a place for each.
 extern const QString written;

@@ -1,11 +1,11 @@
-#include "v8-plugs/model/journal.h"
+#include "workshop/model/journal.h"
 
 #include <QDir>
 #include <QSqlDatabase>
 #include <QStandardPaths>
 #include <QUuid>
 
-#include "v8-plugs/model/journal_rows.h"
+#include "workshop/model/journal_rows.h"
 
 namespace ravnoves {
 
@@ -176,10 +176,11 @@ QList<JournalJob> Journal::search(const JournalQuery& wanted) {
                                     " WHERE search LIKE ? ESCAPE '\\'"
                                     " AND (? = '' OR job_date >= ?)"
                                     " AND (? = '' OR (job_date <> '' AND job_date <= ?))"
+                                    " AND (? = '' OR scene = ?)"
                                     " ORDER BY job_date DESC, id DESC LIMIT ?")
                          .arg(journal_rows::columns),
                      {likePattern(journal_rows::folded(wanted.text.trimmed())), from, from, to, to,
-                      wanted.limit},
+                      bare(wanted.scene), bare(wanted.scene), wanted.limit},
                      tr("The journal could not be searched."));
     QList<JournalJob> jobs;
     while (found && found->next()) {
@@ -205,16 +206,16 @@ bool Journal::saveDraft(const JournalDraft& draft) {
     // A draft is written while the user types: it does not wait for another program's write as a
     // job does, it is tried again.
     const PatienceFor patience(database(), draftPatience);
-    return ask(QStringLiteral(
-                   "INSERT INTO draft (session, job_id, job_revision, engine_number, saved, form)"
-                   " VALUES (?, ?, ?, ?, ?, ?)"
-                   " ON CONFLICT (session) DO UPDATE SET job_id = excluded.job_id,"
-                   " job_revision = excluded.job_revision,"
-                   " engine_number = excluded.engine_number, saved = excluded.saved,"
-                   " form = excluded.form"),
+    return ask(QStringLiteral("INSERT INTO draft"
+                              " (session, job_id, job_revision, engine_number, saved, form, scene)"
+                              " VALUES (?, ?, ?, ?, ?, ?, ?)"
+                              " ON CONFLICT (session) DO UPDATE SET job_id = excluded.job_id,"
+                              " job_revision = excluded.job_revision,"
+                              " engine_number = excluded.engine_number, saved = excluded.saved,"
+                              " form = excluded.form, scene = excluded.scene"),
                {draft.session.isEmpty() ? session_ : draft.session, draft.jobId, draft.jobRevision,
                 bare(draft.engineNumber), stamp(QDateTime::currentDateTimeUtc()),
-                bare(QString::fromUtf8(draft.form))},
+                bare(QString::fromUtf8(draft.form)), bare(draft.scene)},
                tr("The draft could not be saved."))
         .has_value();
 }
@@ -225,16 +226,18 @@ bool Journal::discardDraft(const QString& session) {
         .has_value();
 }
 
-QList<JournalDraft> Journal::orphanedDrafts() {
+QList<JournalDraft> Journal::orphanedDrafts(const QString& scene) {
     QList<JournalDraft> drafts;
     auto found =
-        ask(QStringLiteral("SELECT session, job_id, job_revision, engine_number, saved, form"
-                           " FROM draft WHERE session <> ? ORDER BY saved DESC"),
-            {session_}, tr("The drafts could not be read."));
+        ask(QStringLiteral("SELECT session, scene, job_id, job_revision, engine_number, saved, form"
+                           " FROM draft WHERE session <> ? AND (? = '' OR scene = ?)"
+                           " ORDER BY saved DESC"),
+            {session_, bare(scene), bare(scene)}, tr("The drafts could not be read."));
     while (found && found->next()) {
-        JournalDraft draft{found->value(0).toString(), found->value(1).toLongLong(),
-                           found->value(2).toInt(),    found->value(3).toString(),
-                           fromStamp(found->value(4)), found->value(5).toString().toUtf8()};
+        JournalDraft draft{found->value(0).toString(),         found->value(1).toString(),
+                           found->value(2).toLongLong(),       found->value(3).toInt(),
+                           found->value(4).toString(),         fromStamp(found->value(5)),
+                           found->value(6).toString().toUtf8()};
         // The lock of a program that runs cannot be taken; that of a crashed one can.
         QLockFile lock(lockPath(draft.session));
         lock.setStaleLockTime(0);

@@ -1,4 +1,4 @@
-#include "v8-plugs/journal_dialog.h"
+#include "workshop/journal_dialog.h"
 
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
@@ -11,10 +11,8 @@
 #include <QVBoxLayout>
 
 #include "theme/theme.h"
-#include "v8-plugs/checked_field.h"
-#include "v8-plugs/model/v8_names.h"
-#include "v8-plugs/model/v8_text.h"
 #include "widgets/file_dialogs.h"
+#include "workshop/checked_field.h"
 
 namespace ravnoves {
 
@@ -23,22 +21,18 @@ namespace {
 constexpr int buttonHeight = 36;
 constexpr int longestList = 1000;  // more is not looked through by eye
 
-QString resultText(const Words& words, const JournalJob& job) {
-    if (job.recommended.isEmpty()) {
-        return QStringLiteral("–");
-    }
-    if (job.recommended == QLatin1String("none-needed")) {
-        return JournalDialog::tr("nothing needed");
-    }
-    for (const v8_plugs::OptionId id : v8_plugs::all_options) {
-        if (job.recommended.toStdString() == v8_plugs::option_word(id).word) {
-            const QString option = v8_text::optionName(words, id);
-            return job.reduction ? option + QStringLiteral(", ") +
-                                       v8_text::grams(words, *job.reduction * units::gram)
-                                 : option;
-        }
-    }
-    return job.recommended;
+struct JournalColumn {
+    QString title;
+    int width;  ///< designed pixels
+};
+
+/// What cellsOf() fills.
+QList<JournalColumn> journalColumns() {
+    return {{JournalDialog::tr("Date"), 92},          {JournalDialog::tr("Engine number"), 130},
+            {JournalDialog::tr("Crankshaft"), 100},   {JournalDialog::tr("Customer"), 140},
+            {JournalDialog::tr("Engine"), 76},        {JournalDialog::tr("Technician"), 110},
+            {JournalDialog::tr("Result"), 210},       {JournalDialog::tr("Bob weight, g"), 104},
+            {JournalDialog::tr("Machine, g·mm"), 130}};
 }
 
 }  // namespace
@@ -62,10 +56,10 @@ QString dayTrouble(const QString& text) {
                : JournalDialog::tr("“%1” is no date; write it like 2024-05-31.").arg(text);
 }
 
-JournalDialog::JournalDialog(Journal* journal, QWidget* parent)
-    : QDialog(parent), journal_(journal) {
+JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed listed, QWidget* parent)
+    : QDialog(parent), journal_(journal), scene_(scene), listed_(std::move(listed)) {
     setWindowTitle(tr("Journal of jobs"));
-    resize(900, 560);
+    resize(Theme::withText(1000), 560);
     auto* column = new QVBoxLayout(this);
     column->setSpacing(Theme::space);
 
@@ -82,7 +76,7 @@ JournalDialog::JournalDialog(Journal* journal, QWidget* parent)
     };
     text_ = new QLineEdit(this);
     text_->setObjectName(QStringLiteral("journal_search"));
-    text_->setPlaceholderText(tr("engine number, customer, technician"));
+    text_->setPlaceholderText(tr("engine or crankshaft number, customer, technician"));
     text_->setClearButtonEnabled(true);
     add(tr("&Search"), text_, 1);
     from_ = new CheckedField(dayTrouble, this);
@@ -108,15 +102,16 @@ JournalDialog::JournalDialog(Journal* journal, QWidget* parent)
     table_->setTabKeyNavigation(false);
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setDefaultSectionSize(Theme::withText(30));
-    table_->setColumnCount(6);
-    table_->setHorizontalHeaderLabels({tr("Date"), tr("Engine number"), tr("Customer"),
-                                       tr("Engine"), tr("Technician"), tr("Result")});
+    const QList<JournalColumn> columns = journalColumns();
+    table_->setColumnCount(static_cast<int>(columns.size()));
+    QStringList titles;
+    for (const JournalColumn& each : columns) {
+        table_->setColumnWidth(static_cast<int>(titles.size()), Theme::withText(each.width));
+        titles << each.title;
+    }
+    table_->setHorizontalHeaderLabels(titles);
     table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     table_->horizontalHeader()->setStretchLastSection(true);
-    const int widths[] = {92, 150, 170, 84, 130};
-    for (int i = 0; i < 5; ++i) {
-        table_->setColumnWidth(i, Theme::withText(widths[i]));
-    }
     column->addWidget(table_, 1);
 
     message_ = new QLabel(this);
@@ -167,7 +162,31 @@ JournalQuery JournalDialog::query() const {
     wanted.text = text_->text();
     wanted.from = readDay(from_->value());
     wanted.to = readDay(to_->value());
+    wanted.scene = scene_;
     return wanted;
+}
+
+QStringList JournalDialog::cellsOf(const Words& words, const JournalJob& job) const {
+    const auto number = [&](const std::optional<double>& value) {
+        return value ? words.number(*value, 1) : QStringLiteral("–");
+    };
+    QString machine = job.verdict == QLatin1String("passes")  ? tr("passes")
+                      : job.verdict == QLatin1String("fails") ? tr("fails")
+                                                              : QString();
+    if (job.frontReading || job.rearReading) {
+        machine += (machine.isEmpty() ? QString() : QStringLiteral(": ")) +
+                   number(job.frontReading) + QStringLiteral(" / ") + number(job.rearReading);
+    }
+    const ListedJob listed = listed_(words, job);
+    return {words.day(job.date.toString(Qt::ISODate)),
+            job.engineNumber,
+            job.crankshaftNumber,
+            job.customer,
+            listed.engine,
+            job.technician,
+            listed.result,
+            number(job.bobWeight),
+            machine};
 }
 
 void JournalDialog::search() {
@@ -182,12 +201,7 @@ void JournalDialog::search() {
     table_->setRowCount(static_cast<int>(jobs_.size()));
     for (int row = 0; row < table_->rowCount(); ++row) {
         const JournalJob& job = jobs_.at(row);
-        const QStringList cells{job.date.toString(Qt::ISODate),
-                                job.engineNumber,
-                                job.customer,
-                                v8_text::engineName(words, job.engine.toStdString()),
-                                job.technician,
-                                resultText(words, job)};
+        const QStringList cells = cellsOf(words, job);
         for (int column = 0; column < cells.size(); ++column) {
             auto* cell = new QTableWidgetItem(cells.at(column));
             cell->setToolTip(cells.at(column));

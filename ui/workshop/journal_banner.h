@@ -2,15 +2,15 @@
 
 #include <QList>
 
-#include "v8-plugs/model/journal.h"
 #include "widgets/panel.h"
+#include "workshop/model/journal.h"
 
 class QLabel;
 class QPushButton;
 
 namespace ravnoves {
 
-class V8PlugsModel;
+class JobDesk;
 
 /// Above the sheets: an unfinished job that a crash left, or what happened to the journal. Hidden
 /// where there is nothing to say.
@@ -18,7 +18,7 @@ class JournalBanner : public Panel {
     Q_OBJECT
 
   public:
-    explicit JournalBanner(V8PlugsModel* model, QWidget* parent = nullptr);
+    explicit JournalBanner(JobDesk* desk, QWidget* parent = nullptr);
 
     /// Offers the drafts that a crash left, one after the other.
     void offer(const QList<JournalDraft>& crashed);
@@ -34,7 +34,7 @@ class JournalBanner : public Panel {
   private:
     void showText();
 
-    V8PlugsModel* model_;
+    JobDesk* desk_;
     QList<JournalDraft> crashed_;
     QLabel* text_;
     QPushButton* continue_;

@@ -2,7 +2,6 @@
 
 #include <QList>
 
-#include "v8-plugs/model/v8_plugs_model.h"
 #include "widgets/form.h"
 
 class QLabel;
@@ -20,7 +19,7 @@ class SheetForm : public Form {
   public:
     static constexpr int fieldHeight = 34;  ///< pixels; a target that a thumb finds
 
-    explicit SheetForm(V8PlugsModel* model, QWidget* parent = nullptr);
+    explicit SheetForm(SceneModel* model, QWidget* parent = nullptr);
 
     /// Every field in the order of Tab and Enter.
     const QList<QWidget*>& order() const { return order_; }
@@ -44,7 +43,10 @@ class SheetForm : public Form {
         /// Says why a text is refused.
         std::function<QString(const QString& typed)> refusal;
         std::function<QString()> read;
-        std::function<void(v8_plugs::Input&, const QString& normal)> write;
+        /// Makes it a step of the history of that name.
+        std::function<void(const QString& name, const QString& normal)> write;
+        /// How the form that is kept is shown; empty: as it is.
+        std::function<QString(const QString& normal)> shown = {};
     };
     /// Its row; what is wrong with it stands below the field.
     void checked(const Field& description, CheckedText text);
@@ -60,11 +62,10 @@ class SheetForm : public Form {
     /// Ends the sheet: labels without a mnemonic get one that no other label or button has.
     void finish();
 
-    V8PlugsModel* model_;
-
   private:
     NumberField* large(NumberField* field);
 
+    SceneModel* model_;
     QList<QWidget*> order_;
 };
 

@@ -1,4 +1,4 @@
-#include "v8-plugs/card_page.h"
+#include "workshop/card_page.h"
 
 #include <QFontMetricsF>
 #include <QTextLayout>

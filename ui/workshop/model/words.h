@@ -40,6 +40,9 @@ class Words {
     QString number(double value, int decimals) const;
     /// With its unit: "2.79 g".
     QString number(double si, Unit unit, int decimals) const;
+    /// A day of ISO 8601 as the language writes it, "31.05.2024" or "2024-05-31"; what is no day
+    /// stays as it is.
+    QString day(const QString& iso) const;
     /// As many of the decimals as the number has: "2.79", "40".
     QString plain(double value, int decimals = 4) const;
 

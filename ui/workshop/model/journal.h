@@ -23,7 +23,9 @@ namespace ravnoves {
 struct JournalJob {
     qint64 id = 0;     ///< 0 for a job that is not in the journal yet
     int revision = 0;  ///< counts the changes of a job; 0 for a new one
+    QString scene;     ///< whose case `form` is
     QString engineNumber;
+    QString crankshaftNumber;
     QString customer;
     QString technician;
     QString engine;  ///< name of the engine's type
@@ -33,6 +35,9 @@ struct JournalJob {
     QString recommended;                   ///< an option's name, "none-needed" or empty
     std::optional<double> reduction;       ///< g per plug
     std::optional<double> bobWeight;       ///< g, after the option
+    std::optional<double> frontReading;    ///< g·mm, what the machine read at last
+    std::optional<double> rearReading;     ///< g·mm
+    QString verdict;                       ///< "passes", "fails" or empty
     QDateTime saved;                       ///< UTC
     QByteArray form;                       ///< JSON text, UTF-8
 };
@@ -40,6 +45,7 @@ struct JournalJob {
 /// What a page has open and not yet finished, kept so that a crash loses nothing.
 struct JournalDraft {
     QString session;
+    QString scene;
     qint64 jobId = 0;  ///< the job it changes; 0 for a new one
     int jobRevision = 0;
     QString engineNumber;
@@ -50,14 +56,15 @@ struct JournalDraft {
 /// An engine of the user's own.
 struct JournalEngine {
     QString name;
-    QByteArray values;  ///< the case file's engine object, JSON text
+    QByteArray values;  ///< the what the scene keeps of it, JSON text
 };
 
 struct JournalQuery {
-    QString text;    ///< in engine number, customer, technician or engine; empty: all
+    QString text;    ///< in the numbers, customer, technician or engine; empty: all
     QDate from;      ///< first day; invalid: no bound
     QDate to;        ///< last day
     int limit = -1;  ///< the newest so many; -1: all
+    QString scene;   ///< the jobs of this one; empty: of all
 };
 
 /// The workshop's journal: an SQLite database in the user's data folder.
@@ -111,8 +118,8 @@ class Journal : public QObject {
     /// True where the last failure was another program's write.
     bool wasBusy() const { return busy_; }
     bool discardDraft(const QString& session);
-    /// Drafts whose program no longer runs: left by a crash.
-    QList<JournalDraft> orphanedDrafts();
+    /// Drafts of the scene (empty: of all) whose program no longer runs: left by a crash.
+    QList<JournalDraft> orphanedDrafts(const QString& scene = {});
 
     bool saveEngine(const JournalEngine& engine);
     /// False where there is no such engine, or another has the name already.
@@ -140,9 +147,12 @@ class Journal : public QObject {
     bool openDatabase();
     void closeDatabase();
     bool prepareSchema();
+    bool makeTables();
+    bool fromVersionOne();
+    bool runAll(const QStringList& statements);
     bool isDamaged();
     bool putAside(const QString& why);
-    int takeOver(const QString& damaged);
+    QString takeOver(const QString& damaged);
     /// Runs a statement with values for its ?; nothing where it fails, see lastError().
     std::optional<QSqlQuery> ask(const QString& sql, const QVariantList& values,
                                  const QString& cannot);

@@ -7,7 +7,7 @@
 #include <QJsonObject>
 #include <cstdio>
 
-#include "v8-plugs/model/journal.h"
+#include "workshop/model/journal.h"
 
 int main(int argc, char** argv) {
     QCoreApplication app(argc, argv);

@@ -1,4 +1,4 @@
-#include "v8-plugs/job_card.h"
+#include "workshop/job_card.h"
 
 #include <QCoreApplication>
 #include <QPageLayout>
@@ -6,21 +6,17 @@
 #include <QPainter>
 #include <QPdfWriter>
 #include <QSaveFile>
+#include <algorithm>
 
-#include "v8-plugs/card_painter.h"
+#include "workshop/card_page.h"
 
 namespace ravnoves {
-
-using namespace v8_plugs;
-
-JobCard::JobCard(Input input, Words words)
-    : input_(std::move(input)), solution_(solve(input_)), words_(std::move(words)) {}
 
 void JobCard::paint(QPainter& painter, const QRectF& page) const {
     painter.save();
     painter.fillRect(page, Qt::white);
     CardPage sheet(painter, page);
-    CardPainter(sheet, input_, solution_, words_).paint();
+    draw(sheet);
     painter.restore();
 }
 
@@ -36,16 +32,21 @@ bool JobCard::print(QPagedPaintDevice& device) const {
     if (!painter.begin(&device)) {
         return false;
     }
-    // The sheet in device pixels. A printer that keeps margins of its own and was not set to the
+    // The paper in device pixels. A printer that keeps margins of its own and was not set to the
     // full page begins inside it.
     const double perMillimetre = device.logicalDpiX() / 25.4;
     const QPageLayout layout = device.pageLayout();
+    const QRectF paper = layout.fullRect(QPageLayout::Millimeter);
     const QMarginsF margins = layout.mode() == QPageLayout::FullPageMode
                                   ? QMarginsF()
                                   : layout.margins(QPageLayout::Millimeter);
-    const QRectF page(-margins.left() * perMillimetre, -margins.top() * perMillimetre,
-                      CardPage::width * perMillimetre, CardPage::height * perMillimetre);
-    paint(painter, page);
+    // Letter is shorter than A4, a sheet on its side much more: the card shrinks to it, in the
+    // middle. Its own margins are what a printer needs.
+    const double scale =
+        std::min({1.0, paper.width() / CardPage::width, paper.height() / CardPage::height});
+    const QRectF card((paper.width() - scale * CardPage::width) / 2.0 - margins.left(),
+                      -margins.top(), scale * CardPage::width, scale * CardPage::height);
+    paint(painter, {card.topLeft() * perMillimetre, card.size() * perMillimetre});
     return painter.end();
 }
 
@@ -60,8 +61,7 @@ QString JobCard::writePdf(const QString& path) const {
         QPdfWriter writer(&file);
         writer.setResolution(1200);
         writer.setCreator(QStringLiteral("Ravnoves " RAVNOVES_VERSION));
-        writer.setTitle(words_.translate("JobCard", "Job card: crankpin plugs and bob weights") +
-                        QLatin1Char(' ') + QString::fromStdString(input_.job.engine_number));
+        writer.setTitle(title());
         setPage(writer);
         painted = print(writer);
     }

@@ -1,4 +1,4 @@
-#include "v8-plugs/journal_banner.h"
+#include "workshop/journal_banner.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -7,12 +7,12 @@
 #include <algorithm>
 
 #include "theme/theme.h"
-#include "v8-plugs/model/v8_plugs_model.h"
-#include "v8-plugs/sheet_form.h"
+#include "workshop/model/job_desk.h"
+#include "workshop/sheet_form.h"
 
 namespace ravnoves {
 
-JournalBanner::JournalBanner(V8PlugsModel* model, QWidget* parent) : Panel(parent), model_(model) {
+JournalBanner::JournalBanner(JobDesk* desk, QWidget* parent) : Panel(parent), desk_(desk) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(Theme::margin, Theme::gap, Theme::margin, Theme::gap);
     text_ = SheetForm::wrapped(this, Theme::baseSize, true);
@@ -36,12 +36,12 @@ JournalBanner::JournalBanner(V8PlugsModel* model, QWidget* parent) : Panel(paren
     });
     connect(discard_, &QPushButton::clicked, this, [this] {
         if (!crashed_.isEmpty()) {
-            model_->discardDraft(crashed_.constFirst().session);
+            desk_->discardDraft(crashed_.constFirst().session);
         }
         next();
     });
     connect(close_, &QPushButton::clicked, this, &QWidget::hide);
-    connect(model_, &V8PlugsModel::journalTroubleChanged, this, &JournalBanner::showText);
+    connect(desk_, &JobDesk::journalTroubleChanged, this, &JournalBanner::showText);
 }
 
 void JournalBanner::offer(const QList<JournalDraft>& crashed) {
@@ -69,7 +69,7 @@ void JournalBanner::next() {
 
 void JournalBanner::showText() {
     const bool draft = !crashed_.isEmpty();
-    const QString trouble = model_->journalTrouble();
+    const QString trouble = desk_->journalTrouble();
     if (draft) {
         const JournalDraft& first = crashed_.constFirst();
         text_->setText(

@@ -1,4 +1,8 @@
-#include "v8-plugs/model/journal_rows.h"
+#include "workshop/model/journal_rows.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSqlRecord>
 
 namespace ravnoves::journal_rows {
 
@@ -17,8 +21,9 @@ int primaryCode(const QSqlError& error) {
 }
 
 QString searchText(const JournalJob& job) {
-    return folded(job.engineNumber + QLatin1Char('\n') + job.customer + QLatin1Char('\n') +
-                  job.technician + QLatin1Char('\n') + job.engine);
+    return folded(QStringList{job.engineNumber, job.crankshaftNumber, job.customer, job.technician,
+                              job.engine}
+                      .join(QLatin1Char('\n')));
 }
 
 QVariant orNull(const std::optional<double>& value) {
@@ -31,11 +36,14 @@ std::optional<double> orNothing(const QVariant& value) {
 
 }  // namespace
 
-const QString columns = QStringLiteral(
+const QString columnsOfVersionOne = QStringLiteral(
     "id, revision, engine_number, customer, technician, engine, job_date, process, "
     "unbalanced_mass_g, recommended, reduction_g, bob_weight_g, saved, form");
+const QString columns =
+    columnsOfVersionOne +
+    QStringLiteral(", scene, crankshaft_number, front_reading_g_mm, rear_reading_g_mm, verdict");
 const QString written = columns.section(QStringLiteral(", "), 2) + QStringLiteral(", search");
-const QString places = QStringLiteral("?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?");
+const QString places = QStringLiteral("?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?");
 
 QString folded(const QString& text) {
     return text.toCaseFolded();
@@ -50,6 +58,23 @@ QDateTime fromStamp(const QVariant& value) {
 
 QString bare(const QString& text) {
     return text.isNull() ? QLatin1String("") : text;
+}
+
+void completeFromForm(JournalJob& job) {
+    const QJsonObject input =
+        QJsonDocument::fromJson(job.form).object().value(QLatin1String("input")).toObject();
+    const QJsonObject machine = input.value(QLatin1String("balancing")).toObject();
+    const auto reading = [&](QLatin1String key) {
+        const QJsonValue value = machine.value(key);
+        return value.isDouble() ? std::optional(value.toDouble()) : std::nullopt;
+    };
+    job.scene = QStringLiteral("v8-plugs");
+    job.crankshaftNumber = input.value(QLatin1String("job"))
+                               .toObject()
+                               .value(QLatin1String("crankshaft_number"))
+                               .toString();
+    job.frontReading = reading(QLatin1String("front_reading_g_mm"));
+    job.rearReading = reading(QLatin1String("rear_reading_g_mm"));
 }
 
 JournalJob read(const QSqlQuery& query) {
@@ -68,6 +93,15 @@ JournalJob read(const QSqlQuery& query) {
     job.bobWeight = orNothing(query.value(11));
     job.saved = fromStamp(query.value(12));
     job.form = query.value(13).toString().toUtf8();
+    if (query.record().count() <= 14) {
+        completeFromForm(job);
+        return job;
+    }
+    job.scene = query.value(14).toString();
+    job.crankshaftNumber = query.value(15).toString();
+    job.frontReading = orNothing(query.value(16));
+    job.rearReading = orNothing(query.value(17));
+    job.verdict = query.value(18).toString();
     return job;
 }
 
@@ -78,7 +112,8 @@ void bind(QSqlQuery& query, const JournalJob& job) {
           QVariant(bare(job.date.toString(Qt::ISODate))), QVariant(bare(job.process)),
           orNull(job.unbalancedMass), QVariant(bare(job.recommended)), orNull(job.reduction),
           orNull(job.bobWeight), stamp(job.saved), QVariant(bare(QString::fromUtf8(job.form))),
-          QVariant(searchText(job))}) {
+          QVariant(bare(job.scene)), QVariant(bare(job.crankshaftNumber)), orNull(job.frontReading),
+          orNull(job.rearReading), QVariant(bare(job.verdict)), QVariant(searchText(job))}) {
         query.addBindValue(value);
     }
 }

@@ -3,25 +3,28 @@
 #include <QRectF>
 #include <QString>
 
-#include "v8-plugs/input.h"
-#include "v8-plugs/model/words.h"
-#include "v8-plugs/solver.h"
+#include "workshop/model/words.h"
 
 class QPagedPaintDevice;
 class QPainter;
 
 namespace ravnoves {
 
-/// The job card: one A4 page with the head of the job, the inputs, the answer, the plug, the bob
-/// weights line by line, the machine's limits and room for its readings and for signatures.
+class CardPage;
+
+/// A job card: one sheet of paper, painted in millimetres of A4 by the card of a scene.
 class JobCard {
   public:
-    JobCard(v8_plugs::Input input, Words words);
+    explicit JobCard(Words words) : words_(std::move(words)) {}
+    virtual ~JobCard() = default;
+    JobCard(const JobCard&) = delete;
+    JobCard& operator=(const JobCard&) = delete;
 
-    /// Paints the page. `page` is the whole sheet, 210 × 297 mm, in the painter's units; one
+    /// Paints the card. `page` is the whole of A4, 210 × 297 mm, in the painter's units; one
     /// millimetre is page.width() / 210 of them.
     void paint(QPainter& painter, const QRectF& page) const;
-    /// Paints onto a printer or PDF writer; its page must be A4 upright (setPage()).
+    /// Paints onto a printer or PDF writer, as large as its paper allows where that is not A4
+    /// upright.
     /// @return false where the device cannot be painted on
     bool print(QPagedPaintDevice& device) const;
     /// Sets A4 upright without margins of the device's own.
@@ -33,9 +36,12 @@ class JobCard {
 
     const Words& words() const { return words_; }
 
+  protected:
+    virtual void draw(CardPage& page) const = 0;
+    /// Of the PDF.
+    virtual QString title() const = 0;
+
   private:
-    v8_plugs::Input input_;
-    v8_plugs::Result solution_;
     Words words_;
 };
 

@@ -2,8 +2,10 @@
 
 #include <QDialog>
 #include <QList>
+#include <functional>
 
-#include "v8-plugs/model/journal.h"
+#include "workshop/model/journal.h"
+#include "workshop/model/words.h"
 
 class QLabel;
 class QLineEdit;
@@ -14,14 +16,23 @@ namespace ravnoves {
 
 class CheckedField;
 
-/// The jobs in the journal: search by engine number, customer or date, open, copy, remove, export.
+/// What the list says of a job in the words of its scene.
+struct ListedJob {
+    QString engine;
+    QString result;
+};
+
+/// The jobs in the journal: search by numbers, customer or date, open, copy, remove, export.
 class JournalDialog : public QDialog {
     Q_OBJECT
 
   public:
     enum class Choice { None, Open, Copy };
 
-    explicit JournalDialog(Journal* journal, QWidget* parent = nullptr);
+    using Listed = std::function<ListedJob(const Words& words, const JournalJob& job)>;
+
+    /// @param scene  whose jobs; empty: those of all scenes
+    JournalDialog(Journal* journal, const QString& scene, Listed listed, QWidget* parent = nullptr);
 
     /// What the user wants with chosenId(); None where the dialog was only closed.
     Choice choice() const { return choice_; }
@@ -37,7 +48,11 @@ class JournalDialog : public QDialog {
     void exportWithDialog();
     qint64 selectedId() const;
 
+    QStringList cellsOf(const Words& words, const JournalJob& job) const;
+
     Journal* journal_;
+    QString scene_;
+    Listed listed_;
     QList<JournalJob> jobs_;
     bool truncated_ = false;  // more match than the list shows
     Choice choice_ = Choice::None;

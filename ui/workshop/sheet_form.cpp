@@ -1,4 +1,4 @@
-#include "v8-plugs/sheet_form.h"
+#include "workshop/sheet_form.h"
 
 #include <QAbstractButton>
 #include <QLabel>
@@ -7,12 +7,10 @@
 
 #include "text/message_text.h"
 #include "theme/theme.h"
-#include "v8-plugs/checked_field.h"
 #include "widgets/mnemonics.h"
+#include "workshop/checked_field.h"
 
 namespace ravnoves {
-
-using namespace v8_plugs;
 
 namespace {
 
@@ -21,7 +19,7 @@ constexpr int textWidth = 290;
 
 }  // namespace
 
-SheetForm::SheetForm(V8PlugsModel* model, QWidget* parent) : Form(model, parent), model_(model) {}
+SheetForm::SheetForm(SceneModel* model, QWidget* parent) : Form(model, parent), model_(model) {}
 
 void SheetForm::enlarge(QWidget* field) {
     field->setMinimumHeight(Theme::withText(fieldHeight));
@@ -70,13 +68,13 @@ void SheetForm::checked(const Field& description, CheckedText text) {
     current()->addWidget(shownText(description.label), field);
     connect(field, &CheckedField::valueEdited, this,
             [this, name = fieldName(description), text](const QString& typed) {
-                model_->edit(name, [&](Input& input) { text.write(input, text.normal(typed)); });
+                text.write(name, text.normal(typed));
             });
     follow([field, text] {
         // What was typed in another form stays as it was typed.
         const QString value = text.read();
         if (text.normal(field->value()) != value) {
-            field->setValue(value);
+            field->setValue(text.shown ? text.shown(value) : value);
         }
     });
 }

@@ -1,0 +1,19 @@
+#include "v8-plugs/plugs_card.h"
+
+#include "v8-plugs/card_painter.h"
+
+namespace ravnoves {
+
+PlugsCard::PlugsCard(v8_plugs::Input input, Words words)
+    : JobCard(std::move(words)), input_(std::move(input)), solution_(v8_plugs::solve(input_)) {}
+
+void PlugsCard::draw(CardPage& page) const {
+    CardPainter(page, input_, solution_, words()).paint();
+}
+
+QString PlugsCard::title() const {
+    return words().translate("JobCard", "Job card: crankpin plugs and bob weights") +
+           QLatin1Char(' ') + QString::fromStdString(input_.job.engine_number);
+}
+
+}  // namespace ravnoves

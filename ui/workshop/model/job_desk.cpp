@@ -1,0 +1,232 @@
+#include "workshop/model/job_desk.h"
+
+#include <QSettings>
+#include <utility>
+
+#include "case-file/case_file.h"
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "scenes/scenes.h"
+#include "text/error_text.h"
+
+namespace ravnoves {
+
+namespace {
+
+constexpr int draftDelay = 300;  // ms after the first change that is in no draft yet
+const QString languageKey = QStringLiteral("workshop/card-language");
+
+}  // namespace
+
+JobDesk::JobDesk(SceneModel* model, const QString& journalPath, Scene scene)
+    : QObject(model), model_(model), scene_(std::move(scene)), journalPath_(journalPath) {
+    if (!journalPath_.isEmpty()) {
+        const QSettings settings;
+        cardLanguage_ =
+            settings.value(languageKey, settings.value(QStringLiteral("v8-plugs/card-language")))
+                .toString();
+    }
+    draftTimer_.setSingleShot(true);
+    draftTimer_.setInterval(draftDelay);
+    connect(&draftTimer_, &QTimer::timeout, this, &JobDesk::flushDraft);
+    connect(model_, &SceneModel::changed, this, [this] {
+        draftStale_ = true;
+        // Not restarted by further changes: the first waits no longer than the delay.
+        if (journal_ && !draftTimer_.isActive()) {
+            draftTimer_.start();
+        }
+    });
+    // A job that was saved as a case file, or undone to where it was, needs no draft.
+    connect(model_, &SceneModel::historyChanged, this, [this] {
+        if (!model_->hasChanges() && draftKept_ && isOpen()) {
+            draftStale_ = false;
+            draftTimer_.stop();
+            draftKept_ = !journal_->discardDraft(journal_->session());
+        }
+    });
+}
+
+JobDesk::~JobDesk() {
+    // An ordinary end: the user was asked about unsaved changes, the draft has done its work.
+    if (draftKept_ && isOpen()) {
+        journal_->discardDraft(journal_->session());
+    }
+}
+
+void JobDesk::setJournalTrouble(const QString& text) {
+    if (text != journalTrouble_) {
+        journalTrouble_ = text;
+        Q_EMIT journalTroubleChanged(text);
+    }
+}
+
+bool JobDesk::openJournal() {
+    if (isOpen()) {
+        return true;
+    }
+    if (journalPath_.isEmpty()) {
+        return false;
+    }
+    if (!journal_) {
+        journal_ = std::make_unique<Journal>(journalPath_);
+        connect(journal_.get(), &Journal::reopened, this, [this](const QString& message) {
+            if (!message.isEmpty()) {
+                setJournalTrouble(message);
+            }
+        });
+    }
+    if (!journal_->open()) {
+        setJournalTrouble(journal_->lastError());
+        return false;
+    }
+    setJournalTrouble(journal_->openMessage());
+    Q_EMIT journalOpened();
+    return true;
+}
+
+void JobDesk::putJobId(qint64 id, int revision) {
+    jobId_ = id;
+    jobRevision_ = revision;
+}
+
+void JobDesk::replaceJob(qint64 id, int revision, const std::function<void()>& take) {
+    const auto before = std::pair(jobId_, jobRevision_);
+    putJobId(id, revision);
+    try {
+        take();
+    } catch (...) {
+        putJobId(before.first, before.second);
+        throw;
+    }
+    draftStale_ = false;
+    draftTimer_.stop();
+}
+
+QByteArray JobDesk::formText() const {
+    return QByteArray::fromStdString(
+        write_case(
+            {model_->sceneName().toStdString(), model_->title().toStdString(), model_->inputJson()})
+            .dump());
+}
+
+QString JobDesk::saveJob(bool* ok) {
+    if (ok != nullptr) {
+        *ok = false;
+    }
+    if (jobId_ == 0 && !model_->hasChanges() && !scene_.isWorthKeeping()) {
+        return tr("The sheet is empty: nothing is saved.") + QLatin1Char(' ') + scene_.missing();
+    }
+    if (!openJournal()) {
+        return journalTrouble_.isEmpty() ? tr("There is no journal.") : journalTrouble_;
+    }
+    model_->keepTyped();
+    JournalJob job = scene_.entry();
+    job.id = jobId_;
+    job.revision = jobRevision_;
+    job.scene = model_->sceneName();
+    job.form = formText();
+    const Journal::Saved saved = journal_->save(job);
+    if (saved == Journal::Saved::No) {
+        setJournalTrouble(journal_->lastError());
+        return journal_->lastError();
+    }
+    putJobId(job.id, job.revision);
+    draftTimer_.stop();
+    draftStale_ = false;
+    journal_->discardDraft(journal_->session());
+    draftKept_ = false;
+    model_->history()->setClean();
+    if (ok != nullptr) {
+        *ok = true;
+    }
+    const QString number =
+        job.engineNumber.isEmpty() ? tr("without an engine number") : job.engineNumber;
+    const QString done =
+        saved == Journal::Saved::AsCopy
+            ? tr("Job %1 had been changed elsewhere meanwhile: saved as a new job.").arg(number)
+            : tr("Job %1 saved in the journal.").arg(number);
+    const QString missing = scene_.missing();
+    return missing.isEmpty() ? done : done + QLatin1Char(' ') + missing;
+}
+
+QString JobDesk::takeForm(const QByteArray& form, qint64 id, int revision, bool isCopy) {
+    try {
+        const CaseFile file = parse_case(form.toStdString());
+        if (file.scene != model_->sceneName().toStdString()) {
+            throw InputError("/scene",
+                             {CORE_TEXT("core", "must be one of %1"),
+                              quoted_list({model_->sceneName().toStdString()})},
+                             file.scene);
+        }
+        replaceJob(isCopy ? 0 : id, isCopy ? 0 : revision, [&] { scene_.take(file, isCopy); });
+        return {};
+    } catch (const InputError& error) {
+        return tr("The job's sheet cannot be read: %1").arg(errorText(error));
+    }
+}
+
+QString JobDesk::takeJob(qint64 id, bool isCopy) {
+    if (!openJournal()) {
+        return journalTrouble_;
+    }
+    const auto job = journal_->job(id);
+    return job ? takeForm(job->form, job->id, job->revision, isCopy) : journal_->lastError();
+}
+
+void JobDesk::flushDraft() {
+    draftTimer_.stop();
+    if (!draftStale_ || !isOpen() || !model_->hasChanges()) {
+        return;
+    }
+    JournalDraft draft;
+    draft.scene = model_->sceneName();
+    draft.jobId = jobId_;
+    draft.jobRevision = jobRevision_;
+    draft.engineNumber = scene_.entry().engineNumber;
+    draft.form = formText();
+    if (journal_->saveDraft(draft)) {
+        draftStale_ = false;
+        draftKept_ = true;
+    } else if (journal_->wasBusy()) {
+        draftTimer_.start();
+    } else {
+        setJournalTrouble(journal_->lastError());
+    }
+}
+
+QList<JournalDraft> JobDesk::crashedDrafts() {
+    return isOpen() ? journal_->orphanedDrafts(model_->sceneName()) : QList<JournalDraft>();
+}
+
+QString JobDesk::restoreDraft(const JournalDraft& draft) {
+    QString trouble = takeForm(draft.form, draft.jobId, draft.jobRevision, false);
+    if (!trouble.isEmpty()) {
+        return trouble;
+    }
+    model_->history()->resetClean();  // not saved yet; the draft is this program's from now on
+    draftStale_ = true;
+    flushDraft();
+    if (draftKept_ && !draftStale_) {
+        journal_->discardDraft(draft.session);
+    }
+    return {};
+}
+
+void JobDesk::discardDraft(const QString& session) {
+    if (isOpen()) {
+        journal_->discardDraft(session);
+    }
+}
+
+void JobDesk::setCardLanguage(const QString& code) {
+    cardLanguage_ = code;
+    if (!journalPath_.isEmpty()) {
+        QSettings().setValue(languageKey, code);
+    }
+}
+
+Words JobDesk::cardWords() const {
+    return cardLanguage_.isEmpty() ? Words() : Words(cardLanguage_);
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <QTimer>
+#include <functional>
+#include <memory>
+
+#include "model/scene_model.h"
+#include "workshop/model/journal.h"
+#include "workshop/model/words.h"
+
+namespace ravnoves {
+
+/// Where a job lies while it is worked on: its place in the journal, its draft, the language of its
+/// card. Every change is kept as a draft in the journal within a third of a second, so that a crash
+/// loses at most the field being typed.
+class JobDesk : public QObject {
+    Q_OBJECT
+
+  public:
+    /// What differs from scene to scene.
+    struct Scene {
+        /// What the journal's lists and searches show of the job; id, revision, scene and form are
+        /// the desk's.
+        std::function<JournalJob()> entry;
+        /// Takes over a job's case, as it was or to be the sheet of another one: numbers, date,
+        /// notes and readings are new then. Nothing has changed where it throws.
+        /// @throws InputError
+        std::function<void(const CaseFile& file, bool isCopy)> take;
+        /// False while there is nothing on the sheet that could be kept.
+        std::function<bool()> isWorthKeeping;
+        /// What the answer still lacks, as a sentence; empty where it lacks nothing.
+        std::function<QString()> missing;
+    };
+
+    /// @param journalPath  the journal's file; empty: none is kept (pictures, tests)
+    JobDesk(SceneModel* model, const QString& journalPath, Scene scene);
+    ~JobDesk() override;
+
+    /// Opens the journal; called once the page is shown. False: no journal, see journalTrouble().
+    bool openJournal();
+    Journal* journal() { return journal_.get(); }
+    bool isOpen() const { return journal_ && journal_->isOpen(); }
+    /// What is wrong with the journal, or what happened to it; empty where nothing.
+    QString journalTrouble() const { return journalTrouble_; }
+    void setJournalTrouble(const QString& text);
+
+    /// Id of the job on the sheet; 0 where it is not in the journal.
+    qint64 jobId() const { return jobId_; }
+    /// Another case comes in that is no job of the journal.
+    void forgetJob() { putJobId(0, 0); }
+    /// `take` brings another job onto the sheet: it has no draft yet.
+    void replaceJob(qint64 id, int revision, const std::function<void()>& take);
+    /// Saves the job on the sheet as finished.
+    /// @return a sentence for the status bar; `ok` says whether it is saved
+    QString saveJob(bool* ok = nullptr);
+    /// Opens a job. @return an empty string, or what went wrong
+    QString openJob(qint64 id) { return takeJob(id, false); }
+    /// Its values as a new job.
+    QString copyJob(qint64 id) { return takeJob(id, true); }
+
+    /// Writes the draft now if something is not in it yet.
+    void flushDraft();
+    /// Drafts of the scene that a crash left.
+    QList<JournalDraft> crashedDrafts();
+    QString restoreDraft(const JournalDraft& draft);
+    void discardDraft(const QString& session);
+
+    /// Language of the job card: empty for that of the program.
+    QString cardLanguage() const { return cardLanguage_; }
+    void setCardLanguage(const QString& code);
+    Words cardWords() const;
+
+  Q_SIGNALS:
+    void journalOpened();
+    void journalTroubleChanged(const QString& text);
+
+  private:
+    void putJobId(qint64 id, int revision);
+    QByteArray formText() const;
+    QString takeJob(qint64 id, bool isCopy);
+    QString takeForm(const QByteArray& form, qint64 id, int revision, bool isCopy);
+
+    SceneModel* model_;
+    Scene scene_;
+    QString cardLanguage_;
+    QString journalPath_;
+    std::unique_ptr<Journal> journal_;
+    QString journalTrouble_;
+    qint64 jobId_ = 0;
+    int jobRevision_ = 0;
+    QTimer draftTimer_;
+    bool draftStale_ = false;
+    bool draftKept_ = false;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,379 @@
+#include "workshop/workshop_page.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPrintDialog>
+#include <QPrintPreviewDialog>
+#include <QPrinter>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "shell/refused_entries.h"
+#include "text/language.h"
+#include "theme/icons.h"
+#include "theme/theme.h"
+#include "widgets/entry_field.h"
+#include "widgets/file_dialogs.h"
+#include "widgets/form_section.h"
+#include "workshop/job_card.h"
+#include "workshop/journal_banner.h"
+#include "workshop/journal_dialog.h"
+#include "workshop/model/job_desk.h"
+#include "workshop/sheet_form.h"
+
+namespace ravnoves {
+
+namespace {
+constexpr int sheetWidth = 470;
+}
+
+void WorkshopPage::build(const QList<std::pair<SheetForm*, QString>>& sheets, QWidget* answer) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
+    column->setSpacing(Theme::space);
+    banner_ = new JournalBanner(desk(), this);
+    column->addWidget(banner_);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(Theme::space);
+    sheets_ = new QTabWidget(this);
+    sheets_->setDocumentMode(true);
+    sheets_->setFixedWidth(Theme::withText(sheetWidth));
+    for (const auto& [form, title] : sheets) {
+        addSheet(form, title);
+    }
+    row->addWidget(sheets_);
+    row->addWidget(scrolled(answer, this), 1);
+    column->addLayout(row, 1);
+    buildActions();
+    connect(banner_, &JournalBanner::continued, this, &WorkshopPage::continueDraft);
+}
+
+void WorkshopPage::addSheet(SheetForm* form, const QString& title) {
+    auto* scroll = scrolled(form, sheets_);
+    sheets_->addTab(scroll, title);
+    forms_ << form;
+    const QList<QWidget*>& order = form->order();
+    const int tab = sheets_->count() - 1;
+    for (QWidget* field : order) {
+        field->installEventFilter(this);
+        // A tab that hides a refused entry says so.
+        const auto mark = [this, form, tab] {
+            sheets_->tabBar()->setTabTextColor(
+                tab, form->refused().isEmpty() ? QColor() : Theme::instance().error());
+        };
+        if (auto* entry = qobject_cast<EntryField*>(field)) {
+            connect(entry, &EntryField::troubleChanged, this, mark);
+        }
+    }
+    for (qsizetype i = 1; i < order.size(); ++i) {
+        QWidget::setTabOrder(order.at(i - 1), order.at(i));
+    }
+}
+
+QList<QWidget*> WorkshopPage::fieldsOf(int sheet) const {
+    return forms_.value(sheet)->order();
+}
+
+void WorkshopPage::buildActions() {
+    const auto add = [this](const QString& name, const QString& icon, const QString& text,
+                            const QKeySequence& keys, const QString& tip, auto&& slot) {
+        auto* action = new QAction(icon.isEmpty() ? QIcon() : themedIcon(icon), text, this);
+        action->setObjectName(name);
+        action->setShortcut(keys);
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        action->setToolTip(tip +
+                           QStringLiteral(" (%1)").arg(keys.toString(QKeySequence::NativeText)));
+        connect(action, &QAction::triggered, this, slot);
+        addAction(action);
+        actions_ << action;
+        return action;
+    };
+    add(QStringLiteral("save_job"), QStringLiteral("job-done"), tr("&Save job in the journal"),
+        QKeySequence(Qt::Key_F2), tr("Save the job in the journal"), [this] { saveJob(); });
+    add(QStringLiteral("new_job"), QStringLiteral("job-new"), tr("&Next job"),
+        QKeySequence(Qt::Key_F4), tr("Next job: the engine's values stay, the rest is empty"),
+        [this] { newJob(); });
+    add(QStringLiteral("show_journal"), QStringLiteral("journal"), tr("&Journal…"),
+        QKeySequence(Qt::Key_F3), tr("Find, open and copy jobs"), [this] { showJournal(); });
+    actions_ << nullptr;
+    add(QStringLiteral("preview_card"), QStringLiteral("preview"), tr("Job card, &preview…"),
+        QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P), tr("Look at the job card"),
+        [this] { previewCard(); });
+    add(QStringLiteral("print_card"), QStringLiteral("print"), tr("&Print job card…"),
+        QKeySequence(Qt::CTRL | Qt::Key_P), tr("Print the job card"), [this] { printCard(); });
+    add(QStringLiteral("export_card"), QStringLiteral("pdf"), tr("Job card as P&DF…"),
+        QKeySequence(Qt::CTRL | Qt::Key_D), tr("Write the job card as PDF"),
+        [this] { exportCard(); });
+    buildCardLanguages();
+}
+
+void WorkshopPage::buildCardLanguages() {
+    auto* language = new QAction(tr("&Language of the job card"), this);
+    auto* menu = new QMenu(this);
+    auto* group = new QActionGroup(menu);
+    std::vector<Language> languages{{QString(), tr("As the program")}};
+    for (Language& available : availableLanguages()) {
+        languages.push_back(std::move(available));
+    }
+    for (const Language& each : languages) {
+        QAction* choice = menu->addAction(
+            each.ownName, this, [this, code = each.code] { desk()->setCardLanguage(code); });
+        choice->setCheckable(true);
+        choice->setChecked(each.code == desk()->cardLanguage());
+        group->addAction(choice);
+    }
+    language->setMenu(menu);
+    actions_ << language;
+}
+
+void WorkshopPage::setActive(bool active) {
+    if (active) {
+        banner_->keepOnly(desk()->crashedDrafts());  // another page may have taken one over
+    } else {
+        desk()->flushDraft();
+    }
+}
+
+// -------------------------------------------------------------------------------- going on
+
+bool WorkshopPage::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const bool enter = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
+        if (enter && key->modifiers().testFlag(Qt::ControlModifier) == false) {
+            goOn(static_cast<QWidget*>(watched));
+            return true;
+        }
+    } else if (event->type() == QEvent::FocusOut) {
+        desk()->flushDraft();  // what was typed is in the draft when the next field is entered
+    } else if (event->type() == QEvent::FocusIn) {
+        auto* field = static_cast<QWidget*>(watched);
+        for (QWidget* parent = field->parentWidget(); parent != nullptr;
+             parent = parent->parentWidget()) {
+            if (auto* scroll = qobject_cast<QScrollArea*>(parent)) {
+                scroll->ensureWidgetVisible(field, 0, SheetForm::fieldHeight);
+                break;
+            }
+        }
+    }
+    return ScenePage::eventFilter(watched, event);
+}
+
+void WorkshopPage::goOn(QWidget* from) {
+    const auto* entry = qobject_cast<EntryField*>(from);
+    if (entry != nullptr && !entry->trouble().isEmpty()) {
+        QApplication::beep();  // a refused entry is not passed over
+        return;
+    }
+    for (int sheet = 0; sheet < sheets_->count(); ++sheet) {
+        const QList<QWidget*>& order = forms_.at(sheet)->order();
+        const qsizetype at = order.indexOf(from);
+        if (at < 0) {
+            continue;
+        }
+        for (qsizetype next = at + 1; next < order.size(); ++next) {
+            if (order.at(next)->isEnabled() && order.at(next)->isVisibleTo(sheets_)) {
+                order.at(next)->setFocus(Qt::TabFocusReason);
+                return;
+            }
+        }
+        // The end of the sheet: the next one, and after the last the first.
+        const int following = (sheet + 1) % sheets_->count();
+        sheets_->setCurrentIndex(following);
+        for (QWidget* field : forms_.at(following)->order()) {
+            if (field->isEnabled()) {
+                field->setFocus(Qt::TabFocusReason);
+                return;
+            }
+        }
+    }
+}
+
+// ------------------------------------------------------------------------- journal and card
+
+void WorkshopPage::showEvent(QShowEvent* event) {
+    ScenePage::showEvent(event);
+    if (!journalTried_) {
+        journalTried_ = true;
+        // After the first picture of the page: a slow disk must not delay it.
+        QTimer::singleShot(0, this, &WorkshopPage::openJournal);
+    }
+}
+
+void WorkshopPage::openJournal() {
+    journalTried_ = true;
+    desk()->openJournal();
+    banner_->offer(desk()->crashedDrafts());
+}
+
+void WorkshopPage::continueDraft(const JournalDraft& draft) {
+    if (!leaveJob()) {
+        return;
+    }
+    const QString trouble = desk()->restoreDraft(draft);
+    if (trouble.isEmpty()) {
+        Q_EMIT status(tr("The unfinished job is on the sheet again."));
+        banner_->next();
+    } else {
+        QMessageBox::warning(this, tr("Unfinished job"), trouble);
+    }
+}
+
+bool WorkshopPage::refusedEntriesAreKnown() {
+    return goOnWithoutRefused(this, tr("Refused entries"));
+}
+
+std::optional<bool> WorkshopPage::askToSave() {
+    return leaveJob();
+}
+
+QString WorkshopPage::draftName() const {
+    return desk()->journal() != nullptr ? desk()->journal()->session() : QString();
+}
+
+void WorkshopPage::takeDraft(const QString& name) {
+    openJournal();
+    for (const JournalDraft& draft : desk()->crashedDrafts()) {
+        if (draft.session == name && desk()->restoreDraft(draft).isEmpty()) {
+            banner_->keepOnly(desk()->crashedDrafts());
+            return;
+        }
+    }
+}
+
+void WorkshopPage::dropDraft(const QString& name) {
+    openJournal();
+    desk()->discardDraft(name);
+    banner_->keepOnly(desk()->crashedDrafts());
+}
+
+bool WorkshopPage::leaveJob() {
+    if (!model()->hasChanges()) {
+        return true;
+    }
+    QMessageBox box(QMessageBox::Question, tr("Unsaved job"),
+                    tr("Save the job on the sheet in the journal?"),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+    box.setDefaultButton(QMessageBox::Save);
+    box.button(QMessageBox::Discard)->setText(tr("Do&n’t save"));
+    const int answer = box.exec();
+    if (answer == QMessageBox::Save) {
+        bool saved = false;
+        const QString text = desk()->saveJob(&saved);
+        if (!saved) {
+            QMessageBox::warning(this, tr("Journal"), text);
+        }
+        return saved;
+    }
+    return answer == QMessageBox::Discard;
+}
+
+void WorkshopPage::saveJob() {
+    if (!refusedEntriesAreKnown()) {
+        return;
+    }
+    bool saved = false;
+    const QString text = desk()->saveJob(&saved);
+    if (saved) {
+        Q_EMIT status(text);
+    } else {
+        QMessageBox::warning(this, tr("Journal"), text);
+    }
+}
+
+void WorkshopPage::newJob() {
+    if (leaveJob()) {
+        emptySheet();
+        sheets_->setCurrentIndex(0);
+        forms_.constFirst()->order().constFirst()->setFocus(Qt::TabFocusReason);
+    }
+}
+
+void WorkshopPage::showJournal() {
+    if (!desk()->openJournal()) {
+        QMessageBox::warning(this, tr("Journal"), desk()->journalTrouble());
+        return;
+    }
+    JournalDialog dialog(
+        desk()->journal(), model()->sceneName(),
+        [this](const Words& words, const JournalJob& job) { return listed(words, job); }, this);
+    if (dialog.exec() != QDialog::Accepted || !leaveJob()) {
+        return;
+    }
+    const QString trouble = dialog.choice() == JournalDialog::Choice::Copy
+                                ? desk()->copyJob(dialog.chosenId())
+                                : desk()->openJob(dialog.chosenId());
+    if (!trouble.isEmpty()) {
+        QMessageBox::warning(this, tr("Journal"), trouble);
+    }
+}
+
+void WorkshopPage::paintCard(QPrinter* printer) {
+    if (!card()->print(*printer)) {
+        QMessageBox::warning(this, tr("Job card"), tr("The printer cannot be used."));
+    }
+}
+
+void WorkshopPage::previewCard() {
+    if (!refusedEntriesAreKnown()) {
+        return;
+    }
+    QPrinter printer(QPrinter::HighResolution);
+    JobCard::setPage(printer);
+    QPrintPreviewDialog dialog(&printer, this);
+    dialog.setWindowTitle(tr("Job card"));
+    dialog.resize(900, 760);
+    connect(&dialog, &QPrintPreviewDialog::paintRequested, this, &WorkshopPage::paintCard);
+    dialog.exec();
+}
+
+void WorkshopPage::printCard() {
+    if (!refusedEntriesAreKnown()) {
+        return;
+    }
+    QPrinter printer(QPrinter::HighResolution);
+    JobCard::setPage(printer);
+    QPrintDialog dialog(&printer, this);
+    if (dialog.exec() == QDialog::Accepted) {
+        paintCard(&printer);
+    }
+}
+
+QString WorkshopPage::writeCard(const QString& file) {
+    return card()->writePdf(file);
+}
+
+void WorkshopPage::exportCard() {
+    if (!refusedEntriesAreKnown()) {
+        return;
+    }
+    QString name = engineNumber();
+    for (QChar& c : name) {
+        if (!c.isLetterOrNumber() && c != QLatin1Char('-')) {
+            c = QLatin1Char('_');
+        }
+    }
+    const QString file =
+        askSavePath(this, tr("Job card as PDF"),
+                    (name.isEmpty() ? QStringLiteral("job-card") : name) + QStringLiteral(".pdf"),
+                    {pdfFormat()});
+    if (file.isEmpty()) {
+        return;
+    }
+    const QString trouble = writeCard(file);
+    if (trouble.isEmpty()) {
+        Q_EMIT status(tr("Written: %1").arg(file));
+    } else {
+        QMessageBox::warning(this, tr("Job card as PDF"), trouble);
+    }
+}
+
+}  // namespace ravnoves

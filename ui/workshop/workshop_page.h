@@ -1,0 +1,89 @@
+#pragma once
+
+#include <memory>
+
+#include "shell/scene_page.h"
+#include "workshop/model/journal.h"
+
+class QPrinter;
+class QTabWidget;
+
+namespace ravnoves {
+
+class JobCard;
+class JobDesk;
+class JournalBanner;
+struct ListedJob;
+class SheetForm;
+class Words;
+
+/// A page of the workshop: the sheets of a job to the left, the answer to the right, journal and
+/// job card in the toolbar.
+///
+/// Made for hands that are not clean: fields are large, Tab and Enter go down the sheet and on to
+/// the next, and every action has a key.
+class WorkshopPage : public ScenePage {
+    Q_OBJECT
+
+  public:
+    using ScenePage::ScenePage;
+
+    QList<QAction*> sceneActions() override { return actions_; }
+    void setActive(bool active) override;
+    std::optional<bool> askToSave() override;
+    QString draftName() const override;
+    void takeDraft(const QString& name) override;
+    void dropDraft(const QString& name) override;
+
+    /// Opens the journal and offers drafts that a crash left; happens by itself once shown.
+    void openJournal();
+
+    // For tests.
+    QTabWidget* sheets() const { return sheets_; }
+    /// The fields of a sheet in the order of Enter.
+    QList<QWidget*> fieldsOf(int sheet) const;
+    QString writeCard(const QString& file);
+
+  protected:
+    // What differs from scene to scene.
+    virtual JobDesk* desk() const = 0;
+    virtual std::unique_ptr<JobCard> card() = 0;
+    virtual QString engineNumber() const = 0;
+    /// Empties the sheet for the next job.
+    virtual void emptySheet() = 0;
+    /// Engine and result as the journal's list says them.
+    virtual ListedJob listed(const Words& words, const JournalJob& job) const = 0;
+
+    /// Puts banner, sheets and answer onto the page and makes the actions; called once, by the
+    /// page's constructor.
+    void build(const QList<std::pair<SheetForm*, QString>>& sheets, QWidget* answer);
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+  private:
+    void addSheet(SheetForm* form, const QString& title);
+    void buildActions();
+    void buildCardLanguages();
+    void goOn(QWidget* from);
+    void continueDraft(const JournalDraft& draft);
+    /// Asks about an unsaved job. @return false where the user wants to stay
+    bool leaveJob();
+    /// Says which entries were refused. @return false where the user goes back to them
+    bool refusedEntriesAreKnown();
+    void saveJob();
+    void showJournal();
+    void newJob();
+    void printCard();
+    void previewCard();
+    void exportCard();
+    void paintCard(QPrinter* printer);
+
+    JournalBanner* banner_ = nullptr;
+    QTabWidget* sheets_ = nullptr;
+    QList<SheetForm*> forms_;  // in the order of the tabs
+    bool journalTried_ = false;
+    QList<QAction*> actions_;
+};
+
+}  // namespace ravnoves
