@@ -79,10 +79,11 @@ QWidget* BalanceShaftPage::buildAnswer() {
     answerColumn->addWidget(quantities_);
     notes_ = captionLabel({}, answer);
     notes_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    notesArea_ = scrolled(notes_, answer);
+    auto* apart = new Apart(notes_, answer);
+    notesArea_ = scrolled(apart, answer);
     notesArea_->setMinimumHeight(4 * notes_->fontMetrics().height());
     notesArea_->viewport()->setAutoFillBackground(false);
-    notes_->setAutoFillBackground(false);
+    apart->setAutoFillBackground(false);
     answerColumn->addWidget(notesArea_, 1);
     column->addWidget(answer);
     return holder;

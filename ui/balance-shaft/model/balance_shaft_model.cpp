@@ -321,9 +321,15 @@ const balance_shaft::EnvelopeStudy& BalanceShaftModel::envelopeStudy() const {
 }
 
 const balance_shaft::RelievedShaft& BalanceShaftModel::relievedShaft() const {
-    auto& shaft = solved().relievedShaft;
-    clear_vector_state();
-    return shaft ? *shaft : shaft.emplace(balance_shaft::relieved_shaft(solver()));
+    // The place of the axis changes nothing of it: it is kept while that is dragged.
+    const RelievedFor wanted{input().relieved_shaft, solver().counterweight_force(),
+                             input().angular_speed};
+    if (relievedFor_ != wanted) {
+        clear_vector_state();
+        relieved_ = balance_shaft::relieved_shaft(solver());
+        relievedFor_ = wanted;
+    }
+    return relieved_;
 }
 
 double BalanceShaftModel::mass(const std::string& name) const {

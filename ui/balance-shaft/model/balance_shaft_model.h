@@ -19,7 +19,6 @@ struct BalanceShaftScene {
         balance_shaft::Solver solver;
         balance_shaft::Result result;
         mutable std::optional<balance_shaft::EnvelopeStudy> envelopes;
-        mutable std::optional<balance_shaft::RelievedShaft> relievedShaft;
     };
     static Input defaultInput() { return balance_shaft::preset_tmz_650d(); }
     static QString defaultTitle() { return QStringLiteral("TMZ-650D"); }
@@ -34,7 +33,7 @@ struct BalanceShaftScene {
     }
     Solved solve(const Input& input) const {
         last = balance_shaft::Solver(input, last ? &*last : nullptr);
-        return {*last, last->result(), {}, {}};
+        return {*last, last->result(), {}};
     }
     mutable std::optional<balance_shaft::Solver> last{};  ///< spares the next what stays
 };
@@ -142,8 +141,18 @@ class BalanceShaftModel : public CaseModel<BalanceShaftScene> {
     void taken() override;
     void applyShaftAngle(double radians);
 
+    /// What the relieved shaft follows.
+    struct RelievedFor {
+        std::optional<balance_shaft::RelievedShaftSizes> sizes;
+        double force;  // of the counterweight, N
+        double speed;  // rad/s
+        bool operator==(const RelievedFor&) const = default;
+    };
+
     double crankAngle_ = 60.0;
     Means means_ = Means::Both;
+    mutable std::optional<RelievedFor> relievedFor_;
+    mutable balance_shaft::RelievedShaft relieved_;
 };
 
 extern template class CaseModel<BalanceShaftScene>;
