@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "text/number_text.h"
+#include "text/typed_number.h"
 
 namespace ravnoves {
 
@@ -22,11 +22,10 @@ std::vector<QStringList> readTextTable(const QString& text, EmptyLine empty) {
     while (!rows.empty() && rows.back().join(QString()).isEmpty()) {
         rows.pop_back();
     }
-    const auto isNumber = [](const QString& cell) { return readFormNumber(cell).has_value(); };
     const bool beginsWithGap =
         empty == EmptyLine::gap && !rows.empty() && rows[0].join(QString()).isEmpty();
     if (rows.size() > 1 && !beginsWithGap &&
-        std::none_of(rows[0].begin(), rows[0].end(), isNumber)) {
+        std::none_of(rows[0].begin(), rows[0].end(), isTypedNumber)) {
         rows.erase(rows.begin());
     }
     return rows;

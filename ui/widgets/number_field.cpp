@@ -7,6 +7,7 @@
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
+#include "text/typed_number.h"
 
 namespace ravnoves {
 
@@ -60,9 +61,9 @@ NumberField::Reading NumberField::read(const QString& typed) const {
                 optional_ ? QString()
                           : tr("A value is needed: %1.").arg(rangeText(range_, unit_, locale()))};
     }
-    const auto number = readFormNumber(typed);
+    const auto [number, trouble] = readTypedNumber(typed, unit_);
     if (!number) {
-        return {{}, tr("“%1” is not a number.").arg(typed)};
+        return {{}, trouble.isEmpty() ? tr("“%1” is not a number.").arg(typed) : trouble};
     }
     if (whole_ && std::floor(*number) != *number) {
         return {{}, tr("The value must be a whole number.")};

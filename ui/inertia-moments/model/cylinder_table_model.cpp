@@ -11,6 +11,7 @@
 #include "text/error_text.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/typed_number.h"
 
 namespace ravnoves {
 
@@ -69,7 +70,7 @@ bool setCell(Cylinder& cylinder, int column, const QString& text) {
     const Field& field = fieldOf(column);
     const bool optional = column >= Table::KnuckleRadius;
     const bool isEmpty = optional && text.isEmpty();
-    const auto number = readFormNumber(text);
+    const auto number = readTypedNumber(text, unitText(field.unit.name)).value;
     if (!isEmpty && (!number || !field.range.contains(*number))) {
         return false;
     }
@@ -116,7 +117,7 @@ bool setCell(Cylinder& cylinder, int column, const QString& text) {
 InputError refusal(int row, int column, const QString& text) {
     const Field& field = fieldOf(column);
     const Message place = inertia_moments::cylinder_place(static_cast<std::size_t>(row), field.key);
-    const auto number = readFormNumber(text);
+    const auto number = readTypedNumber(text, unitText(field.unit.name)).value;
     if (!number) {
         return {place, CORE_TEXT("core", "must be a number"), quoted_list({text.toStdString()})};
     }

@@ -1,6 +1,7 @@
 #include "v8-plugs/model/weigh_in_table.h"
 
-#include "text/number_text.h"
+#include "text/shown_units.h"
+#include "text/typed_number.h"
 #include "v8-plugs/fields.h"
 #include "v8-plugs/model/v8_names.h"
 #include "v8-plugs/model/v8_plugs_model.h"
@@ -121,11 +122,14 @@ QString WeighInTable::pasteBlock(int row, int column, const std::vector<QStringL
             if (!index(toRow, toColumn).isValid()) {
                 return tr("Nothing is pasted: the block does not fit on the sheet from here.");
             }
-            const auto value = readFormNumber(typed);
-            if (!value || !fieldOf(toRow).range.contains(*value)) {
-                return tr("Nothing is pasted: “%1” is no mass in grams.").arg(typed);
+            // In the unit that the cells show.
+            const Field& field = fieldOf(toRow);
+            const ShownUnit unit = shownUnit(field.unit);
+            const auto value = readTypedNumber(typed, unit.name).value;
+            if (!value || !field.range.contains(*value / unit.factor)) {
+                return tr("Nothing is pasted: “%1” is no mass in %2.").arg(typed, unit.name);
             }
-            cellOf(sheet, toRow, toColumn) = *value * fieldOf(toRow).unit;
+            cellOf(sheet, toRow, toColumn) = *value / unit.factor * field.unit;
         }
     }
     return model_->editWeights(tr("Paste weights"), [&](WeighIn& now) { now = sheet; });

@@ -1,0 +1,112 @@
+#include "text/typed_number.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <array>
+
+#include "case-file/range.h"
+#include "text/number_text.h"
+#include "workshop/scale_line.h"
+
+namespace ravnoves {
+
+namespace {
+
+constexpr double inchInMetres = 0.0254;
+
+/// A unit that may be typed in the place of another of its quantity.
+struct TypedUnit {
+    enum Quantity { Mass, Length } quantity;
+    double si;
+    const char* name;          ///< in core, which the language translates
+    const char16_t* spelling;  ///< lower case, as are the other ones
+    const char16_t* inRussian;
+};
+
+constexpr std::array typedUnits{
+    TypedUnit{TypedUnit::Mass, units::gram.to_si, "g", u"g", u"г"},
+    TypedUnit{TypedUnit::Mass, units::gram.to_si, "g", u"gr", u"гр"},
+    TypedUnit{TypedUnit::Mass, units::kg.to_si, "kg", u"kg", u"кг"},
+    TypedUnit{TypedUnit::Mass, workshop::milligram.to_si, "mg", u"mg", u"мг"},
+    TypedUnit{TypedUnit::Mass, workshop::ounce.to_si, "oz", u"oz", u"унц"},
+    TypedUnit{TypedUnit::Mass, workshop::pound.to_si, "lb", u"lb", u"фунт"},
+    TypedUnit{TypedUnit::Mass, workshop::pound.to_si, "lb", u"lbs", u"фунтов"},
+    TypedUnit{TypedUnit::Length, units::mm.to_si, "mm", u"mm", u"мм"},
+    TypedUnit{TypedUnit::Length, 1e-2, "cm", u"cm", u"см"},
+    TypedUnit{TypedUnit::Length, units::metre.to_si, "m", u"m", u"м"},
+    TypedUnit{TypedUnit::Length, units::micrometre.to_si, "µm", u"um", u"мкм"},
+    TypedUnit{TypedUnit::Length, inchInMetres, "in", u"in", u"\""},
+    TypedUnit{TypedUnit::Length, 1e-3 * inchInMetres, "mil", u"mil", u"мил"},
+    TypedUnit{TypedUnit::Length, 12.0 * inchInMetres, "ft", u"ft", u"фут"}};
+
+const TypedUnit* typedUnit(const QString& word) {
+    const QString small = word.toLower();
+    const auto found = std::find_if(typedUnits.begin(), typedUnits.end(), [&](const auto& each) {
+        return small == QStringView(each.spelling) || small == QStringView(each.inRussian) ||
+               word == unitText(each.name);
+    });
+    return found == typedUnits.end() ? nullptr : &*found;
+}
+
+/// The number and what stands behind it.
+std::pair<QString, QString> split(const QString& text) {
+    qsizetype end = text.size();
+    while (end > 0 && !(text[end - 1] >= QLatin1Char('0') && text[end - 1] <= QLatin1Char('9')) &&
+           text[end - 1] != QLatin1Char(',') && text[end - 1] != QLatin1Char('.')) {
+        --end;
+    }
+    // "унц." ends in the sign that a number may end in.
+    if (end == text.size() && end > 1 && text[end - 1] == QLatin1Char('.') &&
+        text[end - 2].isLetter()) {
+        const auto [number, word] = split(text.chopped(1));
+        return {number, word};
+    }
+    return {text.left(end).trimmed(), text.mid(end).trimmed()};
+}
+
+}  // namespace
+
+TypedNumber readTypedNumber(const QString& text, const QString& unit) {
+    const auto [digits, word] = split(text.trimmed());
+    if (word.isEmpty()) {
+        return {readFormNumber(digits), {}};
+    }
+    const auto number = readFormNumber(digits);
+    if (!number) {
+        return {};
+    }
+    if (word == unit) {
+        return {number, {}};
+    }
+    const TypedUnit* typed = typedUnit(word);
+    if (typed == nullptr) {
+        return {};
+    }
+    const TypedUnit* own = typedUnit(unit);
+    if (own == nullptr || own->quantity != typed->quantity) {
+        return {std::nullopt,
+                unit.isEmpty()
+                    ? QCoreApplication::translate("ravnoves::NumberField",
+                                                  "“%1” is a unit, and this value has none.")
+                          .arg(word)
+                    : QCoreApplication::translate("ravnoves::NumberField",
+                                                  "“%1” is no unit of this value, which is in %2.")
+                          .arg(word, unit)};
+    }
+    constexpr int precision = 15;  // 568.5 g are 0.5685 kg, not 0.56850000000000001
+    return typed->si == own->si
+               ? TypedNumber{number, {}}
+               : TypedNumber{rounded_to(*number * (typed->si / own->si), precision), {}};
+}
+
+bool isTypedNumber(const QString& text) {
+    const auto [digits, word] = split(text.trimmed());
+    return readFormNumber(digits) && (word.isEmpty() || typedUnit(word) != nullptr);
+}
+
+bool isMassUnit(const QString& unit) {
+    const TypedUnit* typed = typedUnit(unit);
+    return typed != nullptr && typed->quantity == TypedUnit::Mass;
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <QString>
+#include <optional>
+
+namespace ravnoves {
+
+/// A number as a person types it, or a scale that is a keyboard: "568.5", "568,5 г", "1.2 kg".
+struct TypedNumber {
+    std::optional<double> value;  ///< in the unit asked for; empty where it is no number
+    QString trouble;              ///< where only the unit is wrong, that in words
+};
+
+/// Reads a number with a unit behind it, or without one: then it is in `unit`, as are the results.
+/// Masses are taken in g, kg, mg, oz, lb, lengths in mm, cm, m, µm, in, mil, ft, in the letters of
+/// English, Russian and the language of the program, capital or not; of other quantities only the
+/// unit itself.
+/// @param unit  in the language of the program, as forms show it; empty for pure numbers
+TypedNumber readTypedNumber(const QString& text, const QString& unit);
+
+/// True for a number with a unit of mass or length, or without one.
+bool isTypedNumber(const QString& text);
+/// True for a unit of mass, in the language of the program.
+bool isMassUnit(const QString& unit);
+
+}  // namespace ravnoves
