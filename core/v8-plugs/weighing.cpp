@@ -1,0 +1,63 @@
+#include "v8-plugs/weighing.h"
+
+#include <cmath>
+
+#include "numerics/demand.h"
+
+namespace ravnoves::v8_plugs {
+
+namespace {
+
+/// Sum of the squares of what the columns count for, by the mean of their eight weights.
+double sum_of_squares(const WeighIn& sheet, Process process, double rod_coefficient) {
+    const auto excess = [&](const WeighIn& weighed) {
+        return unbalanced_mass(process, mass_changes(weighed, process), rod_coefficient);
+    };
+    const double present = excess(sheet);
+    double sum = 0.0;
+    for (const Part part : all_parts) {
+        if (sheet[part].is_complete()) {
+            WeighIn heavier = sheet;
+            for (auto& mass : heavier[part].mass) {
+                *mass += 1.0;  // the method is linear: 1 kg is as good as a gram
+            }
+            const double counts = excess(heavier) - present;
+            sum += counts * counts;
+        }
+    }
+    return sum;
+}
+
+/// The largest of …, 0.1, 0.2, 0.5, 1, … g that is not above the value.
+double round_step(double value) {
+    const double grams = value / units::gram;
+    const double decade = std::pow(10.0, std::floor(std::log10(grams)));
+    for (const double step : {5.0, 2.0}) {
+        if (step * decade <= grams * (1.0 + 1e-12)) {
+            return step * decade * units::gram;
+        }
+    }
+    return decade * units::gram;
+}
+
+}  // namespace
+
+std::optional<Weighing> weighing(const Input& input, double resolution) {
+    RAVNOVES_DEMAND(resolution > 0.0, "a scale has a last digit");
+    if (!input.engine.crank_radius || !input.engine.rod_coefficient) {
+        return std::nullopt;
+    }
+    const double parts =
+        input.changes_from_weigh_in && input.weigh_in
+            ? sum_of_squares(*input.weigh_in, input.process, *input.engine.rod_coefficient)
+            : 0.0;
+    const double by_resolution = 2.0 * std::sqrt((1.0 + parts / cylinder_count) / 12.0);
+    const double radius = *input.engine.crank_radius;
+    constexpr double share = 1.0 / 3.0;  // of the tolerance that the scale may use up
+    const double largest = share * input.tolerance / (by_resolution * radius);
+    const double bob_weight = by_resolution * resolution;
+    return Weighing{bob_weight, bob_weight * radius, resolution <= largest * (1.0 + 1e-12),
+                    round_step(largest)};
+}
+
+}  // namespace ravnoves::v8_plugs
