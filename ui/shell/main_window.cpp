@@ -40,6 +40,7 @@
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/file_dialogs.h"
+#include "workshop/scale_button.h"
 
 namespace ravnoves {
 
@@ -71,6 +72,10 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     resize(1280, 800);
     setAcceptDrops(true);
     documents_ = new Documents(this);
+    scale_ = new ScaleButton(this);
+    statusBar()->addPermanentWidget(scale_);
+    connect(scale_, &ScaleButton::status, this,
+            [this](const QString& text) { statusBar()->showMessage(text, 10'000); });
     buildNavigation();
     buildMenus();
     hint_ = new QLabel(this);
@@ -290,6 +295,7 @@ void MainWindow::buildMenus() {
         dialog->setAttribute(Qt::WA_DeleteOnClose);
         dialog->open();
     });
+    add(edit, {}, tr("Sca&le…"), {}, [this] { scale_->openSettings(); });
 
     sceneMenu_ = menuBar()->addMenu(tr("&Scene"));
 

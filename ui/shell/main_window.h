@@ -14,6 +14,7 @@ namespace ravnoves {
 struct CaseFile;
 class Documents;
 class Recovery;
+class ScaleButton;
 class ScenePage;
 class StartPage;
 class VariantMenu;
@@ -106,6 +107,7 @@ class MainWindow : public QMainWindow {
     QMenu* sceneMenu_ = nullptr;
     QToolBar* toolBar_ = nullptr;
     VariantMenu* variants_ = nullptr;
+    ScaleButton* scale_ = nullptr;
     QLabel* hint_ = nullptr;
     QAction* nextTab_ = nullptr;
     QAction* previousTab_ = nullptr;

@@ -8,6 +8,7 @@
 #include "v8-plugs/compensation_plot.h"
 #include "v8-plugs/model/v8_plugs_model.h"
 #include "v8-plugs/model/v8_text.h"
+#include "v8-plugs/model/weighing_text.h"
 #include "v8-plugs/plug_view.h"
 #include "v8-plugs/shift_plot.h"
 #include "widgets/form_section.h"
@@ -160,8 +161,12 @@ void AnswerView::showBobWeights() {
     const auto weights = model_->bobWeightRows();
     bobWeights_->setRows(weights);
     bobWeights_->setVisible(!weights.isEmpty());
-    say(check_, weights.isEmpty() ? model_->missingText() : model_->checkText());
-    const bool doubtful = model_->solution().shift_that_matters() != nullptr;
+    const auto weighing = v8_text::weighingNote(Words(), model_->input());
+    say(check_, weights.isEmpty() ? model_->missingText()
+                : weighing.text.isEmpty()
+                    ? model_->checkText()
+                    : model_->checkText() + QLatin1Char('\n') + weighing.text);
+    const bool doubtful = model_->solution().shift_that_matters() != nullptr || !weighing.enough;
     const Theme& theme = Theme::instance();
     colourText(check_, doubtful ? theme.warning() : theme.mutedText());
 }

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QToolButton>
+
+namespace ravnoves {
+
+namespace workshop {
+struct ScaleLine;
+}
+class ScaleReader;
+
+/// The scale in the status bar of the window: what it shows, or that it is unplugged; a click opens
+/// its settings. Hidden where no scale is set up. What it weighs goes into the field with the
+/// focus.
+class ScaleButton : public QToolButton {
+    Q_OBJECT
+
+  public:
+    explicit ScaleButton(QWidget* parent = nullptr);
+
+    ScaleReader* reader() { return reader_; }
+    void openSettings();
+
+  Q_SIGNALS:
+    /// A line for the status bar.
+    void status(const QString& text);
+
+  private:
+    void showConnection();
+    void showLine(const workshop::ScaleLine& line);
+
+    ScaleReader* reader_;
+    bool isSettingUp_ = false;
+};
+
+}  // namespace ravnoves

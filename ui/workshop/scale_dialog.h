@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QDialog>
+
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QPlainTextEdit;
+
+namespace ravnoves {
+
+namespace workshop {
+struct ScaleLine;
+}
+class NumberField;
+class ScaleReader;
+struct ScaleSettings;
+
+/// The settings of the scale, which hold at once, and beside them the raw lines that it sends with
+/// what is made of them.
+class ScaleDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    ScaleDialog(ScaleReader* reader, QWidget* parent);
+
+  private:
+    void buildRows(QFormLayout* rows);
+    void addRow(QFormLayout* rows, const QString& label, QWidget* field, const char* name,
+                const QString& hint);
+    QComboBox* addChoice(QFormLayout* rows, const char* name, const QString& label,
+                         const QString& hint, const QStringList& choices, int present);
+    void fillPorts();
+    ScaleSettings chosen() const;
+    void apply();
+    void showConnection();
+    void showLine(const QByteArray& raw, const workshop::ScaleLine& line);
+
+    ScaleReader* reader_;
+    QComboBox* port_ = nullptr;
+    QComboBox* baud_ = nullptr;
+    QComboBox* parity_ = nullptr;
+    QComboBox* unit_ = nullptr;
+    QComboBox* taking_ = nullptr;
+    NumberField* resolution_ = nullptr;
+    QLabel* state_ = nullptr;
+    QPlainTextEdit* lines_ = nullptr;
+};
+
+}  // namespace ravnoves

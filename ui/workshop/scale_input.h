@@ -1,0 +1,23 @@
+#pragma once
+
+#include <QString>
+
+#include "workshop/scale_line.h"
+
+namespace ravnoves {
+
+/// A weight as text that every mass field takes: "568.50 g".
+QString scaleText(const workshop::ScaleLine& line);
+
+/// What became of a weight.
+struct ScaleEntry {
+    QString text;          ///< in words, for the status bar
+    bool isTaken = false;  ///< it stands in a field now
+};
+
+/// Puts a weight into the field or cell with the focus, as if it were typed and Enter pressed: the
+/// next one has the focus then. Only fields of masses take it; one that refuses it keeps its value
+/// and the focus.
+ScaleEntry enterWeight(const workshop::ScaleLine& line);
+
+}  // namespace ravnoves
