@@ -100,6 +100,10 @@ QWidget* AnswerView::buildBobWeights() {
     check_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     check_->setObjectName(QStringLiteral("check"));
     column->addWidget(check_);
+    weighing_ = captionLabel({}, panel);
+    weighing_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    weighing_->setObjectName(QStringLiteral("weighing"));
+    column->addWidget(weighing_);
     return panel;
 }
 
@@ -161,14 +165,13 @@ void AnswerView::showBobWeights() {
     const auto weights = model_->bobWeightRows();
     bobWeights_->setRows(weights);
     bobWeights_->setVisible(!weights.isEmpty());
-    const auto weighing = v8_text::weighingNote(Words(), model_->input());
-    say(check_, weights.isEmpty() ? model_->missingText()
-                : weighing.text.isEmpty()
-                    ? model_->checkText()
-                    : model_->checkText() + QLatin1Char('\n') + weighing.text);
-    const bool doubtful = model_->solution().shift_that_matters() != nullptr || !weighing.enough;
+    say(check_, weights.isEmpty() ? model_->missingText() : model_->checkText());
+    const bool doubtful = model_->solution().shift_that_matters() != nullptr;
     const Theme& theme = Theme::instance();
     colourText(check_, doubtful ? theme.warning() : theme.mutedText());
+    const auto weighing = v8_text::weighingNote(Words(), model_->input());
+    say(weighing_, weights.isEmpty() ? QString() : weighing.text);
+    colourText(weighing_, weighing.enough ? theme.mutedText() : theme.warning());
 }
 
 QString AnswerView::asText() const {

@@ -44,6 +44,7 @@ class AnswerView : public QWidget {
     ResultTable* options_ = nullptr;
     ResultTable* bobWeights_ = nullptr;
     QLabel* check_ = nullptr;
+    QLabel* weighing_ = nullptr;
     QLabel* shiftNote_ = nullptr;
     CompensationPlot* compensation_ = nullptr;
     ShiftPlot* shift_ = nullptr;

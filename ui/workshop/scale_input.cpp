@@ -16,9 +16,10 @@ namespace ravnoves {
 
 namespace {
 
-QString say(const char* text) {
-    return QCoreApplication::translate("ravnoves::ScaleInput", text);
-}
+/// The texts of this file.
+struct ScaleInput {
+    Q_DECLARE_TR_FUNCTIONS(ravnoves::ScaleInput)
+};
 
 void press(QWidget* widget, Qt::Key key) {
     for (const QEvent::Type type : {QEvent::KeyPress, QEvent::KeyRelease}) {
@@ -35,26 +36,27 @@ ScaleEntry enterInto(NumberField* field, const QString& weight) {
     if (const QString trouble = field->trouble(); !trouble.isEmpty()) {
         press(field, Qt::Key_Escape);  // nobody typed it: what stood there stays
         QApplication::beep();
-        return {say("%1 from the scale is refused. %2").arg(weight, trouble), false};
+        return {ScaleInput::tr("%1 from the scale is refused. %2").arg(weight, trouble), false};
     }
     const QString name = field->accessibleName();
     press(field, Qt::Key_Return);
     if (entered != nullptr && entered->hasFocus()) {
         press(entered, Qt::Key_Tab);
     }
-    return {say("%1 from the scale: %2").arg(weight, name), true};
+    return {ScaleInput::tr("%1 from the scale: %2").arg(weight, name), true};
 }
 
 ScaleEntry enterInto(QAbstractItemView* view, const QString& weight) {
     const QModelIndex cell = view->currentIndex();
     if (!view->model()->setData(cell, weight)) {
         QApplication::beep();
-        return {say("%1 from the scale is refused. %2").arg(weight, QString()).trimmed(), false};
+        return {ScaleInput::tr("%1 from the scale is refused. %2").arg(weight, QString()).trimmed(),
+                false};
     }
     if (const QModelIndex below = cell.siblingAtRow(cell.row() + 1); below.isValid()) {
         view->setCurrentIndex(below);
     }
-    return {say("%1 from the scale").arg(weight), true};
+    return {ScaleInput::tr("%1 from the scale").arg(weight), true};
 }
 
 /// True for a cell of a column of masses that can be edited.
@@ -85,7 +87,8 @@ ScaleEntry enterWeight(const workshop::ScaleLine& line) {
         return enterInto(view, weight);
     }
     QApplication::beep();
-    return {say("%1 from the scale goes nowhere: no field for a mass has the focus.").arg(weight),
+    return {ScaleInput::tr("%1 from the scale goes nowhere: no field for a mass has the focus.")
+                .arg(weight),
             false};
 }
 

@@ -14,9 +14,11 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QTabWidget>
+#include <QTableView>
 #include <QTemporaryDir>
 
 #include "events.h"
+#include "inertia-moments/model/cylinder_table_model.h"
 #include "shell/main_window.h"
 #include "v8-plugs/fields.h"
 #include "v8-plugs/v8_plugs_page.h"
@@ -183,6 +185,30 @@ TEST_F(ScaleTest, AWeightGoesIntoMassFieldsAlone) {
     scale.send("568.5 g\r\n");
     QTest::qWait(50);
     EXPECT_EQ(radius->text(), before);
+
+    // On other pages as well, and into a table.
+    window->showScene(u"balance-shaft"_s);
+    NumberField* mass = nullptr;
+    for (auto* each : window->currentPage()->findChildren<NumberField*>()) {
+        mass = mass == nullptr && each->unit() == u"kg"_s && each->isVisible() ? each : mass;
+    }
+    ASSERT_NE(mass, nullptr);
+    mass->setFocus();
+    scale.send("412.5 g\r\n");
+    EXPECT_TRUE(comes([&] { return mass->value() == 0.4125; }));
+    EXPECT_FALSE(mass->hasFocus());
+    ASSERT_EQ(window->openCase(QStringLiteral(RAVNOVES_EXAMPLES "/radial-9.case.json")), QString());
+    QTableView* table = nullptr;
+    for (auto* each : window->currentPage()->findChildren<QTableView*>()) {
+        table = each->accessibleName() == u"Cylinders"_s ? each : table;
+    }
+    ASSERT_NE(table, nullptr);
+    const QModelIndex knuckle = table->model()->index(1, CylinderTableModel::KnuckleMass);
+    table->setCurrentIndex(knuckle);
+    table->setFocus();
+    scale.send("790.5 g\r\n");
+    EXPECT_TRUE(comes([&] { return knuckle.data(Qt::EditRole) == u"0.7905"_s; }));
+    EXPECT_EQ(table->currentIndex().row(), 2);
 }
 
 TEST_F(ScaleTest, UnpluggedInTheMiddleItIsTakenUpAgain) {
@@ -271,8 +297,8 @@ TEST_F(ScaleTest, SettingsShowWhatItSendsAndHold) {
     EXPECT_EQ(window->openCase(QStringLiteral(RAVNOVES_EXAMPLES "/v8-4.25-repair.case.json")),
               QString());
     page = static_cast<V8PlugsPage*>(window->currentPage());
-    EXPECT_TRUE(test::named<QLabel>(*page, "check")->text().contains(u"Weighed to 0.1\u00A0g"_s))
-        << test::named<QLabel>(*page, "check")->text().toStdString();
+    EXPECT_TRUE(test::named<QLabel>(*page, "weighing")->text().contains(u"Weighed to 0.1\u00A0g"_s))
+        << test::named<QLabel>(*page, "weighing")->text().toStdString();
 }
 
 TEST_F(ScaleTest, AKeyboardScaleAndAColumnWithUnitsAreUnderstood) {
