@@ -28,6 +28,7 @@ class Command {
 };
 
 std::unique_ptr<Command> make_solve_command(CLI::App& app);
+std::unique_ptr<Command> make_study_command(CLI::App& app);
 std::unique_ptr<Command> make_methods_command(CLI::App& app);
 std::unique_ptr<Command> make_validate_command(CLI::App& app);
 

@@ -27,8 +27,9 @@ int main(int argc, char** argv) {
         return "ravnoves-cli: " + text + "; run with --help for what there is\n";
     });
 
-    const std::array<std::unique_ptr<Command>, 3> commands{
-        make_solve_command(app), make_methods_command(app), make_validate_command(app)};
+    const std::array<std::unique_ptr<Command>, 4> commands{
+        make_solve_command(app), make_study_command(app), make_methods_command(app),
+        make_validate_command(app)};
     const auto asked_for = [&]() -> Command& {
         return **std::find_if(commands.begin(), commands.end(),
                               [](const auto& command) { return command->asked_for(); });

@@ -5,7 +5,7 @@ _ravnoves_cli() {
     local command=${COMP_WORDS[1]} words="-h --help"
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
-        mapfile -t COMPREPLY < <(compgen -W "solve methods validate -h --help --version" -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W "solve study methods validate -h --help --version" -- "$word")
         return
     fi
     case $option in
@@ -14,7 +14,7 @@ _ravnoves_cli() {
                 best-position guide inertia-orders hinge-motion" -- "$word")
             return
             ;;
-        -o | --output | --csv)
+        -o | --output | --csv | --merge)
             compopt -o filenames
             mapfile -t COMPREPLY < <(compgen -f -- "$word")
             return
@@ -22,11 +22,12 @@ _ravnoves_cli() {
     esac
     case $command in
         solve) words+=" -o --output --batch --only --allow-files" ;;
+        study) words+=" -o --output --shard --merge --threads" ;;
         methods) words+=" --kernel --csv" ;;
         validate) words+=" --csv" ;;
         *) return ;;
     esac
-    if [[ $word == -* || $command != solve ]]; then
+    if [[ $word == -* || ($command != solve && $command != study) ]]; then
         mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
         return
     fi

@@ -3,6 +3,7 @@
 local -a commands help
 commands=(
     'solve:solve a case file'
+    'study:vary the inputs of a case as its study says'
     'methods:measure what each numerical method costs, its error, where it fails'
     'validate:compute every number printed in the four papers and compare'
 )
@@ -20,6 +21,13 @@ case $command in
             '(-o --output *)--batch[read one case per line from standard input]' \
             '*--only[print only these values of the result]:JSON pointers' \
             '--allow-files[let the cases of --batch read files elsewhere]' \
+            '1:case file:_files -g "*.json"'
+        ;;
+    study)
+        _arguments $help '(-o --output)'{-o,--output}'[write to this file]:file:_files' \
+            '(--merge)--shard[take the K-th of N parts]:K/N' \
+            '(--shard 1)--merge[put parts together]:*:part:_files' \
+            '--threads[work with so many threads]:count' \
             '1:case file:_files -g "*.json"'
         ;;
     methods)

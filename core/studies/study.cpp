@@ -1,0 +1,257 @@
+#include "studies/study.h"
+
+#include <array>
+#include <cmath>
+#include <unordered_set>
+
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "case-file/object_reader.h"
+
+namespace ravnoves::studies {
+
+namespace {
+
+constexpr std::size_t most_varied = 1000;
+constexpr std::size_t most_watched = 32;
+
+constexpr std::array methods{
+    Word{"linear", CORE_TEXT("studies", "Linear")},
+    Word{"second-order", CORE_TEXT("studies", "Second order")},
+    Word{"monte-carlo", CORE_TEXT("studies", "Monte Carlo")},
+    Word{"latin-hypercube", CORE_TEXT("studies", "Latin hypercube")},
+    Word{"sobol", CORE_TEXT("studies", "Sobol points")},
+    Word{"grid", CORE_TEXT("studies", "Grid")},
+};
+
+bool is_pointer(const std::string& text) {
+    try {
+        return !Json::json_pointer(text).empty();
+    } catch (const Json::exception&) {
+        return false;
+    }
+}
+
+void check_pointer(const std::string& key, const std::string& place) {
+    if (!is_pointer(key)) {
+        throw InputError(place,
+                         CORE_TEXT("studies", "must be a JSON pointer, such as /crank_radius_mm"));
+    }
+}
+
+std::uint64_t whole(ObjectReader& reader, const char* key, std::uint64_t least, std::uint64_t most,
+                    std::uint64_t usual) {
+    if (!reader.has(key)) {
+        return usual;
+    }
+    const Json& value = reader.raw(key);
+    std::uint64_t number = most + 1;
+    if (value.is_number_integer() && value.get<std::int64_t>() >= 0) {
+        number = value.get<std::uint64_t>();
+    } else if (value.is_number_float() && value.get<double>() >= 0.0 &&
+               value.get<double>() < 9.2e18 &&
+               std::floor(value.get<double>()) == value.get<double>()) {
+        number = static_cast<std::uint64_t>(value.get<double>());  // 1e6
+    }
+    if (number < least || number > most) {
+        throw InputError(reader.pointer_to(key),
+                         {CORE_TEXT("core", "must be a whole number from %1 to %2"),
+                          std::to_string(least), std::to_string(most)},
+                         show(value));
+    }
+    return number;
+}
+
+std::vector<double> spaced(double from, double to, int steps) {
+    std::vector<double> values;
+    values.reserve(static_cast<std::size_t>(steps));
+    for (int i = 0; i < steps; ++i) {
+        values.push_back(i + 1 == steps ? to : from + (to - from) * i / (steps - 1));
+    }
+    return values;
+}
+
+Varied read_varied(const std::string& pointer, ObjectReader reader) {
+    Varied varied{.pointer = pointer};
+    using Spread = Varied::Spread;
+    constexpr Range positive = Range::greater_than(0.0);
+    constexpr std::array sizes{std::pair{"plus_minus", Spread::plus_minus},
+                               std::pair{"plus_minus_percent", Spread::plus_minus_percent},
+                               std::pair{"normal_sd", Spread::normal}};
+    int given = 0;
+    for (const auto& [key, spread] : sizes) {
+        if (reader.has(key)) {
+            ++given;
+            varied.spread = spread;
+            varied.size = reader.number(key, positive);
+        }
+    }
+    if (reader.has("values")) {
+        ++given;
+        varied.spread = Spread::grid;
+        varied.values = reader.numbers("values", Range{});
+        if (varied.values.empty()) {
+            throw InputError(reader.pointer_to("values"), CORE_TEXT("core", "must not be empty"));
+        }
+    }
+    if (reader.has("from") || reader.has("to") || reader.has("steps")) {
+        ++given;
+        varied.from = reader.number("from", Range{});
+        varied.to = reader.number("to", Range::greater_than(varied.from));
+        varied.spread = Spread::uniform;
+        if (reader.has("steps")) {
+            varied.spread = Spread::grid;
+            varied.steps = reader.integer("steps", 2, static_cast<int>(most_grid_points));
+            varied.values = spaced(varied.from, varied.to, varied.steps);
+        }
+    }
+    reader.finish();
+    if (given != 1) {
+        throw InputError(reader.pointer(),
+                         CORE_TEXT("studies",
+                                   "must hold one of: plus_minus, plus_minus_percent, normal_sd, "
+                                   "from with to, values"));
+    }
+    return varied;
+}
+
+/// An object of pointers; each must differ from the others.
+template <typename Read>
+auto read_each(ObjectReader& reader, const char* key, std::size_t most, Read read) {
+    std::vector<decltype(read(std::string(), reader.object(key)))> all;
+    ObjectReader object = reader.object(key);
+    const auto keys = object.keys();
+    if (keys.empty() || keys.size() > most) {
+        throw InputError(object.pointer(),
+                         {CORE_TEXT("studies", "must hold from 1 to %1 pointers"), most},
+                         Number{static_cast<double>(keys.size())});
+    }
+    for (const std::string& pointer : keys) {
+        check_pointer(pointer, object.pointer_to(pointer));
+        all.push_back(read(pointer, object.object(pointer)));
+    }
+    return all;
+}
+
+Watched read_watched(const std::string& pointer, ObjectReader reader) {
+    Watched watched{.pointer = pointer};
+    watched.min = reader.optional_number("min", Range{});
+    watched.max =
+        reader.optional_number("max", watched.min ? Range::at_least(*watched.min) : Range{});
+    reader.finish();
+    return watched;
+}
+
+/// All inputs are grids, or none; and so is the method.
+void check_grid(const Study& study, bool method_is_given) {
+    const bool first = study.vary.front().spread == Varied::Spread::grid;
+    for (const Varied& varied : study.vary) {
+        if ((varied.spread == Varied::Spread::grid) != first) {
+            throw InputError(
+                vary_place(varied.pointer),
+                CORE_TEXT("studies", "must be a grid like the others, or none of them"));
+        }
+    }
+    if (method_is_given && (study.method == Method::grid) != first) {
+        throw InputError("/study/method",
+                         first ? CORE_TEXT("studies", "must be \"grid\" where values are listed")
+                               : CORE_TEXT("studies", "must not be \"grid\" where none is given"));
+    }
+    if (first && study.points() > most_grid_points) {
+        throw InputError("/study/vary", {CORE_TEXT("studies", "must make at most %1 points"),
+                                         std::to_string(most_grid_points)});
+    }
+}
+
+}  // namespace
+
+std::span<const Word> method_words() {
+    return methods;
+}
+
+std::uint64_t Study::points() const {
+    if (method != Method::grid) {
+        return samples;
+    }
+    std::uint64_t product = 1;
+    for (const Varied& varied : vary) {
+        product *= varied.values.size();
+        if (product > most_grid_points) {
+            return product;
+        }
+    }
+    return product;
+}
+
+std::string vary_place(const std::string& pointer) {
+    return "/study/vary/" + escape_segment(pointer);
+}
+
+std::string watch_place(const std::string& pointer) {
+    return "/study/watch/" + escape_segment(pointer);
+}
+
+Study read_study(const Json& json) {
+    ObjectReader reader(json, "/study");
+    Study study;
+    study.vary = read_each(reader, "vary", most_varied, read_varied);
+    study.watch = read_each(reader, "watch", most_watched, read_watched);
+    const bool given = reader.has("method");
+    study.method = study.vary.front().spread == Varied::Spread::grid ? Method::grid : Method::sobol;
+    if (given) {
+        study.method = static_cast<Method>(reader.choice("method", method_words()));
+    }
+    study.samples = whole(reader, "samples", 1, most_samples, study.samples);
+    study.seed = whole(reader, "seed", 0, (std::uint64_t{1} << 63) - 1, study.seed);
+    reader.finish();
+    check_grid(study, given);
+    return study;
+}
+
+Json write_study(const Study& study) {
+    Json vary = Json::object();
+    for (const Varied& varied : study.vary) {
+        Json& spread = vary[varied.pointer];
+        switch (varied.spread) {
+            case Varied::Spread::plus_minus:
+                spread["plus_minus"] = varied.size;
+                break;
+            case Varied::Spread::plus_minus_percent:
+                spread["plus_minus_percent"] = varied.size;
+                break;
+            case Varied::Spread::normal:
+                spread["normal_sd"] = varied.size;
+                break;
+            case Varied::Spread::grid:
+                if (varied.steps == 0) {
+                    spread["values"] = varied.values;
+                    break;
+                }
+                [[fallthrough]];
+            case Varied::Spread::uniform:
+                spread["from"] = varied.from;
+                spread["to"] = varied.to;
+                if (varied.steps != 0) {
+                    spread["steps"] = varied.steps;
+                }
+                break;
+        }
+    }
+    Json watch = Json::object();
+    for (const Watched& watched : study.watch) {
+        Json& limits = watch[watched.pointer] = Json::object();
+        if (watched.min) {
+            limits["min"] = *watched.min;
+        }
+        if (watched.max) {
+            limits["max"] = *watched.max;
+        }
+    }
+    return {{"vary", std::move(vary)},
+            {"watch", std::move(watch)},
+            {"method", methods[static_cast<std::size_t>(study.method)].word},
+            {"samples", study.samples},
+            {"seed", study.seed}};
+}
+
+}  // namespace ravnoves::studies

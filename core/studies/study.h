@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "case-file/field.h"
+#include "case-file/json_fwd.h"
+
+/// What the scatter of a case's inputs does to its results. Above the scenes: they do not know it.
+namespace ravnoves::studies {
+
+/// One input that scatters, by its JSON pointer below "input".
+struct Varied {
+    enum class Spread {
+        plus_minus,          ///< uniform, nominal ± size
+        plus_minus_percent,  ///< uniform, nominal ± size % of its amount
+        normal,              ///< normal about the nominal, standard deviation size
+        uniform,             ///< uniform from … to
+        grid,                ///< the values, each with each of the other inputs
+    };
+    std::string pointer;
+    Spread spread = Spread::plus_minus;
+    double size = 0.0;  ///< in the unit of the key, or %
+    double from = 0.0;
+    double to = 0.0;
+    std::vector<double> values{};  ///< of a grid
+    /// The values were given as so many from … to; 0 where they were listed.
+    int steps = 0;
+    friend bool operator==(const Varied&, const Varied&) = default;
+};
+
+/// One value that is watched, by its JSON pointer below "result".
+struct Watched {
+    std::string pointer;
+    std::optional<double> min{};  ///< limits, inclusive
+    std::optional<double> max{};
+    friend bool operator==(const Watched&, const Watched&) = default;
+};
+
+enum class Method {
+    linear,           ///< derivatives at the nominal
+    second_order,     ///< second derivatives as well
+    monte_carlo,      ///< independent points
+    latin_hypercube,  ///< every input's n-th parts met once each
+    sobol,            ///< scrambled Sobol points
+    grid,             ///< every combination of the values
+};
+
+/// The words of the methods, in the order of the enumeration, with their names.
+std::span<const Word> method_words();
+inline bool is_sampled(Method method) {
+    return method == Method::monte_carlo || method == Method::latin_hypercube ||
+           method == Method::sobol;
+}
+
+/// "study" of a case.
+struct Study {
+    std::vector<Varied> vary;
+    std::vector<Watched> watch;
+    Method method = Method::sobol;
+    std::uint64_t samples = 10'000;  ///< 1 … 10¹²
+    std::uint64_t seed = 1;          ///< 0 … 2⁶³ − 1
+
+    std::uint64_t points() const;  ///< the samples, or of a grid its points
+    friend bool operator==(const Study&, const Study&) = default;
+};
+
+inline constexpr std::uint64_t most_samples = 1'000'000'000'000;
+inline constexpr std::uint64_t most_grid_points = 1'000'000;
+
+/// @throws InputError that names the JSON pointer below /study
+Study read_study(const Json& study);
+Json write_study(const Study& study);
+
+/// The place of an input or a result in the case file: "/study/vary/~1crank_radius_mm".
+std::string vary_place(const std::string& pointer);
+std::string watch_place(const std::string& pointer);
+
+}  // namespace ravnoves::studies

@@ -1,0 +1,433 @@
+#include "studies/study_run.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <thread>
+#include <tuple>
+
+#include "case-file/input_error.h"
+#include "studies/sampler.h"
+
+namespace ravnoves::studies {
+
+struct FirstSamples {
+    std::vector<double> values;        ///< row by row
+    std::vector<std::string> reasons;  ///< empty where solved
+};
+
+namespace {
+
+constexpr std::uint64_t most_first_samples = 4096;
+constexpr std::uint64_t pairs_per_input = 16'384;
+/// Points at which an expansion is asked for its percentiles.
+constexpr std::uint64_t expansion_points = 16'384;
+constexpr std::uint64_t block = 256;
+
+/// Samples, points of a grid, or points of an expansion.
+std::uint64_t points_of(const Study& study) {
+    return is_sampled(study.method) || study.method == Method::grid ? study.points()
+                                                                    : expansion_points;
+}
+
+/// In the place of the scene once it is expanded.
+class ExpansionResponse final : public Response {
+  public:
+    explicit ExpansionResponse(const Basis& basis) : basis_(basis) {
+        for (const Taylor& expansion : basis.expansions) {
+            known_.push_back(expansion.propagated(basis.laws, false).has_value());
+        }
+    }
+
+    bool evaluate(std::span<const double> x, std::span<double> y) override {
+        for (std::size_t w = 0; w < y.size(); ++w) {
+            const Taylor& expansion = basis_.expansions[w];
+            y[w] = known_[w] ? expansion.at(basis_.laws, x) : 0.0;
+        }
+        return true;
+    }
+
+  private:
+    const Basis& basis_;
+    std::vector<bool> known_;  ///< 0 stands for the others, which are not shown
+};
+
+/// One thread's samples.
+class Worker {
+  public:
+    Worker(const Problem& problem, const Part& part)
+        : study_(part.study),
+          part_(part),
+          sampled_(is_sampled(part.study.method)),
+          response_(sampled_ || study_.method == Method::grid
+                        ? problem.make()
+                        : std::make_unique<ExpansionResponse>(part.basis)),
+          random_(study_.seed),
+          inputs_(study_.vary.size()),
+          u_(inputs_),
+          x_(inputs_),
+          y_(study_.watch.size()),
+          other_(study_.watch.size()) {
+        if (study_.method != Method::grid) {
+            sampler_.emplace(study_.method, study_.points(), study_.seed, inputs_);
+        }
+    }
+
+    Tally tally;
+
+    void start_tally() { tally = Tally(part_.basis.plan, inputs_); }
+
+    /// The sample's values, without counting them.
+    bool solve(std::uint64_t sample, std::span<double> y) {
+        sampler_->point(sample, u_);
+        set_inputs();
+        return response_->evaluate(x_, y);
+    }
+    const std::string& reason() const { return response_->reason(); }
+
+    void count(std::uint64_t sample) {
+        const FirstSamples* first = part_.first.get();
+        bool solved = false;
+        if (first != nullptr && sample < first->reasons.size()) {
+            sampler_->point(sample, u_);
+            const std::string& reason = first->reasons[sample];
+            solved = reason.empty();
+            std::copy_n(first->values.begin() + static_cast<std::ptrdiff_t>(sample * y_.size()),
+                        y_.size(), y_.begin());
+            if (!solved) {
+                tally.refuse(sample, reason);
+            }
+        } else if (solved = solve(sample, y_); !solved) {
+            tally.refuse(sample, reason());
+        }
+        if (!solved) {
+            return;
+        }
+        tally.add(u_, y_);
+        if (sampled_ && sample < pairs_per_input * inputs_) {
+            const auto input = static_cast<std::size_t>(random_.bits(sample, 1, 0) % inputs_);
+            u_[input] = random_.uniform(sample, 1, 1);
+            set_inputs();
+            if (response_->evaluate(x_, other_)) {
+                tally.add_pair(input, y_, other_);
+            }
+        }
+    }
+
+    Row row(std::uint64_t point) {
+        std::uint64_t rest = point;
+        for (std::size_t j = inputs_; j-- > 0;) {  // the last input changes fastest
+            const std::vector<double>& values = study_.vary[j].values;
+            x_[j] = values[rest % values.size()];
+            rest /= values.size();
+        }
+        if (!response_->evaluate(x_, y_)) {
+            tally.refuse(point, reason());
+        }
+        Row row(x_.begin(), x_.end());
+        for (const double value : y_) {
+            row.push_back(std::isfinite(value) ? std::optional(value) : std::nullopt);
+        }
+        return row;
+    }
+
+  private:
+    void set_inputs() {
+        for (std::size_t j = 0; j < inputs_; ++j) {
+            x_[j] = part_.basis.laws[j].at(u_[j]);
+        }
+    }
+
+    const Study& study_;
+    const Part& part_;
+    bool sampled_;
+    std::unique_ptr<Response> response_;
+    std::optional<Sampler> sampler_;
+    CounterRandom random_;
+    std::size_t inputs_;
+    std::vector<double> u_, x_, y_, other_;
+};
+
+/// As many workers as there are threads, or as blocks to be done.
+std::vector<std::unique_ptr<Worker>> make_workers(const Problem& problem, const Part& part,
+                                                  int threads, std::uint64_t samples) {
+    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+    const std::uint64_t wanted = threads > 0 ? static_cast<unsigned>(threads) : cores;
+    const std::uint64_t count = std::clamp<std::uint64_t>((samples + block - 1) / block, 1, wanted);
+    std::vector<std::unique_ptr<Worker>> workers;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        workers.push_back(std::make_unique<Worker>(problem, part));
+    }
+    return workers;
+}
+
+/// Every worker takes blocks of the stretch until none is left.
+template <typename Visit>
+void share_out(std::vector<std::unique_ptr<Worker>>& workers, std::uint64_t from, std::uint64_t to,
+               const Visit& visit) {
+    std::atomic<std::uint64_t> next{from};
+    std::exception_ptr fault;
+    std::mutex guard;
+    const auto work = [&](Worker& worker) {
+        try {
+            for (;;) {
+                const std::uint64_t start = next.fetch_add(block);
+                if (start >= to) {
+                    return;
+                }
+                for (std::uint64_t i = start; i < std::min(start + block, to); ++i) {
+                    visit(worker, i);
+                }
+            }
+        } catch (...) {
+            const std::lock_guard lock(guard);
+            fault = std::current_exception();
+            next = to;
+        }
+    };
+    std::vector<std::thread> threads;
+    for (std::size_t i = 1; i < workers.size(); ++i) {
+        threads.emplace_back([&, i] { work(*workers[i]); });
+    }
+    work(*workers.front());
+    for (std::thread& thread : threads) {
+        thread.join();
+    }
+    if (fault) {
+        std::rethrow_exception(fault);
+    }
+}
+
+FirstSamples take_first(const Problem& problem, const Part& part, int threads) {
+    const std::uint64_t count = std::min(points_of(part.study), most_first_samples);
+    const std::size_t watched = part.study.watch.size();
+    FirstSamples first{std::vector<double>(count * watched), std::vector<std::string>(count)};
+    auto workers = make_workers(problem, part, threads, count);
+    share_out(workers, 0, count, [&](Worker& worker, std::uint64_t i) {
+        if (!worker.solve(i, std::span(first.values).subspan(i * watched, watched))) {
+            first.reasons[i] = worker.reason();
+        }
+    });
+    return first;
+}
+
+/// 360° or, where a value says so, the 720° of a four-stroke cycle; 0 of what is no angle.
+double period_of(const std::string& pointer, std::span<const double> values) {
+    if (!pointer.ends_with("_deg")) {
+        return 0.0;
+    }
+    constexpr double turn = 360.0;
+    return std::any_of(values.begin(), values.end(), [](double v) { return std::abs(v) > turn; })
+               ? 2.0 * turn
+               : turn;
+}
+
+/// Bins about the middle of what nearly all values span, four times as fine as they must be.
+CountingPlan counting_plan(const Watched& watched, std::optional<double> nominal,
+                           std::vector<double> values, double period) {
+    CountingPlan plan{.period = period, .min = watched.min, .max = watched.max};
+    plan.centre = nominal ? *nominal : values.empty() ? 0.0 : values.front();
+    for (double& value : values) {
+        value = plan.unwrapped(value);
+    }
+    std::sort(values.begin(), values.end());
+    double low = plan.centre;
+    double high = plan.centre;
+    if (!values.empty()) {
+        const auto n = static_cast<double>(values.size() - 1);
+        low = values[static_cast<std::size_t>(std::floor(0.001 * n))];
+        high = values[static_cast<std::size_t>(std::ceil(0.999 * n))];
+    }
+    const double middle = 0.5 * low + 0.5 * high;
+    const double span = high - low;
+    constexpr double fineness = 6e-5;
+    const double least = std::max(std::abs(middle), 1e-6) * 0x1p-44;
+    const double width = std::max(span * fineness, least);
+    plan.width = std::ldexp(1.0, std::ilogb(width));
+    plan.low = (std::floor(middle / plan.width) - static_cast<double>(bin_count / 2)) * plan.width;
+    return plan;
+}
+
+void plan_counting(Part& part, const FirstSamples& first) {
+    const std::size_t watched = part.study.watch.size();
+    for (std::size_t w = 0; w < watched; ++w) {
+        std::vector<double> values;
+        for (std::size_t i = 0; i < first.reasons.size(); ++i) {
+            if (first.reasons[i].empty()) {
+                values.push_back(first.values[i * watched + w]);
+            }
+        }
+        part.basis.periods[w] =
+            std::max(part.basis.periods[w], period_of(part.study.watch[w].pointer, values));
+        part.basis.plan.push_back(counting_plan(part.study.watch[w], part.basis.nominal[w],
+                                                std::move(values), part.basis.periods[w]));
+    }
+}
+
+}  // namespace
+
+std::pair<std::uint64_t, std::uint64_t> shard_range(const Study& study, std::uint64_t shard,
+                                                    std::uint64_t shards) {
+    const auto boundary = [&](std::uint64_t k) {
+        __extension__ using Wide = unsigned __int128;
+        return static_cast<std::uint64_t>(static_cast<Wide>(points_of(study)) * k / shards);
+    };
+    return {boundary(shard - 1), boundary(shard)};
+}
+
+Part begin_part(const Problem& problem, std::uint64_t shard, std::uint64_t shards, int threads) {
+    Part part;
+    part.origin = problem.origin;
+    part.study = problem.study;
+    part.shard = shard;
+    part.shards = shards;
+    std::tie(part.from, part.to) = shard_range(part.study, shard, shards);
+    part.done = part.from;
+    Basis& basis = part.basis;
+    basis.nominal = problem.nominal_result;
+    for (std::size_t w = 0; w < part.study.watch.size(); ++w) {
+        const double value = basis.nominal[w].value_or(0.0);
+        basis.periods.push_back(period_of(part.study.watch[w].pointer, std::span(&value, 1)));
+    }
+    if (part.study.method == Method::grid) {
+        part.tally = Tally({}, part.study.vary.size());
+        return part;
+    }
+    for (std::size_t j = 0; j < part.study.vary.size(); ++j) {
+        basis.laws.push_back(law_of(part.study.vary[j], problem.nominal[j]));
+    }
+    const bool sampled = is_sampled(part.study.method);
+    if (sampled) {
+        part.first = std::make_shared<FirstSamples>(take_first(problem, part, threads));
+        plan_counting(part, *part.first);
+    }
+    const auto response = problem.make();
+    Differences differences(*response, basis.laws, part.study.watch.size());
+    basis.expansions = differences.expand(basis.periods, part.study.method == Method::second_order);
+    basis.evaluations = differences.evaluations();
+    basis.refused = differences.refused();
+    if (sampled) {
+        basis.departures = find_departures(*response, basis.laws, basis.expansions, basis.periods);
+    } else {
+        plan_counting(part, take_first(problem, part, threads));
+    }
+    part.tally = Tally(basis.plan, part.study.vary.size());
+    return part;
+}
+
+void run_part(const Problem& problem, Part& part, int threads,
+              const std::function<bool(const Part&)>& went_on) {
+    using Clock = std::chrono::steady_clock;
+    const bool grid = part.study.method == Method::grid;
+    auto workers = make_workers(problem, part, threads, part.to - part.done);
+    std::uint64_t stretch = block * workers.size();
+    while (part.done < part.to) {
+        const auto start = Clock::now();
+        const std::uint64_t end = std::min(part.done + stretch, part.to);
+        for (auto& worker : workers) {
+            worker->start_tally();
+        }
+        if (grid) {
+            part.rows.resize(end - part.from);
+            share_out(workers, part.done, end, [&](Worker& worker, std::uint64_t i) {
+                part.rows[i - part.from] = worker.row(i);
+            });
+        } else {
+            share_out(workers, part.done, end,
+                      [](Worker& worker, std::uint64_t i) { worker.count(i); });
+        }
+        for (const auto& worker : workers) {
+            part.tally.add(worker->tally);
+        }
+        part.done = end;
+        if (went_on && !went_on(part)) {
+            return;
+        }
+        const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        constexpr double wanted = 0.25;
+        if (seconds < 0.5 * wanted) {
+            stretch *= 2;
+        } else if (seconds > 2.0 * wanted && stretch > block * workers.size()) {
+            stretch /= 2;
+        }
+    }
+}
+
+void PartMerger::add(Part part, const std::string& name) {
+    const auto label = [&](std::uint64_t shard) {
+        return std::to_string(shard) + "/" + std::to_string(shards_);
+    };
+    if (!whole_) {
+        first_name_ = name;
+        shards_ = part.shards;
+        names_.resize(shards_);
+        rows_.resize(shards_);
+    } else if (part.origin.case_sha256 != whole_->origin.case_sha256 ||
+               part.origin.files_sha256 != whole_->origin.files_sha256 ||
+               part.study != whole_->study) {
+        throw InputError(name,
+                         {CORE_TEXT("studies", "is a part of another case than %1"), first_name_});
+    } else if (part.shards != shards_) {
+        throw InputError(name, {CORE_TEXT("studies", "is one of %1 parts, but %2 is one of %3"),
+                                std::to_string(part.shards), first_name_, std::to_string(shards_)});
+    } else if (part.origin.program != whole_->origin.program ||
+               !same_basis(part.basis, whole_->basis)) {
+        throw InputError(name, {CORE_TEXT("studies",
+                                          "was computed by another program or machine than %1: "
+                                          "it began with other numbers"),
+                                first_name_});
+    }
+    if (!part.finished()) {
+        throw InputError(
+            name,
+            {CORE_TEXT("studies", "is not finished (%1 of %2 samples); run it again: --shard %3"),
+             std::to_string(part.done - part.from), std::to_string(part.to - part.from),
+             label(part.shard)});
+    }
+    std::string& known = names_[part.shard - 1];
+    if (!known.empty()) {
+        throw InputError(
+            name, {CORE_TEXT("studies", "is the same part as %1: %2"), known, label(part.shard)});
+    }
+    known = name;
+    rows_[part.shard - 1] = std::move(part.rows);
+    if (whole_) {
+        whole_->tally.add(part.tally);
+        return;
+    }
+    whole_ = std::move(part);
+    whole_->rows.clear();
+    whole_->first.reset();
+}
+
+Part PartMerger::finish() {
+    std::string missing;
+    std::uint64_t count = 0;
+    constexpr std::uint64_t most_named = 20;
+    for (std::size_t k = 0; k < names_.size(); ++k) {
+        if (names_[k].empty() && ++count <= most_named) {
+            missing += (missing.empty() ? "" : ", ") + std::to_string(k + 1) + "/" +
+                       std::to_string(shards_);
+        }
+    }
+    if (count != 0) {
+        missing += count > most_named ? ", …" : "";
+        throw InputError(
+            "", {CORE_TEXT("studies", "%1 of %2 parts are missing; run them again: --shard %3"),
+                 std::to_string(count), std::to_string(shards_), missing});
+    }
+    Part whole = std::move(*whole_);
+    whole.shard = whole.shards = 1;
+    std::tie(whole.from, whole.to) = shard_range(whole.study, 1, 1);
+    whole.done = whole.to;
+    for (const auto& rows : rows_) {
+        whole.rows.insert(whole.rows.end(), rows.begin(), rows.end());
+    }
+    return whole;
+}
+
+}  // namespace ravnoves::studies

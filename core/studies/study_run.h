@@ -1,0 +1,133 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "case-file/case_context.h"
+#include "case-file/message.h"
+#include "studies/law.h"
+#include "studies/response.h"
+#include "studies/study.h"
+#include "studies/tally.h"
+#include "studies/taylor.h"
+
+namespace ravnoves {
+struct CaseFile;
+}
+
+namespace ravnoves::studies {
+
+/// What a study is of.
+struct Origin {
+    std::string scene;
+    std::string title;
+    std::string case_sha256;  ///< of the case file as it is, or of the case as written
+    /// Of the files that the case names.
+    std::vector<std::pair<std::string, std::string>> files_sha256{};
+    std::string program = RAVNOVES_VERSION;
+    friend bool operator==(const Origin&, const Origin&) = default;
+};
+
+/// A study with what answers it.
+struct Problem {
+    Origin origin;
+    Study study;
+    std::vector<double> nominal;                        ///< the inputs, in the units of their keys
+    std::vector<std::optional<double>> nominal_result;  ///< the watched values there
+    MakeResponse make;
+};
+
+/// The study of a case.
+/// @param text  the case file's bytes, for its sum; empty: as written
+/// @throws InputError
+Problem problem_of(const CaseFile& file, const CaseContext& context, std::string_view text = {});
+
+/// What every part of a study begins with, the same in each: the expansions about the means and
+/// how values are counted, from the study's first samples.
+struct Basis {
+    std::vector<Law> laws;                       ///< not of a grid
+    std::vector<std::optional<double>> nominal;  ///< the watched values
+    std::vector<double> periods;                 ///< of angles; else 0
+    std::vector<Taylor> expansions;
+    std::vector<Departure> departures;  ///< of sampled methods
+    std::vector<CountingPlan> plan;
+    std::uint64_t evaluations = 0;  ///< for the expansions
+    std::uint64_t refused = 0;      ///< of them
+};
+
+/// The watched values of a study's first samples, from which the basis was made.
+struct FirstSamples;
+
+/// A row of a grid's table; a value that does not exist is empty.
+using Row = std::vector<std::optional<double>>;
+
+/// A study or a shard of it, as far as it is done.
+struct Part {
+    Origin origin;
+    Study study;
+    Basis basis;
+    std::uint64_t shard = 1;  ///< from 1
+    std::uint64_t shards = 1;
+    std::uint64_t from = 0;  ///< samples from … to
+    std::uint64_t done = 0;  ///< the next sample
+    std::uint64_t to = 0;
+    Tally tally;
+    std::vector<Row> rows;
+    std::shared_ptr<const FirstSamples> first{};  ///< not written
+
+    bool finished() const { return done == to; }
+};
+
+/// The samples of a shard, from 1.
+std::pair<std::uint64_t, std::uint64_t> shard_range(const Study& study, std::uint64_t shard,
+                                                    std::uint64_t shards);
+
+inline constexpr std::uint64_t most_shards = 1'000'000;
+
+/// A part of which nothing is done yet. Its basis costs some thousand solutions at most.
+Part begin_part(const Problem& problem, std::uint64_t shard = 1, std::uint64_t shards = 1,
+                int threads = 0);
+
+/// Goes on with a part until it is done. Several threads (0: as many as there are cores) work on
+/// stretches of samples; after each stretch, some tenths of a second, `went_on` sees the part and
+/// may stop the work by false.
+void run_part(const Problem& problem, Part& part, int threads = 0,
+              const std::function<bool(const Part&)>& went_on = {});
+
+/// Puts the finished parts of one study together, in any order, one at a time.
+class PartMerger {
+  public:
+    /// @param name  what messages call the part
+    /// @throws InputError where it is not finished, was there already or is of another study
+    void add(Part part, const std::string& name);
+    /// The whole study.
+    /// @throws InputError that names the parts that are missing
+    Part finish();
+
+  private:
+    std::optional<Part> whole_;
+    std::string first_name_;
+    std::uint64_t shards_ = 0;
+    std::vector<std::string> names_;  ///< by shard; empty of one that is missing
+    std::vector<std::vector<Row>> rows_;
+};
+
+Json write_part(const Part& part);
+/// @throws InputError
+Part read_part(const Json& json);
+
+/// Whether two parts of a study began with the same numbers.
+bool same_basis(const Basis& one, const Basis& other);
+
+/// Where the linear answer fails by more than its error bars, and why.
+std::vector<Message> notes_of(const Part& part);
+
+/// The "ravnoves-study" document; of a part that is not done yet, of its samples so far.
+Json write_results(const Part& part);
+
+}  // namespace ravnoves::studies

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "studies/law.h"
+#include "studies/response.h"
+
+namespace ravnoves::studies {
+
+/// Expansion of one watched value about the inputs' means. Empty where the value does not exist
+/// there or to either side.
+struct Taylor {
+    struct Slope {
+        double value = 0.0;  ///< per unit of the input's key
+        double error = 0.0;  ///< estimated, as much as differences and rounding leave open
+        friend bool operator==(const Slope&, const Slope&) = default;
+    };
+    std::optional<double> value;
+    std::vector<std::optional<Slope>> slopes;  ///< by input
+    std::vector<double> curvatures;            ///< second derivatives; of the second order alone
+    std::vector<double> crossed;  ///< mixed ones, row by row: inputs² of them, 0 on the diagonal
+
+    /// Propagated through the slopes, or, where there are curvatures, to the second order.
+    struct Propagated {
+        double mean = 0.0;
+        double deviation = 0.0;
+        double deviation_error = 0.0;
+        std::vector<double> first_order;
+        std::vector<double> total;
+    };
+    /// @param second  the slopes alone where false
+    /// @return nothing where a slope is missing
+    std::optional<Propagated> propagated(std::span<const Law> laws, bool second) const;
+    /// The polynomial at the inputs.
+    double at(std::span<const Law> laws, std::span<const double> x) const;
+};
+
+/// Differences of a response about the means of its inputs.
+///
+/// First derivatives by Ridders' extrapolation of central differences, one-sided where one side
+/// is refused; the error is what two extrapolations differ by, and at least what rounding leaves.
+class Differences {
+  public:
+    Differences(Response& response, std::span<const Law> laws, std::size_t watched);
+
+    /// @param periods  of the watched values that are angles; else 0
+    std::vector<Taylor> expand(std::span<const double> periods, bool second);
+    std::uint64_t evaluations() const { return evaluations_; }
+    std::uint64_t refused() const { return refused_; }
+
+  private:
+    using Values = std::optional<std::vector<double>>;
+    Values at(std::span<const double> x);
+    Values moved(std::size_t input, double step);
+    Values moved(std::size_t one, double step, std::size_t other, double other_step);
+    void set_slopes(std::size_t input, std::span<const double> periods, std::vector<Taylor>& all);
+    void set_curvatures(std::span<const double> periods, std::vector<Taylor>& all);
+
+    Response& response_;
+    std::span<const Law> laws_;
+    std::size_t watched_;
+    std::vector<double> means_;
+    Values middle_;
+    std::uint64_t evaluations_ = 0;
+    std::uint64_t refused_ = 0;
+};
+
+/// Where a watched value leaves its linear expansion most, along one input with the others at their
+/// means.
+struct Departure {
+    enum class Kind { curved, corner, jump, refused };
+    Kind kind = Kind::curved;
+    std::size_t input = 0;
+    double at = 0.0;    ///< the input there
+    double size = 0.0;  ///< of the jump, or largest distance from the line
+    friend bool operator==(const Departure&, const Departure&) = default;
+};
+
+/// Looks along every input, 33 places each, and finds places of jumps by bisection.
+std::vector<Departure> find_departures(Response& response, std::span<const Law> laws,
+                                       std::span<const Taylor> expansions,
+                                       std::span<const double> periods);
+
+}  // namespace ravnoves::studies

@@ -1,0 +1,145 @@
+// `ravnoves-cli study` as a user, a batch system or a cluster runs it.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "case-file/json.h"
+#include "command_line.h"
+
+namespace ravnoves {
+namespace {
+
+namespace fs = std::filesystem;
+
+using test::CommandLine;
+using test::Outcome;
+using test::read_all;
+
+class StudyCommandLine : public CommandLine {
+  protected:
+    static Json study_case(int samples = 600, const char* method = "sobol") {
+        Json document = example();
+        document["study"] = {{"vary",
+                              {{"/crank_radius_mm", {{"plus_minus", 0.02}}},
+                               {"/reciprocating_masses_kg/piston", {{"normal_sd", 0.002}}},
+                               {"/torque/torque_Nm/26", {{"plus_minus_percent", 1}}}}},
+                             {"watch",
+                              {{"/metrics/M_ups/range_Nm", {{"max", 1083}}},
+                               {"/optimum/rms/shaft_angle_deg", Json::object()}}},
+                             {"method", method},
+                             {"samples", samples},
+                             {"seed", 1}};
+        return document;
+    }
+};
+
+TEST_F(StudyCommandLine, PrintsTheContract) {
+    write("case.json", study_case().dump());
+    const Outcome outcome = run("study case.json");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    const Json result = Json::parse(outcome.out);
+    EXPECT_EQ(result.at("format"), "ravnoves-study");
+    EXPECT_EQ(result.at("scene"), "balance-shaft");
+    EXPECT_EQ(run("study case.json -o r.json && sha256sum case.json").out.substr(0, 64),
+              result.at("case_sha256").get<std::string>());
+    EXPECT_EQ(read_all(folder / "r.json"), outcome.out);
+    EXPECT_EQ(result.at("samples"), 600);
+    EXPECT_EQ(result.at("solved"), 600);
+    const Json& range = result.at("watched").at("/metrics/M_ups/range_Nm");
+    EXPECT_NEAR(range.at("nominal").get<double>(), 1082.3567, 1e-4);
+    for (const char* key : {"mean", "standard_deviation", "min", "max", "percentiles", "within",
+                            "linear", "first_order", "total"}) {
+        EXPECT_TRUE(range.contains(key)) << key;
+    }
+    double contributions = 0.0;
+    for (const auto& part : range.at("linear").at("contributions").items()) {
+        contributions += part.value().get<double>();
+    }
+    EXPECT_NEAR(contributions, 1.0, 1e-12);
+    EXPECT_NEAR(range.at("standard_deviation").get<double>(),
+                range.at("linear").at("standard_deviation").get<double>(), 0.02);
+    // The range rises with the amplitude A = mⱼ r ω² l / 2 alone; dA/dr and dA/dm in 50 digits.
+    const Json& slopes = range.at("linear").at("derivatives");
+    EXPECT_NEAR(slopes.at("/reciprocating_masses_kg/piston").at("value").get<double>() * 1.316 /
+                    (slopes.at("/crank_radius_mm").at("value").get<double>() * 46.0),
+                1.0, 1e-9);
+}
+
+TEST_F(StudyCommandLine, ShardsAreTheWholeToTheLastDigit) {
+    write("case.json", study_case().dump());
+    for (const char* shard : {"3/3", "1/3", "2/3"}) {
+        EXPECT_EQ(
+            run(std::string("study case.json --threads 2 --shard ") + shard + " -o part" + shard[0])
+                .status,
+            0);
+    }
+    EXPECT_TRUE(run("study --merge part2 part3 part1").out == run("study case.json").out);
+    EXPECT_LT(fs::file_size(folder / "part1"), 64U * 1024U);
+    expect_refused(run("study --merge part1 part3"),
+                   "--merge: 1 of 3 parts are missing; run them again: --shard 2/3");
+    write("other.json", study_case(601).dump());
+    run("study other.json --shard 2/3 -o part2");
+    expect_refused(run("study --merge part1 part2 part3"),
+                   "part2: is a part of another case than part1");
+    write("part2", "{}");
+    expect_refused(run("study --merge part1 part2"), "part2: /format: is required");
+}
+
+TEST_F(StudyCommandLine, GoesOnWhereItWasInterrupted) {
+    Json document = study_case(300'000);
+    write("case.json", document.dump());
+    const Outcome stopped = run("study case.json -o r.json", "", "timeout -s TERM 1 ");
+    EXPECT_NE(stopped.status, 0);
+    EXPECT_FALSE(fs::exists(folder / "r.json"));
+    ASSERT_TRUE(fs::exists(folder / "r.json.unfinished"));
+    expect_refused(run("study --merge r.json.unfinished"), "r.json.unfinished: is not finished (");
+    // What it kept, put under a smaller study, is not taken for that one's.
+    document["study"]["samples"] = 500;
+    write("case.json", document.dump());
+    EXPECT_EQ(run("study case.json -o r.json").status, 0);
+    EXPECT_FALSE(fs::exists(folder / "r.json.unfinished"));
+    EXPECT_TRUE(read_all(folder / "r.json") == run("study case.json").out);
+}
+
+TEST_F(StudyCommandLine, PrintsAGridAsATable) {
+    Json document = study_case();
+    document["study"] = {{"vary",
+                          {{"/shaft_angle_deg", {{"from", 40}, {"to", 50}, {"steps", 3}}},
+                           {"/centre_distance_mm", {{"values", {90, -1}}}}}},
+                         {"watch", {{"/metrics/M_ups/range_Nm", Json::object()}}},
+                         {"method", "grid"}};
+    write("case.json", document.dump());
+    const Json result = Json::parse(run("study case.json").out);
+    ASSERT_EQ(result.at("table").size(), 6U);
+    EXPECT_EQ(result.at("table")[2][0], 45);
+    EXPECT_TRUE(result.at("table")[2][2].is_number());
+    EXPECT_TRUE(result.at("table")[3][2].is_null());
+    EXPECT_EQ(result.at("solved"), 3);
+    EXPECT_EQ(result.at("refused")[0].at("count"), 3);
+}
+
+TEST_F(StudyCommandLine, BadStudiesAreOneLine) {
+    const auto with = [&](const char* pointer, const Json& value) {
+        Json document = study_case();
+        document[Json::json_pointer(pointer)] = value;
+        write("case.json", document.dump());
+        return run("study case.json");
+    };
+    write("case.json", example().dump());
+    expect_refused(run("study case.json"), "case.json: /study: is required and missing");
+    expect_refused(with("/study/vary/~1crank_radius", {{"plus_minus", 1}}),
+                   "case.json: /study/vary/~1crank_radius: must lead to a number of the input");
+    expect_refused(with("/study/watch/~1metrics~1M_up", Json::object()),
+                   "case.json: /study/watch/~1metrics~1M_up: must lead to a number of the result");
+    expect_refused(with("/study/watch/~1metric", Json::object()),
+                   "case.json: /study/watch/~1metric: must be a value that the result has");
+    expect_refused(with("/input/crank_radius_mm", -46), "case.json: /input/crank_radius_mm: must");
+    EXPECT_EQ(run("study").status, 2);
+    EXPECT_EQ(run("study case.json --shard 4/3").status, 2);
+    EXPECT_EQ(run("study case.json --merge part").status, 2);
+}
+
+}  // namespace
+}  // namespace ravnoves

@@ -1,0 +1,125 @@
+// Points and sums: what makes shards print the same digits.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "case-file/json.h"
+#include "studies/exact_sum.h"
+#include "studies/sampler.h"
+#include "studies/sha256.h"
+
+namespace ravnoves::studies {
+namespace {
+
+constexpr std::array sampled{Method::monte_carlo, Method::latin_hypercube, Method::sobol};
+
+TEST(CounterRandom, GivesThePublishedNumbers) {
+    // The first known answer of philox4x32-10 in Random123.
+    const CounterRandom random(0);
+    EXPECT_EQ(random.bits(0, 0, 0), 0x6627e8d5e169c58dU);
+    EXPECT_EQ(random.bits(0, 0, 1), 0xbc57ac4c9b00dbd8U);
+}
+
+TEST(Sampler, GivesASampleTheSameWhereverItIsAskedFor) {
+    for (const Method method : sampled) {
+        constexpr std::uint64_t samples = 1000;
+        Sampler running(method, samples, 7, 5);
+        Sampler jumping(method, samples, 7, 5);
+        std::array<double, 5> one{};
+        std::array<double, 5> other{};
+        for (std::uint64_t i = 0; i < samples; ++i) {
+            running.point(i, one);
+            for (const double u : one) {
+                EXPECT_TRUE(u > 0.0 && u < 1.0);
+            }
+            if (i % 37 < 2) {
+                jumping.point(samples - 1 - i, other);
+                jumping.point(i, other);
+                EXPECT_EQ(one, other) << i;
+            }
+        }
+        Sampler seeded(method, samples, 8, 5);
+        seeded.point(samples - 1, other);
+        EXPECT_NE(one, other);
+    }
+}
+
+TEST(Sampler, LatinHypercubeMeetsEveryStratumOnce) {
+    for (const std::uint64_t samples : {1U, 2U, 3U, 37U, 1000U}) {
+        Sampler sampler(Method::latin_hypercube, samples, 3, 2);
+        std::array<std::vector<int>, 2> met{std::vector<int>(samples), std::vector<int>(samples)};
+        std::array<double, 2> u{};
+        for (std::uint64_t i = 0; i < samples; ++i) {
+            sampler.point(i, u);
+            for (std::size_t j = 0; j < 2; ++j) {
+                ++met[j][static_cast<std::size_t>(u[j] * static_cast<double>(samples))];
+            }
+        }
+        for (const auto& counts : met) {
+            EXPECT_TRUE(std::all_of(counts.begin(), counts.end(), [](int n) { return n == 1; }));
+        }
+    }
+}
+
+TEST(Sampler, SobolPointsFillEveryElementaryBox) {
+    // The first two coordinates are a (0, 8, 2)-net, scrambled or not.
+    for (const std::uint64_t seed : {0U, 1U, 99U}) {
+        for (int bits = 0; bits <= 8; ++bits) {
+            Sampler sampler(Method::sobol, 256, seed, 2);
+            std::vector<int> met(256);
+            std::array<double, 2> u{};
+            for (std::uint64_t i = 0; i < 256; ++i) {
+                sampler.point(i, u);
+                const auto x = static_cast<std::size_t>(u[0] * (1 << bits));
+                const auto y = static_cast<std::size_t>(u[1] * (256 >> bits));
+                ++met[x * static_cast<std::size_t>(256 >> bits) + y];
+            }
+            EXPECT_TRUE(std::all_of(met.begin(), met.end(), [](int n) { return n == 1; }))
+                << seed << ' ' << bits;
+        }
+    }
+}
+
+TEST(ExactSum, IsExactInAnyOrderAndAnyShares) {
+    std::vector<double> values{1e308, 1.0, -1e308, 0x1p-1074, 3e-300, -2.5, 1e308, -1e308, 1e16};
+    std::vector<ExactSum> sums;
+    for (int turn = 0; turn < 6; ++turn) {
+        std::array<ExactSum, 2> shares;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            shares[(i * 7 + static_cast<std::size_t>(turn)) % 2].add(values[i]);
+        }
+        shares[0].add(shares[1]);
+        sums.push_back(shares[0]);
+        std::next_permutation(values.begin(), values.end());
+    }
+    for (const ExactSum& sum : sums) {
+        EXPECT_EQ(sum, sums.front());
+        EXPECT_EQ(sum.value(), 1e16 - 1.5);
+        EXPECT_EQ(ExactSum::read(sum.write(), ""), sum);
+    }
+    ExactSum small;
+    small.add(-0x1p-1074);
+    EXPECT_EQ(small.value(), -0x1p-1074);
+    small.add(0x1p-1074);
+    EXPECT_EQ(small.value(), 0.0);
+    EXPECT_EQ(ExactSum().value(), 0.0);
+    ExactSum tenths;
+    for (int i = 0; i < 1000; ++i) {
+        tenths.add(0.1);
+        tenths.add(-0.3);
+    }
+    EXPECT_DOUBLE_EQ(tenths.value(), -200.0);
+}
+
+TEST(Sha256, GivesThePublishedDigests) {
+    EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    EXPECT_EQ(sha256(std::string(1'000'000, 'a')),
+              "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+}  // namespace
+}  // namespace ravnoves::studies

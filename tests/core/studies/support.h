@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "case-file/json.h"
+#include "studies/study_run.h"
+
+namespace ravnoves::studies {
+
+using Function = std::function<bool(std::span<const double> x, std::span<double> y)>;
+
+/// A function in the place of a scene.
+class FunctionResponse final : public Response {
+  public:
+    explicit FunctionResponse(Function function) : function_(std::move(function)) {}
+    bool evaluate(std::span<const double> x, std::span<double> y) override {
+        reason_ = "/x: must be less than " + std::to_string(x[0]);
+        return function_(x, y);
+    }
+
+  private:
+    Function function_;
+};
+
+/// A study of a function; the nominal inputs are those given.
+inline Problem problem(const Json& study, std::vector<double> nominal, Function function) {
+    Problem made{.origin = {.scene = "test", .title = "", .case_sha256 = "0"},
+                 .study = read_study(study),
+                 .nominal = std::move(nominal),
+                 .nominal_result = {},
+                 .make = [function] { return std::make_unique<FunctionResponse>(function); }};
+    std::vector<double> y(made.study.watch.size());
+    const bool there = function(made.nominal, y);
+    for (const double value : y) {
+        made.nominal_result.push_back(there ? std::optional(value) : std::nullopt);
+    }
+    return made;
+}
+
+inline Part whole(const Problem& problem, int threads = 1) {
+    Part part = begin_part(problem, 1, 1, threads);
+    run_part(problem, part, threads);
+    return part;
+}
+
+/// So many inputs of mean 0 and deviation 1, one value.
+inline Json normal_study(int inputs, const char* method, std::uint64_t samples, std::uint64_t seed,
+                         const char* watched = "/y") {
+    Json study = {{"method", method}, {"samples", samples}, {"seed", seed}};
+    for (int j = 0; j < inputs; ++j) {
+        study["vary"]["/x" + std::to_string(j)] = {{"normal_sd", 1}};
+    }
+    study["watch"][watched] = Json::object();
+    return study;
+}
+
+}  // namespace ravnoves::studies
