@@ -4,6 +4,7 @@
 
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/fields.h"
+#include "balance-shaft/input_check.h"
 #include "case-file/field_writer.h"
 #include "case-file/input_error.h"
 
@@ -227,6 +228,10 @@ void check_sizes(const Input& input) {
                  {field::centre_distance, input.centre_distance, Range::between(0, lengths.max)},
                  {speed, input.angular_speed, speeds}};
     for (const auto& size : sizes) {
+        if (size.range.contains(size.si / size.field.unit)) {
+            continue;
+        }
+        // At an end the shortest decimal decides.
         if (const double value = from_si(size.field, size.si); !size.range.contains(value)) {
             throw InputError(pointer(size.field), size.range.message(), Number{value});
         }
@@ -242,36 +247,36 @@ void check_together(const Input& input) {
     const double force = counterweight * input.counterweight_radius * speed * speed;
     constexpr Text mechanism = CORE_TEXT("balance-shaft", "the mechanism");
     constexpr Text envelope = CORE_TEXT("balance-shaft", "the envelope");
-    const std::string sizes_place = pointer(field::envelope);
     const EnvelopeSizes& sizes = input.envelope;
+    enum class Place { input, cylinder, envelope };
     struct Product {
         double value;
         Text what;
-        std::string where;
+        const Field& field;
+        Place place = Place::input;
     };
     const auto of_envelope = [&](const std::optional<double>& size, const Field& field) {
-        return Product{size.value_or(0.0), envelope, pointer(field, sizes_place)};
+        return Product{size.value_or(0.0), envelope, field, Place::envelope};
     };
     const Product products[] = {
         {speed * speed, CORE_TEXT("balance-shaft", "the square of the speed"),
-         pointer(input.speed_in_rpm ? field::speed : field::angular_speed)},
-        {input.crank_radius, mechanism, pointer(field::crank_radius)},
+         input.speed_in_rpm ? field::speed : field::angular_speed},
+        {input.crank_radius, mechanism, field::crank_radius},
         {reciprocating * input.crank_radius * speed * speed,
-         CORE_TEXT("balance-shaft", "the inertia force"), pointer(field::crank_radius)},
+         CORE_TEXT("balance-shaft", "the inertia force"), field::crank_radius},
         {counterweight, CORE_TEXT("balance-shaft", "the counterweight's mass"),
-         pointer(input.counterweight_mass ? field::counterweight_mass
-                                          : field::counterweight_radius)},
-        {input.counterweight_radius, mechanism, pointer(field::counterweight_radius)},
+         input.counterweight_mass ? field::counterweight_mass : field::counterweight_radius},
+        {input.counterweight_radius, mechanism, field::counterweight_radius},
         {force, CORE_TEXT("balance-shaft", "the counterweight's force"),
-         pointer(field::counterweight_radius)},
-        {input.centre_distance, mechanism, pointer(field::centre_distance)},
+         field::counterweight_radius},
+        {input.centre_distance, mechanism, field::centre_distance},
         {force * input.centre_distance, CORE_TEXT("balance-shaft", "the shaft's moment"),
-         pointer(field::centre_distance)},
+         field::centre_distance},
         {input.effective_rod_length(), mechanism,
-         input.rod_length ? pointer(field::rod_length, cylinder_place(input))
-                          : pointer(field::crank_radius)},
+         input.rod_length ? field::rod_length : field::crank_radius,
+         input.rod_length ? Place::cylinder : Place::input},
         {reciprocating * input.crank_radius * input.crank_radius * speed * speed,
-         CORE_TEXT("balance-shaft", "the inertia torque"), pointer(field::crank_radius)},
+         CORE_TEXT("balance-shaft", "the inertia torque"), field::crank_radius},
         of_envelope(sizes.cylinder_bore, field::cylinder_bore),
         of_envelope(sizes.cylinder_top, field::cylinder_top),
         of_envelope(sizes.crank_swing_radius, field::crank_swing_radius),
@@ -285,7 +290,11 @@ void check_together(const Input& input) {
     };
     for (const Product& product : products) {
         if (!(std::abs(product.value) <= 1e100)) {
-            throw InputError(product.where,
+            const std::string parent = product.place == Place::input ? "/input"
+                                       : product.place == Place::cylinder
+                                           ? cylinder_place(input)
+                                           : pointer(field::envelope);
+            throw InputError(pointer(product.field, parent),
                              {CORE_TEXT("balance-shaft",
                                         "makes %1 larger than this program can work with (%2) "
                                         "together with the other inputs"),
@@ -339,6 +348,10 @@ void check_speed_band(const SpeedBand& band) {
 
 void check_input(const Input& input) {
     check_fields(input);
+    check_joined(input);
+}
+
+void check_joined(const Input& input) {
     check_masses(input);
     check_sizes(input);
     check_together(input);

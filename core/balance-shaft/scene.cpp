@@ -1,13 +1,17 @@
 #include "balance-shaft/scene.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "balance-shaft/crank_balance.h"
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/envelope_study.h"
 #include "balance-shaft/fields.h"
 #include "balance-shaft/gear_error.h"
+#include "balance-shaft/moments.h"
 #include "balance-shaft/position_study.h"
 #include "balance-shaft/speed_study.h"
 #include "case-file/field_reader.h"
@@ -407,78 +411,166 @@ void read_kept(const Json& kept, const CaseContext& context, Input& input) {
     }
 }
 
+namespace {
+
+/// An object that takes what is wanted of it, in the order in which it is offered.
+class WantedObject {
+  public:
+    WantedObject(std::string pointer, const Wanted& wanted)
+        : pointer_(std::move(pointer)), wanted_(wanted) {}
+
+    bool wants(const char* key) const { return wanted_.wants(pointer_ + "/" + key); }
+    template <typename Compute>
+    void put(const char* key, const Compute& compute) {
+        if (wants(key)) {
+            json_[key] = compute();
+        }
+    }
+    void number(const char* key, double value) {
+        put(key, [&] { return Json(value); });
+    }
+    Json take() { return std::move(json_); }
+
+  private:
+    std::string pointer_;
+    const Wanted& wanted_;
+    Json json_ = Json::object();
+};
+
+/// What Moments::fill() fills in, where it is wanted.
+void put_moments(const Result& result, const Wanted& wanted, WantedObject& object) {
+    object.number("angular_speed_rad_s", result.angular_speed);
+    object.number("reciprocating_mass_kg", result.reciprocating_mass);
+    object.number("inertia_force_1_max_N", result.inertia_force_1_max);
+    object.number("counterweight_mass_kg", result.counterweight_mass);
+    object.number("counterweight_force_N", result.counterweight_force);
+    object.number("moment_amplitude_Nm", result.moment_amplitude);
+    object.number("shaft_angle_deg", result.shaft_angle / degree);
+    object.put("metrics", [&] {
+        WantedObject metrics("/metrics", wanted);
+        metrics.put("M_up", [&] { return write(result.M_up); });
+        metrics.put("M_s", [&] { return write(result.M_s); });
+        metrics.put("M_ups", [&] { return write(result.M_ups); });
+        return metrics.take();
+    });
+    object.put("change_without_shaft", [&] {
+        return Json{{"range_percent", number_or_null(result.range_change, 100.0)},
+                    {"rms_percent", number_or_null(result.rms_change, 100.0)}};
+    });
+}
+
+/// True where Moments::fill() gives all that is wanted and written by write_moments().
+bool needs_moments_alone(const Wanted& wanted) {
+    constexpr std::array others{"/printed_mean",
+                                "/optimum_buildable",
+                                "/buildable",
+                                "/order_1",
+                                "/dead_centre_deg",
+                                "/counterweight_lag_deg",
+                                "/envelope",
+                                "/notes",
+                                "/inertia_check",
+                                "/spectrum",
+                                "/flywheel",
+                                "/indicated",
+                                "/curves",
+                                "/sweep",
+                                "/clearances",
+                                "/crank_only",
+                                "/envelope_study",
+                                "/best_position",
+                                "/best_position_buildable",
+                                "/gear_error",
+                                "/relieved_shaft",
+                                "/speed_band"};
+    return std::none_of(others.begin(), others.end(),
+                        [&](const char* pointer) { return wanted.wants(pointer); });
+}
+
+Json write_moments(const Input& input, const Wanted& wanted) {
+    Result result;
+    Moments(input).fill(input, wanted.wants("/optimum"), result);
+    WantedObject object("", wanted);
+    put_moments(result, wanted, object);
+    object.put("optimum", [&] { return write_optima(result.best_range, result.best_rms); });
+    return object.take();
+}
+
+Json write_wanted(const Result& result, const Wanted& wanted) {
+    WantedObject object("", wanted);
+    put_moments(result, wanted, object);
+    object.put("printed_mean", [&] {
+        return Json{{"M_s_25_nodes_Nm", result.printed_mean_M_s},
+                    {"M_up_nodes_Nm", result.printed_mean_M_up},
+                    {"M_ups_nodes_Nm", result.printed_mean_M_ups}};
+    });
+    object.put("optimum", [&] { return write_optima(result.best_range, result.best_rms); });
+    object.put("optimum_buildable", [&] { return write_buildable_optima(result); });
+    object.put("buildable", [&] { return write_buildable(result); });
+    object.put("order_1", [&] {
+        return Json{{"amplitude_Nm", result.order_1_amplitude},
+                    {"phase_deg", result.order_1_phase / degree},
+                    {"share_of_variance", number_or_null(result.order_1_share, 1.0)}};
+    });
+    object.number("dead_centre_deg", result.dead_centre / degree);
+    object.number("counterweight_lag_deg", result.counterweight_lag / degree);
+    object.put("envelope", [&] {
+        return Json{{"width_mm", result.envelope.width() / units::mm},
+                    {"height_mm", result.envelope.height() / units::mm}};
+    });
+    object.put("notes", [&] {
+        Json notes = Json::array();
+        for (const Message& note : result.notes) {
+            notes.push_back(note.english());
+        }
+        if (!result.assumed_sizes.empty()) {
+            notes.push_back(result.assumed_sizes.english());
+        }
+        return notes;
+    });
+    object.put("inertia_check", [&] { return write(result.inertia_check); });
+    object.put("spectrum", [&] { return write_spectrum(result); });
+    object.put("flywheel", [&] { return write(result.flywheel); });
+    if (result.indicated) {
+        object.put("indicated", [&] {
+            return write(*result.indicated, result.indicated_power, result.angular_speed);
+        });
+    }
+    object.put("curves", [&] {
+        Json curves = {{"crank_angle_deg", result.curves.crank_angle_deg},
+                       {"M_up_Nm", result.curves.M_up},
+                       {"M_s_Nm", result.curves.M_s},
+                       {"M_ups_Nm", result.curves.M_ups},
+                       {"excess_energy_J", result.flywheel.energy}};
+        if (result.indicated) {
+            curves["M_gas_Nm"] = result.curves.M_gas;
+            curves["M_inertia_Nm"] = result.curves.M_inertia;
+            curves["M_offset_Nm"] = result.curves.M_offset;
+            curves["pressure_bar"] = scaled(result.curves.pressure, 1.0 / units::bar.to_si);
+            curves["volume_cm3"] = scaled(result.curves.volume, 1.0 / units::cm3.to_si);
+        }
+        return curves;
+    });
+    object.put("sweep", [&] {
+        return Json{{"shaft_angle_deg", result.sweep.shaft_angle_deg},
+                    {"range_Nm", result.sweep.range},
+                    {"rms_Nm", result.sweep.rms},
+                    {"mean_M_s_Nm", result.sweep.mean_M_s},
+                    {"mean_M_ups_Nm", result.sweep.mean_M_ups},
+                    {"printed_mean_M_s_25_nodes_Nm", result.sweep.printed_mean_M_s},
+                    {"printed_mean_M_ups_nodes_Nm", result.sweep.printed_mean_M_ups}};
+    });
+    return object.take();
+}
+
+}  // namespace
+
 Json write_result(const Result& result) {
-    Json notes = Json::array();
-    for (const Message& note : result.notes) {
-        notes.push_back(note.english());
-    }
-    if (!result.assumed_sizes.empty()) {
-        notes.push_back(result.assumed_sizes.english());
-    }
-    Json json = {
-        {"angular_speed_rad_s", result.angular_speed},
-        {"reciprocating_mass_kg", result.reciprocating_mass},
-        {"inertia_force_1_max_N", result.inertia_force_1_max},
-        {"counterweight_mass_kg", result.counterweight_mass},
-        {"counterweight_force_N", result.counterweight_force},
-        {"moment_amplitude_Nm", result.moment_amplitude},
-        {"shaft_angle_deg", result.shaft_angle / degree},
-        {"metrics",
-         {{"M_up", write(result.M_up)},
-          {"M_s", write(result.M_s)},
-          {"M_ups", write(result.M_ups)}}},
-        {"change_without_shaft",
-         {{"range_percent", number_or_null(result.range_change, 100.0)},
-          {"rms_percent", number_or_null(result.rms_change, 100.0)}}},
-        {"printed_mean",
-         {{"M_s_25_nodes_Nm", result.printed_mean_M_s},
-          {"M_up_nodes_Nm", result.printed_mean_M_up},
-          {"M_ups_nodes_Nm", result.printed_mean_M_ups}}},
-        {"optimum", write_optima(result.best_range, result.best_rms)},
-        {"optimum_buildable", write_buildable_optima(result)},
-        {"buildable", write_buildable(result)},
-        {"order_1",
-         {{"amplitude_Nm", result.order_1_amplitude},
-          {"phase_deg", result.order_1_phase / degree},
-          {"share_of_variance", number_or_null(result.order_1_share, 1.0)}}},
-        {"dead_centre_deg", result.dead_centre / degree},
-        {"counterweight_lag_deg", result.counterweight_lag / degree},
-        {"envelope",
-         {{"width_mm", result.envelope.width() / units::mm},
-          {"height_mm", result.envelope.height() / units::mm}}},
-        {"notes", notes},
-    };
-    json["inertia_check"] = write(result.inertia_check);
-    json["spectrum"] = write_spectrum(result);
-    json["flywheel"] = write(result.flywheel);
-    if (result.indicated) {
-        json["indicated"] = write(*result.indicated, result.indicated_power, result.angular_speed);
-    }
-    Json curves = {{"crank_angle_deg", result.curves.crank_angle_deg},
-                   {"M_up_Nm", result.curves.M_up},
-                   {"M_s_Nm", result.curves.M_s},
-                   {"M_ups_Nm", result.curves.M_ups},
-                   {"excess_energy_J", result.flywheel.energy}};
-    if (result.indicated) {
-        curves["M_gas_Nm"] = result.curves.M_gas;
-        curves["M_inertia_Nm"] = result.curves.M_inertia;
-        curves["M_offset_Nm"] = result.curves.M_offset;
-        curves["pressure_bar"] = scaled(result.curves.pressure, 1.0 / units::bar.to_si);
-        curves["volume_cm3"] = scaled(result.curves.volume, 1.0 / units::cm3.to_si);
-    }
-    json["curves"] = std::move(curves);
-    json["sweep"] = {{"shaft_angle_deg", result.sweep.shaft_angle_deg},
-                     {"range_Nm", result.sweep.range},
-                     {"rms_Nm", result.sweep.rms},
-                     {"mean_M_s_Nm", result.sweep.mean_M_s},
-                     {"mean_M_ups_Nm", result.sweep.mean_M_ups},
-                     {"printed_mean_M_s_25_nodes_Nm", result.sweep.printed_mean_M_s},
-                     {"printed_mean_M_ups_nodes_Nm", result.sweep.printed_mean_M_ups}};
-    return json;
+    return write_wanted(result, {});
 }
 
 Json write_result(const Solver& solver, const Result& result, const Wanted& wanted) {
-    Json json = write_result(result);
+    Json json = write_wanted(result, wanted);
     const auto put = [&](const char* key, auto&& compute) {
         if (wanted.wants(std::string("/") + key)) {
             json[key] = compute();
@@ -515,7 +607,11 @@ Json write_result(const Solver& solver, const Result& result, const Wanted& want
 }
 
 Json solve_scene(const Json& input, const CaseContext& context, const Wanted& wanted) {
-    const Solver solver(read_input(input, context));
+    const Input checked = read_input(input, context);
+    if (needs_moments_alone(wanted)) {
+        return write_moments(checked, wanted);
+    }
+    const Solver solver(checked);
     return write_result(solver, solver.result(), wanted);
 }
 

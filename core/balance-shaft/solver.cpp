@@ -8,6 +8,7 @@
 #include "balance-shaft/best_range.h"
 #include "balance-shaft/cycle_extrema.h"
 #include "balance-shaft/engine_torque.h"
+#include "balance-shaft/moments.h"
 #include "balance-shaft/trace_check.h"
 #include "numerics/angle.h"
 #include "numerics/periodic_piecewise.h"
@@ -17,9 +18,6 @@ namespace ravnoves::balance_shaft {
 namespace {
 
 constexpr double turn_deg = 360.0;
-/// Differences below this part of the size are rounding.
-constexpr double rounding = 1e-12;
-
 /// 0, step, 2 step … and the span itself.
 std::vector<double> grid(double span, double step) {
     const auto whole = static_cast<std::size_t>(std::floor(span / step * (1.0 + 1e-12)));
@@ -35,34 +33,11 @@ std::vector<double> grid(double span, double step) {
     return values;
 }
 
-struct Forces {
-    double inertia_force_1_max;  ///< P_j1 max, N
-    double counterweight_mass;   ///< m₁, kg, (1) or as given
-    double counterweight_force;  ///< P₁, N
-    double moment_amplitude;     ///< P₁ l, N·m
-
-    explicit Forces(const Input& input) {
-        const double mass = input.reciprocating_mass();
-        const double speed2 = input.angular_speed * input.angular_speed;
-        inertia_force_1_max = mass * input.crank_radius * speed2;
-        counterweight_mass = input.counterweight_mass.value_or(mass * input.crank_radius /
-                                                               (2.0 * input.counterweight_radius));
-        counterweight_force = counterweight_mass * input.counterweight_radius * speed2;
-        moment_amplitude = counterweight_force * input.centre_distance;
-    }
-};
-
 /// The mean over the paper's 25 nodes, every 30° with both ends: 24 of them cancel, the last
 /// repeats φ = 0. A cycle of 360° has 13 such nodes.
 double printed_mean_of_shaft_moment(double amplitude, double alpha, int strokes) {
     const double nodes = 6.0 * strokes + 1.0;
     return amplitude * std::sin(alpha) / nodes;
-}
-
-/// M_id over the cycle, as given or computed.
-PeriodicPiecewise engine_torque(const Input& input, const std::optional<CylinderGas>& gas) {
-    return gas ? torque_parts(input, *gas).torque(input.angular_speed)
-               : torque_curve(input.torque.table, input.interpolation);
 }
 
 /// The mean of M_up over the rows of the table, both ends, as the paper takes it; of a computed
@@ -86,36 +61,12 @@ OrderLine order_line(double order, const FourierPair& pair) {
     return {order, std::hypot(pair.a, pair.b), std::atan2(pair.a, pair.b)};
 }
 
-MomentMetrics metrics_of(const Extrema& extrema, double mean, double variance) {
-    MomentMetrics metrics;
-    metrics.mean = mean;
-    metrics.max = extrema.max.value;
-    metrics.min = extrema.min.value;
-    metrics.range = metrics.max - metrics.min;
-    metrics.rms = std::sqrt(std::max(variance, 0.0));
-    metrics.max_angle = extrema.max.angle_deg * degree;
-    metrics.min_angle = extrema.min.angle_deg * degree;
-    return metrics;
-}
-
 }  // namespace
 
-struct Solver::Prepared {
+struct Solver::Prepared : Moments {
     Input input;
     FrontView view;
     BuildableAngles buildable;
-    SliderCrank<double> crank;
-    double top;  ///< θ at top dead centre, where φ is 0, rad
-    PistonFirstOrder piston_1;
-    double phase;  ///< M_s = P₁ l sin(α + φ + phase), rad
-    Forces forces;
-    std::optional<CylinderGas> gas;   ///< where the torque is computed
-    PeriodicPiecewise torque;         ///< M_id over φ in degrees, given or computed
-    PeriodicPiecewise moment;         ///< M_up over φ in degrees
-    CycleExtrema extrema;             ///< of M_up + M_s
-    double variance = 0.0;            ///< of M_up, (N·m)²
-    std::vector<FourierPair> series;  ///< of M_up, orders ½, 1, 1½ …, or 1, 2 …
-    FourierPair order_1;              ///< M_up's component a cos φ + b sin φ
     /// What result() starts from: all but what follows the shaft's angle.
     Result base;
     std::vector<double> cos_curve;  ///< cos φ and sin φ at the curves' angles
@@ -123,23 +74,10 @@ struct Solver::Prepared {
 
     Prepared(const Input& checked, const Prepared* before);
 
-    double variance_at(double alpha) const {
-        // The shaft's moment A sin(φ + α) = A sin α cos φ + A cos α sin φ has the variance A²/2 and
-        // shares only the first order with M_up.
-        const double amplitude = forces.moment_amplitude;
-        return variance + amplitude * (amplitude / 2.0 + std::sin(alpha + phase) * order_1.a +
-                                       std::cos(alpha + phase) * order_1.b);
-    }
-    double rms_at(double alpha) const { return std::sqrt(std::max(variance_at(alpha), 0.0)); }
     Extrema extrema_at(double alpha) const { return extrema(alpha + phase); }
-
-    /// Crank turns of the cycle, and the place of order 1 in the spectrum.
-    std::size_t turns() const { return input.strokes == 2 ? 1 : 2; }
-    std::size_t first_order() const { return turns() - 1; }
 
     void prepare_spectrum();
     void prepare_curves();
-    void prepare_optima();
     void prepare_buildable();
     void prepare_sweep();
     void prepare_notes();
@@ -147,54 +85,24 @@ struct Solver::Prepared {
 };
 
 Solver::Prepared::Prepared(const Input& checked, const Prepared* before)
-    : input(checked),
+    : Moments(checked),
+      input(checked),
       view(balance_shaft::front_view(checked)),
       buildable(before != nullptr && before->view == view &&
                         before->input.place_limits == checked.place_limits
                     ? before->buildable
-                    : buildable_angles(view, checked.place_limits)),
-      crank(slider_crank(checked)),
-      top(crank.top_dead_centre()),
-      piston_1(piston_first_order(crank)),
-      phase(top - piston_1.lag),
-      forces(checked),
-      gas(cylinder_gas(checked)),
-      torque(engine_torque(checked, gas)),
-      moment(with_offset_term(
-          torque.negated(), crank,
-          checked.reciprocating_mass() * checked.angular_speed * checked.angular_speed)),
-      extrema(moment, forces.moment_amplitude),
-      variance(moment.variance()),
-      series(
-          moment.fourier_series(degree / static_cast<double>(turns()), turns() * spectrum_orders)),
-      order_1(series[first_order()]) {
-    base.angular_speed = input.angular_speed;
-    base.reciprocating_mass = input.reciprocating_mass();
-    base.inertia_force_1_max = forces.inertia_force_1_max;
-    base.counterweight_mass = forces.counterweight_mass;
-    base.counterweight_force = forces.counterweight_force;
-    base.moment_amplitude = forces.moment_amplitude;
-    base.M_up = metrics_of(CycleExtrema(moment, 0.0)(0.0), moment.mean(), variance);
-    base.order_1_amplitude = std::hypot(order_1.a, order_1.b);
-    base.order_1_phase = std::atan2(order_1.a, order_1.b);
-    const double size = std::max(std::abs(base.M_up.max), std::abs(base.M_up.min));
-    if (base.M_up.range > rounding * size && variance > 0.0) {
-        base.order_1_share =
-            std::min(base.order_1_amplitude * base.order_1_amplitude / (2.0 * variance), 1.0);
-    }
+                    : buildable_angles(view, checked.place_limits)) {
+    fill(input, true, base);
     base.printed_mean_M_up = printed_mean_of_rows(input, moment);
     if (gas) {
         base.indicated = gas->indicated();
         base.indicated_power = base.indicated->work * input.angular_speed / gas->period();
     }
-    base.dead_centre = top;
-    base.counterweight_lag = piston_1.lag;
     base.inertia_check = check_inertia(input);
     prepare_spectrum();
     prepare_curves();
     base.flywheel =
         flywheel(torque, input.angular_speed, input.flywheel, base.curves.crank_angle_deg);
-    prepare_optima();
     prepare_buildable();
     prepare_sweep();
     prepare_notes();
@@ -234,35 +142,6 @@ void Solver::Prepared::prepare_curves() {
             inertia_torque(crank, base.reciprocating_mass, input.angular_speed, theta));
         curves.M_offset.push_back(offset_lever(crank, theta) * base.reciprocating_mass *
                                   input.angular_speed * input.angular_speed);
-    }
-}
-
-void Solver::Prepared::prepare_optima() {
-    if (forces.moment_amplitude == 0.0) {
-        const Message note =
-            CORE_TEXT("balance-shaft", "The shaft makes no moment, so its angle changes nothing.");
-        base.best_range = {std::nullopt, base.M_up.range, note};
-        base.best_rms = {std::nullopt, base.M_up.rms, note};
-        return;
-    }
-    const BestRange best = minimise_range(extrema);
-    base.best_range.value = best.range;
-    if (best.worst - best.range > rounding * best.worst) {
-        base.best_range.shaft_angle = wrap_turn(best.shaft_angle - phase);
-    } else {
-        base.best_range.note =
-            CORE_TEXT("balance-shaft", "The range is the same at every angle of the shaft.");
-    }
-    // The variance is least where the shaft's moment opposes M_up's first order.
-    const double size = std::max(std::abs(base.M_up.max), std::abs(base.M_up.min));
-    if (base.order_1_amplitude > rounding * size) {
-        const double angle = wrap_turn(base.order_1_phase + pi - phase);
-        base.best_rms = {angle, rms_at(angle), {}};
-    } else {
-        base.best_rms = {std::nullopt, rms_at(0.0),
-                         CORE_TEXT("balance-shaft",
-                                   "The tipping moment has no first order, so the RMS is the same "
-                                   "at every angle of the shaft.")};
     }
 }
 
@@ -418,26 +297,11 @@ void Solver::move_shaft(double shaft_angle, Result& result) const {
     const Prepared& prepared = *prepared_;
     const double alpha = wrap_turn(shaft_angle);
     const double amplitude = prepared.forces.moment_amplitude;
-    result.shaft_angle = alpha;
-
-    MomentMetrics& shaft = result.M_s;
-    shaft.mean = 0.0;  // of a sine over whole periods
-    shaft.max = amplitude;
-    shaft.min = -amplitude;
-    shaft.range = 2.0 * amplitude;
-    shaft.rms = amplitude / std::numbers::sqrt2;
     const double turned = alpha + prepared.phase;
-    shaft.max_angle = wrap_turn(pi / 2.0 - turned);
-    shaft.min_angle = wrap_turn(3.0 * pi / 2.0 - turned);
-    result.M_ups = metrics_of(prepared.extrema_at(alpha), prepared.base.M_up.mean,
-                              prepared.variance_at(alpha));
+    prepared.Moments::move_shaft(alpha, result);
     result.printed_mean_M_s =
         printed_mean_of_shaft_moment(amplitude, turned, prepared.input.strokes);
     result.printed_mean_M_ups = result.printed_mean_M_s + prepared.base.printed_mean_M_up;
-    if (prepared.base.order_1_share) {
-        result.range_change = result.M_ups.range / prepared.base.M_up.range - 1.0;
-        result.rms_change = result.M_ups.rms / prepared.base.M_up.rms - 1.0;
-    }
     result.envelope = balance_shaft::envelope(prepared.view, alpha);
     result.is_buildable = prepared.buildable.contains(alpha);
 

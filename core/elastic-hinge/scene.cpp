@@ -166,7 +166,9 @@ Json write_motions(const Input& input, const Result& result) {
     return object;
 }
 
-Json write_result(const Input& input, const Result& result) {
+namespace {
+
+Json write_wanted(const Input& input, const Result& result, const Wanted& wanted) {
     const double g = result.design->mechanism().gravity;
     Json json;
     json["rod_hinge_moment_integral_J"] = result.rod_hinge_integral;
@@ -177,7 +179,9 @@ Json write_result(const Input& input, const Result& result) {
     }
     json["guide"] = write_guide(result.crank_guide);
     json["guide_beside_rod_hinge"] = write_guide(result.crank_guide_with_rod);
-    json["rod_hinge_guide"] = write_rod_guide(result.rod_guide);
+    if (wanted.wants("/rod_hinge_guide")) {
+        json["rod_hinge_guide"] = write_rod_guide(result.rod_guide);
+    }
     if (result.proposal) {
         json["guide_search"] = write_proposal(*result.proposal);
     } else if (input.guide_search) {
@@ -197,7 +201,7 @@ Json write_result(const Input& input, const Result& result) {
         {"largest_cos_psi_error", result.series_error},
         {"at_crank_angle_deg", result.series_error_angle / degree},
         {"largest_rod_hinge_moment_error_Nm", optional(result.series_moment_error, 1.0)}};
-    if (input.motion) {
+    if (input.motion && wanted.wants("/motion")) {
         json["motion"] = write_motions(input, result);
     }
     Json notes = Json::array();
@@ -207,6 +211,9 @@ Json write_result(const Input& input, const Result& result) {
         }
     }
     json["notes"] = notes;
+    if (!wanted.wants("/curves")) {
+        return json;
+    }
     const MechanismCurves& curves = result.curves;
     json["curves"] = {
         {"crank_angle_deg", result.crank_angle_deg},
@@ -222,9 +229,15 @@ Json write_result(const Input& input, const Result& result) {
     return json;
 }
 
-Json solve_scene(const Json& json, const CaseContext& /*context*/, const Wanted& /*wanted*/) {
+}  // namespace
+
+Json write_result(const Input& input, const Result& result) {
+    return write_wanted(input, result, {});
+}
+
+Json solve_scene(const Json& json, const CaseContext& /*context*/, const Wanted& wanted) {
     const Input input = read_input(json);
-    return write_result(input, solve(input));
+    return write_wanted(input, solve(input), wanted);
 }
 
 }  // namespace ravnoves::elastic_hinge

@@ -194,8 +194,15 @@ Json write_input(const Input& input) {
     return write_fields(input);
 }
 
-Json write_result(const Input& input, const Result& result) {
+namespace {
+
+Json write_wanted(const Input& input, const Result& result, const Wanted& wanted) {
     Json json;
+    const auto put_orders = [&](const char* key, const EngineOrders& orders) {
+        if (wanted.wants(std::string("/") + key)) {
+            json[key] = write_orders(orders);
+        }
+    };
     Json pins = Json::array();
     Json tops = Json::array();
     Json strokes = Json::array();
@@ -213,12 +220,14 @@ Json write_result(const Input& input, const Result& result) {
     if (Json rods = write_articulated(result.engine); !rods.empty()) {
         json["articulated_rods"] = std::move(rods);
     }
-    json["two_term"] = write_orders(result.two_term);
-    json["exact"] = write_orders(result.exact);
+    put_orders("two_term", result.two_term);
+    put_orders("exact", result.exact);
     json["rotating"] = write_rotating(result.rotating);
     json["throws"] = write_throws(result.engine);
-    json["difference"] = write_differences(result);
-    if (!result.exact.accurate) {
+    if (wanted.wants("/difference")) {
+        json["difference"] = write_differences(result);
+    }
+    if (!result.exact.accurate && wanted.wants("/difference")) {
         json["difference"]["warnings"].push_back(less_accurate.english);
     }
     if (!result.firing.empty()) {
@@ -248,17 +257,25 @@ Json write_result(const Input& input, const Result& result) {
     if (result.counterweights) {
         json["counterweights"] = write_counterweights(*result.counterweights);
     }
-    json["remaining"] = write_orders(result.remaining);
-    if (input.step) {
+    put_orders("remaining", result.remaining);
+    if (input.step && wanted.wants("/curves")) {
         json["curves"] = write_curves(result.curves);
+    }
+    if (input.step && wanted.wants("/remaining_curves")) {
         json["remaining_curves"] = write_curves(result.remaining_curves);
     }
     return json;
 }
 
-Json solve_scene(const Json& input, const CaseContext& /*context*/, const Wanted& /*wanted*/) {
+}  // namespace
+
+Json write_result(const Input& input, const Result& result) {
+    return write_wanted(input, result, {});
+}
+
+Json solve_scene(const Json& input, const CaseContext& /*context*/, const Wanted& wanted) {
     const Input checked = read_input(input);
-    return write_result(checked, solve(checked));
+    return write_wanted(checked, solve(checked), wanted);
 }
 
 }  // namespace ravnoves::inertia_moments

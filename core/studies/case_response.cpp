@@ -10,6 +10,7 @@
 #include "case-file/object_reader.h"
 #include "case-file/text_file.h"
 #include "case-file/wanted.h"
+#include "scenes/responses.h"
 #include "scenes/scenes.h"
 #include "studies/sha256.h"
 #include "studies/study_run.h"
@@ -61,6 +62,14 @@ std::string why_missing(const Json& result, const Pointer& place) {
     return text + ": no value";
 }
 
+std::vector<std::string> watched_pointers(const Study& study) {
+    std::vector<std::string> pointers;
+    for (const Watched& watched : study.watch) {
+        pointers.push_back(watched.pointer);
+    }
+    return pointers;
+}
+
 class CaseResponse final : public Response {
   public:
     CaseResponse(const SceneSolver& solver, Json input, CaseContext context, const Study& study)
@@ -68,12 +77,10 @@ class CaseResponse final : public Response {
         for (const Varied& varied : study.vary) {
             slots_.push_back(&input_.at(Pointer(varied.pointer)));
         }
-        std::vector<std::string> pointers;
         for (const Watched& watched : study.watch) {
-            pointers.push_back(watched.pointer);
             places_.emplace_back(watched.pointer);
         }
-        wanted_ = Wanted(std::move(pointers));
+        wanted_ = Wanted(watched_pointers(study));
     }
 
     bool evaluate(std::span<const double> x, std::span<double> y) override {
@@ -127,11 +134,7 @@ std::vector<double> nominal_inputs(const Json& input, const Study& study) {
 /// @throws InputError where the case cannot be solved, or the result has no such values
 std::vector<std::optional<double>> nominal_result(const SceneSolver& solver, const CaseFile& file,
                                                   const CaseContext& context, const Study& study) {
-    std::vector<std::string> pointers;
-    for (const Watched& watched : study.watch) {
-        pointers.push_back(watched.pointer);
-    }
-    const Json result = solver.solve(file.input, context, Wanted(pointers));
+    const Json result = solver.solve(file.input, context, Wanted(watched_pointers(study)));
     std::vector<std::optional<double>> values;
     for (const Watched& watched : study.watch) {
         const Pointer place(watched.pointer);
@@ -169,8 +172,15 @@ Problem problem_of(const CaseFile& file, const CaseContext& context, std::string
         problem.origin.files_sha256.emplace_back(path.filename().string(),
                                                  sha256(read_text_file(path)));
     }
-    problem.make = [&solver, input = file.input, context, study = problem.study] {
-        return std::make_unique<CaseResponse>(solver, input, context, study);
+    problem.make = [&solver, file, context, study = problem.study]() -> std::unique_ptr<Response> {
+        std::vector<std::string> varied;
+        for (const Varied& each : study.vary) {
+            varied.push_back(each.pointer);
+        }
+        if (auto quick = quick_response(file, context, varied, watched_pointers(study))) {
+            return quick;
+        }
+        return std::make_unique<CaseResponse>(solver, file.input, context, study);
     };
     return problem;
 }

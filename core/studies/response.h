@@ -2,30 +2,10 @@
 
 #include <functional>
 #include <memory>
-#include <span>
-#include <string>
+
+#include "case-file/response.h"
 
 namespace ravnoves::studies {
-
-/// Watched values as functions of varied inputs. For one thread at a time.
-class Response {
-  public:
-    Response() = default;
-    Response(const Response&) = delete;
-    Response& operator=(const Response&) = delete;
-    virtual ~Response() = default;
-
-    /// @param x  the inputs, in the units of their keys
-    /// @param y  set to the watched values, in the units of theirs; not a number where there is
-    /// none
-    /// @return false where one of them does not exist: reason() says why
-    virtual bool evaluate(std::span<const double> x, std::span<double> y) = 0;
-    /// Of the last refusal; in English.
-    const std::string& reason() const { return reason_; }
-
-  protected:
-    std::string reason_;
-};
 
 /// Makes one for each thread.
 using MakeResponse = std::function<std::unique_ptr<Response>()>;

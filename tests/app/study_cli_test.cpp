@@ -88,7 +88,7 @@ TEST_F(StudyCommandLine, ShardsAreTheWholeToTheLastDigit) {
 }
 
 TEST_F(StudyCommandLine, GoesOnWhereItWasInterrupted) {
-    Json document = study_case(300'000);
+    Json document = study_case(30'000'000);
     write("case.json", document.dump());
     const Outcome stopped = run("study case.json -o r.json", "", "timeout -s TERM 1 ");
     EXPECT_NE(stopped.status, 0);

@@ -1,0 +1,179 @@
+#include "balance-shaft/moments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "balance-shaft/best_range.h"
+#include "balance-shaft/engine_torque.h"
+
+namespace ravnoves::balance_shaft {
+
+namespace {
+
+/// M_id over the cycle, as given or computed.
+PeriodicPiecewise engine_torque(const Input& input, const std::optional<CylinderGas>& gas) {
+    return gas ? torque_parts(input, *gas).torque(input.angular_speed)
+               : torque_curve(input.torque.table, input.interpolation);
+}
+
+MomentMetrics metrics_of(const Extrema& extrema, double mean, double variance) {
+    MomentMetrics metrics;
+    metrics.mean = mean;
+    metrics.max = extrema.max.value;
+    metrics.min = extrema.min.value;
+    metrics.range = metrics.max - metrics.min;
+    metrics.rms = std::sqrt(std::max(variance, 0.0));
+    metrics.max_angle = extrema.max.angle_deg * degree;
+    metrics.min_angle = extrema.min.angle_deg * degree;
+    return metrics;
+}
+
+double size_of(const MomentMetrics& moment) {
+    return std::max(std::abs(moment.max), std::abs(moment.min));
+}
+
+constexpr Text makes_no_moment =
+    CORE_TEXT("balance-shaft", "The shaft makes no moment, so its angle changes nothing.");
+
+}  // namespace
+
+Forces::Forces(const Input& input) {
+    const double mass = input.reciprocating_mass();
+    const double speed2 = input.angular_speed * input.angular_speed;
+    inertia_force_1_max = mass * input.crank_radius * speed2;
+    counterweight_mass = input.counterweight_mass.value_or(mass * input.crank_radius /
+                                                           (2.0 * input.counterweight_radius));
+    counterweight_force = counterweight_mass * input.counterweight_radius * speed2;
+    moment_amplitude = counterweight_force * input.centre_distance;
+}
+
+Moments::Moments(const Input& checked)
+    : strokes(checked.strokes),
+      crank(slider_crank(checked)),
+      top(crank.top_dead_centre()),
+      piston_1(piston_first_order(crank)),
+      phase(top - piston_1.lag),
+      forces(checked),
+      gas(cylinder_gas(checked)),
+      torque(engine_torque(checked, gas)),
+      moment(with_offset_term(
+          torque.negated(), crank,
+          checked.reciprocating_mass() * checked.angular_speed * checked.angular_speed)),
+      extrema(moment, forces.moment_amplitude),
+      mean(moment.mean()),
+      variance(moment.variance()),
+      series(
+          moment.fourier_series(degree / static_cast<double>(turns()), turns() * spectrum_orders)),
+      order_1(series[first_order()]) {}
+
+bool Moments::follow(const Input& checked) {
+    if (gas || crank.offset != 0.0) {
+        return false;
+    }
+    crank = slider_crank(checked);
+    top = crank.top_dead_centre();
+    piston_1 = piston_first_order(crank);
+    phase = top - piston_1.lag;
+    forces = Forces(checked);
+    if (forces.moment_amplitude != extrema.amplitude()) {
+        extrema = CycleExtrema(moment, forces.moment_amplitude);
+    }
+    return true;
+}
+
+double Moments::variance_at(double alpha) const {
+    // The shaft's moment A sin(φ + α) = A sin α cos φ + A cos α sin φ has the variance A²/2 and
+    // shares only the first order with M_up.
+    const double amplitude = forces.moment_amplitude;
+    return variance + amplitude * (amplitude / 2.0 + std::sin(alpha + phase) * order_1.a +
+                                   std::cos(alpha + phase) * order_1.b);
+}
+
+double Moments::rms_at(double alpha) const {
+    return std::sqrt(std::max(variance_at(alpha), 0.0));
+}
+
+MomentMetrics Moments::tipping() const {
+    return metrics_of(CycleExtrema(moment, 0.0)(0.0), mean, variance);
+}
+
+MomentMetrics Moments::shaft(double alpha) const {
+    const double amplitude = forces.moment_amplitude;
+    const double turned = alpha + phase;
+    MomentMetrics metrics;
+    metrics.mean = 0.0;  // of a sine over whole periods
+    metrics.max = amplitude;
+    metrics.min = -amplitude;
+    metrics.range = 2.0 * amplitude;
+    metrics.rms = amplitude / std::numbers::sqrt2;
+    metrics.max_angle = wrap_turn(pi / 2.0 - turned);
+    metrics.min_angle = wrap_turn(3.0 * pi / 2.0 - turned);
+    return metrics;
+}
+
+MomentMetrics Moments::at(double alpha) const {
+    return metrics_of(extrema(alpha + phase), mean, variance_at(alpha));
+}
+
+Optimum Moments::best_range(const MomentMetrics& tipping) const {
+    if (forces.moment_amplitude == 0.0) {
+        return {std::nullopt, tipping.range, makes_no_moment};
+    }
+    const BestRange best = minimise_range(extrema);
+    if (best.worst - best.range > moment_rounding * best.worst) {
+        return {wrap_turn(best.shaft_angle - phase), best.range, {}};
+    }
+    return {std::nullopt, best.range,
+            CORE_TEXT("balance-shaft", "The range is the same at every angle of the shaft.")};
+}
+
+Optimum Moments::best_rms(const MomentMetrics& tipping) const {
+    if (forces.moment_amplitude == 0.0) {
+        return {std::nullopt, tipping.rms, makes_no_moment};
+    }
+    // The variance is least where the shaft's moment opposes M_up's first order.
+    if (std::hypot(order_1.a, order_1.b) > moment_rounding * size_of(tipping)) {
+        const double angle = wrap_turn(std::atan2(order_1.a, order_1.b) + pi - phase);
+        return {angle, rms_at(angle), {}};
+    }
+    return {std::nullopt, rms_at(0.0),
+            CORE_TEXT("balance-shaft",
+                      "The tipping moment has no first order, so the RMS is the same "
+                      "at every angle of the shaft.")};
+}
+
+void Moments::fill(const Input& input, bool optima, Result& result) const {
+    result.angular_speed = input.angular_speed;
+    result.reciprocating_mass = input.reciprocating_mass();
+    result.inertia_force_1_max = forces.inertia_force_1_max;
+    result.counterweight_mass = forces.counterweight_mass;
+    result.counterweight_force = forces.counterweight_force;
+    result.moment_amplitude = forces.moment_amplitude;
+    result.M_up = tipping();
+    result.order_1_amplitude = std::hypot(order_1.a, order_1.b);
+    result.order_1_phase = std::atan2(order_1.a, order_1.b);
+    if (result.M_up.range > moment_rounding * size_of(result.M_up) && variance > 0.0) {
+        result.order_1_share =
+            std::min(result.order_1_amplitude * result.order_1_amplitude / (2.0 * variance), 1.0);
+    }
+    result.dead_centre = top;
+    result.counterweight_lag = piston_1.lag;
+    if (optima) {
+        result.best_range = best_range(result.M_up);
+        result.best_rms = best_rms(result.M_up);
+    }
+    move_shaft(wrap_turn(input.shaft_angle), result);
+}
+
+void Moments::move_shaft(double alpha, Result& result) const {
+    result.shaft_angle = alpha;
+    result.M_s = shaft(alpha);
+    result.M_ups = at(alpha);
+    if (result.order_1_share) {
+        result.range_change = result.M_ups.range / result.M_up.range - 1.0;
+        result.rms_change = result.M_ups.rms / result.M_up.rms - 1.0;
+    }
+}
+
+}  // namespace ravnoves::balance_shaft

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "balance-shaft/cycle_extrema.h"
+#include "balance-shaft/input.h"
+#include "balance-shaft/offset_cylinder.h"
+#include "balance-shaft/result.h"
+#include "numerics/angle.h"
+
+namespace ravnoves::balance_shaft {
+
+/// The first order's forces and the counterweights'.
+struct Forces {
+    double inertia_force_1_max;  ///< P_j1 max, N
+    double counterweight_mass;   ///< m₁, kg, (1) or as given
+    double counterweight_force;  ///< P₁, N
+    double moment_amplitude;     ///< P₁ l, N·m
+
+    explicit Forces(const Input& input);
+};
+
+/// The moments on the mounts at every α: what the solver's result begins with, without the front
+/// view, the curves and the sweep.
+struct Moments {
+    int strokes;
+    SliderCrank<double> crank;
+    double top;  ///< θ at top dead centre, where φ is 0, rad
+    PistonFirstOrder piston_1;
+    double phase;  ///< M_s = P₁ l sin(α + φ + phase), rad
+    Forces forces;
+    std::optional<CylinderGas> gas;   ///< where the torque is computed
+    PeriodicPiecewise torque;         ///< M_id over φ in degrees, given or computed
+    PeriodicPiecewise moment;         ///< M_up over φ in degrees
+    CycleExtrema extrema;             ///< of M_up + M_s
+    double mean = 0.0;                ///< of M_up, N·m
+    double variance = 0.0;            ///< of M_up, (N·m)²
+    std::vector<FourierPair> series;  ///< of M_up, orders ½, 1, 1½ …, or 1, 2 …
+    FourierPair order_1;              ///< M_up's component a cos φ + b sin φ
+
+    /// @param checked  as check_input() leaves it
+    explicit Moments(const Input& checked);
+
+    /// Follows an input whose torque, interpolation, strokes and offset are those of the one
+    /// before.
+    /// @return false where M_up rests on more than these: nothing is done then
+    bool follow(const Input& checked);
+
+    /// Crank turns of the cycle, and the place of order 1 in the spectrum.
+    std::size_t turns() const { return strokes == 2 ? 1 : 2; }
+    std::size_t first_order() const { return turns() - 1; }
+
+    double variance_at(double alpha) const;   ///< of M_ups, (N·m)²
+    double rms_at(double alpha) const;        ///< of M_ups, N·m
+    MomentMetrics tipping() const;            ///< of M_up
+    MomentMetrics shaft(double alpha) const;  ///< of M_s
+    MomentMetrics at(double alpha) const;     ///< of M_ups
+    /// The best α. @param tipping  tipping()
+    Optimum best_range(const MomentMetrics& tipping) const;
+    Optimum best_rms(const MomentMetrics& tipping) const;
+
+    /// What a result says of all this, at the input's α: its numbers up to the metrics and their
+    /// changes. @param optima  the best α as well
+    void fill(const Input& input, bool optima, Result& result) const;
+    /// The part of that which follows the shaft's angle.
+    void move_shaft(double alpha, Result& result) const;
+};
+
+/// Differences below this part of the size are rounding.
+inline constexpr double moment_rounding = 1e-12;
+
+}  // namespace ravnoves::balance_shaft

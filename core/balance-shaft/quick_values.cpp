@@ -1,0 +1,221 @@
+#include "balance-shaft/quick_values.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "balance-shaft/input_check.h"
+#include "balance-shaft/moments.h"
+#include "case-file/input_error.h"
+#include "case-file/number_places.h"
+
+namespace ravnoves::balance_shaft {
+
+namespace {
+
+/// The moments of one input; each part is computed where it is asked for.
+class Answers {
+  public:
+    Answers(const Moments& moments, const Input& input)
+        : moments(moments), input_(input), alpha_(wrap_turn(input.shaft_angle)) {}
+
+    const Moments& moments;
+    double mass() const { return input_.reciprocating_mass(); }
+    const MomentMetrics& up() {
+        return keep(up_, [&] { return moments.tipping(); });
+    }
+    const MomentMetrics& s() {
+        return keep(s_, [&] { return moments.shaft(alpha_); });
+    }
+    const MomentMetrics& ups() {
+        return keep(ups_, [&] { return moments.at(alpha_); });
+    }
+    const Optimum& range() {
+        return keep(range_, [&] { return moments.best_range(tipping_of_none()); });
+    }
+    const Optimum& rms() {
+        return keep(rms_, [&] { return moments.best_rms(up()); });
+    }
+
+  private:
+    template <typename Value, typename Compute>
+    static const Value& keep(std::optional<Value>& kept, const Compute& compute) {
+        return kept ? *kept : kept.emplace(compute());
+    }
+    /// The best range asks for M_up where there is no shaft's moment alone.
+    MomentMetrics tipping_of_none() {
+        return moments.forces.moment_amplitude == 0.0 ? up() : MomentMetrics{};
+    }
+
+    const Input& input_;
+    double alpha_;
+    std::optional<MomentMetrics> up_, s_, ups_;
+    std::optional<Optimum> range_, rms_;
+};
+
+using Value = std::optional<double> (*)(Answers& of);
+
+struct QuickValue {
+    std::string_view pointer;
+    Value value;
+    const Message* (*note)(Answers& of) = nullptr;
+};
+
+template <const MomentMetrics& (Answers::*Which)()>
+constexpr std::array<Value, 7> metrics_values{
+    [](Answers& of) { return std::optional((of.*Which)().mean); },
+    [](Answers& of) { return std::optional((of.*Which)().max); },
+    [](Answers& of) { return std::optional((of.*Which)().min); },
+    [](Answers& of) { return std::optional((of.*Which)().range); },
+    [](Answers& of) { return std::optional((of.*Which)().rms); },
+    [](Answers& of) { return std::optional((of.*Which)().max_angle / degree); },
+    [](Answers& of) { return std::optional((of.*Which)().min_angle / degree); }};
+
+template <const Optimum& (Answers::*Which)()>
+std::optional<double> angle_of(Answers& of) {
+    const auto& angle = (of.*Which)().shaft_angle;
+    return angle ? std::optional(*angle * (1.0 / degree)) : std::nullopt;
+}
+template <const Optimum& (Answers::*Which)()>
+std::optional<double> value_of(Answers& of) {
+    return (of.*Which)().value;
+}
+template <const Optimum& (Answers::*Which)()>
+const Message* note_of(Answers& of) {
+    return &(of.*Which)().note;
+}
+
+constexpr auto& of_up = metrics_values<&Answers::up>;
+constexpr auto& of_s = metrics_values<&Answers::s>;
+constexpr auto& of_ups = metrics_values<&Answers::ups>;
+
+constexpr std::array quick_values{
+    QuickValue{"/metrics/M_up/mean_Nm", of_up[0]},
+    QuickValue{"/metrics/M_up/max_Nm", of_up[1]},
+    QuickValue{"/metrics/M_up/min_Nm", of_up[2]},
+    QuickValue{"/metrics/M_up/range_Nm", of_up[3]},
+    QuickValue{"/metrics/M_up/rms_Nm", of_up[4]},
+    QuickValue{"/metrics/M_up/max_crank_angle_deg", of_up[5]},
+    QuickValue{"/metrics/M_up/min_crank_angle_deg", of_up[6]},
+    QuickValue{"/metrics/M_s/max_Nm", of_s[1]},
+    QuickValue{"/metrics/M_s/min_Nm", of_s[2]},
+    QuickValue{"/metrics/M_s/range_Nm", of_s[3]},
+    QuickValue{"/metrics/M_s/rms_Nm", of_s[4]},
+    QuickValue{"/metrics/M_s/max_crank_angle_deg", of_s[5]},
+    QuickValue{"/metrics/M_s/min_crank_angle_deg", of_s[6]},
+    QuickValue{"/metrics/M_ups/mean_Nm", of_ups[0]},
+    QuickValue{"/metrics/M_ups/max_Nm", of_ups[1]},
+    QuickValue{"/metrics/M_ups/min_Nm", of_ups[2]},
+    QuickValue{"/metrics/M_ups/range_Nm", of_ups[3]},
+    QuickValue{"/metrics/M_ups/rms_Nm", of_ups[4]},
+    QuickValue{"/metrics/M_ups/max_crank_angle_deg", of_ups[5]},
+    QuickValue{"/metrics/M_ups/min_crank_angle_deg", of_ups[6]},
+    QuickValue{"/optimum/range/shaft_angle_deg", angle_of<&Answers::range>,
+               note_of<&Answers::range>},
+    QuickValue{"/optimum/range/range_Nm", value_of<&Answers::range>},
+    QuickValue{"/optimum/rms/shaft_angle_deg", angle_of<&Answers::rms>, note_of<&Answers::rms>},
+    QuickValue{"/optimum/rms/rms_Nm", value_of<&Answers::rms>},
+    QuickValue{"/reciprocating_mass_kg", [](Answers& of) { return std::optional(of.mass()); }},
+    QuickValue{"/inertia_force_1_max_N",
+               [](Answers& of) { return std::optional(of.moments.forces.inertia_force_1_max); }},
+    QuickValue{"/counterweight_mass_kg",
+               [](Answers& of) { return std::optional(of.moments.forces.counterweight_mass); }},
+    QuickValue{"/counterweight_force_N",
+               [](Answers& of) { return std::optional(of.moments.forces.counterweight_force); }},
+    QuickValue{"/moment_amplitude_Nm",
+               [](Answers& of) { return std::optional(of.moments.forces.moment_amplitude); }},
+};
+
+class QuickResponse final : public Response {
+  public:
+    QuickResponse(const Input& input, std::span<const std::string> varied,
+                  std::vector<const QuickValue*> values)
+        : input_(input),
+          varied_(varied.begin(), varied.end()),
+          places_(find_numbers(input_, varied)),
+          values_(std::move(values)),
+          keeps_torque_(std::none_of(varied.begin(), varied.end(), [](const std::string& pointer) {
+              return pointer.starts_with("/torque") || pointer == "/offset_mm";
+          })) {}
+
+    bool evaluate(std::span<const double> x, std::span<double> y) override {
+        std::fill(y.begin(), y.end(), std::numeric_limits<double>::quiet_NaN());
+        for (std::size_t j = 0; j < x.size(); ++j) {
+            if (!places_[j].range.contains(x[j])) {
+                reason_ = "/input" + varied_[j] + ": " + places_[j].range.describe();
+                return false;
+            }
+            *places_[j].value = x[j] * places_[j].unit;
+        }
+        try {
+            check_joined(input_);
+            if (!moments_ || !keeps_torque_ || !moments_->follow(input_)) {
+                moments_.emplace(input_);
+            }
+        } catch (const InputError& error) {
+            reason_ = error.where() + ": " + error.allowed();
+            return false;
+        }
+        Answers answers(*moments_, input_);
+        bool whole = true;
+        for (std::size_t w = 0; w < y.size(); ++w) {
+            const auto value = values_[w]->value(answers);
+            if (value && std::isfinite(*value)) {
+                y[w] = *value;
+            } else if (whole) {
+                whole = false;
+                const Message* note =
+                    values_[w]->note != nullptr ? values_[w]->note(answers) : nullptr;
+                reason_ = std::string(values_[w]->pointer) + ": " +
+                          (note != nullptr && !note->empty() ? note->english() : "no value");
+            }
+        }
+        return whole;
+    }
+
+  private:
+    Input input_;
+    std::vector<std::string> varied_;
+    std::vector<NumberPlace> places_;
+    std::vector<const QuickValue*> values_;
+    bool keeps_torque_;
+    std::optional<Moments> moments_;
+};
+
+/// Whether the fields give these numbers themselves, not copies.
+bool have_places(const Input& input, std::span<const std::string> pointers) {
+    Input one = input;
+    Input other = input;
+    const auto places = find_numbers(one, pointers);
+    const auto others = find_numbers(other, pointers);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (places[i].value == nullptr || places[i].value == others[i].value) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+std::unique_ptr<Response> quick_response(const Input& input, std::span<const std::string> varied,
+                                         std::span<const std::string> watched) {
+    std::vector<const QuickValue*> values;
+    for (const std::string& pointer : watched) {
+        const auto found =
+            std::find_if(quick_values.begin(), quick_values.end(),
+                         [&](const QuickValue& each) { return each.pointer == pointer; });
+        if (found == quick_values.end()) {
+            return nullptr;
+        }
+        values.push_back(&*found);
+    }
+    if (!have_places(input, varied)) {
+        return nullptr;
+    }
+    return std::make_unique<QuickResponse>(input, varied, std::move(values));
+}
+
+}  // namespace ravnoves::balance_shaft

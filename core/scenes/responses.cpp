@@ -1,0 +1,20 @@
+#include "scenes/responses.h"
+
+#include "balance-shaft/quick_values.h"
+#include "balance-shaft/scene.h"
+#include "case-file/case_file.h"
+
+namespace ravnoves {
+
+std::unique_ptr<Response> quick_response(const CaseFile& file, const CaseContext& context,
+                                         std::span<const std::string> varied,
+                                         std::span<const std::string> watched) {
+    // One line for each scene that has them.
+    if (file.scene == "balance-shaft") {
+        return balance_shaft::quick_response(balance_shaft::read_input(file.input, context), varied,
+                                             watched);
+    }
+    return nullptr;
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,126 @@
+// What is skipped when little is asked for changes no number of what is asked for.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "case-file/case_file.h"
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "case-file/text_file.h"
+#include "scenes/responses.h"
+#include "scenes/scenes.h"
+#include "support.h"
+
+namespace ravnoves::studies {
+namespace {
+
+CaseFile example(const char* name) {
+    return parse_case(read_text_file(std::filesystem::path(RAVNOVES_EXAMPLES) / name));
+}
+
+TEST(Wanted, EachPartAloneIsThatOfTheWhole) {
+    for (const auto& entry : std::filesystem::directory_iterator(RAVNOVES_EXAMPLES)) {
+        if (entry.path().extension() != ".json") {
+            continue;
+        }
+        const CaseFile file = parse_case(read_text_file(entry.path()));
+        const Json whole = solve_case(file, {}).at("result");
+        for (const auto& item : whole.items()) {
+            const Json alone = solve_case(file, {}, Wanted({"/" + item.key()})).at("result");
+            EXPECT_TRUE(alone == (Json{{item.key(), item.value()}}))
+                << entry.path() << ' ' << item.key();
+        }
+    }
+}
+
+TEST(QuickResponse, GivesTheNumbersOfTheWholeSolution) {
+    CaseFile file = example("tmz-650d.case.json");
+    const Json flat = solve_case(file, {}).at("result").flatten();
+    for (const std::array<std::string, 2>& varied :
+         {std::array<std::string, 2>{"/crank_radius_mm", "/reciprocating_masses_kg/piston"},
+          std::array<std::string, 2>{"/shaft_angle_deg", "/torque/torque_Nm/26"}}) {
+        std::vector<std::string> watched;
+        for (const auto& item : flat.items()) {
+            const std::array<std::string, 1> one{item.key()};
+            if (quick_response(file, {}, varied, one) != nullptr) {
+                watched.push_back(item.key());
+            }
+        }
+        ASSERT_GT(watched.size(), 25U);
+        const auto quick = quick_response(file, {}, varied, watched);
+        std::vector<double> y(watched.size());
+        for (int i = 0; i < 4; ++i) {
+            std::array<double, 2> x{};
+            CaseFile moved = file;
+            for (std::size_t j = 0; j < 2; ++j) {
+                Json& value = moved.input.at(Json::json_pointer(varied[j]));
+                x[j] = value.get<double>() * (1.0 + 0.003 * i);
+                value = x[j];
+            }
+            ASSERT_TRUE(quick->evaluate(x, y));
+            const Json result = solve_case(moved, {}).at("result");
+            for (std::size_t w = 0; w < watched.size(); ++w) {
+                EXPECT_EQ(y[w], result.at(Json::json_pointer(watched[w])).get<double>())
+                    << watched[w];
+            }
+        }
+        EXPECT_FALSE(quick->evaluate(std::array<double, 2>{-1.0, 1e13}, y));
+        EXPECT_EQ(quick->reason().substr(0, 6), "/input");
+    }
+}
+
+TEST(QuickResponse, RefusesAsTheWholeSolutionDoes) {
+    CaseFile file = example("tmz-650d.case.json");
+    const std::array<std::string, 1> varied{"/crank_radius_mm"};
+    const std::array<std::string, 1> watched{"/metrics/M_ups/range_Nm"};
+    const auto quick = quick_response(file, {}, varied, watched);
+    double y = 0.0;
+    for (const double x : {-46.0, 0.0, 1e-9, 1e120}) {
+        file.input["crank_radius_mm"] = x;
+        std::string reason;
+        try {
+            solve_case(file, {});
+        } catch (const InputError& error) {
+            reason = error.where() + ": " + error.allowed();
+        }
+        EXPECT_FALSE(quick->evaluate(std::span(&x, 1), std::span(&y, 1)));
+        EXPECT_EQ(quick->reason(), reason);
+    }
+}
+
+TEST(CaseResponse, DerivativesAreThoseOfFiftyDigits) {
+    CaseFile file = example("tmz-650d.case.json");
+    file.study = {{"vary",
+                   {{"/crank_radius_mm", {{"plus_minus", 0.02}}},
+                    {"/reciprocating_masses_kg/piston", {{"normal_sd", 0.002}}},
+                    {"/centre_distance_mm", {{"plus_minus", 0.1}}},
+                    {"/shaft_angle_deg", {{"plus_minus", 0.5}}}}},
+                  {"watch",
+                   {{"/metrics/M_ups/range_Nm", Json::object()},
+                    {"/optimum/rms/rms_Nm", Json::object()},
+                    {"/moment_amplitude_Nm", Json::object()}}},
+                  {"method", "linear"}};
+    const Part part = begin_part(problem_of(file, {}), 1, 1, 1);
+    // Of the closed forms, by mpmath with 50 digits.
+    constexpr std::array<std::array<double, 4>, 3> known{{
+        {1.2165693976016577, 42.524462226197761, 0.55878374727584876, -3.0891452805202856},
+        {4.8205131278706674, 168.49817924167986, 2.2141148665207259, 0.0},
+        {9.356181444288, 327.039776928, 4.29739736832, 0.0},
+    }};
+    for (std::size_t w = 0; w < known.size(); ++w) {
+        for (std::size_t j = 0; j < known[w].size(); ++j) {
+            const auto& slope = part.basis.expansions[w].slopes[j];
+            ASSERT_TRUE(slope);
+            const double scale = std::abs(known[w][j]);
+            EXPECT_NEAR(slope->value, known[w][j], 1e-9 * scale + 1e-11) << w << ' ' << j;
+            EXPECT_LE(std::abs(slope->value - known[w][j]), slope->error + 1e-12 * scale);
+            EXPECT_LE(slope->error, 1e-8 * scale + 1e-9);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ravnoves::studies
