@@ -31,6 +31,11 @@ constexpr std::array typedUnits{
     TypedUnit{TypedUnit::Mass, workshop::ounce.to_si, "oz", u"oz", u"унц"},
     TypedUnit{TypedUnit::Mass, workshop::pound.to_si, "lb", u"lb", u"фунт"},
     TypedUnit{TypedUnit::Mass, workshop::pound.to_si, "lb", u"lbs", u"фунтов"},
+    // A scale that is a keyboard, while the Russian layout is on: "568ю5п".
+    TypedUnit{TypedUnit::Mass, units::gram.to_si, "g", u"п", u"п"},
+    TypedUnit{TypedUnit::Mass, units::kg.to_si, "kg", u"лп", u"лп"},
+    TypedUnit{TypedUnit::Mass, workshop::ounce.to_si, "oz", u"щя", u"щя"},
+    TypedUnit{TypedUnit::Mass, workshop::pound.to_si, "lb", u"ди", u"ди"},
     TypedUnit{TypedUnit::Length, units::mm.to_si, "mm", u"mm", u"мм"},
     TypedUnit{TypedUnit::Length, 1e-2, "cm", u"cm", u"см"},
     TypedUnit{TypedUnit::Length, units::metre.to_si, "m", u"m", u"м"},
@@ -61,7 +66,9 @@ std::pair<QString, QString> split(const QString& text) {
         const auto [number, word] = split(text.chopped(1));
         return {number, word};
     }
-    return {text.left(end).trimmed(), text.mid(end).trimmed()};
+    QString number = text.left(end).trimmed();
+    number.replace(QChar(u'ю'), QLatin1Char('.')).replace(QChar(u'б'), QLatin1Char(','));
+    return {number, text.mid(end).trimmed()};
 }
 
 }  // namespace

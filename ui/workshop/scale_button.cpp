@@ -28,6 +28,11 @@ ScaleButton::ScaleButton(QWidget* parent) : QToolButton(parent), reader_(new Sca
             Q_EMIT status(enterWeight(line).text);
         }
     });
+    connect(reader_, &ScaleReader::repeated, this, [this](const ScaleLine& line) {
+        Q_EMIT status(tr("%1 again at once: it is taken once. A scale that sends all the time can "
+                         "be set so.")
+                          .arg(scaleText(line)));
+    });
     connect(&Preferences::instance(), &Preferences::changed, this, &ScaleButton::showConnection);
     connect(&Theme::instance(), &Theme::changed, this, &ScaleButton::showConnection);
     reader_->use(ScaleSettings::load());

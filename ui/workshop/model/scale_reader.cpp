@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace ravnoves {
 
@@ -13,8 +14,10 @@ namespace {
 constexpr auto retryAfter = 1s;
 /// A line comes in one go, even at 300 baud.
 constexpr auto longestPause = 500ms;
-/// Nobody presses Print as fast: the same weight so soon again is a scale that sends all the time.
-constexpr int fastestPrint = 250;  // ms
+/// No part is changed as fast: the same weight so soon again is Print pressed twice, or a scale
+/// that sends all the time.
+constexpr int fastestChange = 1500;  // ms
+constexpr double wander = 3.5;       // last digits that the same weight may differ by
 
 }  // namespace
 
@@ -141,10 +144,13 @@ bool ScaleReader::isTaken(const ScaleLine& line) {
     if (line.kind != ScaleLine::Kind::stable) {
         return false;
     }
-    const bool isRepeated =
-        sinceLast_.isValid() && sinceLast_.elapsed() < fastestPrint && line.mass() == last_;
+    const bool isRepeated = sinceLast_.isValid() && sinceLast_.elapsed() < fastestChange &&
+                            std::abs(line.mass() - last_) < wander * line.last_digit();
     sinceLast_.start();
     last_ = line.mass();
+    if (isRepeated) {
+        Q_EMIT repeated(line);
+    }
     return !isRepeated;
 }
 

@@ -33,6 +33,8 @@ class ScaleReader : public QObject {
     void lineRead(const QByteArray& raw, const ravnoves::workshop::ScaleLine& line);
     /// A weight that counts: stable, and of Print or of a part that was not weighed yet.
     void weighed(const ravnoves::workshop::ScaleLine& line);
+    /// The same weight again, sooner than a part is changed: it is not taken.
+    void repeated(const ravnoves::workshop::ScaleLine& line);
 
   private:
     void open();
