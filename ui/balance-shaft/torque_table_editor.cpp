@@ -13,6 +13,7 @@
 #include "case-file/text_file.h"
 #include "text/error_text.h"
 #include "text/file_path.h"
+#include "text/write_file.h"
 #include "widgets/file_dialogs.h"
 
 namespace ravnoves {
@@ -68,12 +69,10 @@ void TorqueTableEditor::exportWithDialog() {
     if (path.isEmpty()) {
         return;
     }
-    try {
-        write_text_file(fsPath(path),
-                        balance_shaft::write_torque_table(model_->input().torque.table));
-    } catch (const InputError& error) {
-        QMessageBox::warning(this, tr("Export torque table"),
-                             path + QStringLiteral(": ") + errorText(error));
+    const QString trouble = writeFile(
+        path, [this] { return balance_shaft::write_torque_table(model_->input().torque.table); });
+    if (!trouble.isEmpty()) {
+        QMessageBox::warning(this, tr("Export torque table"), trouble);
     }
 }
 

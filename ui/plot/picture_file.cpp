@@ -1,5 +1,6 @@
 #include "plot/picture_file.h"
 
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QImage>
 #include <QInputDialog>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "text/write_file.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -39,10 +41,9 @@ bool drawOn(QPaintDevice& device, const DrawPicture& draw) {
     return painter.end();
 }
 
-bool writeSvg(const QString& path, const QSize& size, const QString& title,
-              const DrawPicture& draw) {
+bool drawSvg(QIODevice& out, const QSize& size, const QString& title, const DrawPicture& draw) {
     QSvgGenerator generator;
-    generator.setFileName(path);
+    generator.setOutputDevice(&out);
     generator.setResolution(static_cast<int>(screenDots));  // or text comes out smaller
     generator.setSize(size);
     generator.setViewBox(QRect(QPoint(), size));
@@ -50,9 +51,8 @@ bool writeSvg(const QString& path, const QSize& size, const QString& title,
     return drawOn(generator, draw);
 }
 
-bool writePdf(const QString& path, const QSize& size, const QString& title,
-              const DrawPicture& draw) {
-    QPdfWriter writer(path);
+bool drawPdf(QIODevice& out, const QSize& size, const QString& title, const DrawPicture& draw) {
+    QPdfWriter writer(&out);
     writer.setResolution(static_cast<int>(screenDots));
     writer.setPageSize(
         QPageSize(QSizeF(size) * (72.0 / screenDots), QPageSize::Point, {}, QPageSize::ExactMatch));
@@ -61,7 +61,7 @@ bool writePdf(const QString& path, const QSize& size, const QString& title,
     return drawOn(writer, draw);
 }
 
-bool writePng(const QString& path, const QSize& size, const DrawPicture& draw, int pixels) {
+bool drawPng(QIODevice& out, const QSize& size, const DrawPicture& draw, int pixels) {
     const double scale = static_cast<double>(pixels) / size.width();
     QImage image(pixels, static_cast<int>(std::lround(size.height() * scale)),
                  QImage::Format_RGB32);
@@ -72,7 +72,7 @@ bool writePng(const QString& path, const QSize& size, const DrawPicture& draw, i
     QPainter painter(&image);
     draw(painter, scale);
     painter.end();
-    return image.save(path, "PNG");
+    return image.save(&out, "PNG");
 }
 
 }  // namespace
@@ -83,20 +83,22 @@ int printedWidth(const QSize& size) {
 
 QString writePicture(const QString& path, const QSize& size, const QString& title,
                      const DrawPicture& draw, int pixels) {
-    bool isWritten = false;
+    QBuffer whole;  // a file is only begun with a picture that is drawn
+    whole.open(QIODevice::WriteOnly);
+    bool isDrawn = false;
     if (endsIn(path, ".svg")) {
-        isWritten = writeSvg(path, size, title, draw);
+        isDrawn = drawSvg(whole, size, title, draw);
     } else if (endsIn(path, ".pdf")) {
-        isWritten = writePdf(path, size, title, draw);
+        isDrawn = drawPdf(whole, size, title, draw);
     } else if (endsIn(path, ".png")) {
-        isWritten = writePng(path, size, draw, pixels > 0 ? pixels : printedWidth(size));
+        isDrawn = drawPng(whole, size, draw, pixels > 0 ? pixels : printedWidth(size));
     } else {
         return say(QT_TRANSLATE_NOOP("ravnoves::PictureFile",
                                      "%1: a picture is written as .png, .svg or .pdf."))
             .arg(path);
     }
-    return isWritten
-               ? QString()
+    return isDrawn
+               ? writeFile(path, [&] { return whole.data().toStdString(); })
                : say(QT_TRANSLATE_NOOP("ravnoves::PictureFile", "%1 cannot be written.")).arg(path);
 }
 

@@ -5,15 +5,12 @@
 #include <QPainter>
 #include <utility>
 
-#include "case-file/input_error.h"
-#include "case-file/text_file.h"
 #include "plot/legend_item.h"
 #include "plot/picture_file.h"
 #include "plot/plot_painter.h"
 #include "plot/plot_view.h"
 #include "text/csv_format.h"
-#include "text/error_text.h"
-#include "text/file_path.h"
+#include "text/write_file.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -61,12 +58,7 @@ QString PlotView::exportTo(const QString& path, int pixels) {
     if (!path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
         return exportPicture(path, pixels);
     }
-    try {
-        write_text_file(fsPath(path), csv(CsvFormat(QLocale::c())).toStdString());
-    } catch (const InputError& error) {
-        return path + QStringLiteral(": ") + errorText(error);
-    }
-    return {};
+    return writeFile(path, [this] { return csv(CsvFormat(QLocale::c())).toStdString(); });
 }
 
 void PlotView::contextMenuEvent(QContextMenuEvent* event) {

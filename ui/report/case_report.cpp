@@ -9,9 +9,7 @@
 
 #include "bibliography/bibliography.h"
 #include "case-file/case_file.h"
-#include "case-file/input_error.h"
 #include "case-file/json.h"
-#include "case-file/text_file.h"
 #include "methods/model/method_words.h"
 #include "methods/model/validation_model.h"
 #include "model/case_document.h"
@@ -23,10 +21,9 @@
 #include "scenes/scenes.h"
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
-#include "text/error_text.h"
-#include "text/file_path.h"
 #include "text/language.h"
 #include "text/message_text.h"
+#include "text/write_file.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -353,15 +350,11 @@ QString writeReport(ScenePage& page, CaseDocument& document, const QString& path
     if (!source.isEmpty()) {
         return source;
     }
-    try {
+    return writeFile(path, [&] {
         const LightTheme light(page.window());
         const Report report = makeReport(page, document);
-        const QByteArray bytes = isPdf(path) ? reportAsPdf(report) : reportAsHtml(report);
-        write_text_file(fsPath(path), bytes.toStdString());
-    } catch (const InputError& error) {
-        return path + QStringLiteral(": ") + errorText(error);
-    }
-    return {};
+        return (isPdf(path) ? reportAsPdf(report) : reportAsHtml(report)).toStdString();
+    });
 }
 
 }  // namespace ravnoves

@@ -1,6 +1,7 @@
 // What leaves a plot: pictures, drawings, data.
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <QClipboard>
 #include <QContextMenuEvent>
@@ -13,6 +14,7 @@
 #include <QTemporaryDir>
 #include <QTimer>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 
 #include "events.h"
@@ -87,6 +89,26 @@ TEST_F(PlotExportTest, EveryFileIsWhatItsEndingSays) {
          {"/dev/null/x.pdf", "/dev/null/x.svg", "/dev/null/x.png", "/dev/null/x.csv"}) {
         EXPECT_NE(plot.exportTo(QString::fromUtf8(name)), QString()) << name;
     }
+}
+
+TEST_F(PlotExportTest, AFailedWriteIsSaidAndTheOldFileStays) {
+    // No file may grow beyond a few bytes, as on a disk that is full.
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    const auto signal = std::signal(SIGXFSZ, SIG_IGN);
+    for (const char* name : {"old.svg", "old.pdf", "old.png", "old.csv"}) {
+        QFile old(file(name));
+        ASSERT_TRUE(old.open(QIODevice::WriteOnly));
+        old.write("old");
+        old.close();
+        const rlimit few{16, before.rlim_max};
+        ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &few), 0);
+        const QString trouble = plot.exportTo(file(name));
+        ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+        EXPECT_TRUE(trouble.contains(QString::fromUtf8(name))) << trouble.toStdString();
+        EXPECT_EQ(contents(file(name)), "old") << name;
+    }
+    std::signal(SIGXFSZ, signal);
 }
 
 TEST_F(PlotExportTest, ThePdfHoldsTextAndLinesRatherThanPixels) {

@@ -2,11 +2,9 @@
 
 #include <QLocale>
 
-#include "case-file/text_file.h"
-#include "text/error_text.h"
-#include "text/file_path.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/write_file.h"
 
 namespace ravnoves {
 
@@ -133,12 +131,7 @@ QString RelievedShaftModel::verdict() const {
 }
 
 QString RelievedShaftModel::exportDxf(const QString& path) const {
-    try {
-        write_text_file(fsPath(path), balance_shaft::relieved_shaft_dxf(shaft(), {}));
-    } catch (const std::exception& error) {
-        return path + QStringLiteral(": ") + errorText(error);
-    }
-    return {};
+    return writeFile(path, [this] { return balance_shaft::relieved_shaft_dxf(shaft(), {}); });
 }
 
 }  // namespace ravnoves

@@ -5,17 +5,15 @@
 #include <cmath>
 
 #include "case-file/input_error.h"
-#include "case-file/text_file.h"
 #include "elastic-hinge/fields.h"
 #include "elastic-hinge/scene.h"
 #include "model/case_model_json.h"
 #include "numerics/angle.h"
 #include "numerics/vector_state.h"
 #include "plot/model/ticks.h"
-#include "text/error_text.h"
-#include "text/file_path.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/write_file.h"
 
 namespace ravnoves {
 
@@ -515,15 +513,11 @@ QString ElasticHingeModel::exportGuide(const QString& path, Hinge hinge,
     const Guide& guide = guideOf(hinge);
     drawing.roller_radius = input().roller_radius;
     drawing.title = title().toStdString();
-    try {
+    return writeFile(path, [&] {
         const bool table = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
-        const std::string text = table ? elastic_hinge::guide_csv(guide, drawing, stepDeg)
-                                       : elastic_hinge::guide_dxf(guide, drawing);
-        write_text_file(fsPath(path), text);
-    } catch (const std::exception& error) {
-        return path + QStringLiteral(": ") + errorText(error);
-    }
-    return {};
+        return table ? elastic_hinge::guide_csv(guide, drawing, stepDeg)
+                     : elastic_hinge::guide_dxf(guide, drawing);
+    });
 }
 
 }  // namespace ravnoves
