@@ -93,6 +93,7 @@ ResultTable::ResultTable(QWidget* parent) : QTableWidget(parent) {
     setSelectionMode(QAbstractItemView::ContiguousSelection);
     setAlternatingRowColors(true);
     setShowGrid(false);
+    setWordWrap(false);  // rows are one line high: what is too long ends in it, not at a word
     setFrameShape(QFrame::NoFrame);
     setFont(Theme::font(Theme::baseSize - 1));
     setTabKeyNavigation(false);
@@ -126,6 +127,7 @@ void ResultTable::setReference(ResultTable* table, const QString& name) {
     }
     reference_ = table;
     referenceName_ = name;
+    placedAt_ = -1;
     if (table != nullptr) {
         table->referenceOf_ = this;
         if (dynamic_cast<DifferenceDelegate*>(itemDelegate()) == nullptr) {
@@ -224,10 +226,17 @@ int ResultTable::roomFor(Place place) const {
 void ResultTable::placeDifferences() {
     Place place = Place::Columns;
     if (!compared_.isEmpty()) {
+        // At one width they only ever fall back: rows that grow bring a scroll bar, which takes of
+        // the room, and values that change under a slider would lay the table out to and fro.
+        if (std::exchange(placedAt_, width()) != width()) {
+            leastPlace_ = Place::Columns;
+        }
         const int room = viewport()->width();
         if (compared_.size() > 1 || roomFor(Place::Columns) > room) {
-            place = roomFor(Place::Line) <= room ? Place::Line : Place::Lines;
+            leastPlace_ =
+                std::max(leastPlace_, roomFor(Place::Line) <= room ? Place::Line : Place::Lines);
         }
+        place = leastPlace_;
     }
     const bool inColumns = place == Place::Columns;
     const int wanted = columns_ + (inColumns && !compared_.isEmpty() ? 2 : 0);
@@ -254,8 +263,8 @@ void ResultTable::placeDifferences() {
             heading->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
             setHorizontalHeaderItem(column, heading);
         }
-        horizontalHeaderItem(column)->setToolTip(
-            tr("Present value less that of the reference %1").arg(referenceName_));
+        const QString tip = tr("Present value less that of the reference %1").arg(referenceName_);
+        horizontalHeaderItem(column)->setToolTip(tip);
         for (int row = 0; row < rowCount(); ++row) {
             QTableWidgetItem* cell = item(row, column);
             if (cell == nullptr) {
@@ -267,6 +276,7 @@ void ResultTable::placeDifferences() {
             if (cell->text() != text) {
                 cell->setText(text);
             }
+            cell->setToolTip(tip);
         }
     }
     fitColumns();
@@ -418,25 +428,26 @@ void ResultTable::showTips() {
     if (tips_.isEmpty()) {
         return;
     }
-    for (int column = 0; column < columnCount(); ++column) {
+    QStringList ofColumns;
+    for (int column = 0; column < columns_; ++column) {
         QTableWidgetItem* heading = horizontalHeaderItem(column);
-        QString ofColumn;
+        ofColumns << (heading != nullptr ? tipOf(heading->text()) : QString());
         if (heading != nullptr) {
-            ofColumn = tipOf(heading->text());
-            heading->setToolTip(ofColumn);
+            heading->setToolTip(ofColumns.last());
         }
-        for (int row = 0; row < rowCount(); ++row) {
-            QTableWidgetItem* cell = item(row, column);
-            const QTableWidgetItem* name = item(row, 0);
-            if (cell == nullptr || name == nullptr) {
-                continue;
+    }
+    for (int row = 0; row < rowCount(); ++row) {
+        const QTableWidgetItem* name = item(row, 0);
+        const QString ofRow = name != nullptr ? tipOf(name->text()) : QString();
+        for (int column = 0; name != nullptr && column < columns_; ++column) {
+            if (QTableWidgetItem* cell = item(row, column)) {
+                QStringList lines{ofRow};
+                if (column > 0 || ofRow.isEmpty()) {
+                    lines << ofColumns[column];
+                }
+                lines.removeAll(QString());
+                cell->setToolTip(lines.join(QLatin1Char('\n')));
             }
-            QStringList lines{tipOf(name->text())};
-            if (column > 0 || lines.first().isEmpty()) {
-                lines << ofColumn;
-            }
-            lines.removeAll(QString());
-            cell->setToolTip(lines.join(QLatin1Char('\n')));
         }
     }
 }

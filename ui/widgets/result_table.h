@@ -86,6 +86,8 @@ class ResultTable : public QTableWidget {
     QString referenceName_;
     QList<int> compared_;  ///< columns with differences
     Place place_ = Place::Columns;
+    Place leastPlace_ = Place::Columns;  ///< at the width `placedAt_`
+    int placedAt_ = -1;
     int number_;
 };
 
