@@ -5,6 +5,7 @@
 #include <QGraphicsScene>
 #include <QPainter>
 #include <QValueAxis>
+#include <utility>
 
 #include "plot/model/ticks.h"
 #include "theme/theme.h"
@@ -197,7 +198,7 @@ void PlotPainter::paintAxes(QPainter& painter) {
         painter.restore();
     }
     for (const plot::Band& band : data_.bands) {
-        paintBand(painter, band, false);
+        paintBand(painter, band);
     }
     paintOwnAxis(painter, data_.x, Qt::BottomEdge);
     paintOwnAxis(painter, data_.left, Qt::LeftEdge);
@@ -238,35 +239,41 @@ void PlotPainter::paintGhosts(QPainter& painter) const {
     painter.restore();
 }
 
-void PlotPainter::paintBand(QPainter& painter, const plot::Band& band, bool words) const {
+QRectF PlotPainter::shadeOf(const plot::Band& band) const {
     const QRectF& area = data_.area;
     const bool alongX = band.orientation == Qt::Horizontal;
     const auto edge = [&](double value, const QPointF& corner) {
         return alongX ? QPointF(across(value), corner.y())
                       : QPointF(corner.x(), data_.toPixel(data_.x.low, value).y());
     };
-    const QRectF shade = QRectF(edge(band.from, area.topLeft()), edge(band.to, area.bottomRight()))
-                             .normalized()
-                             .intersected(area);
-    if (!words) {
-        painter.fillRect(shade, band.colour);
-        return;
-    }
+    return QRectF(edge(band.from, area.topLeft()), edge(band.to, area.bottomRight()))
+        .normalized()
+        .intersected(area);
+}
+
+void PlotPainter::paintBand(QPainter& painter, const plot::Band& band) const {
+    painter.fillRect(shadeOf(band), band.colour);
+}
+
+QRectF PlotPainter::paintBandWords(QPainter& painter, const plot::Band& band) const {
+    const QRectF shade = shadeOf(band);
     painter.setFont(Theme::font(Theme::smallSize));
     double widest = 0.0;
     for (const QString& word : band.text.split(QLatin1Char(' '))) {
         widest = std::max<double>(widest, painter.fontMetrics().horizontalAdvance(word));
     }
-    if (widest > 0.0 && shade.width() > widest + 8.0) {
-        const int flags = Qt::AlignTop | Qt::AlignHCenter | Qt::TextWordWrap;
-        const QRectF room = shade.adjusted(4, 2, -4, -2);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(veil(Theme::instance().panel(), 0.7F));
-        painter.drawRoundedRect(painter.boundingRect(room, flags, band.text).adjusted(-2, 0, 2, 0),
-                                3, 3);
-        painter.setPen(Theme::instance().mutedText());
-        painter.drawText(room, flags, band.text);
+    if (widest == 0.0 || shade.width() <= widest + 8.0) {
+        return {};
     }
+    const int flags = Qt::AlignTop | Qt::AlignHCenter | Qt::TextWordWrap;
+    const QRectF room = shade.adjusted(4, 2, -4, -2);
+    const QRectF used = painter.boundingRect(room, flags, band.text).adjusted(-2, 0, 2, 0);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(veil(Theme::instance().panel(), 0.7F));
+    painter.drawRoundedRect(used, 3, 3);
+    painter.setPen(Theme::instance().mutedText());
+    painter.drawText(room, flags, band.text);
+    return used;
 }
 
 void PlotPainter::paintOwnAxis(QPainter& painter, const PlotScale& scale, Qt::Edge edge) const {
@@ -324,7 +331,8 @@ void PlotPainter::paintOwnAxis(QPainter& painter, const PlotScale& scale, Qt::Ed
     if (flat) {
         painter.drawText(QRectF(area.left(), area.bottom() + 1.5 * labelGap + metrics.height(),
                                 area.width(), metrics.height()),
-                         Qt::AlignCenter, scale.spec.title);
+                         Qt::AlignCenter | Qt::TextDontClip,
+                         metrics.elidedText(scale.spec.title, Qt::ElideRight, area.width()));
         return;
     }
     painter.save();
@@ -428,8 +436,9 @@ void PlotPainter::paintOverlay(QPainter& painter) const {
     }
     painter.save();
     painter.setClipRect(area);
+    std::vector<QRectF> taken;
     for (const plot::Band& band : data_.bands) {
-        paintBand(painter, band, true);
+        taken.push_back(paintBandWords(painter, band));
     }
     paintLines(painter);
     if (data_.presentX) {
@@ -445,7 +454,7 @@ void PlotPainter::paintOverlay(QPainter& painter) const {
         }
     }
     painter.restore();
-    paintMarks(painter);
+    paintMarks(painter, std::move(taken));
     if (data_.faded && !data_.fadedText.isEmpty()) {
         painter.setFont(Theme::font(Theme::baseSize));
         painter.setPen(theme.mutedText());
@@ -483,13 +492,12 @@ void PlotPainter::paintLines(QPainter& painter) const {
     }
 }
 
-void PlotPainter::paintMarks(QPainter& painter) const {
+void PlotPainter::paintMarks(QPainter& painter, std::vector<QRectF> taken) const {
     const Theme& theme = Theme::instance();
     const QRectF& area = data_.area;
     const QFont font = Theme::font(Theme::smallSize);
     const QFontMetricsF metrics(font);
     painter.setFont(font);
-    std::vector<QRectF> taken;
     for (const plot::Mark& mark : data_.marks) {
         const QPointF at = data_.toPixel(mark.x, mark.y, mark.side);
         if (!area.adjusted(-1, -1, 1, 1).contains(at)) {

@@ -40,14 +40,18 @@ class PlotPainter {
     void layoutArea();
     void layoutAxes();
     /// @param words  its text instead of its shade
-    void paintBand(QPainter& painter, const plot::Band& band, bool words) const;
+    void paintBand(QPainter& painter, const plot::Band& band) const;
+    /// @return where they stand; empty where there is no room for them
+    QRectF paintBandWords(QPainter& painter, const plot::Band& band) const;
+    QRectF shadeOf(const plot::Band& band) const;
     void paintOwnAxis(QPainter& painter, const PlotScale& scale, Qt::Edge edge) const;
     void paintGhosts(QPainter& painter) const;
     void paintBars(QPainter& painter, const PlotCurve& curve, const QPen& pen,
                    const QBrush& brush) const;
     void paintErrorBars(QPainter& painter, const PlotCurve& curve) const;
     void paintLines(QPainter& painter) const;
-    void paintMarks(QPainter& painter) const;
+    /// @param taken  where their labels must not stand
+    void paintMarks(QPainter& painter, std::vector<QRectF> taken) const;
     void paintReadout(QPainter& painter) const;
     void paintPointReadout(QPainter& painter) const;
     void paintRows(QPainter& painter, const std::vector<Row>& rows, const QPointF& at,

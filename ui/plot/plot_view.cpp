@@ -320,7 +320,8 @@ void PlotView::layoutHeader() {
     data_.headerHeight = y + row;
     for (LegendItem* item : items) {
         // Long names share a row, elided, rather than take a row each.
-        const int most = static_cast<int>(right - x0) / (legendWidth > 1.5 * (right - x0) ? 2 : 1);
+        // As soon as they do not fit, so that a wider plot never needs more rows.
+        const int most = static_cast<int>(right - x0) / (legendWidth > right - x0 ? 2 : 1);
         const int itemWidth = std::min(item->sizeHint().width(), most);
         if (!oneRow && x + itemWidth > right && x > Theme::margin) {
             x = Theme::margin - Theme::gap;

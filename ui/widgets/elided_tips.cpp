@@ -8,6 +8,7 @@
 #include <QPointer>
 #include <QStyle>
 #include <QStyleOptionComboBox>
+#include <QTabBar>
 #include <QToolTip>
 
 #include "plot/legend_item.h"
@@ -52,6 +53,29 @@ QString elidedChoice(const QComboBox& box) {
     return isElided(box.currentText(), box.font(), room.width()) ? box.currentText() : QString();
 }
 
+/// A tab's title where it is shortened, and its tip.
+std::pair<QString, QString> elidedTab(const QTabBar& bar, int tab) {
+    QString title = tab >= 0 ? bar.tabText(tab).remove(QLatin1Char('&')) : QString();
+    const int room = bar.tabRect(tab).width() - 2 * Theme::gap;
+    return {isElided(title, bar.font(), room) ? title : QString(), bar.tabToolTip(tab)};
+}
+
+/// The title of the axis beside a place of a plot, where it is elided.
+QString elidedAxis(const PlotView& plot, const QPoint& at) {
+    const QRectF area = plot.plotArea();
+    const PlotData& data = plot.data();
+    const QFont font = Theme::font(Theme::smallSize);
+    const auto shown = [&](const PlotScale& scale, double room) {
+        const QString& title = scale.spec.title;
+        return isElided(title, font, static_cast<int>(room) - 2) ? title : QString();
+    };
+    return at.y() > area.bottom() ? shown(data.x, area.width())
+           : at.x() < area.left() ? shown(data.left, area.height())
+           : at.x() > area.right() && data.sideUsed(plot::Side::Right)
+               ? shown(data.right, area.height())
+               : QString();
+}
+
 class ElidedTips : public QObject {
   public:
     using QObject::QObject;
@@ -81,11 +105,14 @@ class ElidedTips : public QObject {
             const bool inTitle = at.y() < QFontMetrics(font).height() + 2 * Theme::gap;
             return {inTitle && isElided(plot->title(), font, plot->width() - 2 * Theme::margin)
                         ? plot->title()
-                        : QString(),
+                        : elidedAxis(*plot, at),
                     plot->toolTip()};
         }
         if (const auto* box = qobject_cast<const QComboBox*>(widget)) {
             return {elidedChoice(*box), box->toolTip()};
+        }
+        if (const auto* bar = qobject_cast<const QTabBar*>(widget)) {
+            return elidedTab(*bar, bar->tabAt(at));
         }
         if (const auto* header = qobject_cast<const QHeaderView*>(widget->parentWidget())) {
             return {

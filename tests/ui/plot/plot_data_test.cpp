@@ -102,6 +102,19 @@ TEST(PlotData, AFixedAxisHoldsTheReference) {
     EXPECT_LT(plot.left.high, 2.0);
 }
 
+TEST(PlotData, BarsBringTheirFootWithThemOnly) {
+    PlotData plot;
+    plot.x.spec = {QStringLiteral("x"), 0.0, 3.0};
+    plot.curves.resize(2);
+    plot.curve(1).style.shape = plot::Shape::Bars;
+    plot.curve(0).set({0.0, 3.0}, {500.0, 510.0}, plot.x, plot.left);
+    plot.fitScales();
+    EXPECT_GT(plot.left.low, 400.0);
+    plot.curve(1).set({1.0}, {505.0}, plot.x, plot.left);
+    plot.fitScales();
+    EXPECT_LE(plot.left.low, 0.0);
+}
+
 TEST(PlotScale, LogarithmicHoldsWholeDecades) {
     PlotScale scale;
     scale.spec.logarithmic = true;

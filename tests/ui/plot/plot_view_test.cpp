@@ -178,6 +178,21 @@ TEST_F(PlotViewTest, ACurveWithoutANameHasNoLegendEntry) {
     EXPECT_FALSE(button->isHidden());
 }
 
+TEST_F(PlotViewTest, AWiderPlotNeverNeedsMoreRowsForItsLegend) {
+    for (const char* name : {"of the reciprocating parts alone", "left", "with counterweights",
+                             "two-term", "with counterweights and both shafts"}) {
+        plot.addCurve({.name = QString::fromLatin1(name)});
+    }
+    double above = 1e9;
+    for (int width = 220; width < 1400; width += 3) {
+        plot.resize(width, 400);
+        plot.grab();
+        const double top = plot.plotArea().top();
+        EXPECT_LE(top, above) << width;
+        above = top;
+    }
+}
+
 TEST_F(PlotViewTest, TellsWhichCurveIsSwitched) {
     QSignalSpy toggled(&plot, &PlotView::curveToggled);
     plot.setCurveShown(0, false);

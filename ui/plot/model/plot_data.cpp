@@ -140,16 +140,11 @@ void PlotData::fitScales() {
             for (const PlotCurve* each : {&curve, ghostOf(curve)}) {
                 if (each != nullptr && !each->y.empty()) {
                     const auto [low, high] = std::minmax_element(each->y.begin(), each->y.end());
-                    least = std::min(least, *low);
-                    most = std::max(most, *high);
+                    const bool fromZero =
+                        curve.style.shape == Shape::Bars && !follower.spec.logarithmic;
+                    least = std::min({least, *low, fromZero ? 0.0 : *low});
+                    most = std::max({most, *high, fromZero ? 0.0 : *high});
                 }
-            }
-            if (!(least <= most)) {
-                continue;
-            }
-            if (curve.style.shape == Shape::Bars && !follower.spec.logarithmic) {
-                least = std::min(least, 0.0);
-                most = std::max(most, 0.0);
             }
         }
         follower.fit(least, most);
