@@ -33,7 +33,9 @@ enum MomentCurve {
     vertical,
     horizontal,
     verticalLeft,
-    horizontalLeft
+    horizontalLeft,
+    rolling,  // moments over φ alone
+    rollingLeft
 };
 // Curves of a hodograph, likewise.
 enum HodographCurve { firstOrder, secondOrder, allOrders, leftOver };
@@ -202,6 +204,10 @@ void InertiaMomentsCharts::addCourses() {
         add(force ? tr("Fx") : tr("Mx"), 1, 1.8, exact);
         add(force ? tr("Fy left") : tr("My left"), 3, 2.2, left);
         add(force ? tr("Fx left") : tr("Mx left"), 4, 2.2, left);
+        if (!force) {
+            add(tr("Mz"), 0, 1.8, tr("Roll moment on the engine, of the engine alone"));
+            add(tr("Mz left"), 7, 2.2, left);
+        }
         connect(plot, &PlotView::cursorMoved, model_, &InertiaMomentsModel::setCrankAngleDeg);
         column->addWidget(plot, 1);
         courses_[force ? 0 : 1] = plot;
@@ -221,6 +227,11 @@ void InertiaMomentsCharts::showCourse(bool force) {
     set(verticalTwoTerm, horizontalTwoTerm, shown.twoTerm);
     set(vertical, horizontal, shown.exact);
     set(verticalLeft, horizontalLeft, shown.left);
+    if (!force) {
+        plot->setCurve(rolling, shown.crankAngleDeg, shown.roll);
+        const auto& angle = shown.rollLeft.empty() ? shown.rollLeft : shown.crankAngleDeg;
+        plot->setCurve(rollingLeft, angle, shown.rollLeft);
+    }
     if (shown.isSomething) {
         plot->followData(PlotView::Side::Left);
     } else {

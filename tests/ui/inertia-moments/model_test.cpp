@@ -371,6 +371,17 @@ TEST(EngineCurves, TheCourseIsTheSumOfAllForces) {
     const double second = 4.0 * result.engine.lambda * result.engine.force_unit();
     EXPECT_NEAR(forces.twoTerm.reach(), second, 1e-9 * second);
     EXPECT_NEAR(forces.exact.reach(), second, 0.1 * second);
+    // Its one moment is about the crank; two of its four pistons rise while two fall.
+    const engine_curves::Course moments = engine_curves::course(result, false);
+    EXPECT_TRUE(moments.isSomething);
+    ASSERT_EQ(moments.roll.size(), moments.crankAngleDeg.size());
+    for (const std::size_t i : {std::size_t{47}, std::size_t{500}}) {
+        const auto exact =
+            inertia_moments::exact_wrench(result.engine, moments.crankAngleDeg[i] * degree);
+        EXPECT_NEAR(moments.roll[i], exact.roll(), 1e-9 * std::abs(exact.roll()));
+    }
+    EXPECT_TRUE(moments.rollLeft.empty());
+    EXPECT_TRUE(forces.roll.empty());
     // It has no side force: nothing, not rounding.
     EXPECT_EQ(*std::max_element(forces.exact.x.begin(), forces.exact.x.end()), 0.0);
 }

@@ -141,6 +141,29 @@ bool isBalanced(const Result& result, bool force) {
     return false;
 }
 
+/// Moments about the crank are moments too: a four in line has no others.
+void addRoll(Course& picture, const Result& result) {
+    double nothing = 0.0;
+    for (const EngineOrder& order : result.exact.orders) {
+        nothing += zero_share * order.roll_scale;
+    }
+    const auto& alone = result.curves.roll;
+    const auto& left = result.remaining_curves.roll;
+    const auto isAbove = [nothing](double value) { return std::abs(value) > nothing; };
+    const auto shown = [&](const std::vector<double>& curve) {
+        const bool something = std::any_of(curve.begin(), curve.end(), isAbove);
+        picture.isSomething = picture.isSomething || something;
+        return something ? twice(curve) : std::vector<double>(2 * curve.size() - 1, 0.0);
+    };
+    picture.roll = shown(alone);
+    for (std::size_t i = 0; i < std::min(alone.size(), left.size()); ++i) {
+        if (isAbove(left[i] - alone[i])) {
+            picture.rollLeft = shown(left);
+            break;
+        }
+    }
+}
+
 std::vector<double> twoTurns(std::size_t points) {
     std::vector<double> angles(points);
     for (std::size_t i = 0; i < points; ++i) {
@@ -171,6 +194,9 @@ Course course(const Result& result, bool force) {
     }
     picture.crankAngleDeg = twoTurns(picture.exact.x.size());
     picture.isSomething = picture.exact.reach() > 0.0 || picture.left.reach() > 0.0;
+    if (!force) {
+        addRoll(picture, result);
+    }
     return picture;
 }
 

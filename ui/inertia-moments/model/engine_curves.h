@@ -47,7 +47,9 @@ struct Course {
     Trace exact;
     Trace twoTerm;
     Trace left;  ///< with rotating masses, counterweights and shafts; empty without them
-    bool isSomething = false;  ///< one of exact and left is more than rounding
+    std::vector<double> roll;      ///< with the moments: about the crank, of the engine alone
+    std::vector<double> rollLeft;  ///< with shafts; empty where they do not change it
+    bool isSomething = false;      ///< one of them is more than rounding
 };
 Course course(const inertia_moments::Result& result, bool force);
 
