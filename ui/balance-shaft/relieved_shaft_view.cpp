@@ -9,6 +9,7 @@
 #include <QScrollArea>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "balance-shaft/fields.h"
 #include "balance-shaft/model/relieved_shaft_model.h"
@@ -16,7 +17,7 @@
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/figure.h"
+#include "widgets/drawing.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/form.h"
 #include "widgets/page_columns.h"
@@ -29,16 +30,71 @@ using balance_shaft::RelievedShaft;
 using balance_shaft::RelievedShaftSizes;
 namespace field = balance_shaft::field;
 
-RelievedShaftDrawing::RelievedShaftDrawing(QWidget* parent) : QWidget(parent) {
+namespace {
+
+double stubOf(const RelievedShaft& shaft) {
+    return std::max((shaft.bearing_span - shaft.length) / 2.0, shaft.diameter / 2.0);
+}
+
+double flatOf(const RelievedShaft& shaft) {
+    return shaft.diameter / 2.0 - shaft.depth;
+}
+
+/// Degrees from the middle of what was cut off to the flat's corner.
+double flatAngle(const RelievedShaft& shaft) {
+    return std::atan2(flatOf(shaft), shaft.half_width) / degree;
+}
+
+QRectF circleOf(const RelievedShaft& shaft) {
+    const double radius = shaft.diameter / 2.0;
+    return {-radius, -radius, 2.0 * radius, 2.0 * radius};
+}
+
+/// The section about its middle, m, y down.
+QPainterPath sectionOf(const RelievedShaft& shaft) {
+    const double angle = flatAngle(shaft);
+    QPainterPath section;
+    section.arcMoveTo(circleOf(shaft), 180.0 - angle);
+    section.arcTo(circleOf(shaft), 180.0 - angle, 180.0 + 2.0 * angle);
+    section.closeSubpath();
+    return section;
+}
+
+/// The side view about its middle, likewise.
+QPainterPath sideOf(const RelievedShaft& shaft) {
+    const double radius = shaft.diameter / 2.0;
+    const double flat = flatOf(shaft);
+    const double end = shaft.length / 2.0;
+    const double outer = end + stubOf(shaft);
+    QPainterPath side;
+    side.addPolygon(QPolygonF{QPointF(-outer, radius), QPointF(outer, radius),
+                              QPointF(outer, -radius), QPointF(end, -radius), QPointF(end, -flat),
+                              QPointF(-end, -flat), QPointF(-end, -radius),
+                              QPointF(-outer, -radius)});
+    side.closeSubpath();
+    return side;
+}
+
+}  // namespace
+
+RelievedShaftDrawing::RelievedShaftDrawing(QWidget* parent) : ComparedFigure(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setAccessibleName(tr("Drawing of the shaft with a relieved middle"));
-    makeFigure(this);
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
 void RelievedShaftDrawing::setShaft(const RelievedShaft& shaft) {
     shaft_ = shaft;
+    const QLocale locale;
+    const auto mm = [&](double metres) { return fixedNumber(metres / units::mm, 1, locale); };
+    setAccessibleDescription(
+        shaft.half_width > 0.0
+            ? tr("Bar of %1 mm, its middle cut %2 mm deep over %3 mm; bearings %4 mm apart.")
+                  .arg(mm(shaft.diameter), mm(shaft.depth), mm(shaft.length),
+                       mm(shaft.bearing_span))
+            : tr("No shaft of these sizes"));
     update();
+    Q_EMIT pictureChanged();
 }
 
 QSize RelievedShaftDrawing::sizeHint() const {
@@ -58,91 +114,95 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
         painter.drawText(rect(), Qt::AlignCenter, tr("No shaft of these sizes"));
         return;
     }
-    const double radius = shaft_.diameter / 2.0;
-    const double flat = radius - shaft_.depth;
-    const double stub = std::max((shaft_.bearing_span - shaft_.length) / 2.0, radius);
+    const auto* other = static_cast<const RelievedShaftDrawing*>(reference());
+    std::vector<const RelievedShaft*> shown{&shaft_};
+    if (other != nullptr && other->shaft_.half_width > 0.0) {
+        shown.push_back(&other->shaft_);
+    }
+    double radius = 0.0;  // the larger
+    double half = 0.0;    // of the longer side view
+    for (const RelievedShaft* each : shown) {
+        radius = std::max(radius, each->diameter / 2.0);
+        half = std::max(half, each->length / 2.0 + stubOf(*each));
+    }
     // Section at the left, a gap of one diameter, the side view.
-    const double wide = 2.0 * radius + 2.0 * radius + shaft_.length + 2.0 * stub;
-    const double margin = 36.0;
+    const double wide = 4.0 * radius + 2.0 * half;
+    const double row = painter.fontMetrics().height();
+    const double margin = 20.0 + row;
     const double scale =
         std::min((width() - 2.0 * margin) / wide, (height() - 2.0 * margin) / (2.0 * radius));
     if (scale <= 0.0) {
         return;
     }
-    const double top = height() / 2.0;
-    const double left = (width() - wide * scale) / 2.0;
-    const auto at = [&](double x, double y) { return QPointF(left + x * scale, top - y * scale); };
+    const QPointF section((width() - wide * scale) / 2.0 + radius * scale, height() / 2.0);
+    const QPointF side(section.x() + (3.0 * radius + half) * scale, section.y());
+    const auto map = [scale](const QPointF& middle) {
+        return QTransform::fromScale(scale, scale) *
+               QTransform::fromTranslate(middle.x(), middle.y());
+    };
+    const auto at = [scale](const QPointF& middle, double x, double y) {
+        return middle + QPointF(x * scale, -y * scale);
+    };
     const QPen outline(theme.text(), 1.6);
     const QPen axis(theme.mutedText(), 1.0, Qt::DashDotLine);
     const QPen removed(theme.curve(1), 1.2, Qt::DashLine);
     QColor steel = theme.curve(0);
     steel.setAlpha(60);
 
-    // Section.
-    const double angle = std::atan2(flat, shaft_.half_width) / degree;
-    const QRectF circle(at(0.0, radius), at(2.0 * radius, -radius));
-    QPainterPath section;
-    section.arcMoveTo(circle, 180.0 - angle);
-    section.arcTo(circle, 180.0 - angle, 180.0 + 2.0 * angle);
-    section.closeSubpath();
     painter.setPen(outline);
     painter.setBrush(steel);
-    painter.drawPath(section);
+    painter.drawPath(map(section).map(sectionOf(shaft_)));
+    painter.drawPath(map(side).map(sideOf(shaft_)));
     painter.setBrush(Qt::NoBrush);
     painter.setPen(removed);
-    painter.drawArc(circle, static_cast<int>(16 * angle), static_cast<int>(16 * (180 - 2 * angle)));
+    const double angle = flatAngle(shaft_);
+    const double own = shaft_.diameter / 2.0;
+    painter.drawArc(map(section).mapRect(circleOf(shaft_)), static_cast<int>(16 * angle),
+                    static_cast<int>(16 * (180 - 2 * angle)));
+    painter.drawLine(at(side, -shaft_.length / 2.0, own), at(side, shaft_.length / 2.0, own));
     painter.setPen(axis);
-    painter.drawLine(at(-0.15 * radius, 0.0), at(2.15 * radius, 0.0));
-    painter.drawLine(at(radius, 1.15 * radius), at(radius, -1.15 * radius));
+    painter.drawLine(at(section, -1.15 * own, 0.0), at(section, 1.15 * own, 0.0));
+    painter.drawLine(at(section, 0.0, 1.15 * own), at(section, 0.0, -1.15 * own));
+    const double reach = shaft_.length / 2.0 + 1.2 * stubOf(shaft_);
+    painter.drawLine(at(side, -reach, 0.0), at(side, reach, 0.0));
     // Centre of mass.
     painter.setPen(Qt::NoPen);
     painter.setBrush(theme.accent());
-    painter.drawEllipse(at(radius, -shaft_.centre_of_mass_radius), 3.5, 3.5);
-
-    // Side view.
-    const double begin = 4.0 * radius + stub;
-    const double end = begin + shaft_.length;
-    QPainterPath side;
-    side.moveTo(at(begin - stub, -radius));
-    for (const QPointF& point :
-         {at(end + stub, -radius), at(end + stub, radius), at(end, radius), at(end, flat),
-          at(begin, flat), at(begin, radius), at(begin - stub, radius)}) {
-        side.lineTo(point);
-    }
-    side.closeSubpath();
-    painter.setPen(outline);
-    painter.setBrush(steel);
-    painter.drawPath(side);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(removed);
-    painter.drawLine(at(begin, radius), at(end, radius));
-    painter.setPen(axis);
-    painter.drawLine(at(begin - 1.2 * stub, 0.0), at(end + 1.2 * stub, 0.0));
+    painter.drawEllipse(at(section, 0.0, -shaft_.centre_of_mass_radius), 3.5, 3.5);
 
     // Bearings: a triangle under the bar, its tip at the middle of the journal.
-    const double middle = (begin + end) / 2.0;
     painter.setPen(outline);
     painter.setBrush(theme.panel());
-    for (const double x :
-         {middle - shaft_.bearing_span / 2.0, middle + shaft_.bearing_span / 2.0}) {
-        const QPointF tip = at(x, -radius);
+    for (const double end : {-1.0, 1.0}) {
+        const QPointF tip = at(side, end * shaft_.bearing_span / 2.0, -own);
         painter.drawPolygon(QPolygonF{tip, tip + QPointF(-6, 10), tip + QPointF(6, 10)});
+    }
+
+    // The reference, about the same middles.
+    if (shown.size() > 1) {
+        painter.setPen(QPen(theme.mutedText(), 1.2, Qt::DashLine));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawPath(map(section).map(sectionOf(*shown[1])));
+        painter.drawPath(map(side).map(sideOf(*shown[1])));
+        painter.setPen(theme.mutedText());
+        painter.drawText(QPointF(8.0, painter.fontMetrics().ascent() + 4.0),
+                         QStringLiteral("- - ") + referenceName());
     }
 
     // Sizes.
     painter.setPen(theme.text());
     const QLocale locale;
     const auto mm = [&](double metres) { return fixedNumber(metres / units::mm, 1, locale); };
-    const double below = at(0.0, -radius).y() + 16.0;
-    painter.drawText(QRectF(at(0.0, 0.0).x() - 40.0, below, 2.0 * radius * scale + 80.0, 16.0),
-                     Qt::AlignCenter, QStringLiteral("⌀ ") + mm(shaft_.diameter));
-    const double above = at(0.0, radius).y() - 24.0;
-    painter.drawText(QRectF(at(0.0, 0.0).x() - 40.0, above, 2.0 * radius * scale + 80.0, 16.0),
-                     Qt::AlignCenter, QStringLiteral("h ") + mm(shaft_.depth));
-    painter.drawText(QRectF(at(begin, 0.0).x() - 20.0, above, shaft_.length * scale + 40.0, 16.0),
-                     Qt::AlignCenter, QStringLiteral("b ") + mm(shaft_.length));
-    painter.drawText(QRectF(at(middle, 0.0).x() - 60.0, below, 120.0, 16.0), Qt::AlignCenter,
-                     QStringLiteral("L ") + mm(shaft_.bearing_span));
+    const QPointF below(0.0, 16.0 + row / 2.0);
+    const QPointF above(0.0, -8.0 - row / 2.0);
+    drawing::drawCentred(painter, at(section, 0.0, -radius) + below,
+                         QStringLiteral("⌀ ") + mm(shaft_.diameter));
+    drawing::drawCentred(painter, at(section, 0.0, radius) + above,
+                         QStringLiteral("h ") + mm(shaft_.depth));
+    drawing::drawCentred(painter, at(side, 0.0, radius) + above,
+                         QStringLiteral("b ") + mm(shaft_.length));
+    drawing::drawCentred(painter, at(side, 0.0, -radius) + below,
+                         QStringLiteral("L ") + mm(shaft_.bearing_span));
 }
 
 RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
@@ -172,11 +232,7 @@ RelievedShaftView::RelievedShaftView(BalanceShaftModel* model, QWidget* parent)
     drawing_ = new RelievedShaftDrawing(this);
     column->addWidget(drawing_, 1);
 
-    connect(model, &SceneModel::changed, this, [this] {
-        if (isVisible()) {
-            showShaft();
-        }
-    });
+    connect(model, &SceneModel::changed, this, &RelievedShaftView::refresh);
 }
 
 QWidget* RelievedShaftView::buildForm(BalanceShaftModel* model) {
@@ -224,6 +280,7 @@ QWidget* RelievedShaftView::buildForm(BalanceShaftModel* model) {
                               "speed_margin", "bearing_load_limit_N"}) {
         form->number((std::string("/relieved_shaft/") + limit).c_str());
     }
+    static_cast<QVBoxLayout*>(form->layout())->addStretch();
     QScrollArea* area = scrolled(form, panel);
     area->setMinimumHeight(120);
     column->addWidget(area, 1);
@@ -241,10 +298,16 @@ void RelievedShaftView::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     // Fields on the page's other tabs go into the shaft too.
     for (const EntryField* field : entriesOfPage(this)) {
-        connect(field, &EntryField::troubleChanged, this, &RelievedShaftView::showShaft,
+        connect(field, &EntryField::troubleChanged, this, &RelievedShaftView::refresh,
                 Qt::UniqueConnection);
     }
     showShaft();
+}
+
+void RelievedShaftView::refresh() {
+    if (isVisible()) {
+        showShaft();
+    }
 }
 
 void RelievedShaftView::showShaft() {

@@ -3,6 +3,7 @@
 #include <QWidget>
 
 #include "balance-shaft/relieved_shaft.h"
+#include "widgets/compared_figure.h"
 
 class QComboBox;
 class QLabel;
@@ -14,8 +15,9 @@ class BalanceShaftModel;
 class RelievedShaftModel;
 class ResultTable;
 
-/// Section and side view of a shaft with a relieved middle, to scale, with its main sizes.
-class RelievedShaftDrawing : public QWidget {
+/// Section and side view of a shaft with a relieved middle, to scale, with its main sizes; dashed,
+/// the reference's.
+class RelievedShaftDrawing : public ComparedFigure {
     Q_OBJECT
 
   public:
@@ -43,6 +45,7 @@ class RelievedShaftView : public QWidget {
 
   private:
     QWidget* buildForm(BalanceShaftModel* model);
+    void refresh();  ///< while it is seen
     void showShaft();
     void chooseFile();
 

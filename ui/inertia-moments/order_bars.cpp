@@ -10,7 +10,6 @@
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "text/number_text.h"
 #include "theme/theme.h"
-#include "widgets/figure.h"
 
 namespace ravnoves {
 
@@ -21,7 +20,6 @@ namespace {
 
 constexpr int panels = 3;
 constexpr double decades = 6.0;  // of the logarithmic scale
-constexpr double legendHeight = 20.0;
 
 QString valueText(double value) {
     const double size = std::abs(value);
@@ -31,11 +29,16 @@ QString valueText(double value) {
 
 }  // namespace
 
-OrderBars::OrderBars(InertiaMomentsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
+OrderBars::OrderBars(InertiaMomentsModel* model, QWidget* parent)
+    : ComparedFigure(parent), model_(model) {
     setAccessibleName(tr("Amplitudes by order"));
-    makeFigure(this);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
+    setAccessibleDescription(sentence());
+    connect(model_, &SceneModel::changed, this, [this] {
+        setAccessibleDescription(sentence());
+        update();
+        Q_EMIT pictureChanged();
+    });
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
@@ -76,13 +79,35 @@ std::vector<std::array<OrderBars::Group, 3>> OrderBars::groups() const {
     return all;
 }
 
+QString OrderBars::sentence() const {
+    const auto all = groups();
+    QString text =
+        tr("Largest: force %1 N in order %2, moment %3 N·m in order %4, roll moment %5 "
+           "N·m in order %6.");
+    for (std::size_t p = 0; p < panels; ++p) {
+        const auto most = std::max_element(
+            all.begin(), all.end(),
+            [p](const auto& one, const auto& other) { return one[p].exact < other[p].exact; });
+        text = text.arg(most != all.end() ? valueText((*most)[p].exact) : QString())
+                   .arg(most - all.begin() + 1);
+    }
+    return text;
+}
+
+std::vector<std::array<OrderBars::Group, 3>> OrderBars::ghosts() const {
+    const auto* other = static_cast<const OrderBars*>(reference());
+    return other != nullptr ? other->groups() : std::vector<std::array<Group, 3>>();
+}
+
 QRectF OrderBars::panelRect(int panel) const {
-    const double each = (height() - legendHeight) / panels;
-    return {0.0, legendHeight + panel * each, static_cast<double>(width()), each};
+    const double legend = Theme::withText(20);
+    const double each = (height() - legend) / panels;
+    return {0.0, legend + panel * each, static_cast<double>(width()), each};
 }
 
 QRectF OrderBars::barsRect(int panel) const {
-    return panelRect(panel).adjusted(58, 14, -8, -16);
+    return panelRect(panel).adjusted(Theme::withText(58), Theme::withText(14), -8,
+                                     -Theme::withText(16));
 }
 
 void OrderBars::paintEvent(QPaintEvent* /*event*/) {
@@ -95,23 +120,37 @@ void OrderBars::paintEvent(QPaintEvent* /*event*/) {
     const QColor exactColour = theme.curve(2);
     const QColor twoTermColour = theme.curve(1);
     const QColor leftColour = theme.curve(3);
-    double x = 58.0;
-    for (const auto& [text, colour] :
-         {std::pair{tr("exact"), exactColour}, std::pair{tr("two-term"), twoTermColour},
-          std::pair{tr("left over"), leftColour}}) {
-        painter.fillRect(QRectF(x, 6, 10, 10), colour);
+    constexpr double swatch = 10.0;
+    const double row = metrics.height();
+    const double legend = 0.5 * Theme::withText(20) + 1.0;  // its middle
+    double x = barsRect(0).left();
+    const auto entry = [&](const QString& text, const QPen& pen, const QBrush& brush) {
+        painter.setPen(pen);
+        painter.setBrush(brush);
+        painter.drawRect(QRectF(x, legend - 0.5 * swatch, swatch, swatch));
         painter.setPen(theme.text());
-        painter.drawText(QPointF(x + 14, 15), text);
-        x += metrics.horizontalAdvance(text) + 34.0;
-    }
-
+        painter.drawText(QPointF(x + swatch + 4.0, legend + 0.35 * metrics.ascent()), text);
+        x += metrics.horizontalAdvance(text) + swatch + 16.0;
+    };
+    entry(tr("exact"), Qt::NoPen, exactColour);
+    entry(tr("two-term"), Qt::NoPen, twoTermColour);
+    entry(tr("left over"), Qt::NoPen, leftColour);
     const auto all = groups();
+    const auto before = ghosts();
+    if (!before.empty()) {
+        const double room = childrenRect().left() - x - swatch - 12.0;
+        entry(metrics.elidedText(referenceName(), Qt::ElideRight, room),
+              QPen(theme.mutedText(), 1.2, Qt::DashLine), Qt::NoBrush);
+    }
     const std::array<QString, panels> names{tr("F, N"), tr("M, N·m"), tr("Mz, N·m")};
     for (int panel = 0; panel < panels; ++panel) {
         const auto p = static_cast<std::size_t>(panel);
         const QRectF area = barsRect(panel);
         double most = 0.0;
         for (const auto& group : all) {
+            most = std::max({most, group[p].exact, group[p].twoTerm, group[p].left});
+        }
+        for (const auto& group : before) {
             most = std::max({most, group[p].exact, group[p].twoTerm, group[p].left});
         }
         const auto fraction = [&](double value) {
@@ -122,10 +161,11 @@ void OrderBars::paintEvent(QPaintEvent* /*event*/) {
                                 : value / most;
         };
         painter.setPen(theme.text());
-        painter.drawText(QRectF(4, area.top() - 2, 52, 16), Qt::AlignLeft | Qt::AlignVCenter,
-                         names[p]);
+        painter.drawText(QRectF(4, area.top() - 2, area.left() - 6, row),
+                         Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, names[p]);
         painter.setPen(theme.mutedText());
-        painter.drawText(QRectF(4, area.bottom() - 12, 50, 14), Qt::AlignRight | Qt::AlignVCenter,
+        painter.drawText(QRectF(4, area.bottom() - 0.9 * row, area.left() - 8, row),
+                         Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip,
                          logarithmic_ ? tr("log") : QStringLiteral("0"));
         painter.setPen(QPen(theme.grid(), 1));
         const int lines = logarithmic_ ? static_cast<int>(decades) : 2;
@@ -138,16 +178,23 @@ void OrderBars::paintEvent(QPaintEvent* /*event*/) {
         for (std::size_t i = 0; i < all.size(); ++i) {
             const Group& group = all[i][p];
             const double middle = area.left() + slot * (static_cast<double>(i) + 0.5);
+            const Group ghost = i < before.size() ? before[i][p] : Group();
             const std::array values{group.exact, group.twoTerm, group.left};
+            const std::array were{ghost.exact, ghost.twoTerm, ghost.left};
             const std::array colours{exactColour, twoTermColour, leftColour};
             double tallest = 0.0;
             for (std::size_t b = 0; b < values.size(); ++b) {
                 const double h = area.height() * fraction(values[b]);
-                tallest = std::max(tallest, h);
+                const double was = area.height() * fraction(were[b]);
+                const double left = middle + (static_cast<double>(b) - 1.5) * bar;
+                tallest = std::max({tallest, h, was});
                 if (h > 0.0) {
-                    painter.fillRect(QRectF(middle + (static_cast<double>(b) - 1.5) * bar,
-                                            area.bottom() - h, bar - 1.0, h),
-                                     colours[b]);
+                    painter.fillRect(QRectF(left, area.bottom() - h, bar - 1.0, h), colours[b]);
+                }
+                if (was > 0.0) {
+                    painter.setPen(QPen(theme.text(), 1.0, Qt::DashLine));
+                    painter.setBrush(Qt::NoBrush);
+                    painter.drawRect(QRectF(left - 0.5, area.bottom() - was, bar, was));
                 }
             }
             if (group.exact > 0.02 * most) {
@@ -155,12 +202,14 @@ void OrderBars::paintEvent(QPaintEvent* /*event*/) {
                 const QString text = valueText(group.exact);
                 const double w = metrics.horizontalAdvance(text) + 2.0;
                 if (w < slot * 1.3) {
-                    painter.drawText(QRectF(middle - w / 2, area.bottom() - tallest - 13, w, 12),
-                                     Qt::AlignCenter, text);
+                    painter.drawText(
+                        QRectF(middle - w / 2, area.bottom() - tallest - row - 1.0, w, row),
+                        Qt::AlignCenter | Qt::TextDontClip, text);
                 }
             }
             painter.setPen(theme.mutedText());
-            painter.drawText(QRectF(middle - 12, area.bottom() + 1, 24, 14), Qt::AlignCenter,
+            painter.drawText(QRectF(middle - 12, area.bottom() + 1, 24, row),
+                             Qt::AlignHCenter | Qt::AlignTop | Qt::TextDontClip,
                              QString::number(i + 1));
         }
         painter.setPen(QPen(theme.border(), 1));
@@ -185,12 +234,18 @@ bool OrderBars::event(QEvent* event) {
             const auto i =
                 static_cast<std::size_t>(std::clamp((help->pos().x() - area.left()) / slot, 0.0,
                                                     static_cast<double>(all.size()) - 1.0));
-            const Group& group = all[i][static_cast<std::size_t>(panel)];
-            QToolTip::showText(help->globalPos(),
-                               tr("Order %1: exact %2, two-term %3, left over %4")
-                                   .arg(QString::number(i + 1), valueText(group.exact),
-                                        valueText(group.twoTerm), valueText(group.left)),
-                               this);
+            const auto inWords = [&](const Group& group) {
+                return tr("Order %1: exact %2, two-term %3, left over %4")
+                    .arg(QString::number(i + 1), valueText(group.exact), valueText(group.twoTerm),
+                         valueText(group.left));
+            };
+            const auto p = static_cast<std::size_t>(panel);
+            QString text = inWords(all[i][p]);
+            if (const auto before = ghosts(); i < before.size()) {
+                text += QLatin1Char('\n') + referenceName() + QStringLiteral(": ") +
+                        inWords(before[i][p]);
+            }
+            QToolTip::showText(help->globalPos(), text, this);
             return true;
         }
         QToolTip::hideText();

@@ -1,18 +1,19 @@
 #pragma once
 
-#include <QWidget>
 #include <array>
 #include <vector>
 
 #include "theme/theme.h"
+#include "widgets/compared_figure.h"
 
 namespace ravnoves {
 
 class InertiaMomentsModel;
 
 /// Amplitudes by order as bars: force, moment and roll moment; exact beside two-term beside what
-/// is left over. The height is the largest value of the order's ellipse.
-class OrderBars : public QWidget {
+/// is left over, each in the outline of the reference's. The height is the largest value of the
+/// order's ellipse.
+class OrderBars : public ComparedFigure {
     Q_OBJECT
 
   public:
@@ -38,6 +39,8 @@ class OrderBars : public QWidget {
     bool event(QEvent* event) override;
 
   private:
+    QString sentence() const;
+    std::vector<std::array<Group, 3>> ghosts() const;  ///< the reference's; none without one
     QRectF panelRect(int panel) const;
     QRectF barsRect(int panel) const;
 

@@ -10,6 +10,7 @@
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
 #include "text/error_text.h"
+#include "widgets/compared_figure.h"
 #include "widgets/result_table.h"
 
 namespace ravnoves {
@@ -97,6 +98,7 @@ void Comparison::connectParts(const QString& name) {
     const ScenePage* twin = name.isEmpty() ? nullptr : twin_.get();
     connectAll<PlotView>(*page_, twin, name);
     connectAll<ResultTable>(*page_, twin, name);
+    connectAll<ComparedFigure>(*page_, twin, name);
 }
 
 void Comparison::fill() {

@@ -10,8 +10,9 @@ class ScenePage;
 /// Shows a page's present input against the variant that its model has as reference.
 ///
 /// A second page of the same scene, which nobody sees, holds the variant's input; each plot of the
-/// page takes the curves of its counterpart there as ghosts, each table its cells for differences.
-/// So no scene needs a line for it, and nothing is there while there is no reference.
+/// page takes the curves of its counterpart there as ghosts, so do pictures that compare, each
+/// table its cells for differences. So no scene needs a line for it, and nothing is there while
+/// there is no reference.
 class Comparison : public QObject {
     Q_OBJECT
 

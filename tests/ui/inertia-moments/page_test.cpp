@@ -693,6 +693,24 @@ TEST_F(InertiaMomentsPageTest, BarsShowExactBesideTwoTerm) {
     QToolTip::hideText();
 }
 
+TEST_F(InertiaMomentsPageTest, BarsStandInTheOutlineOfTheReferences) {
+    tab(Tabs::Charts, "orders");
+    OrderBars* bars = page.charts()->bars();
+    const QImage alone = bars->grab().toImage();
+    InertiaMomentsPage slower;
+    slower.model()->setByKey(QStringLiteral("speed_rpm"), QStringLiteral("3000"));
+    bars->setReference(slower.findChild<OrderBars*>(), QStringLiteral("A"));
+    EXPECT_NE(bars->grab().toImage(), alone);
+    const QPoint at(80, bars->height() / 5);
+    QHelpEvent help(QEvent::ToolTip, at, bars->mapToGlobal(at));
+    QApplication::sendEvent(bars, &help);
+    EXPECT_TRUE(QToolTip::text().contains(QStringLiteral("A: Order 1")))
+        << QToolTip::text().toStdString();
+    QToolTip::hideText();
+    bars->setReference(nullptr, {});
+    EXPECT_EQ(bars->grab().toImage(), alone);
+}
+
 TEST_F(InertiaMomentsPageTest, HodographsHoldTheVectors) {
     const QString csv = page.charts()->hodograph(false)->dataAsCsv();
     EXPECT_TRUE(csv.contains(QStringLiteral("1st")));
@@ -722,6 +740,10 @@ TEST_F(InertiaMomentsPageTest, ForcesAndMomentsStandOverTheCrankAngle) {
     EXPECT_NE(*page.charts()->course(true)->valueAt(0, 30.0), 0.0);
     EXPECT_GT(page.charts()->course(true)->yInterval(PlotView::Side::Left).second, 1000.0);
     EXPECT_EQ(*page.charts()->course(true)->valueAt(3, 30.0), 0.0);
+    // The moments are no flat chart: Mz is one of them.
+    const double roll = inertia_moments::exact_wrench(model->result().engine, 30.0 * degree).roll();
+    EXPECT_NEAR(*page.charts()->course(false)->valueAt(6, 30.0), roll, 1e-9 * std::abs(roll));
+    EXPECT_GT(page.charts()->course(false)->yInterval(PlotView::Side::Left).second, 10.0);
     // A change of the input is there at once.
     const double before = *page.charts()->course(true)->valueAt(2, 30.0);
     drag(page.sliders()->speed()->slider(), -30);

@@ -22,6 +22,7 @@
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
 #include "text/difference_text.h"
+#include "widgets/compared_figure.h"
 #include "widgets/number_field.h"
 #include "widgets/result_table.h"
 
@@ -115,6 +116,9 @@ TEST_P(EveryPagesVariants, GhostsAreTheCurvesThatTheReferenceHad) {
     EXPECT_EQ(comparison().twin(), nullptr);  // nothing is there without a reference
     model().keepVariant();
     ASSERT_NE(comparison().twin(), nullptr);
+    for (const ComparedFigure* figure : page->findChildren<ComparedFigure*>()) {
+        EXPECT_TRUE(comparison().twin()->isAncestorOf(figure->reference()));
+    }
     changeByKeys();
     lookAtAll(*page);
     EXPECT_TRUE(QTest::qWaitFor([&] { return !comparison().twin()->isBusy(); }, 60'000));
