@@ -22,6 +22,7 @@ using balance_shaft::Vector2;
 
 namespace {
 
+constexpr double arrowMargin = 5.0;         // to the picture's edge
 constexpr double degreesPerSecond = 150.0;  // slow enough to follow with the eye
 
 /// A counterweight about an axis, centred on the direction of its mass.
@@ -168,12 +169,14 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
         painter.drawEllipse(joint, 0.24 * thick + 1.5, 0.24 * thick + 1.5);
     }
 
-    // Forces, one scale for all: P_j1 max is 0.42 of the picture's smaller side.
+    // Forces, one scale for all: P_j1 max is 0.36 of the picture's smaller side.
     const double force = std::max(model_->result().inertia_force_1_max, 1e-300);
     const double perNewton = 0.36 * std::min(width(), height()) / force;
     const auto drawForce = [&](const QPointF& from, const Vector2& f, const QColor& colour) {
-        drawing::drawArrow(painter, from, from + QPointF(f.x * perNewton, -f.y * perNewton),
-                           colour);
+        const QLineF arrow = drawing::pulledInside(
+            {from, from + QPointF(f.x * perNewton, -f.y * perNewton)},
+            QRectF(rect()).adjusted(arrowMargin, arrowMargin, -arrowMargin, -arrowMargin));
+        drawing::drawArrow(painter, arrow.p1(), arrow.p2(), colour);
     };
     drawForce(piston, pose.inertia_force_1, theme.error());
     // A force acts along its line: it is drawn from inside the weight.

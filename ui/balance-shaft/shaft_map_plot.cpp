@@ -637,7 +637,8 @@ void ShaftMapPlot::paintShaft(QPainter& painter) const {
         const QString text = (*change > 0.0 ? QStringLiteral("+") : QString()) +
                              fixedNumber(100.0 * *change, 2, QLocale()) + QStringLiteral(" %");
         const QFontMetricsF metrics(painter.font());
-        QRectF box(axis + QPointF(12, -26), QSizeF(metrics.horizontalAdvance(text) + 12.0, 18.0));
+        const QSizeF size(metrics.horizontalAdvance(text) + 12.0, metrics.height() + 4.0);
+        QRectF box(axis + QPointF(12.0, -8.0 - size.height()), size);
         if (box.right() > plotArea().right()) {
             box.moveRight(axis.x() - 12.0);
         }

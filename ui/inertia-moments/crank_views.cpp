@@ -51,7 +51,7 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
     painter.fillRect(rect(), theme.panel());
     painter.setRenderHint(QPainter::Antialiasing);
 
-    const double textWidth = std::min(210.0, 0.45 * width());
+    const double textWidth = std::min<double>(Theme::withText(210), 0.45 * width());
     const QRectF figure(8, 8, width() - textWidth - 16, height() - 16);
     const double radius = 0.5 * std::min(figure.width(), figure.height()) - 22.0;
     const QPointF centre = figure.center();

@@ -249,10 +249,12 @@ void EngineView::paintSide(QPainter& painter, const QRectF& area) {
     }
     low = std::min(low, input.reference_position) - 0.8 * radius;
     high = std::max(high, input.reference_position) + 0.8 * radius;
+    painter.setFont(Theme::font(Theme::smallSize));
+    const double row = painter.fontMetrics().height();  // the numbers stand below
     const double scale =
-        std::min(area.width() / (high - low), (area.height() - 15.0) / (2.3 * radius));
+        std::min(area.width() / (high - low), (area.height() - row) / (2.3 * radius));
     const double middle = 0.5 * (low + high);
-    const double axisY = area.center().y() - 7.0;  // the numbers stand below
+    const double axisY = area.center().y() - 0.5 * row;
     // Cylinder 1 to the left.
     const auto at = [&](double z, double y) {
         return QPointF(area.center().x() - (z - middle) * scale, axisY - y * scale);
@@ -286,7 +288,6 @@ void EngineView::paintSide(QPainter& painter, const QRectF& area) {
     // Throws: web, pin, web.
     const double pinHalf = 0.26 * radius;
     std::map<int, QStringList> labels;
-    painter.setFont(Theme::font(Theme::smallSize));
     for (std::size_t i = 0; i < engine.cylinders.size(); ++i) {
         const Cylinder& cylinder = engine.cylinders[i];
         const double y = radius * heightOf(cylinder.crankpin_angle);
@@ -304,14 +305,14 @@ void EngineView::paintSide(QPainter& painter, const QRectF& area) {
         const int first = label->first;
         int last = first;
         QStringList names;
-        while (label != labels.end() && label->first - last <= 14) {
+        while (label != labels.end() && label->first - last <= Theme::withText(14)) {
             last = label->first;
             names << label->second;
             ++label;
         }
-        painter.drawText(
-            QRectF(0.5 * (first + last) - 70.0, axisY + 1.12 * radius * scale + 1.0, 140.0, 14.0),
-            Qt::AlignCenter, names.join(QLatin1Char(',')));
+        drawing::drawCentred(
+            painter, QPointF(0.5 * (first + last), axisY + 1.12 * radius * scale + 0.5 * row),
+            names.join(QLatin1Char(',')));
     }
     // The point that moments refer to.
     const QPointF reference = at(input.reference_position, 0);

@@ -27,6 +27,21 @@ void drawArrow(QPainter& painter, const QPointF& from, const QPointF& to, const 
                                   to - along * head - across * head * 0.45});
 }
 
+QLineF pulledInside(const QLineF& arrow, const QRectF& inside) {
+    const QPointF d = arrow.p2() - arrow.p1();
+    double over = 0.0;  // of the arrow's length
+    const auto keep = [&](double beyond, double along) {
+        if (beyond > 0.0 && along > 0.0) {
+            over = std::max(over, beyond / along);
+        }
+    };
+    keep(arrow.x2() - inside.right(), d.x());
+    keep(inside.left() - arrow.x2(), -d.x());
+    keep(arrow.y2() - inside.bottom(), d.y());
+    keep(inside.top() - arrow.y2(), -d.y());
+    return arrow.translated(-over * d);
+}
+
 void drawBar(QPainter& painter, const QPointF& from, const QPointF& to, double width,
              const QColor& fill, const QColor& line) {
     const QPointF d = to - from;

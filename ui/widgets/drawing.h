@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QColor>
+#include <QLineF>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPointF>
@@ -27,6 +28,9 @@ struct Frame {
 /// An arrow of the present pen width in one colour; nothing where it would be too short to see.
 void drawArrow(QPainter& painter, const QPointF& from, const QPointF& to, const QColor& colour,
                double width = 2.0);
+
+/// An arrow moved back along its line until its tip is inside: a force acts along its line.
+QLineF pulledInside(const QLineF& arrow, const QRectF& inside);
 
 /// A straight bar of metal (rod, crank web) between two points; its ends are left to the joints.
 /// A polygon with a thin outline: wide round pens cost a page its frame.

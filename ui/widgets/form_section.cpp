@@ -47,7 +47,11 @@ class Scrolled final : public QScrollArea {
             setFocusPolicy(isOver() && !hasStop() ? Qt::StrongFocus : Qt::NoFocus);
             const auto* text = qobject_cast<QLabel*>(widget());
             text = text != nullptr ? text : widget()->findChild<QLabel*>();
-            setAccessibleName(text != nullptr ? text->text() : QString());
+            // Each setting is told to screen readers.
+            if (const QString name = text != nullptr ? text->text() : QString();
+                name != accessibleName()) {
+                setAccessibleName(name);
+            }
         }
         return done;
     }

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "plot/picture_file.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/figure.h"
@@ -62,7 +63,7 @@ void MechanismPicture::keyPressEvent(QKeyEvent* event) {
 }
 
 void MechanismPicture::drawFocus(QPainter& painter) const {
-    if (hasFocus()) {
+    if (hasFocus() && !drawsForFile(painter, *this)) {
         painter.setPen(QPen(Theme::instance().accent(), 1.0));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));

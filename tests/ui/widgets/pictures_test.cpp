@@ -1,0 +1,115 @@
+// What pictures of mechanisms and forms share.
+
+#include <gtest/gtest.h>
+
+#include <QAccessible>
+#include <QLabel>
+#include <QPainter>
+#include <QPicture>
+#include <QScrollArea>
+
+#include "events.h"
+#include "painted.h"
+#include "widgets/drawing.h"
+#include "widgets/form_section.h"
+#include "widgets/mechanism_picture.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+
+class Framed final : public MechanismPicture {
+  public:
+    Framed() : MechanismPicture(u"Picture"_s, {}) {}
+
+  protected:
+    void play(double /*seconds*/) override {}
+    void step(double /*degrees*/) override {}
+    void paintEvent(QPaintEvent* /*event*/) override {
+        QPainter painter(this);
+        painter.fillRect(rect(), Qt::white);
+        drawFocus(painter);
+    }
+};
+
+TEST(MechanismPicture, TheFrameOfTheFocusIsOnTheScreenAlone) {
+    Framed picture;
+    test::showAt(picture, {200, 100});
+    const auto onPaper = [&] {
+        QPicture lines;
+        picture.render(&lines, QPoint(), QRegion(), QWidget::RenderFlags());
+        QImage paper(picture.size(), QImage::Format_RGB32);
+        paper.fill(Qt::white);
+        QPainter(&paper).drawPicture(0, 0, lines);
+        return paper;
+    };
+    picture.clearFocus();
+    const QImage screen = picture.grab().toImage();
+    const QImage paper = onPaper();
+    picture.activateWindow();
+    picture.setFocus();
+    ASSERT_TRUE(picture.hasFocus());
+    EXPECT_NE(picture.grab().toImage(), screen);
+    EXPECT_EQ(onPaper(), paper);
+}
+
+class Written final : public QWidget {
+  public:
+    int flags = Qt::AlignCenter;
+
+  protected:
+    void paintEvent(QPaintEvent* /*event*/) override {
+        QPainter painter(this);
+        painter.drawText(QRectF(10.0, 10.0, 180.0, 5.0), flags, u"Force, N"_s);
+    }
+};
+
+TEST(Painted, TellsTextsThatAreCut) {
+    Written written;
+    test::showAt(written, {200, 100});
+    ASSERT_EQ(test::painted(written).texts.size(), 1U);
+    EXPECT_TRUE(test::painted(written).texts.front().isCut);
+    written.flags |= Qt::TextDontClip;
+    EXPECT_FALSE(test::painted(written).texts.front().isCut);
+}
+
+TEST(Drawing, AnArrowThatWouldLeaveThePictureGoesBackAlongItsLine) {
+    const QRectF picture(0.0, 0.0, 100.0, 60.0);
+    const QLineF inside(10.0, 10.0, 60.0, 30.0);
+    EXPECT_EQ(drawing::pulledInside(inside, picture), inside);
+    for (const QLineF& arrow : {QLineF(50.0, 30.0, 140.0, 30.0), QLineF(50.0, 30.0, 50.0, -40.0),
+                                QLineF(60.0, 40.0, 120.0, 100.0), QLineF(5.0, 5.0, -20.0, -7.0)}) {
+        const QLineF moved = drawing::pulledInside(arrow, picture);
+        EXPECT_TRUE(picture.adjusted(-1e-9, -1e-9, 1e-9, 1e-9).contains(moved.p2()));
+        EXPECT_NEAR(moved.dx(), arrow.dx(), 1e-9);
+        EXPECT_NEAR(moved.dy(), arrow.dy(), 1e-9);
+        // On the same line.
+        const QPointF d = moved.p2() - arrow.p2();
+        EXPECT_NEAR(d.x() * arrow.dy() - d.y() * arrow.dx(), 0.0, 1e-6);
+    }
+}
+
+int namesTold = 0;
+
+TEST(ScrolledForm, TellsItsNameWhenItChangesAndNotAtEverySize) {
+    auto* label = new QLabel(u"Title"_s);
+    QWidget parent;
+    QScrollArea* area = scrolled(label, &parent);
+    QAccessible::setActive(true);
+    const auto before = QAccessible::installUpdateHandler([](QAccessibleEvent* event) {
+        namesTold += event->type() == QAccessible::NameChanged ? 1 : 0;
+    });
+    test::showAt(parent, {300, 200});
+    for (int width = 200; width < 260; width += 10) {
+        area->resize(width, 100);
+        QApplication::processEvents();
+    }
+    EXPECT_EQ(area->accessibleName(), u"Title"_s);
+    EXPECT_LE(namesTold, 1);
+    QAccessible::installUpdateHandler(before);
+    QAccessible::setActive(false);
+}
+
+}  // namespace
+}  // namespace ravnoves
