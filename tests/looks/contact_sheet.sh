@@ -12,7 +12,7 @@ export QT_QPA_PLATFORM=offscreen
 mkdir -p "$folder/single"
 
 # Size, percent of the text, scale factor.
-looks='1024x700:100:1 1280x800:100:1 1920x1080:100:1 1920x1080:200:1 960x540:100:2'
+looks='1024x700:100:1 1280x800:100:1 1920x1080:100:1 1920x1080:200:1 1360x850:200:1 960x540:100:2'
 
 for scene in "$@"; do
     # A tab that is none makes the program name those that there are.

@@ -51,6 +51,11 @@ QTabWidget* InertiaMomentsPage::makeInputs() {
 }
 
 void InertiaMomentsPage::followTabs(QTabWidget* tabs, Tabs group) {
+    const QStringList names = InertiaMomentsModel::tabNames(group);
+    const QString of = group == Tabs::Answer ? QStringLiteral("table-") : QString();
+    for (int i = 0; i < names.size(); ++i) {
+        tabs->widget(i)->setObjectName(of + names[i]);
+    }
     connect(tabs, &QTabWidget::currentChanged, model_,
             [this, group](int index) { model_->setTab(group, index); });
     connect(model_, &InertiaMomentsModel::tabChanged, tabs, [tabs, group](Tabs which, int index) {

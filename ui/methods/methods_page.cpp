@@ -13,16 +13,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case-file/input_error.h"
-#include "case-file/text_file.h"
 #include "methods/method_plots.h"
 #include "methods/model/method_words.h"
 #include "methods/sweep_value_field.h"
 #include "methods/validation_view.h"
-#include "text/error_text.h"
-#include "text/file_path.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/write_file.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/file_dialogs.h"
@@ -110,18 +107,22 @@ QString paragraph(const QString& heading, const QString& text) {
 
 MethodsPage::MethodsPage(QWidget* parent, SceneModel* kept)
     : ScenePage(parent), model_(takeOver<MethodsModel>(kept)) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
-    row->setSpacing(Theme::space);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
     auto* left = new QWidget(this);
-    left->setFixedWidth(PageColumns::inputsWidth());
     auto* column = new QVBoxLayout(left);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(Theme::space);
     column->addWidget(buildChoice());
     column->addWidget(buildWords(), 1);
-    row->addWidget(left);
-    row->addWidget(buildResults(), 1);
+    // Tabs only where there is no room for the results beside it.
+    auto* inputs = new QTabWidget(this);
+    inputs->setDocumentMode(true);
+    inputs->setTabBarAutoHide(true);
+    inputs->setFixedWidth(PageColumns::inputsWidth());
+    inputs->addTab(left, tr("Quantity"));
+    whole->addWidget(new PageColumns(
+        {.inputs = inputs, .tabs = inputs, .plots = nullptr, .results = buildResults()}, this));
 
     againAction_ = new QAction(themedIcon(QStringLiteral("play")), tr("&Measure again"), this);
     againAction_->setToolTip(tr("Measure this kernel again, with more repetitions (F5)"));
@@ -488,12 +489,7 @@ QString MethodsPage::exportTo(const QString& path) {
     if (!path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
         return plots_->exportPicture(path);
     }
-    try {
-        write_text_file(fsPath(path), resultsAsCsv().toStdString());
-    } catch (const InputError& error) {
-        return path + QStringLiteral(": ") + errorText(error);
-    }
-    return {};
+    return writeFile(path, [this] { return resultsAsCsv().toStdString(); });
 }
 
 void MethodsPage::exportWithDialog() {

@@ -30,11 +30,27 @@
 
 namespace ravnoves {
 
+namespace {
+
+/// Tabs that scroll before their titles are too short to be told apart.
+class CaseTabs final : public QTabBar {
+  public:
+    using QTabBar::QTabBar;
+
+  protected:
+    QSize minimumTabSizeHint(int index) const override {
+        const QSize whole = tabSizeHint(index);
+        return {std::min(whole.width(), Theme::withText(150)), whole.height()};
+    }
+};
+
+}  // namespace
+
 Documents::Documents(QWidget* parent) : QWidget(parent), scenes_(sceneList()) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    tabs_ = new QTabBar(this);
+    tabs_ = new CaseTabs(this);
     tabs_->setObjectName(QStringLiteral("documents"));
     tabs_->setAccessibleName(tr("Open cases"));
     tabs_->setDocumentMode(true);
@@ -43,7 +59,6 @@ Documents::Documents(QWidget* parent) : QWidget(parent), scenes_(sceneList()) {
     tabs_->setMovable(true);
     tabs_->setUsesScrollButtons(true);
     tabs_->setElideMode(Qt::ElideMiddle);
-    tabs_->setIconSize(QSize(16, 16));
     tabs_->installEventFilter(this);
     tabs_->hide();
     column->addWidget(tabs_);
@@ -167,6 +182,7 @@ void Documents::putPage(OpenDocument& document, ScenePage* page) {
 
 void Documents::makeNotice() {
     tabs_->setFont(Theme::font(Theme::smallSize));
+    tabs_->setIconSize(QSize(Theme::withText(16), Theme::withText(16)));
     notice_ = new DiskNotice(this);
     static_cast<QVBoxLayout*>(layout())->insertWidget(1, notice_);  // below the tabs
     connect(notice_, &DiskNotice::reloadAsked, this, &Documents::reload);

@@ -9,8 +9,34 @@
 #include "model/case_sources.h"
 #include "shell/main_window.h"
 #include "shell/scene_page.h"
+#include "widgets/page_columns.h"
 
 namespace ravnoves {
+
+namespace {
+
+constexpr const char* shownTab = "shownTab";  ///< of a page: the tab that a picture shall show
+
+/// Brings any tab of the page to the front by its object name, also where it is folded into
+/// another one.
+/// @return false where there is none; `names` are those that there are
+bool showTab(ScenePage* page, const QString& wanted, QStringList& names) {
+    for (QTabWidget* tabs : page->findChildren<QTabWidget*>()) {
+        for (int i = 0; i < tabs->count(); ++i) {
+            const QString name = tabs->widget(i)->objectName();
+            if (name == wanted) {
+                showTabOf(tabs->widget(i));
+                return true;
+            }
+            if (!name.isEmpty()) {
+                names << name;
+            }
+        }
+    }
+    return false;
+}
+
+}  // namespace
 
 QString applySetting(MainWindow& window, const QString& pair) {
     const qsizetype equals = pair.indexOf(QLatin1Char('='));
@@ -19,20 +45,11 @@ QString applySetting(MainWindow& window, const QString& pair) {
     }
     ScenePage* page = window.currentPage();
     if (pair.startsWith(QLatin1String("tab="))) {
-        // Any tab of the page by its object name, so that a picture can show it.
         const QString wanted = pair.mid(4);
         QStringList names;
-        for (QTabWidget* tabs : page->findChildren<QTabWidget*>()) {
-            for (int i = 0; i < tabs->count(); ++i) {
-                const QString name = tabs->widget(i)->objectName();
-                if (name == wanted) {
-                    tabs->setCurrentIndex(i);
-                    return {};
-                }
-                if (!name.isEmpty()) {
-                    names << name;
-                }
-            }
+        if (showTab(page, wanted, names)) {
+            page->setProperty(shownTab, wanted);
+            return {};
         }
         if (names.isEmpty()) {
             return QStringLiteral("--set: this page has no tabs to choose");
@@ -67,6 +84,12 @@ QString writeScreenshot(MainWindow& window, const QString& path, const QString& 
     for (int turn = 0; turn < 3; ++turn) {
         QApplication::processEvents();
     }
+    // At this size it may be folded into a tab of the page.
+    const QString tab = window.currentPage()->property(shownTab).toString();
+    if (QStringList names; !tab.isEmpty()) {
+        showTab(window.currentPage(), tab, names);
+    }
+    QApplication::processEvents();
     // What is computed in the background belongs in the picture.
     QElapsedTimer waited;
     waited.start();

@@ -60,7 +60,18 @@ class SceneCard : public StartButton {
                summary(width).height() + Theme::margin;
     }
     QSize sizeHint() const override { return {200, heightForWidth(200)}; }
-    QSize minimumSizeHint() const override { return {120, heightForWidth(200)}; }
+    /// No word is cut.
+    QSize minimumSizeHint() const override {
+        int width = 120;
+        const auto fit = [&width](const QFontMetrics& metrics, const QString& words) {
+            for (const QString& word : words.split(QLatin1Char(' '))) {
+                width = std::max(width, metrics.horizontalAdvance(word) + 2 * Theme::margin + 2);
+            }
+        };
+        fit(QFontMetrics(titleFont()), text());
+        fit(fontMetrics(), summary_);
+        return {width, heightForWidth(std::max(width, 200))};
+    }
 
   protected:
     void paintEvent(QPaintEvent* /*event*/) override {
@@ -253,9 +264,12 @@ void StartPage::showRecent() {
 }
 
 void StartPage::arrange() {
-    const int narrowest = 12 * fontMetrics().averageCharWidth() + 4 * Theme::margin;
+    int narrowest = 0;
+    for (int i = 0; i < cards_->count(); ++i) {
+        narrowest = std::max(narrowest, cards_->itemAt(i)->widget()->minimumSizeHint().width());
+    }
     const int columns =
-        std::clamp((width() - 3 * Theme::margin) / (narrowest + Theme::margin), 1, cards_->count());
+        std::clamp((width() - 4 * Theme::margin) / (narrowest + Theme::margin), 1, cards_->count());
     if (columns == columns_) {
         return;
     }

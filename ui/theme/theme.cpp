@@ -24,7 +24,8 @@ class DenseTabs : public QProxyStyle {
                     const QWidget* widget) const override {
         switch (metric) {
             case PM_TabBarTabHSpace:
-                return 2 * Theme::space;
+                return 2 * (isCrowded(widget) ? Theme::gap : Theme::space);
+            case PM_TabBarScrollButtonWidth:
             case PM_IndicatorWidth:
             case PM_IndicatorHeight:
             case PM_ExclusiveIndicatorWidth:
@@ -35,6 +36,46 @@ class DenseTabs : public QProxyStyle {
             default:
                 return QProxyStyle::pixelMetric(metric, option, widget);
         }
+    }
+
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                  QStyleHintReturn* returned) const override {
+        switch (hint) {
+            case SH_TabBar_PreferNoArrows:  // all tabs are seen, shortened where they must be
+                return 1;
+            case SH_TabBar_ElideMode:
+                return Qt::ElideRight;
+            default:
+                return QProxyStyle::styleHint(hint, option, widget, returned);
+        }
+    }
+
+    /// Choices that are too long end in dots.
+    void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+        const auto* box = qstyleoption_cast<const QStyleOptionComboBox*>(option);
+        if (element != CE_ComboBoxLabel || box == nullptr || box->editable) {
+            QProxyStyle::drawControl(element, option, painter, widget);
+            return;
+        }
+        QStyleOptionComboBox fitted = *box;
+        const int room = subControlRect(CC_ComboBox, box, SC_ComboBoxEditField, widget).width() - 2;
+        fitted.currentText = box->fontMetrics.elidedText(box->currentText, Qt::ElideRight, room);
+        QProxyStyle::drawControl(element, &fitted, painter, widget);
+    }
+
+  private:
+    /// With the usual space around them, the titles of a page's tabs would not all be seen.
+    static bool isCrowded(const QWidget* widget) {
+        const auto* bar = qobject_cast<const QTabBar*>(widget);
+        const auto* tabs =
+            bar != nullptr ? qobject_cast<const QTabWidget*>(bar->parentWidget()) : nullptr;
+        int wanted = 0;
+        for (int i = 0; tabs != nullptr && i < bar->count(); ++i) {
+            wanted += bar->fontMetrics().size(Qt::TextShowMnemonic, bar->tabText(i)).width() +
+                      2 * Theme::space;
+        }
+        return tabs != nullptr && wanted > tabs->width();
     }
 };
 

@@ -17,8 +17,10 @@ namespace {
 
 constexpr int plotsWidth = 440;  ///< designed pixels that plots need at least
 
+/// 0 for none.
 int leastWidth(const QWidget* widget) {
-    return std::max(widget->minimumWidth(), widget->minimumSizeHint().width());
+    return widget != nullptr ? std::max(widget->minimumWidth(), widget->minimumSizeHint().width())
+                             : 0;
 }
 
 }  // namespace
@@ -34,14 +36,13 @@ PageColumns::PageColumns(const Parts& parts, QWidget* parent)
       inputsMost_(parts.inputs->maximumWidth()) {
     grid_->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
     grid_->setSpacing(Theme::space);
-    grid_->addWidget(parts_.inputs, 0, 0, 2, 1);
-    if (parts_.top != nullptr) {
-        grid_->addWidget(parts_.top, 0, 1, 1, 2);
+    placeTop(false);
+    if (parts_.plots != nullptr) {
+        grid_->addWidget(parts_.plots, 1, 1);
     }
-    grid_->addWidget(parts_.plots, 1, 1);
     grid_->addWidget(results_, 1, 2);
     grid_->setRowStretch(1, 1);
-    grid_->setColumnStretch(1, parts_.plotShare);
+    grid_->setColumnStretch(1, parts_.plots != nullptr ? parts_.plotShare : 0);
     grid_->setColumnStretch(2, parts_.resultShare);
     results_->setObjectName(QStringLiteral("results"));
     results_->setMaximumWidth(parts_.results->maximumWidth());
@@ -56,14 +57,25 @@ int PageColumns::inputsWidth() {
 }
 
 PageColumns::Fold PageColumns::foldFor(int width) const {
-    const int plots = leastWidth(parts_.plots);
     const int two = inputsLeast_ + 3 * Theme::space;
+    if (parts_.plots == nullptr) {
+        return width >= two + resultsWidth_ ? Fold::None : Fold::Plots;
+    }
+    const int plots = std::max(leastWidth(parts_.plots), leastWidth(parts_.top));
     const int roomy = std::max(Theme::withText(plotsWidth), plots);
     if (width >= two + roomy + resultsWidth_ + Theme::space) {
         return Fold::None;
     }
-    // What stands over plots and results stays there.
-    return width >= two + plots || parts_.top != nullptr ? Fold::Results : Fold::Plots;
+    return width >= two + plots ? Fold::Results : Fold::Plots;
+}
+
+void PageColumns::placeTop(bool overAll) {
+    grid_->removeWidget(parts_.inputs);
+    grid_->addWidget(parts_.inputs, overAll ? 1 : 0, 0, overAll ? 1 : 2, 1);
+    if (parts_.top != nullptr) {
+        grid_->removeWidget(parts_.top);
+        grid_->addWidget(parts_.top, 0, overAll ? 0 : 1, 1, overAll ? 3 : 2);
+    }
 }
 
 void PageColumns::arrange() {
@@ -98,17 +110,20 @@ void PageColumns::foldResults(bool folded) {
 }
 
 void PageColumns::foldPlots(bool folded) {
+    parts_.inputs->setMaximumWidth(folded ? QWIDGETSIZE_MAX : inputsMost_);
+    placeTop(folded);
+    grid_->setColumnStretch(0, folded ? 1 : 0);
+    if (parts_.plots == nullptr) {
+        return;
+    }
     if (folded) {
         grid_->removeWidget(parts_.plots);
-        parts_.inputs->setMaximumWidth(QWIDGETSIZE_MAX);
         parts_.tabs->addTab(parts_.plots, tr("Plots"));
     } else {
         parts_.tabs->removeTab(parts_.tabs->indexOf(parts_.plots));
-        parts_.inputs->setMaximumWidth(inputsMost_);
         grid_->addWidget(parts_.plots, 1, 1);
         parts_.plots->show();
     }
-    grid_->setColumnStretch(0, folded ? 1 : 0);
     grid_->setColumnStretch(1, folded ? 0 : parts_.plotShare);
 }
 
@@ -119,9 +134,9 @@ void PageColumns::resizeEvent(QResizeEvent* event) {
 
 QSize PageColumns::minimumSizeHint() const {
     const QSize all = QWidget::minimumSizeHint();
-    const int plots = leastWidth(parts_.plots);
-    const int narrowest = parts_.top != nullptr ? inputsLeast_ + plots + 3 * Theme::space
-                                                : std::max(inputsLeast_, plots) + 2 * Theme::space;
+    const int narrowest =
+        std::max({inputsLeast_, leastWidth(parts_.plots), leastWidth(parts_.top)}) +
+        2 * Theme::space;
     return {std::min(all.width(), narrowest), all.height()};
 }
 

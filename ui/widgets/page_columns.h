@@ -12,7 +12,8 @@ namespace ravnoves {
 
 /// The columns of a page: inputs, plots, results. Where the window is too narrow for three (or its
 /// text too large), the results become the last tab of the inputs, and where it is too narrow for
-/// two, the plots too; a column that is too high for the window scrolls.
+/// two, the plots too; a column that is too high for the window scrolls. What stands over plots and
+/// results stays in sight: then it stands over the tabs.
 class PageColumns : public QWidget {
     Q_OBJECT
 
@@ -20,7 +21,7 @@ class PageColumns : public QWidget {
     struct Parts {
         QWidget* inputs;   ///< as wide as it says
         QTabWidget* tabs;  ///< of the inputs, or the inputs themselves
-        QWidget* plots;
+        QWidget* plots;    ///< null: results take the room
         QWidget* results;  ///< at least as wide as it says
         int plotShare = 5;
         int resultShare = 2;
@@ -45,6 +46,7 @@ class PageColumns : public QWidget {
     Fold foldFor(int width) const;
     void foldResults(bool folded);
     void foldPlots(bool folded);
+    void placeTop(bool overAll);
 
     Parts parts_;
     QGridLayout* grid_;

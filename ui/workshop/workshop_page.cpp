@@ -2,7 +2,6 @@
 
 #include <QActionGroup>
 #include <QApplication>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMessageBox>
@@ -23,6 +22,7 @@
 #include "widgets/entry_field.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/form_section.h"
+#include "widgets/page_columns.h"
 #include "workshop/job_card.h"
 #include "workshop/journal_banner.h"
 #include "workshop/journal_dialog.h"
@@ -37,21 +37,20 @@ constexpr int sheetWidth = 470;
 
 void WorkshopPage::build(const QList<std::pair<SheetForm*, QString>>& sheets, QWidget* answer) {
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::space);
-    column->setSpacing(Theme::space);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
     banner_ = new JournalBanner(desk(), this);
     column->addWidget(banner_);
-    auto* row = new QHBoxLayout;
-    row->setSpacing(Theme::space);
     sheets_ = new QTabWidget(this);
     sheets_->setDocumentMode(true);
     sheets_->setFixedWidth(Theme::withText(sheetWidth));
     for (const auto& [form, title] : sheets) {
         addSheet(form, title);
     }
-    row->addWidget(sheets_);
-    row->addWidget(scrolled(answer, this), 1);
-    column->addLayout(row, 1);
+    column->addWidget(
+        new PageColumns({.inputs = sheets_, .tabs = sheets_, .plots = nullptr, .results = answer},
+                        this),
+        1);
     buildActions();
     connect(banner_, &JournalBanner::continued, this, &WorkshopPage::continueDraft);
 }
@@ -60,6 +59,7 @@ void WorkshopPage::addSheet(SheetForm* form, const QString& title) {
     auto* scroll = scrolled(form, sheets_);
     sheets_->addTab(scroll, title);
     forms_ << form;
+    scroll->setObjectName(QStringLiteral("sheet-%1").arg(forms_.size()));
     const QList<QWidget*>& order = form->order();
     const int tab = sheets_->count() - 1;
     for (QWidget* field : order) {
@@ -173,7 +173,7 @@ void WorkshopPage::goOn(QWidget* from) {
         QApplication::beep();  // a refused entry is not passed over
         return;
     }
-    for (int sheet = 0; sheet < sheets_->count(); ++sheet) {
+    for (qsizetype sheet = 0; sheet < forms_.size(); ++sheet) {
         const QList<QWidget*>& order = forms_.at(sheet)->order();
         const qsizetype at = order.indexOf(from);
         if (at < 0) {
@@ -186,8 +186,8 @@ void WorkshopPage::goOn(QWidget* from) {
             }
         }
         // The end of the sheet: the next one, and after the last the first.
-        const int following = (sheet + 1) % sheets_->count();
-        sheets_->setCurrentIndex(following);
+        const qsizetype following = (sheet + 1) % forms_.size();
+        sheets_->setCurrentIndex(static_cast<int>(following));
         for (QWidget* field : forms_.at(following)->order()) {
             if (field->isEnabled()) {
                 field->setFocus(Qt::TabFocusReason);

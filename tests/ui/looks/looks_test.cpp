@@ -25,6 +25,7 @@
 #include <functional>
 
 #include "events.h"
+#include "painted.h"
 #include "plot/legend_item.h"
 #include "plot/plot_view.h"
 #include "scene_tests.h"
@@ -33,6 +34,7 @@
 #include "shell/scene_page.h"
 #include "text/language.h"
 #include "theme/theme.h"
+#include "widgets/figure.h"
 
 namespace ravnoves {
 namespace {
@@ -47,11 +49,10 @@ struct Look {
 };
 
 const Look looks[] = {
-    {"at1024x700", {1024, 700}, 1.0},
-    {"at1280x800", {1280, 800}, 1.0},
-    {"at1920x1080", {1920, 1080}, 1.0},
-    {"LargeText", {1920, 1080}, 2.0},
+    {"at1024x700", {1024, 700}, 1.0},         {"at1280x800", {1280, 800}, 1.0},
+    {"at1920x1080", {1920, 1080}, 1.0},       {"LargeText", {1920, 1080}, 2.0},
     {"ScaleFactor2", {960, 540}, 1.0},  // of a screen of 1920×1080
+    {"LargeTextOnALaptop", {1360, 850}, 2.0},
 };
 
 constexpr int tolerance = 1;  // pixels
@@ -89,6 +90,7 @@ class Checker {
             lookAtText(each);
             lookAtPlace(each);
             lookAtUse(each);
+            lookAtPainting(each);
         }
         lookForOverlaps(page_);
         return faults_;
@@ -124,6 +126,12 @@ class Checker {
                       u"“%1”"_s.arg(text));
             }
             needs(line, line->height(), line->fontMetrics().height(), u"the height"_s);
+        } else if (const auto* bar = qobject_cast<const QTabBar*>(widget)) {
+            int wanted = 0;
+            for (int i = 0; i < bar->count(); ++i) {
+                wanted += bar->tabRect(i).width();
+            }
+            needs(bar, bar->width(), wanted, u"all tabs"_s);
         } else if (const auto* table = qobject_cast<const QTableView*>(widget)) {
             const QHeaderView* header = table->horizontalHeader();
             constexpr int least = 24;
@@ -207,6 +215,26 @@ class Checker {
             plot->grab();  // lays it out
             needs(plot, static_cast<int>(plot->plotArea().width()), 90, u"the chart's width"_s);
             needs(plot, static_cast<int>(plot->plotArea().height()), 45, u"the chart's height"_s);
+        }
+    }
+
+    /// What a picture or a plot writes itself.
+    void lookAtPainting(QWidget* widget) {
+        if (qobject_cast<PlotView*>(widget) == nullptr && !isFigure(widget)) {
+            return;
+        }
+        const auto texts = test::painted(*widget).texts;
+        const QRectF inside = QRectF(widget->rect()).adjusted(-1.0, -1.0, 1.0, 1.0);
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+            if (texts[i].isCut || !inside.contains(texts[i].ink)) {
+                fault(widget, u"cuts “%1”"_s.arg(texts[i].text));
+            }
+            for (std::size_t j = 0; j < i; ++j) {
+                const QRectF common = texts[i].ink.intersected(texts[j].ink);
+                if (common.width() > 2.0 && common.height() > 2.0) {
+                    fault(widget, u"writes “%1” over “%2”"_s.arg(texts[i].text, texts[j].text));
+                }
+            }
         }
     }
 

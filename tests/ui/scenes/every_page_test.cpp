@@ -35,6 +35,7 @@
 #include "scene_tests.h"
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
+#include "widgets/figure.h"
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
 #include "widgets/result_table.h"
@@ -206,6 +207,25 @@ TEST_P(EveryPage, ExplainsEveryResult) {
                             << table->horizontalHeaderItem(column)->text().toStdString();
                     }
                 }
+            }
+        }
+    });
+}
+
+TEST_P(EveryPage, SaysWhatItsPlotsAndPicturesShow) {
+    onEveryTab([&] {
+        for (const PlotView* plot : reachable<PlotView>()) {
+            EXPECT_FALSE(plot->accessibleName().isEmpty());
+            EXPECT_FALSE(plot->sentence().isEmpty()) << plot->title().toStdString();
+        }
+        for (const QWidget* picture : reachable<QWidget>()) {
+            if (isFigure(picture)) {
+                EXPECT_FALSE(picture->accessibleName().isEmpty())
+                    << picture->metaObject()->className();
+                // What a screen reader gets: else the tip is the description.
+                EXPECT_FALSE(picture->accessibleDescription().isEmpty() &&
+                             picture->toolTip().isEmpty())
+                    << picture->accessibleName().toStdString();
             }
         }
     });

@@ -20,6 +20,7 @@
 #include "shell/new_case_dialog.h"
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
+#include "text/language.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/value_slider.h"
@@ -50,6 +51,29 @@ class StartPageTest : public ::testing::Test {
     QStringList paths;
     std::vector<CaseFile> files;
 };
+
+TEST_F(StartPageTest, CutsNoWordWhateverTheText) {
+    for (const char* language : {"en", "ru"}) {
+        installLanguage(QString::fromLatin1(language));
+        for (const double text : {1.0, 2.0}) {
+            Theme::instance().setTextScale(text);
+            StartPage shown;
+            test::showAt(shown, {1160, 700});
+            for (const SceneInfo& info : sceneList()) {
+                auto* one = shown.findChild<QAbstractButton*>(u"start-"_s + info.name);
+                for (const QString& word : info.summary.split(u' ')) {
+                    EXPECT_LE(one->fontMetrics().horizontalAdvance(word),
+                              one->width() - 2 * Theme::margin)
+                        << word.toStdString();
+                }
+                EXPECT_LE(one->geometry().right(), one->parentWidget()->width());
+                EXPECT_GE(one->height(), one->heightForWidth(one->width()));
+            }
+        }
+    }
+    Theme::instance().setTextScale(1.0);
+    installLanguage(u"en"_s);
+}
 
 TEST_F(StartPageTest, ShowsEveryScenesPictureInBothThemes) {
     for (const SceneInfo& info : sceneList()) {
