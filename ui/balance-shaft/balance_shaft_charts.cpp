@@ -74,7 +74,7 @@ QWidget* BalanceShaftPage::buildPlots() {
             [this](int index) { model_->setMeans(static_cast<BalanceShaftModel::Means>(index)); });
     column->addWidget(bar);
 
-    views_ = new QTabWidget(holder);
+    views_ = new FittedTabs(holder);
     views_->setDocumentMode(true);
     column->addWidget(views_, 1);
     cycle_ = new CycleView(model_, views_);

@@ -191,7 +191,7 @@ void OrderBars::paintEvent(QPaintEvent* /*event*/) {
                 if (h > 0.0) {
                     painter.fillRect(QRectF(left, area.bottom() - h, bar - 1.0, h), colours[b]);
                 }
-                if (was > 0.0) {
+                if (was >= 1.0) {
                     painter.setPen(QPen(theme.text(), 1.0, Qt::DashLine));
                     painter.setBrush(Qt::NoBrush);
                     painter.drawRect(QRectF(left - 0.5, area.bottom() - was, bar, was));

@@ -119,6 +119,7 @@ MethodsPage::MethodsPage(QWidget* parent, SceneModel* kept)
     auto* inputs = new QTabWidget(this);
     inputs->setDocumentMode(true);
     inputs->setTabBarAutoHide(true);
+    inputs->setFocusPolicy(Qt::NoFocus);  // it would hand the focus to its hidden bar
     inputs->setFixedWidth(PageColumns::inputsWidth());
     inputs->addTab(left, tr("Quantity"));
     whole->addWidget(new PageColumns(

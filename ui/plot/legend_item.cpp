@@ -74,7 +74,7 @@ void LegendItem::draw(QPainter& painter, const QRectF& rect) const {
     painter.setPen(isChecked() ? Theme::instance().text() : Theme::instance().mutedText());
     const QRectF room = rect.adjusted(2 * inset + strokeLength, 0, 0, 0);
     painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
-                     isElided() ? painter.fontMetrics().elidedText(text(), Qt::ElideRight,
+                     isElided() ? painter.fontMetrics().elidedText(text(), Qt::ElideMiddle,
                                                                    static_cast<int>(room.width()))
                                 : text());
 }

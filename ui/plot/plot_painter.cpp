@@ -471,6 +471,10 @@ void PlotPainter::paintLines(QPainter& painter) const {
     const Theme& theme = Theme::instance();
     const QRectF& area = data_.area;
     painter.setFont(Theme::font(Theme::smallSize));
+    const auto fitted = [&](const QString& text) {
+        return painter.fontMetrics().elidedText(text, Qt::ElideRight,
+                                                static_cast<int>(area.width() - 2 * labelGap));
+    };
     for (const plot::Line& line : data_.lines) {
         const bool muted = line.colour == plot::Line::muted;
         painter.setPen(QPen(muted ? theme.mutedText() : theme.curve(line.colour), 1.2,
@@ -478,7 +482,7 @@ void PlotPainter::paintLines(QPainter& painter) const {
         if (line.orientation == Qt::Horizontal) {
             const double y = data_.toPixel(data_.x.low, line.at, line.side).y();
             painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
-            drawOnVeil(painter, QPointF(area.left() + labelGap, y - 4), line.text);
+            drawOnVeil(painter, QPointF(area.left() + labelGap, y - 4), fitted(line.text));
             continue;
         }
         const double x = across(line.at);

@@ -4,6 +4,7 @@
 #include <QResizeEvent>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTabBar>
 #include <QTabWidget>
 #include <algorithm>
 #include <utility>
@@ -170,6 +171,28 @@ QSize FoldingRow::minimumSizeHint() const {
         width = std::max(width, row_->itemAt(i)->minimumSize().width());
     }
     return {width, row_->minimumSize().height()};
+}
+
+void FittedTabs::resizeEvent(QResizeEvent* event) {
+    fit();
+    QTabWidget::resizeEvent(event);
+}
+
+void FittedTabs::tabInserted(int index) {
+    QTabWidget::tabInserted(index);
+    fit();
+}
+
+void FittedTabs::fit() {
+    const QFontMetrics metrics(Theme::font());
+    int wanted = 0;
+    for (int i = 0; i < count(); ++i) {
+        wanted += metrics.size(Qt::TextShowMnemonic, tabText(i)).width() + 2 * Theme::gap + 2;
+    }
+    const QFont font = wanted <= width() ? Theme::font() : Theme::font(Theme::smallSize);
+    if (tabBar()->font() != font) {
+        tabBar()->setFont(font);
+    }
 }
 
 void addScrolledTab(QTabWidget* tabs, QWidget* view, const QString& name, const QString& title) {

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <QString>
+#include <QTabWidget>
 #include <QWidget>
 
 class QBoxLayout;
 class QGridLayout;
 class QScrollArea;
-class QTabWidget;
 
 namespace ravnoves {
 
@@ -76,6 +76,21 @@ class FoldingRow : public QWidget {
   private:
     QBoxLayout* row_;
     int unfoldedFrom_;
+};
+
+/// Tabs of a page whose titles get smaller where they have no room, before they are shortened.
+class FittedTabs : public QTabWidget {
+    Q_OBJECT
+
+  public:
+    using QTabWidget::QTabWidget;
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void tabInserted(int index) override;
+
+  private:
+    void fit();
 };
 
 /// Adds a view to tabs so that it scrolls where it is larger than they are; `name` is that of the

@@ -331,18 +331,22 @@ void ResultTable::fitStretched() {
     const QFontMetrics cells(font());
     int wanted = 0;
     QList<int> least;
+    const auto widest = [&](int column, int enough) {
+        int width = 0;
+        for (int row = 0; row < rowCount() && width < enough; ++row) {
+            if (const QTableWidgetItem* cell = item(row, column)) {
+                width = std::max(width, cells.horizontalAdvance(cell->text()) + padding);
+            }
+        }
+        return std::min(width, enough);
+    };
     for (int column = 0; column < columnCount(); ++column) {
         if (!stretched_.contains(column)) {
             wanted += columnWidth(column);
             continue;
         }
-        int widest = 0;
-        for (int row = 0; row < rowCount() && widest < Theme::withText(most); ++row) {
-            if (const QTableWidgetItem* cell = item(row, column)) {
-                widest = std::max(widest, cells.horizontalAdvance(cell->text()) + padding);
-            }
-        }
-        least << std::clamp(widest, Theme::withText(30), Theme::withText(most));
+        least << std::clamp(widest(column, Theme::withText(most)), Theme::withText(30),
+                            Theme::withText(most));
         wanted += least.last();
     }
     const bool over = wanted > viewport()->width();
@@ -354,6 +358,10 @@ void ResultTable::fitStretched() {
                 column, over ? QHeaderView::Fixed : QHeaderView::Stretch);
         }
         updateGeometry();
+    }
+    if (over && !least.isEmpty()) {
+        // What scrolls anyway has room for names that begin alike.
+        least.first() = std::max(least.first(), widest(0, 2 * viewport()->width() / 5));
     }
     for (int i = 0; over && i < stretched_.size(); ++i) {
         if (columnWidth(stretched_[i]) != least[i]) {

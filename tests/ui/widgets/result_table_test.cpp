@@ -52,6 +52,18 @@ TEST_F(ResultTableTest, ValuesThatMoveAtOneWidthLayItOutOnce) {
     EXPECT_TRUE(differencesInColumns());
 }
 
+TEST(WideResultTable, NamesThatBeginAlikeAreToldApart) {
+    ResultTable table;
+    table.setColumns({u"Option"_s, u"constant, g"_s, u"slope"_s, u"limit, g"_s, u"remove, g"_s});
+    table.setRows(
+        {{u"(✗) New crankshaft, plugs of steel"_s, u"1.5"_s, u"2"_s, u"3"_s, u"4"_s},
+         {u"(✗) New crankshaft, plugs of aluminium"_s, u"1.5"_s, u"2"_s, u"3"_s, u"4"_s}});
+    test::showAt(table, {330, 120});
+    const QFontMetrics metrics(table.font());
+    EXPECT_GT(table.columnWidth(0), metrics.horizontalAdvance(u"(✗) New crankshaf"_s));
+    EXPECT_FALSE(table.wordWrap());
+}
+
 TEST_F(ResultTableTest, EveryCellSaysWhatItIs) {
     test::showAt(table, {600, 120});
     show(u"2.5"_s);
