@@ -92,7 +92,8 @@ class PositionStudy {
 
     /// Pareto front of range, RMS and size among the places that can be built, ascending size: for
     /// some sizes and some weights of range against RMS (as parts of those without a shaft) the
-    /// place with the least weighted sum, to one part in 10⁶. Others lie between these.
+    /// place with the least weighted sum, to front_gap of it. Others lie between these.
+    static constexpr double front_gap = 1e-6;
     std::vector<FrontPosition> front() const { return front(best_buildable()); }
     std::vector<FrontPosition> front(const BestPositions& best_buildable) const;
 

@@ -587,6 +587,7 @@ Json write_result(const Solver& solver, const Result& result, const Wanted& want
             Json found = write(buildable);
             if (wanted.wants("/best_position_buildable/front")) {
                 found["front"] = write_front(positions.front(buildable));
+                found["front_gap"] = PositionStudy::front_gap;
             }
             return found;
         });

@@ -616,6 +616,13 @@ void ShaftMapPlot::paintShaft(QPainter& painter) const {
         map_->map() != nullptr ? map_->isBuildable(present) : model_->result().is_buildable;
     const QColor colour = canBeBuilt ? theme.accent() : theme.error();
     painter.setBrush(Qt::NoBrush);
+    if (const auto* other = qobject_cast<const ShaftMapPlot*>(reference());
+        other != nullptr && data().referenceShown) {
+        const auto was = other->map_->present();
+        painter.setPen(QPen(faint(theme.text(), 0.55), 1.2));
+        drawDashedCircle(painter, crank, was.centre_distance() * k);
+        painter.drawEllipse(pixelOf(was), handleRadius, handleRadius);
+    }
     painter.setPen(QPen(theme.accent(), 1.4));
     drawDashedCircle(painter, crank, present.centre_distance() * k);
     painter.setPen(QPen(faint(theme.text(), 0.6), 1.0, Qt::DashDotLine));

@@ -223,8 +223,8 @@ void ShaftMapView::buildCharts() {
     sizes_->setXAxis({tr("width × height, cm²"), 0.0, 1.0});
     sizes_->setPickable(true);
     sizes_->setToolTip(
-        tr("Places that can be built and that no other beats in range, RMS and size at once. "
-           "Click to go to one."));
+        tr("Places that can be built and that no other beats in range, RMS and size at once, "
+           "each to one part in a million. Click to go to one."));
     front_ = sizes_->addCurve({.name = tr("nothing better"),
                                .colour = 0,
                                .shape = Shape::Rings,
@@ -397,11 +397,12 @@ void ShaftMapView::showSizes() {
     if (!x.empty()) {
         const auto [low, high] = std::minmax_element(x.begin(), x.end());
         const double pad = std::max(0.04 * (*high - *low), 1e-3 * *high);
-        sizes_->setXAxis({tr("width × height, cm²"), *low - pad, *high + pad});
+        sizeReach_ = {*low - pad, *high + pad};
     }
     sizes_->setCurve(front_, std::move(x), std::move(y));
     sizes_->setPointTexts(front_, texts);
     sizes_->setCurve(efficient_, std::move(bestX), std::move(bestY));
+    showPresentSize();
 }
 
 void ShaftMapView::showPresent() {
@@ -414,14 +415,31 @@ void ShaftMapView::showPresent() {
     distance_->setValue(present);
     distances_->setPresentX(present);
     plot_->setAccessibleDescription(map_->placeText(map_->present()));
+    showPresentSize();
+}
+
+/// The axis holds the present place too, and its point is hollow where it cannot be built.
+void ShaftMapView::showPresentSize() {
     const balance_shaft::Envelope& box = model_->result().envelope;
     const auto change = map_->change(
         {model_->result().M_ups.range, model_->result().M_ups.rms, box.width() * box.height()});
-    if (change) {
-        sizes_->setCurve(present_, {boxArea(box)}, {100.0 * *change});
-    } else {
+    if (!change) {
         sizes_->setCurve(present_, {}, {});
+        return;
     }
+    const double area = boxArea(box);
+    const auto [low, high] = sizeReach_;
+    const double pad = 0.04 * (high - low);
+    const std::pair reach(std::min(low, area - pad), std::max(high, area + pad));
+    if (reach != sizes_->xInterval() && !sizes_->isZoomed()) {
+        sizes_->setXAxis({tr("width × height, cm²"), reach.first, reach.second});
+    }
+    const PlotView::Shape shape =
+        model_->result().is_buildable ? PlotView::Shape::Points : PlotView::Shape::Rings;
+    if (sizes_->data().curve(present_).style.shape != shape) {
+        sizes_->setCurveStyle(present_, {.name = tr("present place"), .colour = 7, .shape = shape});
+    }
+    sizes_->setCurve(present_, {area}, {100.0 * *change});
 }
 
 /// Goes to the place whose point lies nearest on the screen.
@@ -440,7 +458,10 @@ void ShaftMapView::pickSize(double size, double change) {
     const auto nearest =
         std::min_element(map->front.begin(), map->front.end(),
                          [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
-    map_->moveTo(map_->shortened(nearest->position, map_->criterion()));
+    constexpr double reach = 40.0;  // pixels
+    if (distance(*nearest) <= reach) {
+        map_->moveTo(map_->shortened(nearest->position, map_->criterion()));
+    }
 }
 
 }  // namespace ravnoves

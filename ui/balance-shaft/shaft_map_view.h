@@ -52,6 +52,7 @@ class ShaftMapView : public QWidget {
     void showDistances();
     void showSizes();
     void showPresent();
+    void showPresentSize();
     void showStale();
     bool nothingIsBuilt() const;  ///< though there is something to balance
     void showWords(const QString& hovered = {});
@@ -73,7 +74,8 @@ class ShaftMapView : public QWidget {
     PlotView* sizes_;
     int rangeBuilt_ = 0, rmsBuilt_ = 0, range_ = 0, rms_ = 0, size_ = 0;
     int front_ = 0, efficient_ = 0, present_ = 0;
-    std::optional<bool> wide_;  ///< the charts stand beside the map
+    std::pair<double, double> sizeReach_{0.0, 1.0};  ///< of the front, cm²
+    std::optional<bool> wide_;                       ///< the charts stand beside the map
 };
 
 }  // namespace ravnoves

@@ -24,11 +24,13 @@ using balance_shaft::SpeedStudy;
 
 namespace {
 
-constexpr std::size_t fieldPoints = 241;     ///< along a side of the field
-constexpr std::size_t obstaclePoints = 121;  ///< every second of them
+// The field reaches further than the square shown first: the picture may be wider or higher. Its
+// steps are equal; of its points every second is looked at for obstacles.
+constexpr double reachAcross = 2.6;
+constexpr double reachUp = 1.6;
+constexpr std::size_t obstacleColumns = 196;
+constexpr std::size_t obstacleRows = 121;
 constexpr std::size_t distances = 120;
-/// The field reaches further than the square shown first: the picture may be wider than high.
-constexpr double margin = 1.6;
 constexpr double roomAround = 1.25;
 
 QString mm(double metres, int decimals = 1) {
@@ -54,19 +56,19 @@ Input withoutPlace(Input input) {
 
 void findObstacles(ShaftMap& map, const std::function<bool(double)>& progress) {
     const balance_shaft::PositionMap& field = map.field;
-    map.obstacleColumns = obstaclePoints;
-    map.obstacles.reserve(obstaclePoints * obstaclePoints);
+    map.obstacleColumns = obstacleColumns;
+    map.obstacles.reserve(obstacleColumns * obstacleRows);
     std::vector<double> blocked;
-    const double stepX = (field.right - field.left) / (obstaclePoints - 1);
-    const double stepY = (field.top - field.bottom) / (obstaclePoints - 1);
+    const double stepX = (field.right - field.left) / (obstacleColumns - 1);
+    const double stepY = (field.top - field.bottom) / (obstacleRows - 1);
     const auto place = [&](double column, double row) {
         return ShaftMap::Position{field.left + stepX * column, field.bottom + stepY * row};
     };
-    for (std::size_t row = 0; row < obstaclePoints; ++row) {
-        if (!progress(static_cast<double>(row) / obstaclePoints)) {
+    for (std::size_t row = 0; row < obstacleRows; ++row) {
+        if (!progress(static_cast<double>(row) / obstacleRows)) {
             return;
         }
-        for (std::size_t column = 0; column < obstaclePoints; ++column) {
+        for (std::size_t column = 0; column < obstacleColumns; ++column) {
             const Obstacle found =
                 map.study.obstacle(place(static_cast<double>(column), static_cast<double>(row)));
             map.obstacles.push_back(found);
@@ -77,8 +79,8 @@ void findObstacles(ShaftMap& map, const std::function<bool(double)>& progress) {
     const auto crossing = [&](std::size_t from, std::size_t to) {
         const auto at = [&](std::size_t element, double part) {
             const bool upwards = to - from > 1;
-            return place(static_cast<double>(element % obstaclePoints) + (upwards ? 0.0 : part),
-                         static_cast<double>(element / obstaclePoints) + (upwards ? part : 0.0));
+            return place(static_cast<double>(element % obstacleColumns) + (upwards ? 0.0 : part),
+                         static_cast<double>(element / obstacleColumns) + (upwards ? part : 0.0));
         };
         double low = 0.0;
         double high = 1.0;
@@ -89,7 +91,7 @@ void findObstacles(ShaftMap& map, const std::function<bool(double)>& progress) {
         }
         return 0.5 * (low + high);
     };
-    map.blocked = contourRegion({blocked, obstaclePoints, obstaclePoints}, 0.5, crossing);
+    map.blocked = contourRegion({blocked, obstacleColumns, obstacleRows}, 0.5, crossing);
     for (QPolygonF& line : map.blocked) {
         for (QPointF& point : line) {
             const ShaftMap::Position at = place(point.x(), point.y());
@@ -186,8 +188,10 @@ void ShaftMapModel::start() {
         map->best = map->study.best();
         map->buildable = map->study.best_buildable();
         map->view = viewOf(*map, present);
-        const double reach = margin * map->view;
-        map->field = map->study.map(-reach, reach, -reach, reach, fieldPoints, fieldPoints);
+        const double across = reachAcross * map->view;
+        const double up = reachUp * map->view;
+        map->field =
+            map->study.map(-across, across, -up, up, 2 * obstacleColumns - 1, 2 * obstacleRows - 1);
         findObstacles(*map, progress);
         if (!progress(0.6)) {
             return {};
@@ -621,19 +625,20 @@ QString ShaftMapModel::fieldCsv(const CsvFormat& csv) const {
                     csv.field(tr("RMS, N·m")), csv.field(tr("can be built"))}
             .join(csv.separator) +
         QLatin1Char('\n');
-    const std::size_t stride = (field.columns - 1) / (map_->obstacleColumns - 1);
-    for (std::size_t row = 0; row < map_->obstacleColumns; ++row) {
-        for (std::size_t column = 0; column < map_->obstacleColumns; ++column) {
+    const std::size_t columns = map_->obstacleColumns;
+    const std::size_t rows = map_->obstacles.size() / columns;
+    const std::size_t stride = (field.columns - 1) / (columns - 1);
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (std::size_t column = 0; column < columns; ++column) {
             const std::size_t element = stride * (row * field.columns + column);
-            const auto along = [&](double from, double to, std::size_t i) {
-                return (from + (to - from) * static_cast<double>(i) /
-                                   static_cast<double>(map_->obstacleColumns - 1)) /
+            const auto along = [](double from, double to, std::size_t i, std::size_t count) {
+                return (from +
+                        (to - from) * static_cast<double>(i) / static_cast<double>(count - 1)) /
                        units::mm;
             };
-            const bool built =
-                map_->obstacles[row * map_->obstacleColumns + column] == Obstacle::none;
-            text += QStringList{csv.number(along(field.left, field.right, column)),
-                                csv.number(along(field.bottom, field.top, row)),
+            const bool built = map_->obstacles[row * columns + column] == Obstacle::none;
+            text += QStringList{csv.number(along(field.left, field.right, column, columns)),
+                                csv.number(along(field.bottom, field.top, row, rows)),
                                 csv.number(field.range[element]), csv.number(field.rms[element]),
                                 QString::number(built ? 1 : 0)}
                         .join(csv.separator) +
