@@ -117,11 +117,12 @@ Varied read_varied(const std::string& pointer, ObjectReader reader) {
 
 /// An object of pointers; each must differ from the others.
 template <typename Read>
-auto read_each(ObjectReader& reader, const char* key, std::size_t most, Read read) {
+auto read_each(ObjectReader& reader, const char* key, bool half_filled, std::size_t most,
+               Read read) {
     std::vector<decltype(read(std::string(), reader.object(key)))> all;
     ObjectReader object = reader.object(key);
     const auto keys = object.keys();
-    if (keys.empty() || keys.size() > most) {
+    if ((keys.empty() && !half_filled) || keys.size() > most) {
         throw InputError(object.pointer(),
                          {CORE_TEXT("studies", "must hold from 1 to %1 pointers"), most},
                          Number{static_cast<double>(keys.size())});
@@ -144,7 +145,7 @@ Watched read_watched(const std::string& pointer, ObjectReader reader) {
 
 /// All inputs are grids, or none; and so is the method.
 void check_grid(const Study& study, bool method_is_given) {
-    const bool first = study.vary.front().spread == Varied::Spread::grid;
+    const bool first = !study.vary.empty() && study.vary.front().spread == Varied::Spread::grid;
     for (const Varied& varied : study.vary) {
         if ((varied.spread == Varied::Spread::grid) != first) {
             throw InputError(
@@ -191,13 +192,14 @@ std::string watch_place(const std::string& pointer) {
     return "/study/watch/" + escape_segment(pointer);
 }
 
-Study read_study(const Json& json) {
+Study read_study(const Json& json, bool half_filled) {
     ObjectReader reader(json, "/study");
     Study study;
-    study.vary = read_each(reader, "vary", most_varied, read_varied);
-    study.watch = read_each(reader, "watch", most_watched, read_watched);
+    study.vary = read_each(reader, "vary", half_filled, most_varied, read_varied);
+    study.watch = read_each(reader, "watch", half_filled, most_watched, read_watched);
     const bool given = reader.has("method");
-    study.method = study.vary.front().spread == Varied::Spread::grid ? Method::grid : Method::sobol;
+    const bool is_grid = !study.vary.empty() && study.vary.front().spread == Varied::Spread::grid;
+    study.method = is_grid ? Method::grid : Method::sobol;
     if (given) {
         study.method = static_cast<Method>(reader.choice("method", method_words()));
     }

@@ -71,8 +71,9 @@ struct Study {
 inline constexpr std::uint64_t most_samples = 1'000'000'000'000;
 inline constexpr std::uint64_t most_grid_points = 1'000'000;
 
+/// @param half_filled  nothing needs to be varied or watched yet
 /// @throws InputError that names the JSON pointer below /study
-Study read_study(const Json& study);
+Study read_study(const Json& study, bool half_filled = false);
 Json write_study(const Study& study);
 
 /// The place of an input or a result in the case file: "/study/vary/~1crank_radius_mm".

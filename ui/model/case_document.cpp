@@ -104,9 +104,7 @@ OpenCase CaseDocument::asOpenCase() const {
 }
 
 CaseFile CaseDocument::asFile() const {
-    CaseFile file = model_->caseFile();
-    file.study = rest_->study;
-    return file;
+    return model_->caseFile();
 }
 
 std::string CaseDocument::asText(const QString& path) const {

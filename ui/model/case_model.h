@@ -96,6 +96,18 @@ class CaseModel : public SceneModel {
         push(textName(), state(), std::move(next), -1);
     }
 
+    void changeStudy(const QString& name, const std::string& study) override {
+        if (study == this->study()) {
+            return;
+        }
+        keepTyped();
+        leaveEditing();
+        const State before = state();
+        setStudy(study);
+        isApplied_ = true;  // nothing is to be solved
+        push(name, before, state(), -1);
+    }
+
     // In case_model_json.h.
     Json inputJson() const override;
     QString changeVariants(const QString& name, const Variants& next,
@@ -110,6 +122,7 @@ class CaseModel : public SceneModel {
                          {},
                          defaultName(),
                          context().directory,
+                         {},
                          {}});
     }
 
@@ -143,6 +156,7 @@ class CaseModel : public SceneModel {
     void restart(const Input& input) {
         typed_.reset();
         setVariants({});
+        setStudy({});
         history()->clear();
         finishDrag();
         apply(input);
@@ -184,6 +198,7 @@ class CaseModel : public SceneModel {
         std::shared_ptr<const Named> named;
         std::filesystem::path directory;  ///< of the files that the case names
         Variants variants;
+        std::string study;  ///< JSON text; empty where there is none
         friend bool operator==(const State&, const State&) = default;
     };
     /// What an editing that goes on has changed.
@@ -198,7 +213,7 @@ class CaseModel : public SceneModel {
         return scene_.solve(input);
     }
     State state() const {
-        return {input_, title(), notes(), named_, context().directory, variantState()};
+        return {input_, title(), notes(), named_, context().directory, variantState(), study()};
     }
     std::shared_ptr<const Named> nameOf(const QString& title, const Input& input) const {
         return std::make_shared<const Named>(Named{title, input});
@@ -266,7 +281,7 @@ class CaseModel : public SceneModel {
         prepared_ = std::move(solved);
         aboutToLoad();
         if (next.input == input_ && next.title == title() && next.notes == notes() &&
-            next.variants == variantState()) {
+            next.variants == variantState() && next.study == study()) {
             restore(next);  // no step, but what a field shows of a refused text goes
         } else {
             push(name, state(), std::move(next), -1);
@@ -293,6 +308,7 @@ class CaseModel : public SceneModel {
         setNotes(state.notes);
         setTitle(state.title);
         setVariants(state.variants);
+        setStudy(state.study);
         apply(state.input);
     }
     void apply(const Input& input) {

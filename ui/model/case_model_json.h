@@ -37,9 +37,9 @@ void CaseModel<Scene>::loadFile(const CaseFile& file, const CaseContext& context
     const QString title = QString::fromStdString(file.title);
     const bool isNamed =
         isExample || (title == scene_.defaultTitle() && input == scene_.defaultInput());
-    load(openName(),
-         {input, title, QString::fromStdString(file.notes),
-          isNamed ? nameOf(title, input) : nullptr, context.directory, variantsOf(file)});
+    load(openName(), {input, title, QString::fromStdString(file.notes),
+                      isNamed ? nameOf(title, input) : nullptr, context.directory, variantsOf(file),
+                      file.study.is_null() ? std::string() : file.study.dump()});
 }
 
 template <typename Scene>

@@ -217,4 +217,25 @@ std::vector<InputDifference> inputDifferences(const SceneModel& model, const Jso
     return differences;
 }
 
+std::vector<InputNumber> inputNumbers(const SceneModel& model) {
+    constexpr std::size_t longest = 12;
+    Leaves leaves;
+    const Json input = model.inputJson();
+    collectLeaves(input, {}, leaves);
+    const FieldNames names(model);
+    std::vector<InputNumber> numbers;
+    for (const auto& [pointer, value] : leaves) {
+        const Json& around = input.at(Json::json_pointer(pointer).parent_pointer());
+        const FieldEntry* entry = names.find(pointer);
+        if (!value.is_number() || (around.is_array() && around.size() > longest) ||
+            (entry != nullptr && entry->kind == FieldKind::integer)) {
+            continue;
+        }
+        numbers.push_back({pointer, names.name(pointer),
+                           entry != nullptr ? unitText(entry->field.unit.name) : QString(),
+                           value.get<double>()});
+    }
+    return numbers;
+}
+
 }  // namespace ravnoves

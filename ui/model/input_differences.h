@@ -29,4 +29,16 @@ struct InputDifference {
 /// elements one by one.
 std::vector<InputDifference> inputDifferences(const SceneModel& model, const Json& reference);
 
+/// A number of the input with its name in the form.
+struct InputNumber {
+    std::string pointer;  ///< below "input"
+    QString name;
+    QString unit;  ///< its own, that of its key
+    double value = 0.0;
+};
+
+/// The numbers of the present input that may take any value, in the order of the case file; long
+/// lists are left out.
+std::vector<InputNumber> inputNumbers(const SceneModel& model);
+
 }  // namespace ravnoves

@@ -54,10 +54,18 @@ CaseFile SceneModel::caseFile() const {
     CaseFile file{sceneName().toStdString(), title_.toStdString(), inputJson()};
     file.notes = notes_.toStdString();
     file.kept = keptJson();
+    file.study = study_.empty() ? Json() : parse_json(study_);
     for (const Variant& variant : variants_.list) {
         file.variants.push_back({variant.name.toStdString(), parse_json(variant.input)});
     }
     return file;
+}
+
+void SceneModel::setStudy(const std::string& study) {
+    if (study != study_) {
+        study_ = study;
+        Q_EMIT studyChanged();
+    }
 }
 
 void SceneModel::loadCase(const Json& input, const CaseContext& context, const QString& title) {

@@ -105,6 +105,12 @@ class SceneModel : public QObject {
     QString variantTrouble(int place) const;
     Json variantInput(int place) const;
 
+    /// What scatters and what is watched: "study" of the case file as JSON text; empty where there
+    /// is none. It may be refused.
+    const std::string& study() const { return study_; }
+    /// Another study, as one step of the history.
+    virtual void changeStudy(const QString& /*name*/, const std::string& /*study*/) {}
+
     QUndoStack* history() { return &history_; }
     const QUndoStack* history() const { return &history_; }
     /// The next change is a step of its own in the history, whatever its name.
@@ -141,6 +147,7 @@ class SceneModel : public QObject {
     void refused(const QString& why);
     /// The variants, or which of them is the reference.
     void variantsChanged();
+    void studyChanged();
     /// What the pictures show beside the input.
     void viewChanged();
     /// It holds another state as a whole: undone, redone, loaded, a preset, a variant. Unlike a
@@ -149,6 +156,7 @@ class SceneModel : public QObject {
 
   protected:
     void setContext(const CaseContext& context) { context_ = context; }
+    void setStudy(const std::string& study);
     const Variants& variantState() const { return variants_; }
     /// Other variants; while they are the same, the reference stays what it is.
     void setVariants(const Variants& variants);
@@ -190,6 +198,7 @@ class SceneModel : public QObject {
     QString title_;
     QString notes_;
     Variants variants_;
+    std::string study_;
     int step_ = 0;
     QString lastName_;
     bool editing_ = false;

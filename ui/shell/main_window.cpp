@@ -35,6 +35,7 @@
 #include "shell/start_page.h"
 #include "shell/variant_menu.h"
 #include "shell/whats_this.h"
+#include "studies/tolerance_window.h"
 #include "text/language.h"
 #include "text/preferences.h"
 #include "theme/icons.h"
@@ -284,6 +285,12 @@ void MainWindow::buildMenus() {
     edit->addSeparator();
     variants_ = new VariantMenu(this);
     edit->addMenu(variants_);
+    QAction* tolerances = add(edit, QStringLiteral("tolerances"), tr("&Tolerances…"),
+                              QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T), [this] {
+                                  auto* window = new ToleranceWindow(currentPage(), this);
+                                  window->setAttribute(Qt::WA_DeleteOnClose);
+                                  window->show();
+                              });
     QAction* properties =
         add(edit, {}, tr("Title and &notes…"), QKeySequence(Qt::CTRL | Qt::Key_I), [this] {
             auto* dialog = new CaseProperties(currentPage()->model(), this);
@@ -377,7 +384,7 @@ void MainWindow::buildMenus() {
     toolBar_->addWidget(variants_->button());
     toolBar_->addSeparator();
     pageActions_ = {close, copyText, copyCsv, picture, reset};
-    caseActions_ = {fresh, saveAction, saveAsAction, properties, report};
+    caseActions_ = {fresh, saveAction, saveAsAction, tolerances, properties, report};
     for (QAction* action : caseActions_) {
         action->setData(action->toolTip());
     }

@@ -30,6 +30,8 @@ class TableEditor : public QWidget {
     void copy() const;
     /// Writes the clipboard at the current cell.
     virtual void paste();
+    /// Below the table.
+    void say(const QString& text, bool isTrouble);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -39,7 +41,6 @@ class TableEditor : public QWidget {
     /// The row of tools; its end is at the right.
     QHBoxLayout* tools() const { return tools_; }
     QLabel* caption() const { return caption_; }
-    void say(const QString& text, bool isTrouble);
 
   private:
     void removeSelected();

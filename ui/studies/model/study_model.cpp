@@ -1,0 +1,416 @@
+#include "studies/model/study_model.h"
+
+#include <QRegularExpression>
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "case-file/case_file.h"
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "model/background_job.h"
+#include "model/input_differences.h"
+#include "model/scene_model.h"
+#include "studies/study_run.h"
+#include "text/error_text.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
+
+namespace ravnoves {
+
+using studies::Study;
+using studies::Varied;
+using studies::Watched;
+
+namespace {
+
+constexpr std::size_t bars = 48;
+constexpr int restMs = 250;
+
+std::optional<double> numberAt(const Json& json, const char* key) {
+    return json.contains(key) && json[key].is_number() ? std::optional(json[key].get<double>())
+                                                       : std::nullopt;
+}
+
+/// A study of the window begins small: it answers while one looks.
+Study freshStudy() {
+    Study study;
+    study.samples = 4096;
+    return study;
+}
+
+StudyAnswer answerOf(const Watched& watched, std::size_t place, const Json& found,
+                     const studies::Part& part) {
+    StudyAnswer answer;
+    answer.pointer = watched.pointer;
+    answer.nominal = numberAt(found, "nominal");
+    answer.mean = numberAt(found, "mean");
+    answer.deviation = numberAt(found, "standard_deviation");
+    if (found.contains("percentiles") && found["percentiles"].is_object()) {
+        answer.low = numberAt(found["percentiles"], "5");
+        answer.high = numberAt(found["percentiles"], "95");
+    }
+    if (found.contains("within") && found["within"].is_object()) {
+        answer.within = numberAt(found["within"], "share");
+        answer.withinLow = numberAt(found["within"], "low");
+        answer.withinHigh = numberAt(found["within"], "high");
+    }
+    const auto object = [&](const char* key) {
+        return found.contains(key) && found[key].is_object() ? found[key] : Json::object();
+    };
+    const Json linear = object("linear");
+    answer.linearDeviation = numberAt(linear, "standard_deviation");
+    const Json contributions =
+        linear.contains("contributions") ? linear["contributions"] : Json::object();
+    const Json first = object("first_order");
+    const Json total = object("total");
+    for (const Varied& varied : part.study.vary) {
+        const char* key = varied.pointer.c_str();
+        answer.shares.push_back({varied.pointer, numberAt(contributions, key), numberAt(first, key),
+                                 numberAt(total, key)});
+    }
+    if (studies::is_sampled(part.study.method) && part.tally.solved() > 1) {
+        const studies::Statistics statistics = part.tally.statistics(place);
+        const double low = statistics.percentiles.front();
+        const double high = statistics.percentiles.back();
+        if (high > low) {
+            const auto counts = part.tally.histogram(place, low, high, bars);
+            const double width = (high - low) / static_cast<double>(counts.size());
+            for (std::size_t i = 0; i < counts.size(); ++i) {
+                answer.middles.push_back(low + (static_cast<double>(i) + 0.5) * width);
+                answer.heights.push_back(static_cast<double>(counts[i]) /
+                                         static_cast<double>(part.tally.solved()));
+            }
+        }
+    }
+    return answer;
+}
+
+StudyAnswers answersOf(const studies::Part& part) {
+    const Json results = studies::write_results(part);
+    StudyAnswers answers;
+    answers.solved = results.value("solved", std::uint64_t{0});
+    for (const Json& each : results.value("refused", Json::array())) {
+        answers.refused.emplace_back(QString::fromStdString(each.value("reason", std::string())),
+                                     each.value("count", std::uint64_t{0}));
+    }
+    for (const Message& note : studies::notes_of(part)) {
+        answers.notes << messageText(note);
+    }
+    const Json& watched = results.at("watched");
+    for (std::size_t i = 0; i < part.study.watch.size(); ++i) {
+        const Watched& each = part.study.watch[i];
+        if (watched.contains(each.pointer)) {
+            answers.values.push_back(answerOf(each, i, watched[each.pointer], part));
+        }
+    }
+    return answers;
+}
+
+void collectNumbers(const Json& json, const std::string& pointer,
+                    std::vector<StudyModel::Value>& found) {
+    if (json.is_number()) {
+        found.push_back({pointer, json.get<double>()});
+    } else if (json.is_object()) {
+        for (const auto& [key, child] : json.items()) {
+            collectNumbers(child, pointer + (Json::json_pointer() / key).to_string(), found);
+        }
+    }
+}
+
+}  // namespace
+
+StudyModel::StudyModel(SceneModel* scene, QObject* parent)
+    : QObject(parent), scene_(scene), job_(new BackgroundJob(this)) {
+    later_.setSingleShot(true);
+    later_.setInterval(restMs);
+    connect(&later_, &QTimer::timeout, this, &StudyModel::start);
+    connect(scene_, &SceneModel::changed, this, &StudyModel::follow);
+    connect(scene_, &SceneModel::studyChanged, this, &StudyModel::follow);
+    connect(job_, &BackgroundJob::failed, this,
+            [this](const QString& why) { show(std::nullopt, why); });
+    follow();
+}
+
+void StudyModel::follow() {
+    readStudy();
+    inputs_.clear();
+    for (const InputNumber& number : inputNumbers(*scene_)) {
+        Input input{number.pointer, number.name, number.unit, number.value};
+        const auto found =
+            std::find_if(study_.vary.begin(), study_.vary.end(),
+                         [&](const Varied& varied) { return varied.pointer == input.pointer; });
+        if (found != study_.vary.end()) {
+            input.varied = *found;
+        }
+        inputs_.push_back(std::move(input));
+    }
+    Q_EMIT changed();
+    if (watched_) {
+        later_.start();
+    }
+}
+
+void StudyModel::readStudy() {
+    trouble_.clear();
+    study_ = freshStudy();
+    if (scene_->study().empty()) {
+        return;
+    }
+    try {
+        study_ = studies::read_study(parse_json(scene_->study()), true);
+    } catch (const InputError& error) {
+        trouble_ = errorText(error);
+    }
+}
+
+std::vector<StudyModel::Value> StudyModel::results() const {
+    std::vector<Value> found;
+    collectNumbers(scene_->resultJson(), {}, found);
+    return found;
+}
+
+QString StudyModel::resultName(const std::string& pointer) {
+    static const std::vector<std::pair<const char*, const char*>> units{
+        {"_N_m", "N·m"},   {"_Nm", "N·m"},      {"_g_mm", "g·mm"}, {"_kg_m2", "kg·m²"},
+        {"_mm_s", "mm/s"}, {"_rad_s", "rad/s"}, {"_kg", "kg"},     {"_mm", "mm"},
+        {"_deg", "°"},     {"_rpm", "min⁻¹"},   {"_MPa", "MPa"},   {"_cm2", "cm²"},
+        {"_g", "g"},       {"_N", "N"},         {"_J", "J"},       {"_percent", "%"}};
+    std::string path = pointer;
+    QString unit;
+    for (const auto& [suffix, name] : units) {
+        if (path.ends_with(suffix)) {
+            path.resize(path.size() - std::string_view(suffix).size());
+            unit = unitText(name);
+            break;
+        }
+    }
+    // M_ups stays; other keys are words.
+    QStringList parts;
+    for (const QString& key :
+         QString::fromStdString(path).split(QLatin1Char('/'), Qt::SkipEmptyParts)) {
+        const bool isSymbol = key.size() > 1 && key.at(1) == QLatin1Char('_');
+        QString part = QString(key).replace(QStringLiteral("~1"), QStringLiteral("/"));
+        parts << (isSymbol ? part : part.replace(QLatin1Char('_'), QLatin1Char(' ')));
+    }
+    if (!unit.isEmpty()) {
+        parts << unit;
+    }
+    return parts.join(QStringLiteral(", "));
+}
+
+QString StudyModel::scatterText(const std::optional<Varied>& varied) {
+    if (!varied) {
+        return {};
+    }
+    const QLocale locale;
+    switch (varied->spread) {
+        case Varied::Spread::plus_minus:
+            return formNumber(varied->size, locale);
+        case Varied::Spread::plus_minus_percent:
+            return formNumber(varied->size, locale) + QStringLiteral(" %");
+        case Varied::Spread::normal:
+            return QStringLiteral("σ ") + formNumber(varied->size, locale);
+        case Varied::Spread::uniform:
+            return formNumber(varied->from, locale) + QStringLiteral(" … ") +
+                   formNumber(varied->to, locale);
+        case Varied::Spread::grid:
+            break;
+    }
+    QStringList values;
+    for (const double value : varied->values) {
+        values << formNumber(value, locale);
+    }
+    return values.join(QStringLiteral("; "));
+}
+
+QString StudyModel::setScatter(const std::string& pointer, const QString& text) {
+    Study next = study_;
+    const auto there = std::find_if(next.vary.begin(), next.vary.end(), [&](const Varied& varied) {
+        return varied.pointer == pointer;
+    });
+    QString rest = text.trimmed();
+    if (rest.isEmpty()) {
+        if (there != next.vary.end()) {
+            next.vary.erase(there);
+            change(tr("Tolerance"), next);
+        }
+        return {};
+    }
+    Varied varied{.pointer = pointer};
+    if (rest.endsWith(QLatin1Char('%'))) {
+        varied.spread = Varied::Spread::plus_minus_percent;
+        rest.chop(1);
+    } else if (rest.startsWith(QChar(0x03C3)) || rest.startsWith(QLatin1Char('s'), Qt::CaseInsensitive)) {
+        varied.spread = Varied::Spread::normal;
+        rest.remove(0, 1);
+    }
+    if (rest.startsWith(QChar(0x00B1))) {
+        rest.remove(0, 1);
+    }
+    const auto number = readFormNumber(rest);
+    if (!number || !(*number > 0.0)) {
+        return tr("A tolerance is a number greater than 0: 0.02, 1 %, or σ 0.01 for a standard "
+                  "deviation; %1 is none.")
+            .arg(text.trimmed());
+    }
+    varied.size = *number;
+    (there != next.vary.end() ? *there : next.vary.emplace_back()) = varied;
+    if (next.method == studies::Method::grid) {
+        next.method = studies::Method::sobol;
+        std::erase_if(next.vary,
+                      [](const Varied& each) { return each.spread == Varied::Spread::grid; });
+    }
+    change(tr("Tolerance"), next);
+    return {};
+}
+
+void StudyModel::take(Preset preset) {
+    Study next = study_;
+    const auto unitOf = [](const std::string& pointer, const char* suffix) {
+        return pointer.ends_with(suffix);
+    };
+    for (const Input& input : inputs_) {
+        Varied varied{.pointer = input.pointer};
+        if (preset == Preset::OnePercent && input.nominal != 0.0) {
+            varied.spread = Varied::Spread::plus_minus_percent;
+            varied.size = 1.0;
+        } else if (preset == Preset::Weighed && unitOf(input.unit.toStdString(), "kg")) {
+            varied.size = 0.0005;
+        } else if (preset == Preset::Weighed && input.unit == unitText("g")) {
+            varied.size = 0.5;
+        } else if (preset == Preset::Machined && input.unit == unitText("mm")) {
+            varied.size = 0.05;
+        } else {
+            continue;
+        }
+        std::erase_if(next.vary, [&](const Varied& each) { return each.pointer == input.pointer; });
+        next.vary.push_back(varied);
+    }
+    change(tr("Tolerances"), next);
+}
+
+void StudyModel::watch(const std::string& pointer) {
+    Study next = study_;
+    if (std::none_of(next.watch.begin(), next.watch.end(),
+                     [&](const Watched& each) { return each.pointer == pointer; })) {
+        next.watch.push_back({pointer});
+        change(tr("Watch a result"), next);
+    }
+}
+
+void StudyModel::unwatch(const std::string& pointer) {
+    Study next = study_;
+    std::erase_if(next.watch, [&](const Watched& each) { return each.pointer == pointer; });
+    change(tr("Watch a result"), next);
+}
+
+QString StudyModel::setLimits(const std::string& pointer, std::optional<double> min,
+                              std::optional<double> max) {
+    if (min && max && *min > *max) {
+        return tr("The lower limit is above the upper one.");
+    }
+    Study next = study_;
+    for (Watched& each : next.watch) {
+        if (each.pointer == pointer) {
+            each.min = min;
+            each.max = max;
+        }
+    }
+    change(tr("Limits"), next);
+    return {};
+}
+
+void StudyModel::setMethod(studies::Method method) {
+    Study next = study_;
+    next.method = method;
+    change(tr("Method"), next);
+}
+
+void StudyModel::setSamples(std::uint64_t samples) {
+    Study next = study_;
+    next.samples = samples;
+    change(tr("Samples"), next);
+}
+
+void StudyModel::change(const QString& name, const Study& next) {
+    if (next == study_) {
+        return;
+    }
+    const bool isEmpty = next.vary.empty() && next.watch.empty();
+    scene_->changeStudy(name, isEmpty ? std::string() : studies::write_study(next).dump());
+    follow();  // of one that the model does not take
+}
+
+bool StudyModel::isBusy() const {
+    return later_.isActive() || job_->isRunning();
+}
+
+void StudyModel::setWatched(bool watched) {
+    watched_ = watched;
+    if (watched) {
+        start();
+    } else {
+        later_.stop();
+        job_->cancel();
+    }
+}
+
+void StudyModel::start() {
+    later_.stop();
+    ++run_;
+    if (!watched_) {
+        return;
+    }
+    if (study_.vary.empty() || study_.watch.empty() || !trouble_.isEmpty()) {
+        job_->cancel();
+        show(std::nullopt, trouble_);
+        return;
+    }
+    CaseFile file = scene_->caseFile();
+    file.study = studies::write_study(study_);
+    job_->start([this, run = run_, file = std::move(file), context = scene_->context()](
+                    const BackgroundJob::Progress& progress) -> std::function<void()> {
+        const studies::Problem problem = studies::problem_of(file, context);
+        // One core stays free for the window.
+        const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
+        studies::Part part = studies::begin_part(problem, 1, 1, threads);
+        if (!progress(0.0)) {
+            return {};
+        }
+        studies::run_part(problem, part, threads, [&](const studies::Part& so_far) {
+            const double done =
+                static_cast<double>(so_far.done - so_far.from) /
+                static_cast<double>(std::max<std::uint64_t>(so_far.to - so_far.from, 1));
+            if (!progress(done)) {
+                return false;
+            }
+            if (so_far.tally.solved() > 1 && so_far.done < so_far.to) {
+                QMetaObject::invokeMethod(
+                    this,
+                    [this, run, answers = answersOf(so_far)] {
+                        if (run == run_) {
+                            show(answers, {});
+                        }
+                    },
+                    Qt::QueuedConnection);
+            }
+            return true;
+        });
+        if (!part.finished()) {
+            return {};
+        }
+        return [this, answers = answersOf(part)] { show(answers, {}); };
+    });
+}
+
+void StudyModel::show(std::optional<StudyAnswers> answers, const QString& trouble) {
+    answers_ = std::move(answers);
+    if (trouble != trouble_) {
+        trouble_ = trouble;
+        Q_EMIT changed();
+    }
+    Q_EMIT answered();
+}
+
+}  // namespace ravnoves

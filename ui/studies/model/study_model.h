@@ -1,0 +1,120 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <QTimer>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/study.h"
+
+namespace ravnoves {
+
+class BackgroundJob;
+class SceneModel;
+
+/// What a study has found so far, of one watched value, in the unit of its key.
+struct StudyAnswer {
+    struct Share {
+        std::string pointer;  ///< of the input
+        std::optional<double> linear;
+        std::optional<double> first;  ///< of the variance, by itself
+        std::optional<double> total;  ///< with what it does together with others
+    };
+    std::string pointer;
+    std::optional<double> nominal, mean, deviation, linearDeviation, low, high;  ///< 5 %, 95 %
+    std::optional<double> within, withinLow, withinHigh;  ///< share inside the limits
+    std::vector<Share> shares;
+    std::vector<double> middles;  ///< of the bars of its histogram
+    std::vector<double> heights;  ///< shares of the samples
+};
+
+struct StudyAnswers {
+    std::vector<StudyAnswer> values;
+    std::uint64_t solved = 0;
+    std::vector<std::pair<QString, std::uint64_t>> refused;  ///< reason and how many
+    QStringList notes;
+};
+
+/// The tolerances of a case: which inputs scatter, which results are watched, and what follows. It
+/// is the "study" of the case file; every change is one step of the case's history.
+class StudyModel : public QObject {
+    Q_OBJECT
+
+  public:
+    /// A number of the input that may scatter.
+    struct Input {
+        std::string pointer;  ///< below "input"
+        QString name;
+        QString unit;
+        double nominal = 0.0;  ///< in the unit of its key
+        std::optional<studies::Varied> varied = {};
+    };
+    /// A number of the result.
+    struct Value {
+        std::string pointer;  ///< below "result"
+        double value = 0.0;
+    };
+    enum class Preset { Weighed, Machined, OnePercent };
+
+    explicit StudyModel(SceneModel* scene, QObject* parent = nullptr);
+
+    SceneModel* scene() const { return scene_; }
+    const studies::Study& study() const { return study_; }
+    /// Why the case's study or its answer is refused; empty where neither is.
+    QString trouble() const { return trouble_; }
+    BackgroundJob* job() const { return job_; }
+
+    const std::vector<Input>& inputs() const { return inputs_; }
+    std::vector<Value> results() const;
+    /// How a result's pointer is written for people: "metrics, M_ups, range, N·m".
+    static QString resultName(const std::string& pointer);
+
+    /// "0.02", "1 %", "σ 0.5"; empty where the input does not scatter.
+    static QString scatterText(const std::optional<studies::Varied>& varied);
+    /// Takes the same; an empty text takes the input out.
+    /// @return an empty string, or why it cannot be
+    QString setScatter(const std::string& pointer, const QString& text);
+    /// Gives every input of a kind its usual scatter: masses ± 0.5 g, lengths ± 0.05 mm, all ± 1 %.
+    void take(Preset preset);
+    void watch(const std::string& pointer);
+    void unwatch(const std::string& pointer);
+    /// @return an empty string, or why it cannot be
+    QString setLimits(const std::string& pointer, std::optional<double> min,
+                      std::optional<double> max);
+    void setMethod(studies::Method method);
+    void setSamples(std::uint64_t samples);
+
+    /// True while newer answers are on the way.
+    bool isBusy() const;
+    /// Computes while someone looks.
+    void setWatched(bool watched);
+    /// Null where there is nothing to say; of fewer samples while more are on the way.
+    const StudyAnswers* answers() const { return answers_ ? &*answers_ : nullptr; }
+
+  Q_SIGNALS:
+    /// Inputs, study or trouble.
+    void changed();
+    void answered();
+
+  private:
+    void follow();
+    void readStudy();
+    void change(const QString& name, const studies::Study& next);
+    void start();
+    void show(std::optional<StudyAnswers> answers, const QString& trouble);
+
+    SceneModel* scene_;
+    BackgroundJob* job_;
+    QTimer later_;
+    studies::Study study_;
+    std::vector<Input> inputs_;
+    std::optional<StudyAnswers> answers_;
+    QString trouble_;
+    int run_ = 0;
+    bool watched_ = false;
+};
+
+}  // namespace ravnoves

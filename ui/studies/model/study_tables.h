@@ -1,0 +1,60 @@
+#pragma once
+
+#include <map>
+
+#include "model/editable_table.h"
+#include "studies/model/study_model.h"
+
+namespace ravnoves {
+
+/// The inputs of a case with what they scatter by, which is edited in place.
+class ScatterTable final : public EditableTable {
+    Q_OBJECT
+
+  public:
+    enum Column { Name, Nominal, UnitOf, Scatter, Columns };
+
+    explicit ScatterTable(StudyModel* model, QObject* parent = nullptr);
+
+    /// These inputs do not scatter any more.
+    void removeRowRange(int first, int count) override;
+    QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+  private:
+    StudyModel* model_;
+    int rows_ = 0;
+    std::map<std::string, QString> refused_;  ///< texts that are no tolerance, by pointer
+};
+
+/// The results that are watched, with their limits.
+class WatchTable final : public EditableTable {
+    Q_OBJECT
+
+  public:
+    enum Column { Name, Least, Most, Columns };
+
+    explicit WatchTable(StudyModel* model, QObject* parent = nullptr);
+
+    /// These results are watched no more.
+    void removeRowRange(int first, int count) override;
+    QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+  private:
+    StudyModel* model_;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,331 @@
+#include "studies/tolerance_window.h"
+
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenu>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QTabWidget>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "case-file/message.h"
+#include "model/background_job.h"
+#include "model/scene_model.h"
+#include "plot/plot_view.h"
+#include "shell/scene_page.h"
+#include "studies/model/study_model.h"
+#include "studies/model/study_tables.h"
+#include "studies/tornado_view.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
+#include "theme/theme.h"
+#include "widgets/form_section.h"
+#include "widgets/result_table.h"
+#include "widgets/table_editor.h"
+
+namespace ravnoves {
+
+namespace {
+
+QString orDash(const std::optional<double>& value) {
+    return value ? formNumber(*value, QLocale(), 7) : QStringLiteral("–");
+}
+
+QString percent(const std::optional<double>& share, int decimals = 1) {
+    return share ? fixedNumber(100.0 * *share, decimals, QLocale()) + QStringLiteral(" %")
+                 : QStringLiteral("–");
+}
+
+QLabel* heading(const QString& text, QWidget* parent) {
+    return headingLabel(text, parent);
+}
+
+}  // namespace
+
+ToleranceWindow::ToleranceWindow(ScenePage* page, QWidget* parent)
+    : QDialog(parent), model_(new StudyModel(page->model(), this)) {
+    setWindowFlags(Qt::Window);
+    setWindowTitle(tr("Tolerances"));
+    setObjectName(QStringLiteral("tolerances"));
+    resize(1020, 660);
+    auto* row = new QVBoxLayout(this);
+    auto* parts = new QSplitter(this);
+    parts->addWidget(makeInputs());
+    parts->addWidget(makeAnswers());
+    parts->setStretchFactor(0, 2);
+    parts->setStretchFactor(1, 3);
+    parts->setChildrenCollapsible(false);
+    row->addWidget(parts);
+    connect(model_, &StudyModel::changed, this, &ToleranceWindow::showStudy);
+    connect(model_, &StudyModel::answered, this, &ToleranceWindow::showAnswers);
+    connect(model_->scene(), &SceneModel::changed, this, &ToleranceWindow::fillWatchable);
+    connect(model_->job(), &BackgroundJob::progress, this,
+            [this](double part) { progress_->setValue(static_cast<int>(100.0 * part)); });
+    connect(model_->job(), &BackgroundJob::runningChanged, this, [this](bool running) {
+        progress_->setVisible(running);
+        progress_->setValue(0);
+        stop_->setVisible(running);
+    });
+    connect(page, &QObject::destroyed, this, &QWidget::close);
+    fillWatchable();
+    showStudy();
+    showAnswers();
+}
+
+QWidget* ToleranceWindow::makeInputs() {
+    auto* holder = new QWidget(this);
+    auto* column = new QVBoxLayout(holder);
+    column->setContentsMargins(0, 0, 0, 0);
+    const auto edit = [&](EditableTable* table, const QString& name, const QString& remove) {
+        auto* editor = new TableEditor(table, name, {}, remove, holder);
+        table->setParent(editor);
+        editor->findChild<QToolButton*>(QStringLiteral("add_row"))->hide();
+        editor->view()->verticalHeader()->hide();
+        editor->view()->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+        editor->view()->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+        return editor;
+    };
+    auto* top = new QHBoxLayout;
+    top->addWidget(heading(tr("Inputs and their tolerances"), holder), 1);
+    auto* presets = new QToolButton(holder);
+    presets->setText(tr("&Usual ones"));
+    presets->setObjectName(QStringLiteral("presets"));
+    presets->setPopupMode(QToolButton::InstantPopup);
+    presets->setFocusPolicy(Qt::TabFocus);
+    auto* menu = new QMenu(presets);
+    const auto add = [&](const QString& text, StudyModel::Preset preset) {
+        menu->addAction(text, model_, [this, preset] { model_->take(preset); });
+    };
+    add(tr("&Weighed parts: ± 0.5 g"), StudyModel::Preset::Weighed);
+    add(tr("&Machined sizes: ± 0.05 mm"), StudyModel::Preset::Machined);
+    add(tr("&All inputs: ± 1 %"), StudyModel::Preset::OnePercent);
+    presets->setMenu(menu);
+    top->addWidget(presets);
+    column->addLayout(top);
+    inputs_ = edit(new ScatterTable(model_), tr("Inputs and their tolerances"),
+                   tr("The selected inputs do not scatter"));
+    column->addWidget(inputs_, 3);
+    column->addWidget(heading(tr("Results to watch"), holder));
+    watchable_ = new QComboBox(holder);
+    watchable_->setObjectName(QStringLiteral("watchable"));
+    watchable_->setAccessibleName(tr("Watch a result"));
+    watchable_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    watchable_->setMinimumContentsLength(20);
+    connect(watchable_, &QComboBox::activated, this, [this](int index) {
+        const QString pointer = watchable_->itemData(index).toString();
+        if (!pointer.isEmpty()) {
+            model_->watch(pointer.toStdString());
+        }
+        watchable_->setCurrentIndex(0);
+    });
+    column->addWidget(watchable_);
+    watched_ = edit(new WatchTable(model_), tr("Results to watch"),
+                    tr("The selected results are watched no more"));
+    column->addWidget(watched_, 2);
+    for (TableEditor* editor : {inputs_, watched_}) {
+        connect(qobject_cast<EditableTable*>(editor->view()->model()),
+                &EditableTable::troubleChanged, editor,
+                [editor](const QString& trouble) { editor->say(trouble, true); });
+    }
+    return holder;
+}
+
+QWidget* ToleranceWindow::makeAnswers() {
+    auto* holder = new QWidget(this);
+    auto* column = new QVBoxLayout(holder);
+    column->setContentsMargins(0, 0, 0, 0);
+    auto* row = new QHBoxLayout;
+    const auto chooser = [&](const QString& text, const char* name) {
+        auto* label = new QLabel(text, holder);
+        auto* box = new QComboBox(holder);
+        box->setObjectName(QLatin1String(name));
+        label->setBuddy(box);
+        row->addWidget(label);
+        row->addWidget(box);
+        return box;
+    };
+    method_ = chooser(tr("M&ethod"), "method");
+    for (const Word& word : studies::method_words()) {
+        method_->addItem(shownText(word.label));
+    }
+    connect(method_, &QComboBox::activated, this,
+            [this](int index) { model_->setMethod(static_cast<studies::Method>(index)); });
+    samples_ = chooser(tr("&Samples"), "samples");
+    connect(samples_, &QComboBox::activated, this,
+            [this](int index) { model_->setSamples(samples_->itemData(index).toULongLong()); });
+    row->addStretch();
+    progress_ = new QProgressBar(holder);
+    progress_->setAccessibleName(tr("Progress"));
+    progress_->hide();
+    row->addWidget(progress_);
+    stop_ = new QPushButton(tr("S&top"), holder);
+    stop_->setAutoDefault(false);
+    stop_->hide();
+    connect(stop_, &QPushButton::clicked, model_->job(), &BackgroundJob::cancel);
+    row->addWidget(stop_);
+    column->addLayout(row);
+
+    table_ = new ResultTable(holder);
+    table_->setAccessibleName(tr("What the tolerances do"));
+    table_->setColumns({tr("Result"), tr("Nominal"), tr("Mean"), QStringLiteral("σ"),
+                        tr("σ, linear"), QStringLiteral("5 %"), QStringLiteral("95 %"),
+                        tr("Within")});
+    table_->setTips(
+        {{tr("Nominal"), tr("Without any scatter.")},
+         {tr("Mean"), tr("Of all samples that could be solved.")},
+         {QStringLiteral("σ"), tr("Standard deviation of the samples.")},
+         {tr("σ, linear"), tr("Standard deviation by the slopes at the nominal values alone.")},
+         {QStringLiteral("5 %"), tr("One sample of twenty is less.")},
+         {QStringLiteral("95 %"), tr("One sample of twenty is more.")},
+         {tr("Within"), tr("Share of the samples within the limits, with its 95 % interval.")}});
+    connect(table_, &QTableWidget::currentCellChanged, this, &ToleranceWindow::showChosen);
+    column->addWidget(table_, 2);
+    words_ = captionLabel({}, holder);
+    words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    column->addWidget(words_);
+
+    auto* tabs = new QTabWidget(holder);
+    tornado_ = new TornadoView(tabs);
+    tabs->addTab(tornado_, tr("What matters most"));
+    histogram_ = new PlotView({}, tabs);
+    histogram_->addCurve({.name = {}, .shape = plot::Shape::Bars, .inLegend = false});
+    histogram_->setYAxis(plot::Side::Left, {tr("share of the samples, %")});
+    tabs->addTab(histogram_, tr("Histogram"));
+    column->addWidget(tabs, 3);
+    return holder;
+}
+
+void ToleranceWindow::fillWatchable() {
+    const QSignalBlocker block(watchable_);
+    watchable_->clear();
+    watchable_->addItem(tr("Watch a result …"));
+    for (const StudyModel::Value& value : model_->results()) {
+        watchable_->addItem(StudyModel::resultName(value.pointer),
+                            QString::fromStdString(value.pointer));
+    }
+}
+
+void ToleranceWindow::showStudy() {
+    const studies::Study& study = model_->study();
+    method_->setCurrentIndex(static_cast<int>(study.method));
+    const QSignalBlocker block(samples_);
+    samples_->clear();
+    std::vector<std::uint64_t> offered{1024, 4096, 16384, 65536, 1 << 20};
+    if (std::find(offered.begin(), offered.end(), study.samples) == offered.end()) {
+        offered.push_back(study.samples);
+    }
+    for (const std::uint64_t samples : offered) {
+        samples_->addItem(QLocale().toString(samples), QVariant::fromValue(samples));
+    }
+    samples_->setCurrentIndex(samples_->findData(QVariant::fromValue(study.samples)));
+    samples_->setEnabled(studies::is_sampled(study.method));
+}
+
+void ToleranceWindow::showAnswers() {
+    const StudyAnswers* answers = model_->answers();
+    QVector<QStringList> rows;
+    QStringList lines;
+    if (answers == nullptr) {
+        lines << (!model_->trouble().isEmpty() ? model_->trouble()
+                  : model_->study().vary.empty()
+                      ? tr("Give an input its tolerance: 0.02, 1 % or σ 0.01.")
+                  : model_->study().watch.empty() ? tr("Choose a result to watch.")
+                                                  : tr("Computing …"));
+    } else {
+        for (const StudyAnswer& value : answers->values) {
+            QString within = percent(value.within, 2);
+            if (value.within && value.withinLow && value.withinHigh) {
+                within +=
+                    QStringLiteral(" (") + fixedNumber(100.0 * *value.withinLow, 2, QLocale()) +
+                    QStringLiteral(" … ") + fixedNumber(100.0 * *value.withinHigh, 2, QLocale()) +
+                    QStringLiteral(")");
+            }
+            rows.push_back({StudyModel::resultName(value.pointer), orDash(value.nominal),
+                            orDash(value.mean), orDash(value.deviation),
+                            orDash(value.linearDeviation), orDash(value.low), orDash(value.high),
+                            within});
+        }
+        if (studies::is_sampled(model_->study().method)) {
+            lines << tr("Samples solved: %1").arg(QLocale().toString(answers->solved));
+        }
+        for (const auto& [reason, count] : answers->refused) {
+            lines << tr("Refused: %1 × %2").arg(QLocale().toString(count), reason);
+        }
+        lines << answers->notes;
+    }
+    table_->setRows(rows);
+    if (table_->currentRow() < 0 && !rows.isEmpty()) {
+        table_->setCurrentCell(0, 0);
+    }
+    words_->setText(lines.join(QLatin1Char('\n')));
+    showChosen();
+}
+
+void ToleranceWindow::showChosen() {
+    const StudyAnswers* answers = model_->answers();
+    const auto row = static_cast<std::size_t>(std::max(table_->currentRow(), 0));
+    if (answers == nullptr || row >= answers->values.size()) {
+        tornado_->setBars({}, {});
+        histogram_->setTitle({});
+        histogram_->setCurve(0, {}, {});
+        histogram_->setLines({});
+        return;
+    }
+    const StudyAnswer& value = answers->values[row];
+    const QString name = StudyModel::resultName(value.pointer);
+    std::vector<TornadoView::Bar> bars;
+    for (const StudyAnswer::Share& share : value.shares) {
+        const auto input = std::find_if(
+            model_->inputs().begin(), model_->inputs().end(),
+            [&](const StudyModel::Input& each) { return each.pointer == share.pointer; });
+        const double alone = share.first.value_or(share.linear.value_or(0.0));
+        bars.push_back(
+            {input != model_->inputs().end() ? input->name : QString::fromStdString(share.pointer),
+             alone, std::max(alone, share.total.value_or(alone))});
+    }
+    tornado_->setBars(tr("Shares of the variance of %1").arg(name), std::move(bars));
+    histogram_->setTitle(name);
+    std::vector<double> heights;
+    for (const double height : value.heights) {
+        heights.push_back(100.0 * height);
+    }
+    if (value.middles.size() > 1) {
+        const double step = value.middles[1] - value.middles[0];
+        histogram_->setXAxis({name.section(QStringLiteral(", "), -1), value.middles.front() - step,
+                              value.middles.back() + step});
+        histogram_->setCurveStyle(
+            0, {.name = {}, .shape = plot::Shape::Bars, .inLegend = false, .barWidth = step});
+    }
+    histogram_->setCurve(0, value.middles, heights);
+    std::vector<PlotView::Line> lines;
+    const auto line = [&](const std::optional<double>& at, const QString& text) {
+        if (at) {
+            lines.push_back({*at, Qt::Vertical, plot::Line::muted, text});
+        }
+    };
+    line(value.nominal, tr("nominal"));
+    for (const studies::Watched& watched : model_->study().watch) {
+        if (watched.pointer == value.pointer) {
+            line(watched.min, tr("at least"));
+            line(watched.max, tr("at most"));
+        }
+    }
+    histogram_->setLines(std::move(lines));
+}
+
+void ToleranceWindow::showEvent(QShowEvent* event) {
+    QDialog::showEvent(event);
+    model_->setWatched(true);
+}
+
+void ToleranceWindow::hideEvent(QHideEvent* event) {
+    model_->setWatched(false);
+    QDialog::hideEvent(event);
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QDialog>
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace ravnoves {
+
+class PlotView;
+class ResultTable;
+class ScenePage;
+class StudyModel;
+class TableEditor;
+class TornadoView;
+
+/// How sure the results of a page are, and what matters most: tolerances of its inputs, the results
+/// to watch, and what follows, in a window of its own that follows the page.
+class ToleranceWindow : public QDialog {
+    Q_OBJECT
+
+  public:
+    ToleranceWindow(ScenePage* page, QWidget* parent);
+
+    StudyModel* model() const { return model_; }
+    TableEditor* inputs() const { return inputs_; }
+    TableEditor* watched() const { return watched_; }
+    const ResultTable* table() const { return table_; }
+    const TornadoView* tornado() const { return tornado_; }
+    const PlotView* histogram() const { return histogram_; }
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+  private:
+    QWidget* makeInputs();
+    QWidget* makeAnswers();
+    void fillWatchable();
+    void showStudy();
+    void showAnswers();
+    void showChosen();
+
+    StudyModel* model_;
+    TableEditor* inputs_ = nullptr;
+    TableEditor* watched_ = nullptr;
+    QComboBox* watchable_ = nullptr;
+    QComboBox* method_ = nullptr;
+    QComboBox* samples_ = nullptr;
+    QProgressBar* progress_ = nullptr;
+    QPushButton* stop_ = nullptr;
+    ResultTable* table_ = nullptr;
+    QLabel* words_ = nullptr;
+    TornadoView* tornado_ = nullptr;
+    PlotView* histogram_ = nullptr;
+};
+
+}  // namespace ravnoves

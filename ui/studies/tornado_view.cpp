@@ -1,0 +1,87 @@
+#include "studies/tornado_view.h"
+
+#include <QPainter>
+#include <algorithm>
+
+#include "text/number_text.h"
+#include "widgets/figure.h"
+
+namespace ravnoves {
+
+TornadoView::TornadoView(QWidget* parent) : QWidget(parent) {
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    makeFigure(this);
+    connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+}
+
+void TornadoView::setBars(const QString& title, std::vector<Bar> bars) {
+    std::stable_sort(bars.begin(), bars.end(),
+                     [](const Bar& a, const Bar& b) { return a.whole > b.whole; });
+    title_ = title;
+    bars_ = std::move(bars);
+    QStringList words;
+    for (const Bar& bar : bars_) {
+        words << bar.name + QStringLiteral(" ") + fixedNumber(100.0 * bar.alone, 1, QLocale()) +
+                     QStringLiteral(" %");
+    }
+    setAccessibleName(title_);
+    setAccessibleDescription(words.join(QStringLiteral("; ")));
+    update();
+}
+
+void TornadoView::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Theme& theme = Theme::instance();
+    painter.fillRect(rect(), theme.panel());
+    painter.setPen(theme.text());
+    painter.setFont(Theme::font(Theme::baseSize, true));
+    const double line = QFontMetricsF(painter.font()).height();
+    const QRectF inner = QRectF(rect()).adjusted(Theme::margin, Theme::space, -Theme::margin, 0);
+    painter.drawText(
+        QRectF(inner.left(), inner.top(), inner.width(), line), Qt::AlignLeft,
+        QFontMetricsF(painter.font()).elidedText(title_, Qt::ElideRight, inner.width()));
+    painter.setFont(Theme::font());
+    const QFontMetricsF metrics(painter.font());
+    const double row = metrics.height() + 8.0;
+    const double top = inner.top() + line + Theme::space;
+    const double nameWidth = [&] {
+        double widest = 0.0;
+        for (const Bar& bar : bars_) {
+            widest = std::max(widest, metrics.horizontalAdvance(bar.name));
+        }
+        return std::min(widest, 0.45 * inner.width());
+    }();
+    const double valueWidth = metrics.horizontalAdvance(QStringLiteral("100,0 %")) + Theme::space;
+    const double left = inner.left() + nameWidth + Theme::space;
+    const double room = inner.right() - valueWidth - left;
+    const auto fitting =
+        std::max<std::ptrdiff_t>(1, static_cast<std::ptrdiff_t>((height() - top) / row));
+    const bool isCut = std::ssize(bars_) > fitting;
+    const std::ptrdiff_t shown = std::min(std::ssize(bars_), fitting - (isCut ? 1 : 0));
+    double y = top;
+    for (std::ptrdiff_t i = 0; i < shown; ++i) {
+        const Bar& bar = bars_[static_cast<std::size_t>(i)];
+        painter.setPen(theme.text());
+        painter.drawText(QRectF(inner.left(), y, nameWidth, row), Qt::AlignRight | Qt::AlignVCenter,
+                         metrics.elidedText(bar.name, Qt::ElideMiddle, nameWidth));
+        const auto length = [&](double share) { return room * std::clamp(share, 0.0, 1.0); };
+        QColor pale = theme.curve(0);
+        pale.setAlphaF(0.3F);
+        painter.fillRect(QRectF(left, y + 4.0, length(bar.whole), row - 8.0), pale);
+        painter.fillRect(QRectF(left, y + 4.0, length(bar.alone), row - 8.0), theme.curve(0));
+        painter.drawText(
+            QRectF(left + length(std::max(bar.alone, bar.whole)) + Theme::gap, y, valueWidth, row),
+            Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
+            fixedNumber(100.0 * bar.alone, 1, QLocale()) + QStringLiteral(" %"));
+        y += row;
+    }
+    if (isCut) {
+        painter.setPen(theme.mutedText());
+        painter.drawText(
+            QRectF(inner.left(), y, inner.width(), row), Qt::AlignLeft | Qt::AlignVCenter,
+            tr("and %n more, smaller", nullptr, static_cast<int>(std::ssize(bars_) - shown)));
+    }
+}
+
+}  // namespace ravnoves
