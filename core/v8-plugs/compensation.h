@@ -194,6 +194,10 @@ constexpr const Word& bob_weight_word(BobWeightLine::Part part) {
 struct BobWeight {
     std::vector<BobWeightLine> lines;
     double sum() const;  ///< kg
+    /// What is hung where the plugs are in the shaft already: the sum counts them, kg.
+    double with_plugs_in() const {
+        return sum() - product(BobWeightLine::Part::plugs).value_or(0.0);
+    }
     /// The line's product, kg; nothing where the sum has no such line.
     std::optional<double> product(BobWeightLine::Part part) const;
 };

@@ -198,6 +198,28 @@ struct Weights final : FieldVisitor::Custom {
     PartColumn& column;
 };
 
+/// The numbers of the sets: a permutation of 1 to 8, not written where nothing was moved.
+struct Sets final : FieldVisitor::Custom {
+    explicit Sets(SetNumbers& it) : numbers(it) {}
+
+    void read(const Json& list, const std::string& pointer) override {
+        SetNumbers found{};
+        if (list.is_array() && list.size() == found.size()) {
+            for (std::size_t i = 0; i < found.size(); ++i) {
+                found[i] = list.at(i).is_number_integer() ? list.at(i).get<int>() : 0;
+            }
+        }
+        if (!std::is_permutation(found.begin(), found.end(), as_weighed.begin())) {
+            throw InputError(pointer, CORE_TEXT("V8", "must be the numbers 1 to 8, each once"),
+                             show(list));
+        }
+        numbers = found;
+    }
+    Json write() override { return numbers == as_weighed ? Json() : Json(numbers); }
+
+    SetNumbers& numbers;
+};
+
 /// What no form lets happen, half filled or not.
 void check_choices(const Input& input) {
     if (input.crankshaft == Crankshaft::new_plugs && !input.engine.has_new_plug) {
@@ -266,6 +288,10 @@ void visit_fields(FieldVisitor& visitor, PartColumn& column) {
 void visit_fields(FieldVisitor& visitor, WeighIn& sheet) {
     visitor.choice(field::numbering, sheet.numbering, CylinderNumbering::bank_by_bank,
                    FieldVisitor::Written::always);
+    Sets pistons(sheet.piston_sets);
+    visitor.custom(field::piston_sets, false, pistons);
+    Sets rods(sheet.rod_sets);
+    visitor.custom(field::rod_sets, false, rods);
     for (const Part part : all_parts) {
         PartColumn& column = sheet[part];
         visitor.object_of({.key = part_word(part).word, .label = part_word(part).label}, false,

@@ -52,7 +52,9 @@ inline constexpr Field tolerance{
     .unit = units::gram_mm,
     .range = Range::between(0, 1e6),
     .label = CORE_TEXT("V8", "Residual unbalance &allowed"),
-    .hint = CORE_TEXT("V8", "In each correction plane. The paper accepts 5 g·mm.")};
+    .hint = CORE_TEXT("V8",
+                      "In each correction plane. 5 g·mm is what Nazarov's experiments left; a "
+                      "repair manual may allow much more (2 oz·in is 1440 g·mm).")};
 
 // ------------------------------------------------------------------------- weigh-in sheet
 inline constexpr Field weigh_in{.key = "weigh_in",
@@ -61,6 +63,16 @@ inline constexpr Field numbering{.key = "cylinder_numbering",
                                  .label = CORE_TEXT("V8", "C&ylinders of a crankpin"),
                                  .hint = CORE_TEXT("V8", "Which two cylinders share a crankpin."),
                                  .words = numbering_words};
+inline constexpr Field piston_sets{
+    .key = "piston_sets",
+    .hint = CORE_TEXT("V8",
+                      "Number of the piston set in each cylinder, where it is not that of the "
+                      "cylinder: it was weighed there.")};
+inline constexpr Field rod_sets{
+    .key = "rod_sets",
+    .hint = CORE_TEXT("V8",
+                      "Number of the rod in each cylinder, where it is not that of the cylinder: "
+                      "it was weighed there.")};
 inline constexpr Field nominal{.key = "nominal_g",
                                .unit = units::gram,
                                .range = Range::between(0.001, 100'000),

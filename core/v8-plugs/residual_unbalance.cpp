@@ -2,17 +2,14 @@
 
 namespace ravnoves::v8_plugs {
 
+PlaneVerdict judge(double limit, const std::optional<double>& reading) {
+    return {limit, reading, reading ? std::optional(*reading <= limit) : std::nullopt};
+}
+
 BalancingVerdict judge(const BalancingCheck& check) {
     const double permissible = check.rotor_mass * check.grade / check.service_speed;
-    const auto plane = [](double limit, const std::optional<double>& reading) {
-        PlaneVerdict verdict{limit, reading, std::nullopt};
-        if (reading) {
-            verdict.passes = *reading <= limit;
-        }
-        return verdict;
-    };
-    return {permissible, plane(permissible * check.front_share, check.front_reading),
-            plane(permissible * (1.0 - check.front_share), check.rear_reading)};
+    return {permissible, judge(permissible * check.front_share, check.front_reading),
+            judge(permissible * (1.0 - check.front_share), check.rear_reading)};
 }
 
 }  // namespace ravnoves::v8_plugs

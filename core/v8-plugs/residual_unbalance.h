@@ -38,5 +38,7 @@ struct BalancingVerdict {
 /// in mm/s, shared between the planes; and the readings against it. The standard keeps each
 /// plane's share between 0.3 and 0.7.
 BalancingVerdict judge(const BalancingCheck& check);
+/// A reading against a limit, kg·m.
+PlaneVerdict judge(double limit, const std::optional<double>& reading);
 
 }  // namespace ravnoves::v8_plugs

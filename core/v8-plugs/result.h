@@ -56,7 +56,18 @@ struct Result {
     /// Where an option machines its plugs.
     std::array<std::optional<ShiftEffect>, all_options.size()> shift;
 
-    std::optional<BalancingVerdict> balancing;
+    std::optional<BalancingVerdict> balancing;  ///< by [iso-21940-11], where its data are given
+    /// The machine's readings, front and rear, against that limit, else against the tolerance.
+    std::array<PlaneVerdict, 2> planes{};
+
+    /// What the machine says of the crankshaft; nothing while a plane that could fail was not read.
+    std::optional<bool> passes() const {
+        const auto& [front, rear] = planes;
+        if (front.passes == false || rear.passes == false) {
+            return false;
+        }
+        return front.passes && rear.passes ? std::optional(true) : std::nullopt;
+    }
 
     const std::optional<Option>& option(OptionId id) const { return options[index(id)]; }
     /// What the neglected shift does to the option that is advised; nothing where it does not

@@ -77,7 +77,8 @@ Json option_json(const Result& result, OptionId id, double crank_radius, double 
             json[key] = nullptr;
         }
         json["feasible"] = false;
-        for (const char* key : {"residual_mass_g", "residual_unbalance_g_mm", "bobweight_g"}) {
+        for (const char* key : {"residual_mass_g", "residual_unbalance_g_mm", "bobweight_g",
+                                "bobweight_with_plugs_in_g"}) {
             json[key] = nullptr;
         }
         json["reason"] = "the engine has no such plug";
@@ -95,6 +96,7 @@ Json option_json(const Result& result, OptionId id, double crank_radius, double 
               {"residual_mass_g", option.residual_mass / units::gram},
               {"residual_unbalance_g_mm", option.residual_unbalance / units::gram_mm},
               {"bobweight_g", weights.after.sum() / units::gram},
+              {"bobweight_with_plugs_in_g", weights.after.with_plugs_in() / units::gram},
               {"nominal_bobweight_g", weights.nominal.sum() / units::gram},
               {"plug_mass_g", plug / units::gram}};
     if (!option.feasible) {
@@ -238,10 +240,14 @@ Json write_result(const Input& input, const Result& result) {
         }
         json["plug"] = std::move(plug);
     }
-    if (result.balancing) {
-        json["balancing"] = {{"permissible_g_mm", result.balancing->permissible / units::gram_mm},
-                             {"front", plane_json(result.balancing->front)},
-                             {"rear", plane_json(result.balancing->rear)}};
+    const auto& [front, rear] = result.planes;
+    if (result.balancing || front.reading || rear.reading) {
+        json["balancing"] = {{"limit", result.balancing ? "iso-21940-11" : "tolerance"},
+                             {"front", plane_json(front)},
+                             {"rear", plane_json(rear)}};
+        if (result.balancing) {
+            json["balancing"]["permissible_g_mm"] = result.balancing->permissible / units::gram_mm;
+        }
     }
     return json;
 }

@@ -130,10 +130,13 @@ Result solve(const Input& input, bool changes_known) {
     solve_weigh_in(input, result);
     solve_plug(input, result);
     solve_shifts(input, result);
-    if (input.balancing) {
-        if (const auto check = input.balancing->check()) {
-            result.balancing = judge(*check);
-        }
+    const BalancingSheet machine = input.balancing.value_or(BalancingSheet{});
+    if (const auto check = machine.check()) {
+        result.balancing = judge(*check);
+        result.planes = {result.balancing->front, result.balancing->rear};
+    } else {
+        result.planes = {judge(input.tolerance, machine.front_reading),
+                         judge(input.tolerance, machine.rear_reading)};
     }
     return result;
 }

@@ -151,6 +151,50 @@ bool WeighIn::is_counted() const {
     return std::any_of(columns.begin(), columns.end(), std::mem_fn(&PartColumn::is_complete));
 }
 
+namespace {
+
+std::optional<double> nominal_sum(const WeighIn& sheet, std::initializer_list<Part> parts) {
+    double sum = 0.0;
+    for (const Part part : parts) {
+        if (!sheet[part].nominal) {
+            return std::nullopt;
+        }
+        sum += *sheet[part].nominal;
+    }
+    return sum;
+}
+
+/// No such part of a car or truck weighs less, kg; in kilograms each does.
+double least_mass(Part part) {
+    return (part == Part::rings || part == Part::shells ? 2.0 : 5.0) * units::gram;
+}
+
+}  // namespace
+
+std::optional<double> nominal_reciprocating(const WeighIn& sheet) {
+    return nominal_sum(sheet, {Part::piston, Part::pin, Part::rings, Part::rod_small_end});
+}
+
+std::optional<double> nominal_rotating(const WeighIn& sheet) {
+    return nominal_sum(sheet, {Part::rod_big_end, Part::shells});
+}
+
+std::optional<double> mass_in_kilograms(Part part, const PartColumn& column) {
+    const double least = least_mass(part);
+    if (column.nominal && *column.nominal < least) {
+        return column.nominal;
+    }
+    for (const auto& mass : column.mass) {
+        if (mass && (*mass < least || (column.nominal && *mass <= 0.01 * *column.nominal))) {
+            return mass;
+        }
+        if (mass && column.nominal && *column.nominal <= 0.01 * *mass) {
+            return column.nominal;
+        }
+    }
+    return std::nullopt;
+}
+
 Crankpins crankpins(CylinderNumbering numbering) {
     if (numbering == CylinderNumbering::alternating) {
         return {{{0, 1}, {2, 3}, {4, 5}, {6, 7}}};
@@ -366,6 +410,10 @@ WeighIn reassigned(const WeighIn& sheet, const Assignment& assignment) {
         for (std::size_t i = 0; i < from.size(); ++i) {
             moved[part].mass[i] = sheet[part].mass[static_cast<std::size_t>(from[i])];
         }
+    }
+    for (std::size_t i = 0; i < cylinder_count; ++i) {
+        moved.piston_sets[i] = sheet.piston_sets[static_cast<std::size_t>(assignment.pistons[i])];
+        moved.rod_sets[i] = sheet.rod_sets[static_cast<std::size_t>(assignment.rods[i])];
     }
     return moved;
 }

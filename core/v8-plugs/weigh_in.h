@@ -46,9 +46,15 @@ enum class CylinderNumbering {
 using Crankpins = std::array<std::array<int, 2>, crankpin_count>;
 Crankpins crankpins(CylinderNumbering numbering);
 
+/// The number of the set in each cylinder: of the cylinder, from 1, that it was weighed in.
+using SetNumbers = std::array<int, cylinder_count>;
+inline constexpr SetNumbers as_weighed{1, 2, 3, 4, 5, 6, 7, 8};
+
 struct WeighIn {
     std::array<PartColumn, 6> columns;  ///< in the order of all_parts
     CylinderNumbering numbering = CylinderNumbering::bank_by_bank;
+    SetNumbers piston_sets = as_weighed;  ///< piston with its pin and rings
+    SetNumbers rod_sets = as_weighed;     ///< rod with its shells
 
     bool is_empty() const;    ///< nothing weighed
     bool is_counted() const;  ///< a column is complete
@@ -60,6 +66,17 @@ struct WeighIn {
 
     friend bool operator==(const WeighIn&, const WeighIn&) = default;
 };
+
+/// The nominal masses of one cylinder that follow from its parts, kg: piston, pin, rings and small
+/// end move with the piston, big end and shells turn with the crankpin. Nothing while the nominal
+/// mass of one of them is missing.
+std::optional<double> nominal_reciprocating(const WeighIn& sheet);
+std::optional<double> nominal_rotating(const WeighIn& sheet);
+
+/// A mass that was typed in kilograms, as it seems: the first in the column that is a hundredth of
+/// its nominal mass or less, or of which that is a hundredth, or less than any such part of a V-8
+/// weighs (a piston of 0.5 g is no piston). Nothing where there is none.
+std::optional<double> mass_in_kilograms(Part part, const PartColumn& column);
 
 /// Statistics of what has been weighed so far in a column.
 struct ColumnStatistics {
@@ -125,7 +142,7 @@ double assignment_spread(const std::vector<double>& pistons, const std::vector<d
 /// no column is complete.
 std::optional<Assignment> best_assignment(const WeighIn& sheet, Process process,
                                           double rod_coefficient);
-/// The sheet with the parts moved as the assignment says.
+/// The sheet with the parts moved as the assignment says; they keep their numbers.
 WeighIn reassigned(const WeighIn& sheet, const Assignment& assignment);
 
 }  // namespace ravnoves::v8_plugs

@@ -140,6 +140,35 @@ TEST(Result, SheetsAddTheirParts) {
     EXPECT_FALSE(result.at("balancing").at("rear").at("passes").get<bool>());
 }
 
+TEST(Result, ReadingsWithoutIsoAreJudgedByTheTolerance) {
+    Json input = full_example();
+    input["balancing"] = parse_json(R"({"grade_mm_s": 16, "rotor_mass_kg": 30,
+        "service_speed_rpm": 3200})");
+    EXPECT_EQ(solved(input).at("balancing").at("limit"), "iso-21940-11");
+    input.erase("balancing");
+    EXPECT_FALSE(solved(input).contains("balancing"));
+    const BalancingVerdict iso = judge({0.016, 30.0, 335.0, 0.5, {}, {}});
+    EXPECT_FALSE(iso.front.passes);
+    EXPECT_EQ(judge(5e-6, 4.9e-6).passes, true);
+    EXPECT_EQ(judge(5e-6, 5.1e-6).passes, false);
+}
+
+TEST(Result, SetsKeepTheNumbersTheyWereWeighedUnder) {
+    Json input = full_example();
+    input["weigh_in"]["piston_sets"] = {3, 1, 2, 4, 5, 6, 7, 8};
+    const Input read = read_input(input);
+    EXPECT_EQ(read.weigh_in->piston_sets[0], 3);
+    EXPECT_EQ(write_input(read).at("weigh_in").at("piston_sets"), input["weigh_in"]["piston_sets"]);
+    EXPECT_FALSE(write_input(read).at("weigh_in").contains("rod_sets"));
+    input["weigh_in"]["piston_sets"] = {3, 3, 2, 4, 5, 6, 7, 8};
+    EXPECT_THROW(read_input(input), InputError);
+    // Moving the parts moves their numbers, from wherever they are.
+    const WeighIn moved =
+        reassigned(*read.weigh_in, {{1, 0, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3, 4, 5, 7, 6}, 0.0, 0});
+    EXPECT_EQ(moved.piston_sets, (SetNumbers{1, 3, 2, 4, 5, 6, 7, 8}));
+    EXPECT_EQ(moved.rod_sets, (SetNumbers{1, 2, 3, 4, 5, 6, 8, 7}));
+}
+
 TEST(Result, ChangesFromTheWeighInSheet) {
     Json input = full_example();
     input["mass_changes_from"] = "weigh-in";

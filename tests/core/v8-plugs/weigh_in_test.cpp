@@ -181,6 +181,34 @@ TEST(WeighInSheet, MeanOfTheCrankpinsIsTheMethodsExcess) {
     }
 }
 
+TEST(WeighInSheet, NominalMassesOfTheGearFollowFromTheParts) {
+    WeighIn sheet;
+    EXPECT_FALSE(nominal_rotating(sheet));
+    double grams = 100.0;
+    for (const Part part : all_parts) {
+        sheet[part].nominal = (grams += 100.0) * gram;  // 200, 300, … 700
+    }
+    EXPECT_NEAR(*nominal_reciprocating(sheet), (200 + 300 + 400 + 600) * gram, 1e-12);
+    EXPECT_NEAR(*nominal_rotating(sheet), (500 + 700) * gram, 1e-12);
+    sheet[Part::rings].nominal.reset();
+    EXPECT_FALSE(nominal_reciprocating(sheet));
+    EXPECT_TRUE(nominal_rotating(sheet));
+}
+
+TEST(WeighInSheet, KilogramsAreNoticed) {
+    PartColumn column;
+    EXPECT_FALSE(mass_in_kilograms(Part::piston, column));
+    column.mass[3] = 568.2 * gram;
+    column.nominal = 560 * gram;
+    EXPECT_FALSE(mass_in_kilograms(Part::piston, column));
+    column.mass[2] = 0.5682 * gram;
+    EXPECT_EQ(mass_in_kilograms(Part::piston, column), column.mass[2]);
+    column.mass[2].reset();
+    column.nominal = 5.6 * gram;  // a hundredth of the mass
+    EXPECT_EQ(mass_in_kilograms(Part::piston, column), column.nominal);
+    EXPECT_FALSE(mass_in_kilograms(Part::rings, PartColumn{3 * gram, {}, {}}));
+}
+
 TEST(WeighInSheet, StatisticsOfAColumn) {
     PartColumn column;
     EXPECT_FALSE(statistics(column));
