@@ -1,5 +1,6 @@
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QScreen>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTimer>
@@ -193,6 +194,11 @@ int main(int argc, char** argv) {
         const QString trouble = ravnoves::writeScreenshot(window, parser.value(screenshotOption),
                                                           parser.value(sizeOption));
         return trouble.isEmpty() ? 0 : fail(trouble);
+    }
+    if (!QSettings().contains(u"window/geometry"_s)) {
+        // The first window, with its frame and title, fits the screen.
+        const QSize room = window.screen()->availableSize() - QSize(16, 48);
+        window.resize(window.size().boundedTo(room));
     }
     window.show();
     if (report) {

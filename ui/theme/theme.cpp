@@ -2,8 +2,10 @@
 
 #include <QApplication>
 #include <QFontDatabase>
+#include <QPainter>
 #include <QProxyStyle>
 #include <QScreen>
+#include <QStyleOptionComplex>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -62,6 +64,20 @@ class DenseTabs : public QProxyStyle {
         const int room = subControlRect(CC_ComboBox, box, SC_ComboBoxEditField, widget).width() - 2;
         fitted.currentText = box->fontMetrics.elidedText(box->currentText, Qt::ElideRight, room);
         QProxyStyle::drawControl(element, &fitted, painter, widget);
+    }
+
+    /// Fusion shows the focus of a choice only after Tab, and faintly.
+    void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
+                            QPainter* painter, const QWidget* widget) const override {
+        QProxyStyle::drawComplexControl(control, option, painter, widget);
+        if (control == CC_ComboBox && option->state.testFlag(State_HasFocus)) {
+            painter->save();
+            painter->setRenderHint(QPainter::Antialiasing);
+            painter->setPen(QPen(option->palette.color(QPalette::Highlight), 2.0));
+            painter->setBrush(Qt::NoBrush);
+            painter->drawRoundedRect(QRectF(option->rect).adjusted(1.0, 1.0, -1.0, -1.0), 2.0, 2.0);
+            painter->restore();
+        }
     }
 
   private:

@@ -1,21 +1,57 @@
 #include "workshop/job_card.h"
 
 #include <QCoreApplication>
+#include <QImage>
 #include <QPageLayout>
 #include <QPagedPaintDevice>
 #include <QPainter>
 #include <QPdfWriter>
 #include <QSaveFile>
+#include <QSettings>
 #include <algorithm>
 
 #include "workshop/card_page.h"
 
 namespace ravnoves {
 
+namespace {
+
+const QString shopName = QStringLiteral("workshop/shop-name");
+const QString shopLogo = QStringLiteral("workshop/shop-logo");
+
+/// Above the card's title, where the margin is.
+void drawShop(CardPage& page, const Shop& shop) {
+    constexpr double top = 4.0;
+    constexpr double height = 6.4;
+    double x = CardPage::left;
+    const QImage logo = shop.logo.isEmpty() ? QImage() : QImage(shop.logo);
+    if (!logo.isNull()) {
+        const double width = std::min(60.0, height * logo.width() / logo.height());
+        const double scaled = width * logo.height() / logo.width();
+        page.painter().drawImage(page.rect(x, top + (height - scaled) / 2.0, width, scaled), logo);
+        x += width + 3.0;
+    }
+    page.text(x, top + 1.2, CardPage::right - x, shop.name, 9, Qt::AlignLeft, true);
+}
+
+}  // namespace
+
+Shop Shop::kept() {
+    const QSettings settings;
+    return {settings.value(shopName).toString(), settings.value(shopLogo).toString()};
+}
+
+void Shop::keep() const {
+    QSettings settings;
+    settings.setValue(shopName, name);
+    settings.setValue(shopLogo, logo);
+}
+
 void JobCard::paint(QPainter& painter, const QRectF& page) const {
     painter.save();
     painter.fillRect(page, Qt::white);
     CardPage sheet(painter, page);
+    drawShop(sheet, shop_);
     draw(sheet);
     painter.restore();
 }

@@ -12,6 +12,15 @@ namespace ravnoves {
 
 class CardPage;
 
+/// Whose card it is, set once.
+struct Shop {
+    QString name;
+    QString logo;  ///< file of a picture
+
+    static Shop kept();
+    void keep() const;
+};
+
 /// A job card: one sheet of paper, painted in millimetres of A4 by the card of a scene.
 class JobCard {
   public:
@@ -35,6 +44,7 @@ class JobCard {
     QString writePdf(const QString& path) const;
 
     const Words& words() const { return words_; }
+    void setShop(const Shop& shop) { shop_ = shop; }
 
   protected:
     virtual void draw(CardPage& page) const = 0;
@@ -43,6 +53,7 @@ class JobCard {
 
   private:
     Words words_;
+    Shop shop_;
 };
 
 }  // namespace ravnoves

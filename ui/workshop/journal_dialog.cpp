@@ -1,5 +1,6 @@
 #include "workshop/journal_dialog.h"
 
+#include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -28,11 +29,11 @@ struct JournalColumn {
 
 /// What cellsOf() fills.
 QList<JournalColumn> journalColumns() {
-    return {{JournalDialog::tr("Date"), 92},          {JournalDialog::tr("Engine number"), 130},
-            {JournalDialog::tr("Crankshaft"), 100},   {JournalDialog::tr("Customer"), 140},
-            {JournalDialog::tr("Engine"), 76},        {JournalDialog::tr("Technician"), 110},
-            {JournalDialog::tr("Result"), 210},       {JournalDialog::tr("Bob weight, g"), 104},
-            {JournalDialog::tr("Machine, g·mm"), 130}};
+    return {{JournalDialog::tr("Date"), 84},          {JournalDialog::tr("Engine number"), 110},
+            {JournalDialog::tr("Crankshaft"), 84},    {JournalDialog::tr("Customer"), 116},
+            {JournalDialog::tr("Engine"), 62},        {JournalDialog::tr("Technician"), 96},
+            {JournalDialog::tr("Result"), 176},       {JournalDialog::tr("Bob weight, g"), 94},
+            {JournalDialog::tr("Machine, g·mm"), 120}};
 }
 
 }  // namespace
@@ -89,6 +90,9 @@ JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed list
     to_->setPlaceholderText(tr("any day"));
     to_->setMaximumWidth(Theme::withText(110));
     add(tr("&to"), to_, 0);
+    unfinished_ = new QCheckBox(tr("&unfinished only"), this);
+    unfinished_->setObjectName(QStringLiteral("journal_unfinished"));
+    row->addWidget(unfinished_);
     column->addLayout(row);
 
     table_ = new QTableWidget(this);
@@ -136,6 +140,7 @@ JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed list
     column->addLayout(buttons);
 
     connect(text_, &QLineEdit::textChanged, this, &JournalDialog::search);
+    connect(unfinished_, &QCheckBox::toggled, this, &JournalDialog::search);
     connect(from_, &CheckedField::valueEdited, this, &JournalDialog::search);
     connect(to_, &CheckedField::valueEdited, this, &JournalDialog::search);
     for (CheckedField* day : {from_, to_}) {
@@ -163,6 +168,7 @@ JournalQuery JournalDialog::query() const {
     wanted.from = readDay(from_->value());
     wanted.to = readDay(to_->value());
     wanted.scene = scene_;
+    wanted.unfinishedOnly = unfinished_->isChecked();
     return wanted;
 }
 
@@ -184,7 +190,7 @@ QStringList JournalDialog::cellsOf(const Words& words, const JournalJob& job) co
             job.customer,
             listed.engine,
             job.technician,
-            listed.result,
+            job.isFinished ? listed.result : tr("unfinished"),
             number(job.bobWeight),
             machine};
 }

@@ -7,6 +7,7 @@
 #include "workshop/model/journal.h"
 #include "workshop/model/words.h"
 
+class QCheckBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -60,6 +61,7 @@ class JournalDialog : public QDialog {
     QLineEdit* text_;
     CheckedField* from_;
     CheckedField* to_;
+    QCheckBox* unfinished_;
     QTableWidget* table_;
     QLabel* message_;
     QPushButton* open_;

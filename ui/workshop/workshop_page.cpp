@@ -28,6 +28,7 @@
 #include "workshop/journal_dialog.h"
 #include "workshop/model/job_desk.h"
 #include "workshop/sheet_form.h"
+#include "workshop/shop_dialog.h"
 
 namespace ravnoves {
 
@@ -52,6 +53,9 @@ void WorkshopPage::build(const QList<std::pair<SheetForm*, QString>>& sheets, QW
                         this),
         1);
     buildActions();
+    connect(desk(), &JobDesk::journalWaits, this, [this] {
+        Q_EMIT status(tr("Another program is writing to the journal; waiting for it…"));
+    });
     connect(banner_, &JournalBanner::continued, this, &WorkshopPage::continueDraft);
 }
 
@@ -97,7 +101,10 @@ void WorkshopPage::buildActions() {
         return action;
     };
     add(QStringLiteral("save_job"), QStringLiteral("job-done"), tr("&Save job in the journal"),
-        QKeySequence(Qt::Key_F2), tr("Save the job in the journal"), [this] { saveJob(); });
+        QKeySequence(Qt::Key_F2), tr("Save the job in the journal"), [this] { saveJob(true); });
+    add(QStringLiteral("put_aside"), {}, tr("Put job &aside unfinished"),
+        QKeySequence(Qt::SHIFT | Qt::Key_F2),
+        tr("Keep the job in the journal to go on with it another day"), [this] { saveJob(false); });
     add(QStringLiteral("new_job"), QStringLiteral("job-new"), tr("&Next job"),
         QKeySequence(Qt::Key_F4), tr("Next job: the engine's values stay, the rest is empty"),
         [this] { newJob(); });
@@ -113,6 +120,17 @@ void WorkshopPage::buildActions() {
         QKeySequence(Qt::CTRL | Qt::Key_D), tr("Write the job card as PDF"),
         [this] { exportCard(); });
     buildCardLanguages();
+    const auto plain = [this](const QString& name, const QString& text, auto slot) {
+        auto* action = new QAction(text, this);
+        action->setObjectName(name);
+        connect(action, &QAction::triggered, this, slot);
+        actions_ << action;
+    };
+    plain(QStringLiteral("shop"), tr("S&hop on the job card…"),
+          [this] { ShopDialog(this).exec(); });
+    actions_ << nullptr;
+    plain(QStringLiteral("back_up"), tr("&Back up the journal…"), [this] { backUp(); });
+    plain(QStringLiteral("restore"), tr("&Restore from a backup…"), [this] { restore(); });
 }
 
 void WorkshopPage::buildCardLanguages() {
@@ -201,6 +219,13 @@ void WorkshopPage::goOn(QWidget* from) {
 
 void WorkshopPage::showEvent(QShowEvent* event) {
     ScenePage::showEvent(event);
+    // One types at once, and the page's keys work: they ask for a focus on it.
+    QTimer::singleShot(0, this, [this] {
+        if (isVisible() && QApplication::activeModalWidget() == nullptr &&
+            !isAncestorOf(QApplication::focusWidget())) {
+            forms_.at(sheets_->currentIndex())->order().constFirst()->setFocus();
+        }
+    });
     if (!journalTried_) {
         journalTried_ = true;
         // After the first picture of the page: a slow disk must not delay it.
@@ -256,6 +281,9 @@ void WorkshopPage::dropDraft(const QString& name) {
 }
 
 bool WorkshopPage::leaveJob() {
+    if (desk()->isWaiting()) {
+        return false;  // the window is to close while a job is being saved
+    }
     if (!model()->hasChanges()) {
         return true;
     }
@@ -276,12 +304,37 @@ bool WorkshopPage::leaveJob() {
     return answer == QMessageBox::Discard;
 }
 
-void WorkshopPage::saveJob() {
+void WorkshopPage::backUp() {
+    const QString file =
+        askSavePath(this, tr("Back up the journal"),
+                    QStringLiteral("journal-") + QDate::currentDate().toString(Qt::ISODate) +
+                        QStringLiteral(".sqlite"),
+                    {{QStringLiteral("sqlite"), tr("Journal")}});
+    if (!file.isEmpty()) {
+        QMessageBox::information(this, tr("Journal"), desk()->backUpJournal(file));
+    }
+}
+
+void WorkshopPage::restore() {
+    const QString file =
+        askOpenPath(this, tr("Restore from a backup"), {}, tr("Journal (*.sqlite)"));
+    if (!file.isEmpty()) {
+        QMessageBox::information(this, tr("Journal"), desk()->restoreJournal(file));
+    }
+}
+
+std::unique_ptr<JobCard> WorkshopPage::shopsCard() {
+    auto made = card();
+    made->setShop(Shop::kept());
+    return made;
+}
+
+void WorkshopPage::saveJob(bool isFinished) {
     if (!refusedEntriesAreKnown()) {
         return;
     }
     bool saved = false;
-    const QString text = desk()->saveJob(&saved);
+    const QString text = desk()->saveJob(&saved, isFinished);
     if (saved) {
         Q_EMIT status(text);
     } else {
@@ -317,7 +370,7 @@ void WorkshopPage::showJournal() {
 }
 
 void WorkshopPage::paintCard(QPrinter* printer) {
-    if (!card()->print(*printer)) {
+    if (!shopsCard()->print(*printer)) {
         QMessageBox::warning(this, tr("Job card"), tr("The printer cannot be used."));
     }
 }
@@ -348,7 +401,7 @@ void WorkshopPage::printCard() {
 }
 
 QString WorkshopPage::writeCard(const QString& file) {
-    return card()->writePdf(file);
+    return shopsCard()->writePdf(file);
 }
 
 void WorkshopPage::exportCard() {

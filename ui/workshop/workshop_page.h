@@ -71,7 +71,10 @@ class WorkshopPage : public ScenePage {
     bool leaveJob();
     /// Says which entries were refused. @return false where the user goes back to them
     bool refusedEntriesAreKnown();
-    void saveJob();
+    void saveJob(bool isFinished);
+    void backUp();
+    void restore();
+    std::unique_ptr<JobCard> shopsCard();
     void showJournal();
     void newJob();
     void printCard();

@@ -15,6 +15,7 @@ namespace {
 
 constexpr int draftDelay = 300;  // ms after the first change that is in no draft yet
 const QString languageKey = QStringLiteral("workshop/card-language");
+const QString technicianKey = QStringLiteral("workshop/technician");
 
 }  // namespace
 
@@ -69,6 +70,7 @@ bool JobDesk::openJournal() {
     }
     if (!journal_) {
         journal_ = std::make_unique<Journal>(journalPath_);
+        connect(journal_.get(), &Journal::waits, this, &JobDesk::journalWaits);
         connect(journal_.get(), &Journal::reopened, this, [this](const QString& message) {
             if (!message.isEmpty()) {
                 setJournalTrouble(message);
@@ -109,7 +111,32 @@ QByteArray JobDesk::formText() const {
             .dump());
 }
 
-QString JobDesk::saveJob(bool* ok) {
+QString JobDesk::backUpJournal(const QString& file) {
+    if (!openJournal()) {
+        return journalTrouble_;
+    }
+    return journal_->backUp(file) ? tr("The journal is backed up: %1").arg(file)
+                                  : journal_->lastError();
+}
+
+QString JobDesk::restoreJournal(const QString& file) {
+    if (!openJournal()) {
+        return journalTrouble_;
+    }
+    const auto done = journal_->restore(file);
+    if (!done) {
+        return journal_->lastError();
+    }
+    Q_EMIT journalOpened();  // engines may have come with it
+    QString said =
+        tr("Jobs brought back: %1; already in the journal: %2.").arg(done->added).arg(done->known);
+    if (done->missing > 0) {
+        said += QLatin1Char(' ') + tr("Jobs that could not be read: %1.").arg(done->missing);
+    }
+    return said;
+}
+
+QString JobDesk::saveJob(bool* ok, bool isFinished) {
     if (ok != nullptr) {
         *ok = false;
     }
@@ -124,6 +151,7 @@ QString JobDesk::saveJob(bool* ok) {
     job.id = jobId_;
     job.revision = jobRevision_;
     job.scene = model_->sceneName();
+    job.isFinished = isFinished;
     job.form = formText();
     const Journal::Saved saved = journal_->save(job);
     if (saved == Journal::Saved::No) {
@@ -131,6 +159,9 @@ QString JobDesk::saveJob(bool* ok) {
         return journal_->lastError();
     }
     putJobId(job.id, job.revision);
+    if (!job.technician.isEmpty()) {
+        QSettings().setValue(technicianKey, job.technician);
+    }
     draftTimer_.stop();
     draftStale_ = false;
     journal_->discardDraft(journal_->session());
@@ -144,7 +175,8 @@ QString JobDesk::saveJob(bool* ok) {
     const QString done =
         saved == Journal::Saved::AsCopy
             ? tr("Job %1 had been changed elsewhere meanwhile: saved as a new job.").arg(number)
-            : tr("Job %1 saved in the journal.").arg(number);
+        : isFinished ? tr("Job %1 saved in the journal.").arg(number)
+                     : tr("Job %1 put aside in the journal, unfinished.").arg(number);
     const QString missing = scene_.missing();
     return missing.isEmpty() ? done : done + QLatin1Char(' ') + missing;
 }
@@ -175,6 +207,10 @@ QString JobDesk::takeJob(qint64 id, bool isCopy) {
 
 void JobDesk::flushDraft() {
     draftTimer_.stop();
+    if (isWaiting()) {
+        draftTimer_.start();
+        return;
+    }
     if (!draftStale_ || !isOpen() || !model_->hasChanges()) {
         return;
     }
@@ -216,6 +252,10 @@ void JobDesk::discardDraft(const QString& session) {
     if (isOpen()) {
         journal_->discardDraft(session);
     }
+}
+
+QString JobDesk::rememberedTechnician() {
+    return QSettings().value(technicianKey).toString();
 }
 
 void JobDesk::setCardLanguage(const QString& code) {

@@ -39,6 +39,7 @@ class JobDesk : public QObject {
     /// Opens the journal; called once the page is shown. False: no journal, see journalTrouble().
     bool openJournal();
     Journal* journal() { return journal_.get(); }
+    bool isWaiting() const { return journal_ && journal_->isWaiting(); }
     bool isOpen() const { return journal_ && journal_->isOpen(); }
     /// What is wrong with the journal, or what happened to it; empty where nothing.
     QString journalTrouble() const { return journalTrouble_; }
@@ -50,9 +51,12 @@ class JobDesk : public QObject {
     void forgetJob() { putJobId(0, 0); }
     /// `take` brings another job onto the sheet: it has no draft yet.
     void replaceJob(qint64 id, int revision, const std::function<void()>& take);
-    /// Saves the job on the sheet as finished.
+    /// Saves the job on the sheet, finished or to go on with another day.
     /// @return a sentence for the status bar; `ok` says whether it is saved
-    QString saveJob(bool* ok = nullptr);
+    QString saveJob(bool* ok = nullptr, bool isFinished = true);
+    /// The same returns: a sentence.
+    QString backUpJournal(const QString& file);
+    QString restoreJournal(const QString& file);
     /// Opens a job. @return an empty string, or what went wrong
     QString openJob(qint64 id) { return takeJob(id, false); }
     /// Its values as a new job.
@@ -65,6 +69,9 @@ class JobDesk : public QObject {
     QString restoreDraft(const JournalDraft& draft);
     void discardDraft(const QString& session);
 
+    /// Who did the job that was saved last on this computer.
+    static QString rememberedTechnician();
+
     /// Language of the job card: empty for that of the program.
     QString cardLanguage() const { return cardLanguage_; }
     void setCardLanguage(const QString& code);
@@ -72,6 +79,8 @@ class JobDesk : public QObject {
 
   Q_SIGNALS:
     void journalOpened();
+    /// Another program is writing to the journal: what was asked for waits for it.
+    void journalWaits();
     void journalTroubleChanged(const QString& text);
 
   private:

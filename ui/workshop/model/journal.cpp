@@ -1,9 +1,14 @@
 #include "workshop/model/journal.h"
 
+#include <QDeadlineTimer>
 #include <QDir>
+#include <QEventLoop>
+#include <QScopedValueRollback>
 #include <QSqlDatabase>
 #include <QStandardPaths>
+#include <QTimer>
 #include <QUuid>
+#include <utility>
 
 #include "workshop/model/journal_rows.h"
 
@@ -18,23 +23,7 @@ namespace {
 bool journalKept = true;
 
 constexpr int draftPatience = 50;  // ms
-
-/// Waits less long for another program's write while it lives.
-class PatienceFor {
-  public:
-    PatienceFor(const QSqlDatabase& database, int milliseconds) : database_(database) {
-        set(milliseconds);
-    }
-    ~PatienceFor() { set(journal_rows::patience); }
-    PatienceFor(const PatienceFor&) = delete;
-    PatienceFor& operator=(const PatienceFor&) = delete;
-
-  private:
-    void set(int milliseconds) {
-        QSqlQuery(database_).exec(QStringLiteral("PRAGMA busy_timeout = %1").arg(milliseconds));
-    }
-    QSqlDatabase database_;
-};
+constexpr int pauseLength = 20;    // ms
 
 /// The text with the pattern signs of LIKE taken literally.
 QString likePattern(QString text) {
@@ -50,7 +39,8 @@ Journal::Journal(const QString& path, QObject* parent)
     : QObject(parent),
       path_(path),
       connection_(QStringLiteral("journal-") + QUuid::createUuid().toString(QUuid::Id128)),
-      session_(QUuid::createUuid().toString(QUuid::Id128)) {}
+      session_(QUuid::createUuid().toString(QUuid::Id128)),
+      patience_(journal_rows::patience) {}
 
 Journal::~Journal() {
     closeDatabase();
@@ -81,8 +71,33 @@ bool Journal::fail(const QString& what, const QString& why) {
     return false;
 }
 
+/// Lets the window live for a moment, but for keys and mouse: what they ask for comes after this.
+void Journal::pause() {
+    if (!std::exchange(waiting_, true)) {
+        Q_EMIT waits();
+    }
+    QEventLoop loop;
+    QTimer::singleShot(pauseLength, &loop, &QEventLoop::quit);
+    loop.exec(QEventLoop::ExcludeUserInputEvents);
+}
+
+/// Runs a statement, again and again while another program is writing. What is called meanwhile
+/// (a draft) does not wait too.
+bool Journal::execute(QSqlQuery& query, const std::function<bool()>& exec) {
+    const bool isNested = waiting_;
+    const QDeadlineTimer deadline(patience_);
+    bool done = exec();
+    while (!done && !isNested && journal_rows::saysBusy(query.lastError()) &&
+           !deadline.hasExpired()) {
+        pause();
+        done = exec();
+    }
+    waiting_ = isNested;
+    return done;
+}
+
 bool Journal::run(QSqlQuery& query, const QString& what) {
-    if (query.exec()) {
+    if (execute(query, [&] { return query.exec(); })) {
         error_.clear();
         damaged_ = false;
         busy_ = false;
@@ -95,7 +110,7 @@ bool Journal::run(QSqlQuery& query, const QString& what) {
 
 bool Journal::runText(const QString& sql, const QString& what) {
     QSqlQuery query(database());
-    if (query.exec(sql)) {
+    if (execute(query, [&] { return query.exec(sql); })) {
         return true;
     }
     return fail(what, query.lastError().text());
@@ -172,16 +187,17 @@ std::optional<JournalJob> Journal::job(qint64 id) {
 QList<JournalJob> Journal::search(const JournalQuery& wanted) {
     const QString from = bare(wanted.from.toString(Qt::ISODate));
     const QString to = bare(wanted.to.toString(Qt::ISODate));
-    auto found = ask(QStringLiteral("SELECT %1 FROM job"
-                                    " WHERE search LIKE ? ESCAPE '\\'"
-                                    " AND (? = '' OR job_date >= ?)"
-                                    " AND (? = '' OR (job_date <> '' AND job_date <= ?))"
-                                    " AND (? = '' OR scene = ?)"
-                                    " ORDER BY job_date DESC, id DESC LIMIT ?")
-                         .arg(journal_rows::columns),
-                     {likePattern(journal_rows::folded(wanted.text.trimmed())), from, from, to, to,
-                      bare(wanted.scene), bare(wanted.scene), wanted.limit},
-                     tr("The journal could not be searched."));
+    auto found =
+        ask(QStringLiteral("SELECT %1 FROM job"
+                           " WHERE search LIKE ? ESCAPE '\\'"
+                           " AND (? = '' OR job_date >= ?)"
+                           " AND (? = '' OR (job_date <> '' AND job_date <= ?))"
+                           " AND (? = '' OR scene = ?) AND is_finished <= ?"
+                           " ORDER BY job_date DESC, id DESC LIMIT ?")
+                .arg(journal_rows::columns),
+            {likePattern(journal_rows::folded(wanted.text.trimmed())), from, from, to, to,
+             bare(wanted.scene), bare(wanted.scene), wanted.unfinishedOnly ? 0 : 1, wanted.limit},
+            tr("The journal could not be searched."));
     QList<JournalJob> jobs;
     while (found && found->next()) {
         jobs << journal_rows::read(*found);
@@ -205,7 +221,7 @@ bool Journal::saveDraft(const JournalDraft& draft) {
     }
     // A draft is written while the user types: it does not wait for another program's write as a
     // job does, it is tried again.
-    const PatienceFor patience(database(), draftPatience);
+    const QScopedValueRollback patience(patience_, draftPatience);
     return ask(QStringLiteral("INSERT INTO draft"
                               " (session, job_id, job_revision, engine_number, saved, form, scene)"
                               " VALUES (?, ?, ?, ?, ?, ?, ?)"

@@ -9,6 +9,7 @@
 #include <QObject>
 #include <QString>
 #include <QVariant>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -38,6 +39,7 @@ struct JournalJob {
     std::optional<double> frontReading;    ///< g·mm, what the machine read at last
     std::optional<double> rearReading;     ///< g·mm
     QString verdict;                       ///< "passes", "fails" or empty
+    bool isFinished = true;                ///< false: put aside, to go on with
     QDateTime saved;                       ///< UTC
     QByteArray form;                       ///< JSON text, UTF-8
 };
@@ -59,12 +61,20 @@ struct JournalEngine {
     QByteArray values;  ///< the what the scene keeps of it, JSON text
 };
 
+/// What came out of a backup.
+struct JournalRestored {
+    int added = 0;          ///< jobs that were not in the journal any more
+    int known = 0;          ///< jobs that are there as they were
+    qsizetype missing = 0;  ///< could not be read
+};
+
 struct JournalQuery {
     QString text;    ///< in the numbers, customer, technician or engine; empty: all
     QDate from;      ///< first day; invalid: no bound
     QDate to;        ///< last day
     int limit = -1;  ///< the newest so many; -1: all
     QString scene;   ///< the jobs of this one; empty: of all
+    bool unfinishedOnly = false;
 };
 
 /// The workshop's journal: an SQLite database in the user's data folder.
@@ -115,6 +125,9 @@ class Journal : public QObject {
     const QString& session() const { return session_; }
     /// False also where another program is writing: wasBusy(), and it is to be tried again soon.
     bool saveDraft(const JournalDraft& draft);
+    /// True while a call waits for another program's write: the window lives meanwhile, but takes
+    /// no keys.
+    bool isWaiting() const { return waiting_; }
     /// True where the last failure was another program's write.
     bool wasBusy() const { return busy_; }
     bool discardDraft(const QString& session);
@@ -127,6 +140,13 @@ class Journal : public QObject {
     bool removeEngine(const QString& name);
     QList<JournalEngine> engines();
 
+    /// Writes all that is in the journal to a file of its own, which restore() reads; a file that
+    /// is there already stays whole when anything fails.
+    bool backUp(const QString& file);
+    /// Adds the jobs and engines of a backup, or of a file that was set aside, that are not in the
+    /// journal. Nothing where it is no journal: lastError().
+    std::optional<JournalRestored> restore(const QString& file);
+
     /// The jobs as CSV (RFC 4180, UTF-8 with byte-order mark), written so that a file already there
     /// stays whole when anything fails. Decimal sign and separator are those that a spreadsheet of
     /// the locale expects: point and comma, or comma and semicolon.
@@ -134,6 +154,8 @@ class Journal : public QObject {
     static QString csvText(const QList<JournalJob>& jobs, const QLocale& locale = QLocale());
 
   Q_SIGNALS:
+    /// A call begins to wait for another program's write.
+    void waits();
     /// The file was replaced or found damaged while it was open, and was opened again; the message
     /// is empty where nothing was set aside.
     void reopened(const QString& message);
@@ -153,10 +175,14 @@ class Journal : public QObject {
     bool isDamaged();
     bool putAside(const QString& why);
     QString takeOver(const QString& damaged);
+    JournalRestored addFrom(const QString& file);
+    void removeStaleLocks();
     /// Runs a statement with values for its ?; nothing where it fails, see lastError().
     std::optional<QSqlQuery> ask(const QString& sql, const QVariantList& values,
                                  const QString& cannot);
     bool run(QSqlQuery& query, const QString& what);
+    bool execute(QSqlQuery& query, const std::function<bool()>& exec);
+    void pause();
     bool runText(const QString& sql, const QString& what);
     bool fail(const QString& what, const QString& why);
     QString lockPath(const QString& session) const;
@@ -171,6 +197,8 @@ class Journal : public QObject {
     std::optional<std::pair<quint64, quint64>> identity_;  // device and inode of the open file
     bool damaged_ = false;                                 // the last error was a damaged file
     bool busy_ = false;                                    // … or another program's write
+    bool waiting_ = false;
+    int patience_;  // ms, for another program's write
 };
 
 }  // namespace ravnoves

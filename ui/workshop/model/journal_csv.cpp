@@ -67,6 +67,7 @@ QString Journal::csvText(const QList<JournalJob>& jobs, const QLocale& locale) {
                                      QStringLiteral("front_reading_g_mm"),
                                      QStringLiteral("rear_reading_g_mm"),
                                      QStringLiteral("scene"),
+                                     QStringLiteral("finished"),
                                      QStringLiteral("saved_utc")};
     QString text = csv.line(columns);
     for (const JournalJob& job : jobs) {
@@ -76,7 +77,9 @@ QString Journal::csvText(const QList<JournalJob>& jobs, const QLocale& locale) {
              csv.text(job.process), csv.number(job.unbalancedMass, 3), csv.text(job.recommended),
              csv.number(job.reduction, 3), csv.number(job.bobWeight, 1),
              csv.text(job.crankshaftNumber), csv.text(job.verdict), csv.number(job.frontReading, 1),
-             csv.number(job.rearReading, 1), csv.text(job.scene), job.saved.toString(Qt::ISODate)});
+             csv.number(job.rearReading, 1), csv.text(job.scene),
+             job.isFinished ? QStringLiteral("yes") : QStringLiteral("no"),
+             job.saved.toString(Qt::ISODate)});
     }
     return text;
 }

@@ -9,9 +9,9 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QSqlDatabase>
-#include <QThread>
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <map>
 #include <set>
 
@@ -42,7 +42,7 @@ class Gate {
     Gate& operator=(const Gate&) = delete;
 
     /// @return false where another program still holds it after `patience` ms, or there is no file
-    bool pass(int patience) const {
+    bool pass(int patience, const std::function<void()>& pause) const {
         QDeadlineTimer deadline(patience);
         while (handle_ >= 0) {
             if (::flock(handle_, LOCK_EX | LOCK_NB) == 0) {
@@ -54,7 +54,7 @@ class Gate {
             if (deadline.hasExpired()) {
                 return false;
             }
-            QThread::msleep(5);
+            pause();
         }
         return false;
     }
@@ -76,7 +76,9 @@ bool Journal::open() {
     }
     // One program at a time looks whether the file is whole, so that two cannot set it aside.
     const Gate gate(path_ + QStringLiteral(".opening"));
-    if (!gate.pass(journal_rows::patience)) {
+    const bool isThrough = gate.pass(patience_, [this] { pause(); });
+    waiting_ = false;
+    if (!isThrough) {
         return fail(tr("The journal %1 cannot be opened: its folder cannot be written, or another "
                        "program is busy with it.")
                         .arg(path_),
@@ -102,8 +104,30 @@ bool Journal::open() {
     sessionLock_ = std::make_unique<QLockFile>(lockPath(session_));
     sessionLock_->setStaleLockTime(0);
     sessionLock_->tryLock(0);
+    removeStaleLocks();
     error_.clear();
     return true;
+}
+
+/// What killed programs left, once their drafts are gone; the lock of one that runs cannot be
+/// taken.
+void Journal::removeStaleLocks() {
+    const QFileInfo info(path_);
+    const QDir folder(info.absolutePath());
+    for (const QFileInfo& file :
+         folder.entryInfoList({info.fileName() + QStringLiteral(".*.running")}, QDir::Files)) {
+        if (file.filePath() == QFileInfo(lockPath(session_)).absoluteFilePath()) {
+            continue;
+        }
+        QLockFile lock(file.filePath());
+        lock.setStaleLockTime(0);
+        lock.tryLock(0);  // goes with the lock
+        // One that was never written says nothing of its program, which had no time for a draft.
+        if (!lock.isLocked() && file.size() == 0 &&
+            file.lastModified().secsTo(QDateTime::currentDateTime()) > 60) {
+            QFile::remove(file.filePath());
+        }
+    }
 }
 
 std::optional<std::pair<quint64, quint64>> Journal::fileIdentity() const {
@@ -134,7 +158,7 @@ bool Journal::openDatabase() {
     {
         QSqlDatabase db = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), connection_);
         db.setDatabaseName(path_);
-        db.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(journal_rows::patience));
+        db.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=10"));
         if (!db.open()) {
             return fail(tr("The journal %1 cannot be opened.").arg(path_), db.lastError().text());
         }
@@ -229,7 +253,8 @@ bool Journal::makeTables() {
                        " crankshaft_number TEXT NOT NULL DEFAULT '',"
                        " front_reading_g_mm REAL,"
                        " rear_reading_g_mm REAL,"
-                       " verdict TEXT NOT NULL DEFAULT '')"),
+                       " verdict TEXT NOT NULL DEFAULT '',"
+                       " is_finished INTEGER NOT NULL DEFAULT 1)"),
         QStringLiteral("CREATE INDEX IF NOT EXISTS job_date ON job (job_date)"),
         QStringLiteral("CREATE INDEX IF NOT EXISTS job_engine_number ON job (engine_number)"),
         QStringLiteral("CREATE TABLE IF NOT EXISTS draft ("
@@ -255,6 +280,7 @@ bool Journal::fromVersionOne() {
         QStringLiteral("ALTER TABLE job ADD COLUMN front_reading_g_mm REAL"),
         QStringLiteral("ALTER TABLE job ADD COLUMN rear_reading_g_mm REAL"),
         QStringLiteral("ALTER TABLE job ADD COLUMN verdict TEXT NOT NULL DEFAULT ''"),
+        QStringLiteral("ALTER TABLE job ADD COLUMN is_finished INTEGER NOT NULL DEFAULT 1"),
         QStringLiteral("ALTER TABLE draft ADD COLUMN scene TEXT NOT NULL DEFAULT 'v8-plugs'")};
     if (!runAll(statements)) {
         return false;
@@ -410,13 +436,12 @@ Rescued rescue(const QSqlDatabase& database) {
 
 }  // namespace
 
-/// @return how many jobs came over and how many did not, in words
-QString Journal::takeOver(const QString& damaged) {
-    const QString connection = connection_ + QStringLiteral("-damaged");
+JournalRestored Journal::addFrom(const QString& file) {
+    const QString connection = connection_ + QStringLiteral("-other");
     Rescued found;
     {
         QSqlDatabase db = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), connection);
-        db.setDatabaseName(damaged);
+        db.setDatabaseName(file);
         db.setConnectOptions(QStringLiteral("QSQLITE_OPEN_READONLY"));
         if (db.open()) {
             found = rescue(db);
@@ -424,32 +449,87 @@ QString Journal::takeOver(const QString& damaged) {
         }
     }
     QSqlDatabase::removeDatabase(connection);
-    int count = 0;
     identity_ = fileIdentity();
+    // What is there as it was, by the time of its saving and its form.
+    std::set<std::pair<qint64, QString>> known;
+    auto there = ask(QStringLiteral("SELECT saved, form FROM job"), {}, {});
+    while (there && there->next()) {
+        known.emplace(there->value(0).toLongLong(), there->value(1).toString());
+    }
+    there.reset();
+    JournalRestored done;
+    done.missing = found.missing;
     const bool together = database().transaction();  // one sync for all
     for (auto& [id, job] : found.jobs) {
         const QDateTime saved = job.saved;
+        if (known.contains({saved.toMSecsSinceEpoch(), QString::fromUtf8(job.form)})) {
+            ++done.known;
+            continue;
+        }
         job.id = 0;
         if (saveOnce(job) == Saved::Yes) {
-            ++count;
-            QSqlQuery query(database());
-            query.prepare(QStringLiteral("UPDATE job SET saved = ? WHERE id = ?"));
-            query.addBindValue(journal_rows::stamp(saved));
-            query.addBindValue(job.id);
-            query.exec();
+            ++done.added;
+            ask(QStringLiteral("UPDATE job SET saved = ? WHERE id = ?"),
+                {journal_rows::stamp(saved), job.id}, {});
         }
     }
+    QStringList names;
+    for (const JournalEngine& engine : engines()) {
+        names << engine.name;
+    }
     for (const JournalEngine& engine : found.engines) {
-        saveEngine(engine);
+        if (!names.contains(engine.name)) {
+            saveEngine(engine);
+        }
     }
     if (together && !database().commit()) {
-        found.missing += count;
-        count = 0;
+        done.missing += done.added;
+        done.added = 0;
     }
-    const QString taken = tr("Jobs taken over from it: %1.").arg(count);
-    return found.missing == 0 ? taken
-                              : taken + QLatin1Char(' ') +
-                                    tr("Jobs that could not be read: %1.").arg(found.missing);
+    return done;
+}
+
+/// @return how many jobs came over and how many did not, in words
+QString Journal::takeOver(const QString& damaged) {
+    const JournalRestored done = addFrom(damaged);
+    const QString taken = tr("Jobs taken over from it: %1.").arg(done.added);
+    return done.missing == 0 ? taken
+                             : taken + QLatin1Char(' ') +
+                                   tr("Jobs that could not be read: %1.").arg(done.missing);
+}
+
+bool Journal::backUp(const QString& file) {
+    const QString cannot = tr("The backup %1 could not be written.").arg(file);
+    const QString part = file + QStringLiteral(".part");
+    QFile::remove(part);
+    if (!ask(QStringLiteral("VACUUM INTO ?"), {part}, cannot)) {
+        QFile::remove(part);
+        return false;
+    }
+    if (std::rename(QFile::encodeName(part).constData(), QFile::encodeName(file).constData()) !=
+        0) {
+        QFile::remove(part);
+        return fail(cannot, {});
+    }
+    return true;
+}
+
+std::optional<JournalRestored> Journal::restore(const QString& file) {
+    if (!isReady()) {
+        return std::nullopt;
+    }
+    const QString cannot = tr("%1 is no backup of a journal.").arg(file);
+    if (QFileInfo(file) == QFileInfo(path_)) {
+        fail(cannot, {});
+        return std::nullopt;
+    }
+    const JournalRestored done = addFrom(file);
+    if (done.added + done.known + done.missing == 0) {
+        fail(cannot, {});
+        return std::nullopt;
+    }
+    error_.clear();
+    return done;
 }
 
 }  // namespace ravnoves

@@ -41,9 +41,11 @@ const QString columnsOfVersionOne = QStringLiteral(
     "unbalanced_mass_g, recommended, reduction_g, bob_weight_g, saved, form");
 const QString columns =
     columnsOfVersionOne +
-    QStringLiteral(", scene, crankshaft_number, front_reading_g_mm, rear_reading_g_mm, verdict");
+    QStringLiteral(
+        ", scene, crankshaft_number, front_reading_g_mm, rear_reading_g_mm, verdict, "
+        "is_finished");
 const QString written = columns.section(QStringLiteral(", "), 2) + QStringLiteral(", search");
-const QString places = QStringLiteral("?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?");
+const QString places = QStringLiteral("?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?");
 
 QString folded(const QString& text) {
     return text.toCaseFolded();
@@ -102,6 +104,7 @@ JournalJob read(const QSqlQuery& query) {
     job.frontReading = orNothing(query.value(16));
     job.rearReading = orNothing(query.value(17));
     job.verdict = query.value(18).toString();
+    job.isFinished = query.value(19).toBool();
     return job;
 }
 
@@ -113,7 +116,8 @@ void bind(QSqlQuery& query, const JournalJob& job) {
           orNull(job.unbalancedMass), QVariant(bare(job.recommended)), orNull(job.reduction),
           orNull(job.bobWeight), stamp(job.saved), QVariant(bare(QString::fromUtf8(job.form))),
           QVariant(bare(job.scene)), QVariant(bare(job.crankshaftNumber)), orNull(job.frontReading),
-          orNull(job.rearReading), QVariant(bare(job.verdict)), QVariant(searchText(job))}) {
+          orNull(job.rearReading), QVariant(bare(job.verdict)), QVariant(job.isFinished ? 1 : 0),
+          QVariant(searchText(job))}) {
         query.addBindValue(value);
     }
 }
