@@ -67,6 +67,7 @@ QWidget* AnswerView::buildAdvice() {
     advice_ = namedLabel(panel, "advice", Theme::displaySize, true);
     boring_ = namedLabel(panel, "boring", Theme::titleSize);
     hang_ = namedLabel(panel, "hang", Theme::titleSize, true);
+    plugs_ = namedLabel(panel, "plugs_while_hung", Theme::baseSize);
     excess_ = namedLabel(panel, "excess", Theme::baseSize);
     excess_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     troubles_ = namedLabel(panel, "troubles", Theme::baseSize);
@@ -80,6 +81,7 @@ QWidget* AnswerView::buildAdvice() {
     column->addWidget(advice_);
     column->addWidget(boring_);
     column->addLayout(numbers);
+    column->addWidget(plugs_);
     column->addWidget(troubles_);
     column->addWidget(options_);
     return panel;
@@ -122,6 +124,19 @@ QWidget* AnswerView::buildPlots() {
     return holder;
 }
 
+/// In a narrow window the names of the options need the room of what one only looks up.
+void AnswerView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    const bool isNarrow = width() < Theme::withText(besideEachOther);
+    if (isNarrow != isNarrow_) {
+        isNarrow_ = isNarrow;
+        for (const int column : {1, 2, 5}) {
+            options_->setColumnHidden(column, isNarrow);
+        }
+        showAdvice();
+    }
+}
+
 void AnswerView::showAnswer() {
     showAdvice();
     showBobWeights();
@@ -145,11 +160,12 @@ void AnswerView::showAdvice() {
                                    : theme.error());
     say(boring_, model_->boringText());
     say(hang_, model_->hangText());
+    say(plugs_, model_->plugsText());
     const bool known = model_->solution().before.has_value();
     hang_->setFont(Theme::font(known ? Theme::titleSize : Theme::baseSize, known));
     say(troubles_, model_->troubles().join(QLatin1Char('\n')));
     colourText(troubles_, theme.warning());
-    options_->setRows(model_->optionRows());
+    options_->setRows(model_->optionRows(isNarrow_));
     for (int row = 0; row < options_->rowCount(); ++row) {
         const bool methodAlone = v8_text::methodAlone(
             model_->solution(), v8_plugs::all_options.at(static_cast<std::size_t>(row)));
@@ -165,7 +181,9 @@ void AnswerView::showBobWeights() {
     const auto weights = model_->bobWeightRows();
     bobWeights_->setRows(weights);
     bobWeights_->setVisible(!weights.isEmpty());
-    say(check_, weights.isEmpty() ? model_->missingText() : model_->checkText());
+    QStringList said{model_->checkText(), model_->rodFactorText()};
+    said.removeAll(QString());
+    say(check_, weights.isEmpty() ? model_->missingText() : said.join(QLatin1Char('\n')));
     const bool doubtful = model_->solution().shift_that_matters() != nullptr;
     const Theme& theme = Theme::instance();
     colourText(check_, doubtful ? theme.warning() : theme.mutedText());

@@ -27,6 +27,9 @@ class AnswerView : public QWidget {
     CompensationPlot* compensationPlot() const { return compensation_; }
     ShiftPlot* shiftPlot() const { return shift_; }
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
     QWidget* buildAdvice();
     QWidget* buildBobWeights();
@@ -36,10 +39,12 @@ class AnswerView : public QWidget {
     void showBobWeights();
 
     V8PlugsModel* model_;
+    bool isNarrow_ = false;
     QLabel* excess_ = nullptr;
     QLabel* advice_ = nullptr;
     QLabel* boring_ = nullptr;
     QLabel* hang_ = nullptr;
+    QLabel* plugs_ = nullptr;
     QLabel* troubles_ = nullptr;
     ResultTable* options_ = nullptr;
     ResultTable* bobWeights_ = nullptr;

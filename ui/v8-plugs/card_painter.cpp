@@ -26,8 +26,8 @@ constexpr double inputRow = 3.6;  // mm
 void CardPainter::paint() {
     // A card with a warning has much to say.
     const double gap = v8_text::shiftWarning(words_, input_, solution_).isEmpty() ? 2.2 : 1.0;
-    constexpr double machineTop = 244.0;
-    constexpr double signaturesTop = 273.5;
+    constexpr double machineTop = 247.5;
+    constexpr double signaturesTop = 276.5;
     double y = head(CardPage::top);
     y = answer(y + gap);
     y = inputs(y + gap);
@@ -258,7 +258,14 @@ double CardPainter::bobWeightTable(double y) {
     double height = table.draw(sheet_, left, y);
     sheet_.text(left, y + height + 0.8, 112, v8_text::hang(words_, solution_), 10, Qt::AlignLeft,
                 true);
-    return height + 5.5;
+    sheet_.text(left, y + height + 4.9, 112, v8_text::plugsWhileHung(words_, solution_), 7.2);
+    height += 7.9;
+    if (solution_.changes.rod_big_end != 0.0) {
+        sheet_.text(left, y + height, 112, v8_text::rodFactor(words_, input_, solution_), 6.8,
+                    Qt::AlignLeft, false, CardPage::grey);
+        height += 2.7;
+    }
+    return height;
 }
 
 void CardPainter::plug(double x, double y, double w, double h) {

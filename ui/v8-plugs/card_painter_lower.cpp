@@ -49,16 +49,21 @@ double CardPainter::weighIn(double y) {
             << grams(found->spread) + (found->within_permitted ? QString() : QStringLiteral(" !"));
         table.add({row});
     }
-    if (solution_.assignment) {
-        const auto add = [&](const QString& name, const std::vector<int>& from) {
+    if (solution_.assignment || v8_text::isMoved(*input_.weigh_in)) {
+        const auto add = [&](const QString& name, const std::vector<int>& numbers) {
             QStringList row{name, QString()};
-            for (const int cylinder : from) {
-                row << QString::number(cylinder + 1);
+            for (const int number : numbers) {
+                row << QString::number(number);
             }
             table.add({row, true, true});
         };
-        add(words_.translate("JobCard", "Piston set from"), solution_.assignment->pistons);
-        add(words_.translate("JobCard", "Rod set from"), solution_.assignment->rods);
+        const auto* moves = solution_.assignment ? &*solution_.assignment : nullptr;
+        add(words_.translate("JobCard", "Piston set from"),
+            v8_text::setNumbers(input_.weigh_in->piston_sets,
+                                moves != nullptr ? &moves->pistons : nullptr));
+        add(words_.translate("JobCard", "Rod set from"),
+            v8_text::setNumbers(input_.weigh_in->rod_sets,
+                                moves != nullptr ? &moves->rods : nullptr));
     }
     double height = 5.0 + table.draw(sheet_, left, y + 5.0);
     const auto say = [&](const QString& text, const QColor& colour) {
@@ -67,7 +72,7 @@ double CardPainter::weighIn(double y) {
             height += 3.8;
         }
     };
-    say(v8_text::assignmentText(words_, solution_), CardPage::ink);
+    say(v8_text::assignmentText(words_, input_, solution_), CardPage::ink);
     const QString notCounted = v8_text::notCounted(words_, input_).join(QLatin1Char(' '));
     if (sheet_.textWidth(notCounted, 7.5) < 0.6 * full) {
         // Beside the heading: a full card has no line to spare.
@@ -85,7 +90,12 @@ double CardPainter::remarks(double y, double end) {
     Input shown = input_;
     shown.weigh_in.reset();  // its table above marks what is too far apart or missing
     shown.changes_from_weigh_in = false;
+    const QString doubts = v8_text::massTroubles(words_, input_).join(QLatin1Char(' '));
+    y += sheet_.paragraph(left, y, full, doubts, 6.8, 2, false, CardPage::amber);
     QStringList list = v8_text::troubles(words_, shown, solution_);
+    for (const QString& each : v8_text::massTroubles(words_, shown)) {
+        list.removeAll(each);
+    }
     if (const QString warning = v8_text::shiftWarning(words_, input_, solution_);
         !warning.isEmpty()) {
         list.removeAll(warning);  // the answer itself says it
@@ -116,36 +126,30 @@ void CardPainter::machine(double y) {
         limits = words_.translate("JobCard", "ISO 21940-11: no grade, mass and speed given.");
     }
     sheet_.text(left, y + 5.2, full, limits, 8);
+    sheet_.paragraph(left, y + 8.4, full, v8_text::machineLimits(words_, input_, solution_), 6.5, 2,
+                     false, CardPage::grey);
     CardTable table({{44, Qt::AlignLeft},
                      {38},
                      {38, Qt::AlignHCenter},
                      {31, Qt::AlignHCenter},
                      {31, Qt::AlignHCenter}},
-                    8, 6.2);
+                    8, 4.8);
     table.head({words_.translate("JobCard", "Correction plane"),
                 words_.translate("JobCard", "permissible, %1").arg(unitUnbalance()),
                 words_.translate("JobCard", "reading, %1").arg(unitUnbalance()),
                 words_.translate("JobCard", "angle, °"), words_.translate("JobCard", "verdict")});
-    const BalancingSheet sheet = input_.balancing.value_or(BalancingSheet{});
     const QString byHand = QStringLiteral("…………………");
-    const auto row = [&](const QString& name, const PlaneVerdict* plane,
-                         std::optional<double> BalancingSheet::*member) {
-        const std::optional<double>& reading = sheet.*member;
-        const bool judged = plane != nullptr && plane->passes.has_value();
+    const auto row = [&](const QString& name, const PlaneVerdict& plane) {
         table.add(
-            {{name,
-              plane != nullptr ? words_.number(plane->permissible / units::gram_mm, 1) : missing,
-              reading ? words_.number(*reading / units::gram_mm, 1) : byHand, byHand,
-              !judged          ? byHand
-              : *plane->passes ? words_.translate("JobCard", "passes")
-                               : words_.translate("JobCard", "fails")}});
+            {{name, words_.number(plane.permissible / units::gram_mm, 1),
+              plane.reading ? words_.number(*plane.reading / units::gram_mm, 1) : byHand, byHand,
+              !plane.passes   ? byHand
+              : *plane.passes ? words_.translate("JobCard", "passes")
+                              : words_.translate("JobCard", "fails")}});
     };
-    row(words_.translate("JobCard", "Front (pulley)"),
-        solution_.balancing ? &solution_.balancing->front : nullptr,
-        &BalancingSheet::front_reading);
-    row(words_.translate("JobCard", "Rear (flywheel)"),
-        solution_.balancing ? &solution_.balancing->rear : nullptr, &BalancingSheet::rear_reading);
-    table.draw(sheet_, left, y + 9.2);
+    row(words_.translate("JobCard", "Front (pulley)"), solution_.planes[0]);
+    row(words_.translate("JobCard", "Rear (flywheel)"), solution_.planes[1]);
+    table.draw(sheet_, left, y + 14.3);
 }
 
 }  // namespace ravnoves

@@ -14,13 +14,6 @@ namespace ravnoves {
 using namespace v8_plugs;
 
 EngineSheet::EngineSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model, parent) {
-    section({});
-    QLabel* note = captionLabel({}, this);
-    current()->addWide(note);
-    follow([this, note] {
-        note->setText(model_->engineNote());
-        note->setVisible(!note->text().isEmpty());
-    });
     section(tr("Crankshaft and today's plugs"));
     addValues(EngineGroup::basic);
     section({});
@@ -33,7 +26,26 @@ EngineSheet::EngineSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model, 
              EngineGroup::new_plug, &Engine::has_new_plug);
     section(tr("Nominal masses, for the bob weight"));
     addValues(EngineGroup::bob_weight);
+    auto* fill = new QPushButton(tr("&Fill from the nominal parts"), this);
+    fill->setObjectName(QStringLiteral("fill_masses"));
+    fill->setToolTip(
+        tr("Reciprocating: piston, pin, rings, small end; rotating: big end and shells, by the "
+           "nominal masses of the weigh-in sheet."));
+    fill->setMinimumHeight(Theme::withText(fieldHeight));
+    current()->addWide(fill);
+    connect(fill, &QPushButton::clicked, model_, &V8PlugsModel::fillNominalMasses);
+    follow([this, fill] { fill->setEnabled(model_->canFillNominalMasses()); });
     addOwnEngineButtons();
+    // Below the fields: they must not move while one types.
+    QLabel* note = captionLabel({}, this);
+    note->setObjectName(QStringLiteral("engine_note"));
+    current()->addWide(note);
+    follow([this, note] {
+        QStringList said{model_->engineNote(), model_->carriedOver()};
+        said.removeAll(QString());
+        note->setText(said.join(QLatin1Char('\n')));
+        note->setVisible(!said.isEmpty());
+    });
     finish();
 }
 

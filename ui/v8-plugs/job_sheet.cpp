@@ -1,6 +1,7 @@
 #include "v8-plugs/job_sheet.h"
 
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 
 #include "text/message_text.h"
@@ -86,12 +87,26 @@ void JobSheet::buildChanges() {
                              (!each.repair_only || model_->input().process == Process::repair));
         });
     }
+    number("/tolerance_g_mm");
+    // Below the fields: they must not move while one types.
+    line(Theme::smallSize, [this] {
+        return model_->toleranceText();
+    })->setObjectName(QStringLiteral("tolerance_owner"));
+    auto* keep = new QPushButton(tr("&Make it the shop's own"), this);
+    keep->setObjectName(QStringLiteral("keep_tolerance"));
+    keep->setToolTip(tr("New jobs begin with this limit."));
+    keep->setMinimumHeight(Theme::withText(fieldHeight));
+    current()->addWide(keep);
+    connect(keep, &QPushButton::clicked, model_, &V8PlugsModel::keepTolerance);
+    follow([this, keep] { keep->setVisible(!model_->isShopsTolerance()); });
     line(Theme::smallSize, [this] {
         return model_->input().changes_from_weigh_in
                    ? tr("Those in grey are taken from the weigh-in sheet.")
                    : QString();
     });
-    number("/tolerance_g_mm");
+    line(Theme::smallSize, [this] {
+        return model_->carriedOver();
+    })->setObjectName(QStringLiteral("carried_over"));
 }
 
 }  // namespace ravnoves

@@ -11,7 +11,6 @@ MachineSheet::MachineSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model
     number("/balancing/rotor_mass_kg");
     number("/balancing/service_speed_rpm");
     number("/balancing/front_share");
-    line(Theme::baseSize, [this] { return model_->isoText(); });
     section(tr("What the machine reads"));
     number("/balancing/front_reading_g_mm");
     number("/balancing/rear_reading_g_mm");
@@ -22,6 +21,10 @@ MachineSheet::MachineSheet(V8PlugsModel* model, QWidget* parent) : V8Sheet(model
     planes_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     current()->addWide(planes_);
     follow([this] { planes_->setRows(model_->planeRows()); });
+    line(Theme::baseSize, [this] { return model_->isoText(); });
+    line(Theme::smallSize, [this] {
+        return model_->machineLimitsText();
+    })->setObjectName(QStringLiteral("machine_limits"));
     section(tr("Notes on the job card"));
     text("/job/notes", 200);
     finish();

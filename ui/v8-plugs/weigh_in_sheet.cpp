@@ -22,6 +22,7 @@ namespace {
 
 constexpr int cellHeight = 30;  // all of the sheet has to be seen on 800 lines
 constexpr int rows = WeighInTable::rows;
+constexpr int titleColumn = 70;
 
 QVBoxLayout* columnOf(QWidget* sheet) {
     return static_cast<QVBoxLayout*>(sheet->layout());
@@ -33,6 +34,9 @@ QLabel* put(QGridLayout* grid, int row, int column, const QString& text, int siz
     auto* label = new QLabel(text);
     label->setFont(Theme::font(size, bold));
     label->setWordWrap(column == 0 || row == 0);
+    if (column == 0) {
+        label->setMaximumWidth(Theme::withText(titleColumn));  // the numbers need the room
+    }
     label->setAlignment(row == 0 ? Qt::AlignCenter : Qt::AlignRight | Qt::AlignVCenter);
     grid->addWidget(label, row, column);
     return label;
@@ -124,7 +128,8 @@ NumberField* WeighInSheet::addCell(int row, int column) {
     field->setOptional(true);
     field->setMinimumWidth(Theme::withText(44));
     field->setMinimumHeight(Theme::withText(cellHeight));
-    field->setFont(Theme::font(Theme::titleSize));
+    field->setFont(Theme::font(Theme::baseSize));
+    field->setTextMargins(-1, 0, -1, 0);  // "1568.52" is seen whole
     field->installEventFilter(this);
     bind(
         field,

@@ -143,7 +143,7 @@ TEST_F(V8ModelTest, RulesBetweenFieldsAreNamedNotLost) {
     EXPECT_TRUE(model.plugWeightText().contains(u" in steel"_s));
 }
 
-TEST_F(V8ModelTest, PresetsBringThePrintedSizesAndLeaveTypedOnes) {
+TEST_F(V8ModelTest, PresetsBringThePrintedSizesAndLeaveTheCutter) {
     V8PlugsModel model({});
     EXPECT_EQ(*model.input().plug, printed_plug("4.25 l"));
     EXPECT_NEAR(model.input().plug->thread->diameter, 22e-3, 1e-12);
@@ -159,9 +159,9 @@ TEST_F(V8ModelTest, PresetsBringThePrintedSizesAndLeaveTypedOnes) {
     model.chooseEngine(3);  // 8.32 l: none printed
     EXPECT_FALSE(model.input().plug->thread);
     model.edit(u"height"_s, [](Input& input) { input.plug->height = 12.5e-3; });
-    model.chooseEngine(0);
-    EXPECT_FALSE(model.input().plug->thread);
-    EXPECT_NEAR(*model.input().plug->height, 12.5e-3, 1e-12);
+    model.chooseEngine(0);  // another engine, another plug
+    EXPECT_EQ(model.input().plug->thread, printed_plug("4.25 l").thread);
+    EXPECT_NEAR(*model.input().plug->height, 14e-3, 1e-12);
 }
 
 TEST_F(V8ModelTest, ColumnsHalfWeighedAreNamed) {

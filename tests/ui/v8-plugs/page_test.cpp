@@ -13,19 +13,24 @@
 #include <QInputMethodEvent>
 #include <QLabel>
 #include <QMessageBox>
+#include <QPainter>
 #include <QPrintPreviewDialog>
 #include <QPrintPreviewWidget>
 #include <QPrinter>
 #include <QProcess>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollArea>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QSqlDatabase>
+#include <QSqlQuery>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <map>
 
 #include "case-file/case_file.h"
 #include "case-file/json.h"
@@ -36,10 +41,12 @@
 #include "v8-plugs/plugs_card.h"
 #include "v8-plugs/presets.h"
 #include "v8-plugs/scene.h"
+#include "widgets/file_dialogs.h"
 #include "widgets/number_field.h"
 #include "widgets/result_table.h"
 #include "workshop/checked_field.h"
 #include "workshop/journal_dialog.h"
+#include "workshop/shop_dialog.h"
 
 namespace ravnoves {
 namespace {
@@ -481,6 +488,476 @@ TEST_F(V8PageTest, WeighInSheetByKeyboard) {
     QTest::keyClick(use, Qt::Key_Space);
     EXPECT_FALSE(label("troubles").contains(u"do not count"_s));
     EXPECT_NEAR(model->solution().changes.repair_piston_and_rings, 3.5 * gram, 1e-12);
+}
+
+TEST_F(V8PageTest, MovedPartsKeepTheirNumbersOnSheetAndCard) {
+    page.sheets()->setCurrentIndex(2);
+    type("nominal_piston", u"600"_s);
+    for (int i = 1; i <= 8; ++i) {
+        type(("mass_piston_" + std::to_string(i)).c_str(), QString::number(600 + i % 4 * 2));
+    }
+    ASSERT_TRUE(model->solution().assignment);
+    std::vector<int> wanted;
+    for (const int from : model->solution().assignment->pistons) {
+        wanted.push_back(from + 1);
+    }
+    ASSERT_NE(wanted, (std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8}));
+    const auto printed = [&] {
+        const QString file = QDir(folder.path()).filePath(u"moved.pdf"_s);
+        EXPECT_EQ(page.writeCard(file), QString());
+        QProcess reader;
+        reader.start(QStringLiteral(PDFTOTEXT), {u"-layout"_s, file, u"-"_s});
+        EXPECT_TRUE(reader.waitForFinished());
+        QString line;
+        for (const QString& each : QString::fromUtf8(reader.readAllStandardOutput()).split(u'\n')) {
+            line = each.contains(u"Piston set from"_s) ? each.simplified() : line;
+        }
+        return line;
+    };
+    const auto said = [&] {
+        QStringList numbers;
+        for (const int number : wanted) {
+            numbers << QString::number(number);
+        }
+        return u"Piston set from "_s + numbers.join(u' ');
+    };
+    EXPECT_EQ(printed(), said());
+    const auto table = model->assignmentRows();
+    auto* move = find<QPushButton>("move_parts");
+    move->setFocus();
+    QTest::keyClick(move, Qt::Key_Space);
+    // The weights have moved; the numbers say where the parts came from, on sheet and card.
+    EXPECT_EQ(model->solution().assignment->moved, 0);
+    EXPECT_EQ(printed(), said());
+    EXPECT_EQ(model->assignmentRows(), table);
+    EXPECT_TRUE(label("weigh_in_summary").contains(u"Assemble by the numbers"_s));
+    // Kept by the case file.
+    const Input kept = model->input();
+    const Json file = model->inputJson();
+    model->loadDefault();
+    model->loadInput(file, {});
+    EXPECT_EQ(model->input().weigh_in, kept.weigh_in);
+}
+
+TEST_F(V8PageTest, NominalMassesAreCheckedAgainstThePartsOrFilledFromThem) {
+    const std::map<const char*, const char*> parts{
+        {"nominal_piston", "568.5"},      {"nominal_pin", "151.2"},       {"nominal_rings", "62.3"},
+        {"nominal_rod_small_end", "240"}, {"nominal_rod_big_end", "590"}, {"nominal_shells", "60"}};
+    for (const auto& [name, grams] : parts) {
+        type(name, QString::fromLatin1(grams));
+    }
+    type("reciprocating_mass_g", u"1000"_s);  // 22 g short of the parts
+    type("rotating_mass_g", u"650"_s);
+    EXPECT_TRUE(
+        label("troubles")
+            .contains(u"Reciprocating mass mⱼ: 1000.00\u00A0g typed, but the nominal parts give "
+                      u"1022.00\u00A0g."_s))
+        << qPrintable(label("troubles"));
+    EXPECT_FALSE(label("troubles").contains(u"Rotating mass"_s));
+    EXPECT_EQ(find<QLabel>("troubles")->palette().color(QPalette::WindowText),
+              Theme::instance().warning());
+    auto* fill = find<QPushButton>("fill_masses");
+    ASSERT_TRUE(fill->isEnabled());
+    page.sheets()->setCurrentIndex(1);
+    fill->setFocus();
+    QTest::keyClick(fill, Qt::Key_Space);
+    EXPECT_NEAR(*field("reciprocating_mass_g")->value(), 1022.0, 1e-9);
+    EXPECT_FALSE(label("troubles").contains(u"typed, but"_s));
+    EXPECT_FALSE(fill->isEnabled());
+}
+
+TEST_F(V8PageTest, EngineBringsItsPlugAndItsOwnSheets) {
+    type("height_mm", u"9.5"_s);
+    type("bore_diameter_mm", u"12"_s);
+    type("bore_depth_mm", u"5"_s);
+    type("cutter_diameter_mm", u"14"_s);
+    type("nominal_piston", u"600"_s);
+    type("spread_piston", u"2"_s);
+    type("mass_piston_1", u"601"_s);
+    // Kept with the engine.
+    const PlugSheet plug = model->input().plug.value();
+    whenModal<QInputDialog>([](QInputDialog* dialog) {
+        dialog->setTextValue(u"Kept"_s);
+        dialog->accept();
+    });
+    QTest::mouseClick(find<QPushButton>("save_engine"), Qt::LeftButton);
+    auto* engine = find<QComboBox>("engine");
+    page.sheets()->setCurrentIndex(0);
+    engine->setFocus();
+    QTest::keyClick(engine, Qt::Key_Home);
+    QTest::keyClick(engine, Qt::Key_Down);
+    EXPECT_EQ(model->input().preset, "6 l");
+    EXPECT_EQ(field("height_mm")->value(), 11.0) << "another engine's plug stays";
+    EXPECT_FALSE(field("bore_diameter_mm")->value());
+    EXPECT_EQ(field("cutter_diameter_mm")->value(), 14.0) << "the cutter is the shop's";
+    EXPECT_FALSE(field("nominal_piston")->value());
+    EXPECT_EQ(field("mass_piston_1")->value(), 601.0) << "what the scale said stays";
+    QTest::keyClick(engine, Qt::Key_End);
+    EXPECT_EQ(model->input().engine.name, "Kept");
+    EXPECT_EQ(model->input().plug, plug);
+    EXPECT_EQ(field("nominal_piston")->value(), 600.0);
+    EXPECT_EQ(field("spread_piston")->value(), 2.0);
+    // The next job keeps what is the engine's and says so.
+    type("grade_mm_s", u"16"_s);
+    type("rotor_mass_kg", u"30"_s);
+    type("service_speed_rpm", u"3200"_s);
+    type("front_reading_g_mm", u"100"_s);
+    press(Qt::Key_F2);
+    EXPECT_FALSE(find<QLabel>("carried_over")->isVisibleTo(&page));
+    press(Qt::Key_F4);
+    EXPECT_EQ(model->input().plug, plug);
+    EXPECT_EQ(field("nominal_piston")->value(), 600.0);
+    EXPECT_FALSE(field("mass_piston_1")->value());
+    EXPECT_EQ(field("grade_mm_s")->value(), 16.0);
+    EXPECT_FALSE(field("front_reading_g_mm")->value());
+    EXPECT_EQ(label("carried_over"),
+              u"From the job before: the engine's values, the plug's sizes, nominal masses and "
+              "permitted spreads, grade, mass and speed."_s);
+    type("height_mm", u"10"_s);
+    EXPECT_FALSE(label("carried_over").contains(u"plug"_s));
+}
+
+TEST_F(V8PageTest, ReadingsAreJudgedByTheToleranceAloneAndBothLimitsAreExplained) {
+    const auto verdicts = [&] {
+        const auto rows = model->planeRows();
+        return QStringList{rows.at(0).constLast(), rows.at(1).constLast()};
+    };
+    type("front_reading_g_mm", u"4.9"_s);
+    type("rear_reading_g_mm", u"5.1"_s);
+    EXPECT_EQ(verdicts(), (QStringList{u"✓ passes"_s, u"✗ fails"_s}));
+    EXPECT_TRUE(label("machine_limits").contains(u"Nazarov"_s));
+    EXPECT_TRUE(label("machine_limits").contains(u"Readings are judged by it"_s));
+    type("grade_mm_s", u"16"_s);
+    type("rotor_mass_kg", u"30"_s);
+    type("service_speed_rpm", u"3200"_s);
+    // 1000 · 30 · 16 / (3200 π/30) / 2 = 716.2 g·mm, 143 times 5.
+    EXPECT_EQ(verdicts(), (QStringList{u"✓ passes"_s, u"✓ passes"_s}));
+    EXPECT_TRUE(label("machine_limits").contains(u"in front 143 times as much"_s))
+        << qPrintable(label("machine_limits"));
+    press(Qt::Key_F2);
+    EXPECT_EQ(model->desk()->journal()->job(model->desk()->jobId())->verdict, u"passes"_s);
+    // A shop sets its own limit once.
+    EXPECT_TRUE(label("tolerance_owner").contains(u"Nazarov"_s));
+    type("tolerance_g_mm", u"1440"_s);
+    EXPECT_TRUE(label("tolerance_owner").contains(u"for this job alone"_s));
+    auto* keep = find<QPushButton>("keep_tolerance");
+    page.sheets()->setCurrentIndex(0);
+    keep->setFocus();
+    QTest::keyClick(keep, Qt::Key_Space);
+    EXPECT_TRUE(label("tolerance_owner").contains(u"the shop's own"_s));
+    EXPECT_FALSE(keep->isVisible());
+    V8PlugsModel next(model->desk()->journal()->path());
+    EXPECT_NEAR(next.input().tolerance, 1440e-6, 1e-12);
+    V8PlugsModel picture({});
+    EXPECT_EQ(picture.input().tolerance, default_tolerance);
+    QSettings().remove(u"workshop/tolerance_g_mm"_s);
+}
+
+TEST_F(V8PageTest, MassesInKilogramsAreNoticed) {
+    type("mass_piston_1", u"0.5682"_s);
+    EXPECT_TRUE(label("troubles").contains(u"Piston: 0.568\u00A0g looks like kilograms"_s))
+        << qPrintable(label("troubles"));
+    type("mass_piston_1", u"568.2"_s);
+    EXPECT_FALSE(label("troubles").contains(u"kilograms"_s));
+    type("nominal_shells", u"0.06"_s);
+    EXPECT_TRUE(label("troubles").contains(u"Shells: 0.060\u00A0g looks like kilograms"_s));
+    type("reciprocating_mass_g", u"1.02"_s);
+    EXPECT_TRUE(label("troubles").contains(u"mⱼ: 1.020\u00A0g looks like kilograms"_s));
+}
+
+TEST_F(V8PageTest, FieldsStayWhereTheyAreWhileOneTypes) {
+    const auto places = [&](int sheet) {
+        QList<QPoint> points;
+        for (QWidget* each : page.fieldsOf(sheet)) {
+            points << each->mapTo(each->window(), QPoint());
+        }
+        return points;
+    };
+    const std::map<const char*, const char*> typed{
+        {"tolerance_g_mm", "1440"}, {"repair_bearing", "3"}, {"steel_plug_mass_g", "22.5"},
+        {"mass_pin_4", "0.151"},    {"grade_mm_s", "16"},    {"rear_reading_g_mm", "9"}};
+    for (const auto& [name, text] : typed) {
+        int sheet = 0;
+        while (!page.fieldsOf(sheet).contains(find<QWidget>(name))) {
+            ++sheet;
+        }
+        page.sheets()->setCurrentIndex(sheet);
+        find<QWidget>(name)->setFocus();
+        QTest::keyClick(find<QWidget>(name), Qt::Key_A, Qt::ControlModifier);
+        QApplication::processEvents();
+        const auto before = places(sheet);
+        QTest::keyClicks(find<QWidget>(name), QString::fromLatin1(text));
+        QApplication::processEvents();
+        QApplication::processEvents();
+        EXPECT_EQ(places(sheet), before) << name;
+    }
+}
+
+TEST_F(V8PageTest, KeysWorkRightAfterTheStartAndChoicesShowTheFocus) {
+    V8PlugsPage fresh(QDir(folder.path()).filePath(u"fresh.sqlite"_s), nullptr);
+    fresh.show();
+    fresh.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&fresh));
+    QApplication::processEvents();
+    ASSERT_TRUE(fresh.isAncestorOf(QApplication::focusWidget()));
+    bool seen = false;
+    whenModal<JournalDialog>([&](JournalDialog* dialog) {
+        seen = true;
+        dialog->reject();
+    });
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_F3);
+    EXPECT_TRUE(seen);
+    auto* process = fresh.findChild<QComboBox*>(u"process"_s);
+    fresh.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&fresh));
+    const QImage without = process->grab().toImage();
+    process->setFocus(Qt::OtherFocusReason);
+    QApplication::processEvents();
+    EXPECT_NE(process->grab().toImage(), without);
+}
+
+TEST_F(V8PageTest, SaysWhereThePlugsAreWhileTheBobWeightsHang) {
+    for (const char* name : {"reciprocating_mass_g", "rotating_mass_g", "oil_mass_g"}) {
+        type(name, u"700"_s);
+    }
+    type("oil_coefficient", u"1"_s);
+    type("steel_plug_mass_g", u"25"_s);
+    type("rod_big_end", u"0.5"_s);
+    ASSERT_TRUE(model->solution().before) << qPrintable(label("hang"));
+    const BobWeight& after =
+        model->solution().bob_weights[index(model->solution().advice->option->id)]->after;
+    // About 59 g: two plugs of 25 g at 1.18 times the crank radius.
+    EXPECT_GT(after.sum() - after.with_plugs_in(), 55 * gram);
+    EXPECT_TRUE(label("plugs_while_hung")
+                    .contains(u"The plugs are out of the shaft then; while they are in it hang "_s +
+                              QString::number(after.with_plugs_in() / gram, 'f', 1)))
+        << qPrintable(label("hang"));
+    EXPECT_TRUE(label("check").contains(u"Big end × 2.445: 2 for two rods as usual"_s))
+        << qPrintable(label("check"));
+    EXPECT_TRUE(label("check").contains(u"worth 0.22\u00A0g here"_s)) << qPrintable(label("check"));
+}
+
+TEST_F(V8PageTest, CardIsWholeOnLetterAndOnItsSide) {
+    type("engine_number", u"card"_s);
+    type("rod_big_end", u"1"_s);
+    struct Paper {
+        QPageSize::PageSizeId size;
+        QPageLayout::Orientation side;
+    };
+    for (const Paper& paper : {Paper{QPageSize::Letter, QPageLayout::Portrait},
+                               Paper{QPageSize::A4, QPageLayout::Landscape},
+                               Paper{QPageSize::A5, QPageLayout::Portrait}}) {
+        const QString file = QDir(folder.path()).filePath(u"paper.pdf"_s);
+        QPrinter printer(QPrinter::HighResolution);
+        printer.setOutputFormat(QPrinter::PdfFormat);
+        printer.setOutputFileName(file);
+        PlugsCard::setPage(printer);
+        printer.setPageSize(QPageSize(paper.size));
+        printer.setPageOrientation(paper.side);
+        ASSERT_TRUE(PlugsCard(model->input(), Words()).print(printer));
+        // Words that lie beyond the paper would be left out by a crop to it.
+        QProcess reader;
+        reader.start(QStringLiteral(PDFTOTEXT), {u"-bbox"_s, file, u"-"_s});
+        ASSERT_TRUE(reader.waitForFinished());
+        const QString words = QString::fromUtf8(reader.readAllStandardOutput());
+        const auto number = [](const QString& text, const QString& key) {
+            return QRegularExpression(key + u"=\"([-0-9.]+)\""_s)
+                .match(text)
+                .captured(1)
+                .toDouble();
+        };
+        const QString sheet = words.mid(words.indexOf(u"<page "_s), 100);
+        int count = 0;
+        for (const QString& line : words.split(u'\n')) {
+            if (line.contains(u"<word "_s)) {
+                ++count;
+                EXPECT_GE(number(line, u"xMin"_s), 0.0) << qPrintable(line);
+                EXPECT_GE(number(line, u"yMin"_s), 0.0) << qPrintable(line);
+                EXPECT_LE(number(line, u"xMax"_s), number(sheet, u"width"_s)) << qPrintable(line);
+                EXPECT_LE(number(line, u"yMax"_s), number(sheet, u"height"_s)) << qPrintable(line);
+            }
+        }
+        EXPECT_GT(count, 100);
+        EXPECT_EQ(words.count(u"<page "_s), 1);
+    }
+}
+
+TEST_F(V8PageTest, JournalListsWhatTheMachineSaidAndFindsTheCrankshaft) {
+    type("engine_number", u"53-11"_s);
+    type("crankshaft_number", u"KV-77"_s);
+    type("rod_big_end", u"1"_s);
+    type("front_reading_g_mm", u"3.14159"_s);
+    type("rear_reading_g_mm", u"6"_s);
+    press(Qt::Key_F2);
+    QStringList cells;
+    whenModal<JournalDialog>([&](JournalDialog* dialog) {
+        QTest::keyClicks(dialog->findChild<QLineEdit*>(u"journal_search"_s), u"kv-77"_s);
+        auto* table = dialog->findChild<QTableWidget*>(u"journal_table"_s);
+        for (int i = 0; table->rowCount() == 1 && i < table->columnCount(); ++i) {
+            cells << table->item(0, i)->text();
+        }
+        dialog->reject();
+    });
+    press(Qt::Key_F3);
+    EXPECT_TRUE(cells.contains(u"KV-77"_s));
+    EXPECT_TRUE(cells.contains(u"fails: 3.1 / 6.0"_s)) << qPrintable(cells.join(u'|'));
+}
+
+TEST_F(V8PageTest, CellsShowHundredthsOfAGram) {
+    page.sheets()->setCurrentIndex(2);
+    type("mass_piston_8", u"1568.52"_s);
+    NumberField* cell = field("mass_piston_8");
+    // Frame and margins are three pixels at each side.
+    EXPECT_LE(cell->fontMetrics().horizontalAdvance(u"1568.52"_s) + 6, cell->width());
+}
+
+TEST_F(V8PageTest, JobsArePutAsideUnfinishedAndTheTechnicianIsRemembered) {
+    type("engine_number", u"53-11"_s);
+    type("technician", u"O. Bauer"_s);
+    page.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
+    QTest::keyClick(&page, Qt::Key_F2, Qt::ShiftModifier);
+    ASSERT_GT(model->desk()->jobId(), 0);
+    EXPECT_FALSE(model->desk()->journal()->job(model->desk()->jobId())->isFinished);
+    press(Qt::Key_F4);
+    EXPECT_EQ(model->input().job.technician, "O. Bauer");
+    V8PlugsModel tomorrow(model->desk()->journal()->path());
+    EXPECT_EQ(tomorrow.input().job.technician, "O. Bauer");
+    type("engine_number", u"done"_s);
+    press(Qt::Key_F2);
+    QStringList found;
+    whenModal<JournalDialog>([&](JournalDialog* dialog) {
+        auto* table = dialog->findChild<QTableWidget*>(u"journal_table"_s);
+        EXPECT_EQ(table->rowCount(), 2);
+        auto* box = dialog->findChild<QCheckBox*>(u"journal_unfinished"_s);
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Space);
+        for (int i = 0; table->rowCount() == 1 && i < table->columnCount(); ++i) {
+            found << table->item(0, i)->text();
+        }
+        table->setFocus();
+        QTest::keyClick(table, Qt::Key_Return);
+        if (dialog->isVisible()) {
+            QTest::mouseClick(dialog->findChild<QPushButton*>(u"journal_open"_s), Qt::LeftButton);
+        }
+    });
+    press(Qt::Key_F3);
+    EXPECT_TRUE(found.contains(u"53-11"_s) && found.contains(u"unfinished"_s))
+        << qPrintable(found.join(u'|'));
+    // Gone on with and finished: it is the same job.
+    EXPECT_EQ(model->input().job.engine_number, "53-11");
+    type("rod_big_end", u"1"_s);
+    press(Qt::Key_F2);
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 2);
+    EXPECT_TRUE(model->desk()->journal()->job(model->desk()->jobId())->isFinished);
+    QSettings().remove(u"workshop/technician"_s);
+}
+
+TEST_F(V8PageTest, JournalIsBackedUpAndRestoredByTheMenu) {
+    const QString backup = QDir(folder.path()).filePath(u"backup.sqlite"_s);
+    const auto before = fileChoosers();
+    fileChoosers().save = [&](auto...) { return backup; };
+    fileChoosers().open = [&](auto...) { return backup; };
+    QString said;
+    const auto command = [&](const QString& name) {
+        whenModal<QMessageBox>([&said](QMessageBox* box) {
+            said = box->text();
+            QTest::keyClick(box, Qt::Key_Return);
+        });
+        for (QAction* action : page.sceneActions()) {
+            if (action != nullptr && action->objectName() == name) {
+                action->trigger();
+            }
+        }
+    };
+    type("engine_number", u"first"_s);
+    press(Qt::Key_F2);
+    command(u"back_up"_s);
+    EXPECT_TRUE(said.contains(backup)) << qPrintable(said);
+    ASSERT_TRUE(model->desk()->journal()->remove(model->desk()->jobId()));
+    press(Qt::Key_F4);
+    type("engine_number", u"second"_s);
+    press(Qt::Key_F2);
+    command(u"restore"_s);
+    EXPECT_EQ(said, u"Jobs brought back: 1; already in the journal: 0."_s);
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 2);
+    command(u"restore"_s);
+    EXPECT_EQ(said, u"Jobs brought back: 0; already in the journal: 1."_s);
+    QFile torn(backup);
+    ASSERT_TRUE(torn.open(QIODevice::WriteOnly));
+    torn.write("a letter");
+    torn.close();
+    command(u"restore"_s);
+    EXPECT_TRUE(said.contains(u"no backup"_s)) << qPrintable(said);
+    EXPECT_EQ(model->desk()->journal()->search({}).size(), 2);
+    fileChoosers() = before;
+}
+
+TEST_F(V8PageTest, WindowLivesWhileAnotherProgramHoldsTheJournal) {
+    type("engine_number", u"53-11"_s);
+    type("rod_big_end", u"1"_s);
+    QSignalSpy status(&page, &ScenePage::status);
+    {
+        QSqlDatabase other = QSqlDatabase::addDatabase(u"QSQLITE"_s, u"other"_s);
+        other.setDatabaseName(model->desk()->journal()->path());
+        ASSERT_TRUE(other.open());
+        QSqlQuery query(other);
+        ASSERT_TRUE(query.exec(u"BEGIN IMMEDIATE"_s));
+        int ticks = 0;
+        bool asked = false;
+        QTimer clock;
+        QObject::connect(&clock, &QTimer::timeout, [&] {
+            if (++ticks == 5) {
+                asked = page.askToSave().value();  // the window is to close
+            }
+            if (ticks == 40) {
+                query.exec(u"ROLLBACK"_s);
+            }
+        });
+        clock.start(20);
+        press(Qt::Key_F2);
+        EXPECT_GE(ticks, 40);
+        EXPECT_FALSE(asked);
+    }
+    QSqlDatabase::removeDatabase(u"other"_s);
+    ASSERT_EQ(status.count(), 2);
+    EXPECT_TRUE(status.at(0).at(0).toString().contains(u"Another program"_s));
+    EXPECT_TRUE(status.at(1).at(0).toString().contains(u"saved in the journal"_s));
+    EXPECT_GT(model->desk()->jobId(), 0);
+}
+
+TEST_F(V8PageTest, ShopStandsOnTheCard) {
+    const QString logo = QDir(folder.path()).filePath(u"logo.png"_s);
+    QImage picture(60, 20, QImage::Format_RGB32);
+    picture.fill(Qt::red);
+    ASSERT_TRUE(picture.save(logo));
+    const auto before = fileChoosers();
+    fileChoosers().open = [&](auto...) { return logo; };
+    whenModal<ShopDialog>([](ShopDialog* dialog) {
+        QTest::keyClicks(dialog->findChild<QLineEdit*>(u"shop_name"_s), u"Smith & Sons"_s);
+        QTest::mouseClick(dialog->findChild<QPushButton*>(u"shop_choose"_s), Qt::LeftButton);
+        EXPECT_FALSE(dialog->findChild<QLabel*>(u"shop_logo"_s)->pixmap().isNull());
+        dialog->accept();
+    });
+    for (QAction* action : page.sceneActions()) {
+        if (action != nullptr && action->objectName() == u"shop"_s) {
+            action->trigger();
+        }
+    }
+    const QString file = QDir(folder.path()).filePath(u"shop.pdf"_s);
+    ASSERT_EQ(page.writeCard(file), QString());
+    QProcess reader;
+    reader.start(QStringLiteral(PDFTOTEXT), {file, u"-"_s});
+    ASSERT_TRUE(reader.waitForFinished());
+    EXPECT_TRUE(QString::fromUtf8(reader.readAllStandardOutput()).contains(u"Smith & Sons"_s));
+    PlugsCard card(model->input(), Words());
+    card.setShop(Shop::kept());
+    QImage paper(2100, 2970, QImage::Format_RGB32);
+    QPainter painter(&paper);
+    card.paint(painter, QRectF(0, 0, 2100, 2970));
+    EXPECT_EQ(paper.pixelColor(170, 72), QColor(Qt::red));
+    fileChoosers() = before;
+    QSettings().remove(u"workshop"_s);
 }
 
 TEST_F(V8PageTest, EmptySheetGivesNoAnswerAndIsNotJournalled) {

@@ -1,6 +1,7 @@
 #include "v8-plugs/model/v8_plugs_model.h"
 
 #include <QDate>
+#include <QSettings>
 #include <algorithm>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "case-file/input_error.h"
 #include "model/case_model_json.h"
 #include "text/error_text.h"
+#include "v8-plugs/fields.h"
 #include "v8-plugs/model/v8_names.h"
 #include "v8-plugs/model/v8_text.h"
 #include "v8-plugs/presets.h"
@@ -19,36 +21,76 @@ using namespace v8_plugs;
 
 namespace {
 
-/// True where the sheet of sizes holds nothing of the user's own for the plug itself.
-bool isPrinted(const std::optional<PlugSheet>& sheet, const std::string& preset) {
-    if (!sheet) {
-        return true;
+/// What belongs to an engine beside its values: the plug's sizes, the parts' nominal masses and
+/// permitted spreads. The weights of this job's parts stay, and the shop's cutter.
+struct OwnedSheets {
+    PlugSheet plug;
+    WeighIn parts;
+
+    friend bool operator==(const OwnedSheets&, const OwnedSheets&) = default;
+};
+
+OwnedSheets ownedSheets(const Input& input) {
+    OwnedSheets owned{input.plug.value_or(PlugSheet{}), {}};
+    owned.plug.cutter_diameter.reset();
+    if (input.weigh_in) {
+        for (const Part part : all_parts) {
+            owned.parts[part].nominal = (*input.weigh_in)[part].nominal;
+            owned.parts[part].permitted_spread = (*input.weigh_in)[part].permitted_spread;
+        }
     }
-    const PlugSheet printed = printed_plug(preset);
-    return (!sheet->thread && !sheet->height && !sheet->bore_diameter && !sheet->bore_depth) ||
-           (sheet->thread == printed.thread && sheet->height == printed.height &&
-            !sheet->bore_diameter && !sheet->bore_depth);
+    return owned;
 }
 
-/// The paper's engine with the sizes it prints of the plug; sizes that the user typed stay.
+void takeSheets(Input& input, const OwnedSheets& owned) {
+    PlugSheet plug = owned.plug;
+    plug.cutter_diameter = input.plug ? input.plug->cutter_diameter : std::nullopt;
+    input.plug = plug == PlugSheet{} ? std::nullopt : std::optional(plug);
+    WeighIn parts = input.weigh_in.value_or(WeighIn{});
+    for (const Part part : all_parts) {
+        parts[part].nominal = owned.parts[part].nominal;
+        parts[part].permitted_spread = owned.parts[part].permitted_spread;
+    }
+    if (input.weigh_in || parts != WeighIn{}) {
+        input.weigh_in = parts;
+    }
+}
+
+/// The paper's engine with the sizes it prints of the plug.
 void takePreset(Input& input, const Engine& preset) {
-    if (isPrinted(input.plug, input.preset)) {
-        const PlugSheet printed = printed_plug(preset.name);
-        PlugSheet sheet = input.plug.value_or(PlugSheet{});
-        sheet.thread = printed.thread;
-        sheet.height = printed.height;
-        input.plug = sheet == PlugSheet{} ? std::nullopt : std::optional(sheet);
+    if (input.preset != preset.name) {
+        takeSheets(input, {printed_plug(preset.name), {}});
     }
     input.preset = preset.name;
     input.engine = preset;
 }
 
+struct OwnEngine {
+    Engine engine;
+    OwnedSheets sheets;
+};
+
+/// An engine that was kept before its sheets were is the engine's values alone.
 /// @throws InputError where the values kept are damaged
-Engine readOwnEngine(const JournalEngine& own) {
-    const Json input{{"engine", parse_json(own.values.toStdString())}, {"process", "repair"}};
-    Engine engine = read_input(input, Completeness::as_is).engine;
-    engine.name = own.name.toStdString();
+OwnEngine readOwnEngine(const JournalEngine& own) {
+    Json kept = parse_json(own.values.toStdString());
+    if (!kept.is_object() || !kept.contains("engine")) {
+        kept = Json{{"engine", std::move(kept)}};
+    }
+    kept["process"] = "repair";
+    const Input input = read_input(kept, Completeness::as_is);
+    OwnEngine engine{input.engine, ownedSheets(input)};
+    engine.engine.name = own.name.toStdString();
     return engine;
+}
+
+const QString toleranceKey = QStringLiteral("workshop/tolerance_g_mm");
+
+double shopsTolerance() {
+    bool isNumber = false;
+    const double kept = QSettings().value(toleranceKey).toDouble(&isNumber);
+    return isNumber && field::tolerance.range.contains(kept) ? kept * field::tolerance.unit
+                                                             : default_tolerance;
 }
 
 }  // namespace
@@ -57,6 +99,8 @@ Input V8PlugsScene::defaultInput() const {
     Input input;
     takePreset(input, engine_presets().front());
     if (dated) {
+        input.tolerance = shopsTolerance();
+        input.job.technician = JobDesk::rememberedTechnician().toStdString();
         input.job.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
     }
     return input;
@@ -112,13 +156,79 @@ void V8PlugsModel::newJob() {
     next.engine = input().engine;
     next.crankshaft = input().crankshaft;
     next.process = input().process;
-    next.tolerance = input().tolerance;
     next.plug = input().plug;
+    takeSheets(next, ownedSheets(input()));
+    if (input().weigh_in && next.weigh_in) {
+        next.weigh_in->numbering = input().weigh_in->numbering;
+    }
+    next.balancing = input().balancing;
+    if (next.balancing) {
+        next.balancing->front_reading.reset();
+        next.balancing->rear_reading.reset();
+    }
     next.job.technician = input().job.technician;
     desk_.replaceJob(0, 0, [&] {
         setTitle({});
         // Undo must not bring another job's values under this job's number.
+        carried_ = next;
         restart(next);
+    });
+}
+
+QString V8PlugsModel::carriedOver() const {
+    if (!carried_) {
+        return {};
+    }
+    const OwnedSheets before = ownedSheets(*carried_);
+    const OwnedSheets now = ownedSheets(input());
+    QStringList names;
+    if (input().engine == carried_->engine) {
+        names << tr("the engine's values");
+    }
+    if (now.plug == before.plug && now.plug != PlugSheet{}) {
+        names << tr("the plug's sizes");
+    }
+    if (now.parts == before.parts && now.parts != WeighIn{}) {
+        names << tr("nominal masses and permitted spreads");
+    }
+    if (input().balancing && carried_->balancing &&
+        input().balancing->check() == carried_->balancing->check()) {
+        names << tr("grade, mass and speed");
+    }
+    return names.isEmpty() ? QString()
+                           : tr("From the job before: %1.").arg(names.join(QStringLiteral(", ")));
+}
+
+void V8PlugsModel::keepTolerance() {
+    if (scene().dated) {
+        QSettings().setValue(toleranceKey, input().tolerance / field::tolerance.unit);
+        Q_EMIT changed();
+    }
+}
+
+bool V8PlugsModel::isShopsTolerance() const {
+    return scene().dated && input().tolerance == shopsTolerance();
+}
+
+bool V8PlugsModel::canFillNominalMasses() const {
+    if (!input().weigh_in) {
+        return false;
+    }
+    const auto differs = [](const std::optional<double>& parts, const std::optional<double>& mass) {
+        return parts && parts != mass;
+    };
+    return differs(nominal_reciprocating(*input().weigh_in), input().engine.reciprocating_mass) ||
+           differs(nominal_rotating(*input().weigh_in), input().engine.rotating_mass);
+}
+
+void V8PlugsModel::fillNominalMasses() {
+    edit(tr("Masses of the nominal parts"), [](Input& input) {
+        if (const auto sum = nominal_reciprocating(input.weigh_in.value())) {
+            input.engine.reciprocating_mass = sum;
+        }
+        if (const auto sum = nominal_rotating(input.weigh_in.value())) {
+            input.engine.rotating_mass = sum;
+        }
     });
 }
 
@@ -173,11 +283,12 @@ void V8PlugsModel::chooseEngine(int place) {
     } else {
         const JournalEngine& own = ownEngines_.at(place - static_cast<int>(presets.size()));
         try {
-            const Engine engine = readOwnEngine(own);
+            const OwnEngine kept = readOwnEngine(own);
             edit(tr("Engine"), [&](Input& input) {
+                takeSheets(input, kept.sheets);
                 input.preset.clear();
-                input.engine = engine;
-                if (!engine.has_new_plug) {
+                input.engine = kept.engine;
+                if (!kept.engine.has_new_plug) {
                     input.crankshaft = Crankshaft::standard;
                 }
             });
@@ -229,10 +340,18 @@ QString V8PlugsModel::saveEngineAs(const QString& name) {
             return desk_.journal()->lastError();
         }
     }
-    Input own = input();
-    own.preset.clear();
+    Input own;
+    own.engine = input().engine;
     own.engine.name = trimmed.toStdString();
-    const std::string values = write_input(own).at("engine").dump();
+    takeSheets(own, ownedSheets(input()));
+    Json kept = Json::object();
+    const Json written = write_input(own);
+    for (const char* key : {"engine", "plug", "weigh_in"}) {
+        if (written.contains(key)) {
+            kept[key] = written.at(key);
+        }
+    }
+    const std::string values = kept.dump();
     if (!desk_.journal()->saveEngine({trimmed, QByteArray::fromStdString(values)})) {
         return desk_.journal()->lastError();
     }
@@ -286,8 +405,9 @@ bool V8PlugsModel::ownEngineChanged() const {
         return false;
     }
     try {
-        return readOwnEngine(ownEngines_.at(place - static_cast<int>(engine_presets().size()))) !=
-               input().engine;
+        const OwnEngine kept =
+            readOwnEngine(ownEngines_.at(place - static_cast<int>(engine_presets().size())));
+        return kept.engine != input().engine || kept.sheets != ownedSheets(input());
     } catch (const InputError&) {
         return true;
     }

@@ -74,6 +74,15 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     bool ownEngineChanged() const;
     /// Where the engine's values come from, and what the user should know of them.
     QString engineNote() const;
+    /// Takes the nominal masses for the bob weight from the nominal parts of the weigh-in sheet.
+    void fillNominalMasses();
+    /// False where there are no such parts, or the masses are theirs.
+    bool canFillNominalMasses() const;
+    /// Makes the tolerance the one that new jobs begin with.
+    void keepTolerance();
+    bool isShopsTolerance() const;
+    /// What came from the job before and is still as it was: "engine, plug sizes". Empty: nothing.
+    QString carriedOver() const;
 
     // -------------------------------------------------------------------- what the page shows
     QString adviceText() const;  ///< what to do; what is missing where that is not known
@@ -83,6 +92,10 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     QString shiftText() const;
     QString checkText() const;  ///< after equals nominal
     QString hangText() const;   ///< bob weight to 0.1 g
+    QString plugsText() const;  ///< where the plugs are while it hangs there
+    QString rodFactorText() const;
+    QString toleranceText() const;  ///< whose it is
+    QString machineLimitsText() const;
     QString missingText() const;
     QString isoText() const;
     QString plugWeightText() const;
@@ -96,7 +109,8 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     static ResultTips assignmentTips();
     static ResultTips crankpinTips();
     QStringList optionColumns() const;
-    QVector<QStringList> optionRows() const;
+    /// @param isShort  the options in the fewest words
+    QVector<QStringList> optionRows(bool isShort = false) const;
     QString optionToolTip(int row) const;
     QStringList bobWeightColumns() const;
     QVector<QStringList> bobWeightRows() const;
@@ -129,7 +143,10 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     void sheetChosen(int sheet);
 
   private:
-    void aboutToLoad() override { desk_.forgetJob(); }
+    void aboutToLoad() override {
+        carried_.reset();
+        desk_.forgetJob();
+    }
     JobDesk::Scene deskScene();
     JournalJob journalEntry() const;
     void takeJob(const CaseFile& file, bool isCopy);
@@ -137,6 +154,7 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
 
     Words words_;
     QList<JournalEngine> ownEngines_;
+    std::optional<v8_plugs::Input> carried_;  ///< what newJob() began with
     JobDesk desk_;
 };
 

@@ -61,6 +61,22 @@ QString V8PlugsModel::checkText() const {
     return v8_text::bobWeightCheck(words_, input(), solution());
 }
 
+QString V8PlugsModel::plugsText() const {
+    return v8_text::plugsWhileHung(words_, solution());
+}
+
+QString V8PlugsModel::rodFactorText() const {
+    return v8_text::rodFactor(words_, input(), solution());
+}
+
+QString V8PlugsModel::toleranceText() const {
+    const QString owner = v8_text::toleranceOwner(words_, input());
+    return isShopsTolerance() || v8_text::isPapersTolerance(input())
+               ? owner
+               : tr("%1 in each plane is for this job alone.")
+                     .arg(v8_text::gramMillimetres(words_, input().tolerance));
+}
+
 QString V8PlugsModel::hangText() const {
     return solution().before ? v8_text::hang(words_, solution()) : missingText();
 }
@@ -74,10 +90,12 @@ QString V8PlugsModel::isoText() const {
     if (!solution().balancing || !input().balancing) {
         return tr("ISO 21940-11 needs grade, mass and speed.");
     }
-    return tr("ISO 21940-11: Uₚₑᵣ = 1000 m G / ω = %1 for the whole crankshaft; the method's own "
-              "limit is %2 in each plane.")
-        .arg(v8_text::gramMillimetres(words_, solution().balancing->permissible),
-             v8_text::gramMillimetres(words_, input().tolerance));
+    return tr("ISO 21940-11: Uₚₑᵣ = 1000 m G / ω = %1 for the whole crankshaft.")
+        .arg(v8_text::gramMillimetres(words_, solution().balancing->permissible));
+}
+
+QString V8PlugsModel::machineLimitsText() const {
+    return v8_text::machineLimits(words_, input(), solution());
 }
 
 QString V8PlugsModel::plugWeightText() const {
@@ -91,7 +109,7 @@ QString V8PlugsModel::plugWeightText() const {
 }
 
 QString V8PlugsModel::assignmentText() const {
-    return v8_text::assignmentText(words_, solution());
+    return v8_text::assignmentText(words_, input(), solution());
 }
 
 QStringList V8PlugsModel::notCounted() const {
@@ -103,11 +121,12 @@ QStringList V8PlugsModel::optionColumns() const {
             tr("needed, g"), tr("left, g"),   tr("left, g·mm")};
 }
 
-QVector<QStringList> V8PlugsModel::optionRows() const {
+QVector<QStringList> V8PlugsModel::optionRows(bool isShort) const {
     QVector<QStringList> rows;
     for (const OptionId id : all_options) {
         const auto& option = solution().option(id);
-        const QString name = v8_text::optionName(words_, id);
+        const QString name =
+            isShort ? v8_text::shortOption(words_, id) : v8_text::optionName(words_, id);
         if (!option) {
             rows << QStringList{name, dash, dash, dash, dash, dash, dash};
             continue;
@@ -185,22 +204,15 @@ QStringList V8PlugsModel::planeColumns() const {
 
 QVector<QStringList> V8PlugsModel::planeRows() const {
     QVector<QStringList> rows;
-    const auto add = [&](const QString& name, const PlaneVerdict* plane,
-                         const std::optional<double>& reading) {
-        rows << QStringList{
-            name, plane != nullptr ? words_.number(plane->permissible / gram_mm, 1) : dash,
-            reading ? words_.number(*reading / gram_mm, 1) : dash,
-            plane == nullptr || !plane->passes ? dash
-            : *plane->passes                   ? tr("✓ passes")
-                                               : tr("✗ fails")};
+    const auto add = [&](const QString& name, const PlaneVerdict& plane) {
+        rows << QStringList{name, words_.number(plane.permissible / gram_mm, 1),
+                            plane.reading ? words_.number(*plane.reading / gram_mm, 1) : dash,
+                            !plane.passes   ? dash
+                            : *plane.passes ? tr("✓ passes")
+                                            : tr("✗ fails")};
     };
-    const auto reading = [&](std::optional<double> BalancingSheet::*member) {
-        return input().balancing ? *input().balancing.*member : std::nullopt;
-    };
-    add(tr("Front (pulley)"), solution().balancing ? &solution().balancing->front : nullptr,
-        reading(&BalancingSheet::front_reading));
-    add(tr("Rear (flywheel)"), solution().balancing ? &solution().balancing->rear : nullptr,
-        reading(&BalancingSheet::rear_reading));
+    add(tr("Front (pulley)"), solution().planes[0]);
+    add(tr("Rear (flywheel)"), solution().planes[1]);
     return rows;
 }
 
@@ -217,17 +229,19 @@ QVector<QStringList> V8PlugsModel::assignmentRows() const {
     if (!solution().assignment) {
         return rows;
     }
-    const auto row = [](const QString& name, const std::vector<int>& from) {
+    const auto row = [](const QString& name, const SetNumbers& numbers,
+                        const std::vector<int>& from) {
         QStringList cells{name};
-        for (std::size_t i = 0; i < from.size(); ++i) {
-            // A set that stays where it is needs no number.
-            cells << (from[i] == static_cast<int>(i) ? QStringLiteral("·")
-                                                     : QString::number(from[i] + 1));
+        for (const int number : v8_text::setNumbers(numbers, &from)) {
+            // A set that stays where it was weighed needs no number.
+            const bool stays = number == static_cast<int>(cells.size());
+            cells << (stays ? QStringLiteral("·") : QString::number(number));
         }
         return cells;
     };
-    return {row(tr("Piston from"), solution().assignment->pistons),
-            row(tr("Rod from"), solution().assignment->rods)};
+    const WeighIn& sheet = *input().weigh_in;
+    return {row(tr("Piston from"), sheet.piston_sets, solution().assignment->pistons),
+            row(tr("Rod from"), sheet.rod_sets, solution().assignment->rods)};
 }
 
 QStringList V8PlugsModel::crankpinColumns() const {

@@ -55,6 +55,9 @@ JournalJob V8PlugsModel::journalEntry() const {
         job.frontReading = grams(input().balancing->front_reading);
         job.rearReading = grams(input().balancing->rear_reading);
     }
+    if (const auto passes = solution().passes()) {
+        job.verdict = *passes ? QStringLiteral("passes") : QStringLiteral("fails");
+    }
     return job;
 }
 
@@ -71,6 +74,7 @@ void V8PlugsModel::takeJob(const CaseFile& file, bool isCopy) {
         }
     }
     setTitle(QString::fromStdString(file.title));
+    carried_.reset();
     // Undo must not bring another job's values under this job's number.
     restart(next);
 }

@@ -120,6 +120,51 @@ QStringList engineTroubles(const Words& words, const Engine& engine) {
     return list;
 }
 
+/// Masses of grams that were typed in kilograms.
+QStringList kilogramTroubles(const Words& words, const Input& input) {
+    QStringList list;
+    const auto suspect = [&](const QString& name, double mass) {
+        list << words.translate("V8", "%1: %2 looks like kilograms; masses are in grams.")
+                    .arg(name, grams(words, mass, 3));
+    };
+    constexpr double leastGear = 20 * units::gram;  // the sums of parts that weigh 5 g and more
+    for (const char* key : {"reciprocating_mass_g", "rotating_mass_g"}) {
+        const EngineField& each = engine_field(key);
+        const auto& mass = input.engine.*each.member;
+        if (mass && *mass < leastGear) {
+            suspect(words.name(each.field), *mass);
+        }
+    }
+    for (const Part part : all_parts) {
+        const auto mass =
+            input.weigh_in ? mass_in_kilograms(part, (*input.weigh_in)[part]) : std::nullopt;
+        if (mass) {
+            suspect(partName(words, part), *mass);
+        }
+    }
+    return list;
+}
+
+/// Nominal masses of the gear that are not those of its nominal parts.
+QStringList gearTroubles(const Words& words, const Input& input) {
+    QStringList list;
+    if (!input.weigh_in) {
+        return list;
+    }
+    const auto check = [&](const char* key, const std::optional<double>& parts) {
+        const EngineField& each = engine_field(key);
+        const auto& typed = input.engine.*each.member;
+        // Bob weights are hung to a tenth of a gram.
+        if (typed && parts && std::abs(*typed - *parts) >= 0.1 * units::gram) {
+            list << words.translate("V8", "%1: %2 typed, but the nominal parts give %3.")
+                        .arg(words.name(each.field), grams(words, *typed), grams(words, *parts));
+        }
+    };
+    check("reciprocating_mass_g", nominal_reciprocating(*input.weigh_in));
+    check("rotating_mass_g", nominal_rotating(*input.weigh_in));
+    return list;
+}
+
 QStringList plugTroubles(const Words& words, const PlugSheet& plug) {
     QStringList list;
     const auto geometry = plug.geometry();
@@ -152,8 +197,13 @@ QStringList spreadTroubles(const Words& words, const WeighIn& sheet) {
 
 }  // namespace
 
+QStringList massTroubles(const Words& words, const Input& input) {
+    return kilogramTroubles(words, input) + gearTroubles(words, input);
+}
+
 QStringList troubles(const Words& words, const Input& input, const Result& solution) {
     QStringList list = engineTroubles(words, input.engine);
+    list << massTroubles(words, input);
     list << shiftWarning(words, input, solution);
     list.removeAll(QString());
     if (input.plug) {
@@ -245,6 +295,61 @@ QString hang(const Words& words, const Result& solution) {
         .arg(grams(words, weightAfter(solution), 1));
 }
 
+QString plugsWhileHung(const Words& words, const Result& solution) {
+    if (!solution.before) {
+        return {};
+    }
+    const BobWeight* after = bobWeightAfter(solution);
+    return words
+        .translate("V8", "The plugs are out of the shaft then; while they are in it hang %1.")
+        .arg(grams(words, (after != nullptr ? *after : *solution.before).with_plugs_in(), 1));
+}
+
+QString rodFactor(const Words& words, const Input& input, const Result& solution) {
+    const auto& k = input.engine.rod_coefficient;
+    if (!solution.before || !k) {
+        return {};
+    }
+    return words
+        .translate("V8",
+                   "Big end × %1: 2 for two rods as usual, kᵣ = %2 by the method, worth %3 here.")
+        .arg(words.plain(2.0 + *k, 3), words.plain(*k, 3),
+             grams(words, *k * solution.changes.rod_big_end));
+}
+
+bool isPapersTolerance(const Input& input) {
+    return std::abs(input.tolerance - default_tolerance) < 1e-6 * default_tolerance;
+}
+
+QString toleranceOwner(const Words& words, const Input& input) {
+    return isPapersTolerance(input)
+               ? words
+                     .translate("V8",
+                                "%1 in each plane is what Nazarov's experiments left: the "
+                                "limit of this method.")
+                     .arg(gramMillimetres(words, input.tolerance))
+               : words.translate("V8", "%1 in each plane is the shop's own limit.")
+                     .arg(gramMillimetres(words, input.tolerance));
+}
+
+QString machineLimits(const Words& words, const Input& input, const Result& solution) {
+    const QString owner = toleranceOwner(words, input);
+    if (!solution.balancing) {
+        return owner + QLatin1Char(' ') +
+               words.translate("V8",
+                               "Readings are judged by it while ISO 21940-11 lacks grade, "
+                               "mass or speed.");
+    }
+    const double times = solution.planes[0].permissible / input.tolerance;
+    return owner + QLatin1Char(' ') +
+           words
+               .translate("V8",
+                          "It says how exactly the plugs compensate; ISO 21940-11 says what the "
+                          "crankshaft may have in service, in front %1 times as much. Readings "
+                          "are judged by ISO.")
+               .arg(words.plain(times, times < 10.0 ? 1 : 0));
+}
+
 QString bobWeightCheck(const Words& words, const Input& input, const Result& solution) {
     if (!solution.nominal || !solution.before) {
         return {};
@@ -261,9 +366,15 @@ QString bobWeightCheck(const Words& words, const Input& input, const Result& sol
              gramMillimetres(words, difference * input.engine.crank_radius.value_or(0.0)));
 }
 
-QString assignmentText(const Words& words, const Result& solution) {
+QString assignmentText(const Words& words, const Input& input, const Result& solution) {
     if (!solution.assignment || !solution.crankpin_excess || !solution.assigned_excess) {
         return {};
+    }
+    if (input.weigh_in && isMoved(*input.weigh_in) && solution.assignment->moved == 0) {
+        return words
+            .translate(
+                "V8", "Assemble by the numbers of the sets: placed so, the crankpins differ by %1.")
+            .arg(grams(words, spread(*solution.crankpin_excess)));
     }
     const QString before = grams(words, spread(*solution.crankpin_excess));
     if (solution.assignment->moved == 0) {
@@ -275,6 +386,20 @@ QString assignmentText(const Words& words, const Result& solution) {
         .translate("V8", "Crankpins differ by %1 as weighed and by %2 after moving %3 sets.")
         .arg(before, grams(words, spread(*solution.assigned_excess)),
              QString::number(solution.assignment->moved));
+}
+
+bool isMoved(const WeighIn& sheet) {
+    return sheet.piston_sets != as_weighed || sheet.rod_sets != as_weighed;
+}
+
+std::vector<int> setNumbers(const SetNumbers& numbers, const std::vector<int>* from) {
+    std::vector<int> list(numbers.begin(), numbers.end());
+    if (from != nullptr) {
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            list[i] = numbers[static_cast<std::size_t>((*from)[i])];
+        }
+    }
+    return list;
 }
 
 }  // namespace ravnoves::v8_text

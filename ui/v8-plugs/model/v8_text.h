@@ -26,6 +26,9 @@ QStringList massWarnings(const Words& words, const v8_plugs::Input& input,
                          const v8_plugs::Result& solution);
 /// What was typed or weighed, but does not count (yet).
 QStringList notCounted(const Words& words, const v8_plugs::Input& input);
+/// Masses that were typed in kilograms, as it seems, and nominal masses that are not those of the
+/// nominal parts.
+QStringList massTroubles(const Words& words, const v8_plugs::Input& input);
 /// Rules broken, masses that do not fit, what does not count, spreads too wide.
 QStringList troubles(const Words& words, const v8_plugs::Input& input,
                      const v8_plugs::Result& solution);
@@ -55,7 +58,23 @@ QString hang(const Words& words, const v8_plugs::Result& solution);
 /// matters, that only the method says so.
 QString bobWeightCheck(const Words& words, const v8_plugs::Input& input,
                        const v8_plugs::Result& solution);
+/// Whether the plugs are in the shaft while it hangs there, and what to hang in the other case.
+QString plugsWhileHung(const Words& words, const v8_plugs::Result& solution);
+/// Why a big end counts more than twice.
+QString rodFactor(const Words& words, const v8_plugs::Input& input,
+                  const v8_plugs::Result& solution);
+/// Whose the tolerance is.
+bool isPapersTolerance(const v8_plugs::Input& input);
+QString toleranceOwner(const Words& words, const v8_plugs::Input& input);
+/// By what the machine's readings are judged, and why the two limits are so far apart.
+QString machineLimits(const Words& words, const v8_plugs::Input& input,
+                      const v8_plugs::Result& solution);
 /// Which sets to move, in words; empty where there is no weigh-in sheet.
-QString assignmentText(const Words& words, const v8_plugs::Result& solution);
+QString assignmentText(const Words& words, const v8_plugs::Input& input,
+                       const v8_plugs::Result& solution);
+/// True where sets are in other cylinders than those they were weighed in.
+bool isMoved(const v8_plugs::WeighIn& sheet);
+/// The number of the set that goes to each cylinder; as the sheet has them where none is to move.
+std::vector<int> setNumbers(const v8_plugs::SetNumbers& numbers, const std::vector<int>* from);
 
 }  // namespace ravnoves::v8_text
