@@ -100,7 +100,7 @@ lint_scripts() {
         say "shellcheck is not installed."
         return 1
     fi
-    (cd "$root" && shellcheck -x packaging/*.sh .ci/run tests/*/*.sh)
+    (cd "$root" && shellcheck -x packaging/*.sh packaging/cluster/*.sh .ci/run tests/*/*.sh)
 }
 
 lint_desktop() {

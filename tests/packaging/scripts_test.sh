@@ -8,7 +8,7 @@ fault() {
     status=1
 }
 
-for script in packaging/*.sh .ci/run tests/*/*.sh; do
+for script in packaging/*.sh packaging/cluster/*.sh .ci/run tests/*/*.sh; do
     bash -n "$script" || fault "$script does not parse"
 done
 for script in packaging/run.sh packaging/test.sh packaging/report.sh packaging/deb.sh .ci/run; do
