@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "balance-shaft/best_range.h"
@@ -33,6 +34,8 @@ double size_of(const MomentMetrics& moment) {
     return std::max(std::abs(moment.max), std::abs(moment.min));
 }
 
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
 constexpr Text makes_no_moment =
     CORE_TEXT("balance-shaft", "The shaft makes no moment, so its angle changes nothing.");
 
@@ -48,7 +51,7 @@ Forces::Forces(const Input& input) {
     moment_amplitude = counterweight_force * input.centre_distance;
 }
 
-Moments::Moments(const Input& checked)
+Moments::Moments(const Input& checked, bool orders)
     : strokes(checked.strokes),
       crank(slider_crank(checked)),
       top(crank.top_dead_centre()),
@@ -63,9 +66,10 @@ Moments::Moments(const Input& checked)
       extrema(moment, forces.moment_amplitude),
       mean(moment.mean()),
       variance(moment.variance()),
-      series(
-          moment.fourier_series(degree / static_cast<double>(turns()), turns() * spectrum_orders)),
-      order_1(series[first_order()]) {}
+      series(orders ? moment.fourier_series(degree / static_cast<double>(turns()),
+                                            turns() * spectrum_orders)
+                    : std::vector<FourierPair>{}),
+      order_1(orders ? series[first_order()] : FourierPair{not_a_number, not_a_number}) {}
 
 bool Moments::follow(const Input& checked) {
     if (gas || crank.offset != 0.0) {

@@ -40,7 +40,10 @@ struct Moments {
     FourierPair order_1;              ///< M_up's component a cos φ + b sin φ
 
     /// @param checked  as check_input() leaves it
-    explicit Moments(const Input& checked);
+    /// @param orders  false: the series stays empty and what rests on it, all RMS but M_up's, is
+    /// not
+    ///                a number; it is a third of the work
+    explicit Moments(const Input& checked, bool orders = true);
 
     /// Follows an input whose torque, interpolation, strokes and offset are those of the one
     /// before.

@@ -136,8 +136,13 @@ class QuickResponse final : public Response {
           varied_(varied.begin(), varied.end()),
           places_(find_numbers(input_, varied)),
           values_(std::move(values)),
-          keeps_torque_(std::none_of(varied.begin(), varied.end(), [](const std::string& pointer) {
-              return pointer.starts_with("/torque") || pointer == "/offset_mm";
+          keeps_torque_(std::none_of(varied.begin(), varied.end(),
+                                     [](const std::string& pointer) {
+                                         return pointer.starts_with("/torque") ||
+                                                pointer == "/offset_mm";
+                                     })),
+          needs_orders_(std::any_of(values_.begin(), values_.end(), [](const QuickValue* value) {
+              return value->pointer.find("/rms") != std::string_view::npos;
           })) {}
 
     bool evaluate(std::span<const double> x, std::span<double> y) override {
@@ -152,7 +157,7 @@ class QuickResponse final : public Response {
         try {
             check_joined(input_);
             if (!moments_ || !keeps_torque_ || !moments_->follow(input_)) {
-                moments_.emplace(input_);
+                moments_.emplace(input_, needs_orders_);
             }
         } catch (const InputError& error) {
             reason_ = error.where() + ": " + error.allowed();
@@ -181,6 +186,7 @@ class QuickResponse final : public Response {
     std::vector<NumberPlace> places_;
     std::vector<const QuickValue*> values_;
     bool keeps_torque_;
+    bool needs_orders_;
     std::optional<Moments> moments_;
 };
 

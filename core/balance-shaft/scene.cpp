@@ -489,7 +489,9 @@ bool needs_moments_alone(const Wanted& wanted) {
 
 Json write_moments(const Input& input, const Wanted& wanted) {
     Result result;
-    Moments(input).fill(input, wanted.wants("/optimum"), result);
+    const bool orders = wanted.wants("/metrics/M_ups/rms_Nm") || wanted.wants("/optimum/rms") ||
+                        wanted.wants("/change_without_shaft");
+    Moments(input, orders).fill(input, wanted.wants("/optimum"), result);
     WantedObject object("", wanted);
     put_moments(result, wanted, object);
     object.put("optimum", [&] { return write_optima(result.best_range, result.best_rms); });

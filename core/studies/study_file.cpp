@@ -264,7 +264,7 @@ std::vector<Message> notes_of(const Part& part) {
         double shift = found.mean - linear->mean;
         shift = period == 0.0 ? shift : std::remainder(shift, period);
         const bool deviation_fails =
-            std::abs(found.deviation - linear->deviation) >
+            std::abs(found.plain_deviation - linear->deviation) >
             std::max(3.0 * std::hypot(found.deviation_error, linear->deviation_error), least);
         if (!deviation_fails && !(std::abs(shift) > std::max(3.0 * mean_error, least))) {
             continue;
@@ -274,7 +274,7 @@ std::vector<Message> notes_of(const Part& part) {
                       "The linear answer fails for %1: mean %2 and standard deviation %3 against "
                       "%4 and %5 of the samples; %6."),
             name, Number{linear->mean, {}, 6}, Number{linear->deviation, {}, 4},
-            Number{linear->mean + shift, {}, 6}, Number{found.deviation, {}, 4},
+            Number{linear->mean + shift, {}, 6}, Number{found.plain_deviation, {}, 4},
             reason_of(part.basis.departures[w], part.study, found.deviation));
     }
     return notes;

@@ -282,6 +282,7 @@ Statistics Tally::statistics(std::size_t watched) const {
     Statistics found;
     found.mean = plan.centre + sum / n;
     found.deviation = deviation;
+    found.plain_deviation = deviation;
     found.min = value.min;
     found.max = value.max;
     double shift = 0.0;

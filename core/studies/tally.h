@@ -38,6 +38,7 @@ inline constexpr std::array percent_points{0.1, 1.0, 5.0, 25.0, 50.0, 75.0, 95.0
 struct Statistics {
     double mean = 0.0;
     double deviation = 0.0;  ///< standard, with n − 1; of an angle √(−2 ln R), with the same factor
+    double plain_deviation = 0.0;  ///< with n − 1, of an angle along the unrolled circle
     double min = 0.0;
     double max = 0.0;
     std::array<double, percent_points.size()> percentiles{};
