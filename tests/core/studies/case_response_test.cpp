@@ -36,6 +36,21 @@ TEST(Wanted, EachPartAloneIsThatOfTheWhole) {
     }
 }
 
+TEST(Wanted, EachNumberAloneIsThatOfTheWhole) {
+    const CaseFile file = example("tmz-650d.case.json");
+    const Json flat = solve_case(file, {}).at("result").flatten();
+    int tried = 0;
+    for (const auto& item : flat.items()) {
+        if (item.key().starts_with("/metrics/") || item.key().starts_with("/optimum/") ||
+            item.key().starts_with("/change")) {
+            const Json alone = solve_case(file, {}, Wanted({item.key()})).at("result");
+            EXPECT_EQ(alone.at(Json::json_pointer(item.key())), item.value()) << item.key();
+            ++tried;
+        }
+    }
+    EXPECT_GT(tried, 20);
+}
+
 TEST(QuickResponse, GivesTheNumbersOfTheWholeSolution) {
     CaseFile file = example("tmz-650d.case.json");
     const Json flat = solve_case(file, {}).at("result").flatten();
