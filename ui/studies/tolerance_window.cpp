@@ -81,13 +81,19 @@ QWidget* ToleranceWindow::makeInputs() {
     auto* holder = new QWidget(this);
     auto* column = new QVBoxLayout(holder);
     column->setContentsMargins(0, 0, 0, 0);
-    const auto edit = [&](EditableTable* table, const QString& name, const QString& remove) {
+    const auto edit = [&](EditableTable* table, const QString& name, const QString& remove,
+                          std::initializer_list<int> numbers) {
         auto* editor = new TableEditor(table, name, {}, remove, holder);
         table->setParent(editor);
         editor->findChild<QToolButton*>(QStringLiteral("add_row"))->hide();
         editor->view()->verticalHeader()->hide();
         editor->view()->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
         editor->view()->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+        for (const int typed : numbers) {
+            editor->view()->horizontalHeader()->setSectionResizeMode(typed, QHeaderView::Fixed);
+            editor->view()->horizontalHeader()->resizeSection(typed, Theme::withText(72));
+        }
+        editor->layout()->itemAt(0)->widget()->hide();  // no caption: the heading stands above
         return editor;
     };
     auto* top = new QHBoxLayout;
@@ -108,7 +114,7 @@ QWidget* ToleranceWindow::makeInputs() {
     top->addWidget(presets);
     column->addLayout(top);
     inputs_ = edit(new ScatterTable(model_), tr("Inputs and their tolerances"),
-                   tr("The selected inputs do not scatter"));
+                   tr("The selected inputs do not scatter"), {ScatterTable::Scatter});
     column->addWidget(inputs_, 3);
     column->addWidget(heading(tr("Results to watch"), holder));
     watchable_ = new QComboBox(holder);
@@ -124,8 +130,9 @@ QWidget* ToleranceWindow::makeInputs() {
         watchable_->setCurrentIndex(0);
     });
     column->addWidget(watchable_);
-    watched_ = edit(new WatchTable(model_), tr("Results to watch"),
-                    tr("The selected results are watched no more"));
+    watched_ =
+        edit(new WatchTable(model_), tr("Results to watch"),
+             tr("The selected results are watched no more"), {WatchTable::Least, WatchTable::Most});
     column->addWidget(watched_, 2);
     for (TableEditor* editor : {inputs_, watched_}) {
         connect(qobject_cast<EditableTable*>(editor->view()->model()),

@@ -66,10 +66,10 @@ void TornadoView::paintEvent(QPaintEvent* /*event*/) {
         painter.drawText(QRectF(inner.left(), y, nameWidth, row), Qt::AlignRight | Qt::AlignVCenter,
                          metrics.elidedText(bar.name, Qt::ElideMiddle, nameWidth));
         const auto length = [&](double share) { return room * std::clamp(share, 0.0, 1.0); };
-        QColor pale = theme.curve(0);
+        QColor pale = theme.accent();
         pale.setAlphaF(0.3F);
         painter.fillRect(QRectF(left, y + 4.0, length(bar.whole), row - 8.0), pale);
-        painter.fillRect(QRectF(left, y + 4.0, length(bar.alone), row - 8.0), theme.curve(0));
+        painter.fillRect(QRectF(left, y + 4.0, length(bar.alone), row - 8.0), theme.accent());
         painter.drawText(
             QRectF(left + length(std::max(bar.alone, bar.whole)) + Theme::gap, y, valueWidth, row),
             Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
@@ -78,9 +78,9 @@ void TornadoView::paintEvent(QPaintEvent* /*event*/) {
     }
     if (isCut) {
         painter.setPen(theme.mutedText());
-        painter.drawText(
-            QRectF(inner.left(), y, inner.width(), row), Qt::AlignLeft | Qt::AlignVCenter,
-            tr("and %n more, smaller", nullptr, static_cast<int>(std::ssize(bars_) - shown)));
+        painter.drawText(QRectF(inner.left(), y, inner.width(), row),
+                         Qt::AlignLeft | Qt::AlignVCenter,
+                         tr("smaller ones: %1").arg(std::ssize(bars_) - shown));
     }
 }
 

@@ -123,10 +123,16 @@ QString ScatterTable::pasteBlock(int row, int /*column*/, const std::vector<QStr
     return {};
 }
 
-WatchTable::WatchTable(StudyModel* model, QObject* parent) : EditableTable(parent), model_(model) {
+WatchTable::WatchTable(StudyModel* model, QObject* parent)
+    : EditableTable(parent), model_(model), rows_(rowCount()) {
     connect(model_, &StudyModel::changed, this, [this] {
-        beginResetModel();
-        endResetModel();
+        if (rowCount() != rows_) {
+            beginResetModel();
+            rows_ = rowCount();
+            endResetModel();
+        } else if (rows_ > 0) {
+            Q_EMIT dataChanged(index(0, 0), index(rows_ - 1, Columns - 1));
+        }
     });
 }
 

@@ -55,6 +55,7 @@ class WatchTable final : public EditableTable {
 
   private:
     StudyModel* model_;
+    int rows_ = 0;
 };
 
 }  // namespace ravnoves
