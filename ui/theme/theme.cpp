@@ -52,6 +52,13 @@ class DenseTabs : public QProxyStyle {
         }
     }
 
+    /// A title that fits but for a fraction of a pixel is not shortened.
+    QRect subElementRect(SubElement element, const QStyleOption* option,
+                         const QWidget* widget) const override {
+        const QRect rect = QProxyStyle::subElementRect(element, option, widget);
+        return element == SE_TabBarTabText ? rect.adjusted(-2, 0, 2, 0) : rect;
+    }
+
     /// Choices that are too long end in dots.
     void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
