@@ -48,11 +48,15 @@ struct Look {
     double text;
 };
 
+const Look unfolded{"at1920x1080", {1920, 1080}, 1.0};
+const Look folded{"LargeTextOnALaptop", {1360, 850}, 2.0};
 const Look looks[] = {
-    {"at1024x700", {1024, 700}, 1.0},         {"at1280x800", {1280, 800}, 1.0},
-    {"at1920x1080", {1920, 1080}, 1.0},       {"LargeText", {1920, 1080}, 2.0},
+    {"at1024x700", {1024, 700}, 1.0},
+    {"at1280x800", {1280, 800}, 1.0},
+    unfolded,
+    {"LargeText", {1920, 1080}, 2.0},
     {"ScaleFactor2", {960, 540}, 1.0},  // of a screen of 1920×1080
-    {"LargeTextOnALaptop", {1360, 850}, 2.0},
+    folded,
 };
 
 constexpr int tolerance = 1;  // pixels
@@ -365,9 +369,13 @@ QChar letterOf(const QString& text) {
     return at >= 0 && at + 1 < text.size() ? text.at(at + 1).toLower() : QChar();
 }
 
-TEST_P(Looks, NoLetterOfThePageIsAMenus) {
+/// Letters depend on what is folded, not on the size.
+class Letters : public Looks {};
+
+TEST_P(Letters, NoneOfThePageIsAMenus) {
     const auto& [scene, look, language] = GetParam();
     installLanguage(QString::fromLatin1(language));
+    Theme::instance().setTextScale(look.text);
     MainWindow window;
     window.showScene(QString::fromStdString(scene));
     test::showAt(window, look.size);
@@ -398,15 +406,21 @@ TEST_P(Looks, NoLetterOfThePageIsAMenus) {
     });
 }
 
+std::string nameOf(const ::testing::TestParamInfo<Looks::ParamType>& each) {
+    return test::testName(std::get<0>(each.param) + "_" + std::get<1>(each.param).name + "_" +
+                          std::get<2>(each.param));
+}
+
 INSTANTIATE_TEST_SUITE_P(Pages, Looks,
                          ::testing::Combine(::testing::ValuesIn(test::sceneNames()),
                                             ::testing::ValuesIn(looks),
                                             ::testing::Values("en", "ru")),
-                         [](const auto& each) {
-                             return test::testName(std::get<0>(each.param) + "_" +
-                                                   std::get<1>(each.param).name + "_" +
-                                                   std::get<2>(each.param));
-                         });
+                         nameOf);
+INSTANTIATE_TEST_SUITE_P(Pages, Letters,
+                         ::testing::Combine(::testing::ValuesIn(test::sceneNames()),
+                                            ::testing::Values(unfolded, folded),
+                                            ::testing::Values("en", "ru")),
+                         nameOf);
 
 }  // namespace
 }  // namespace ravnoves
