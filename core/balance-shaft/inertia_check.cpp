@@ -171,6 +171,7 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
     const Fit second = four_stroke ? fit_stroke(table, offset, 360.0, lambda) : Fit{};
     const bool take_second = second.found && (!first.found || second.badness() < first.badness());
     const Fit& fit = take_second ? second : first;
+    const auto moment = [](double value) { return Number{rounded_to(value, 3), units::N_m}; };
     const auto number = [](double value, int digits = 3) {
         return Number{rounded_to(value, digits)};
     };
@@ -211,17 +212,18 @@ InertiaCheck check_inertia(const TorqueTable& table, const Input& input) {
         *check.consistent
             ? Message(CORE_TEXT("balance-shaft",
                                 "The torque on the gas-exchange stroke holds an inertia torque of "
-                                "mⱼ r² ω² = %1 N·m (r/L = %2); the masses and the speed entered "
-                                "give %3 N·m. They belong together."),
-                      number(fit.scale), number(fit.lambda), number(check.entered))
+                                "mⱼ r² ω² = %1 (r/L = %2); the masses and the speed entered "
+                                "give %3. They belong together."),
+                      moment(fit.scale), number(fit.lambda), moment(check.entered))
             : Message(CORE_TEXT("balance-shaft",
                                 "The torque on the gas-exchange stroke holds an inertia torque of "
-                                "mⱼ r² ω² = %1 N·m (r/L = %2); the masses and the speed entered "
-                                "give %3 N·m. They do not belong together: the torque fits these "
-                                "masses at %4 min⁻¹, or %5 kg at this speed. The best angles found "
+                                "mⱼ r² ω² = %1 (r/L = %2); the masses and the speed entered "
+                                "give %3. They do not belong together: the torque fits these "
+                                "masses at %4, or %5 at this speed. The best angles found "
                                 "are those of no real engine until they agree."),
-                      number(fit.scale), number(fit.lambda), number(check.entered),
-                      number(check.matching_speed / units::rpm, 4), number(check.matching_mass));
+                      moment(fit.scale), number(fit.lambda), moment(check.entered),
+                      Number{rounded_to(check.matching_speed / units::rpm, 4), units::rpm},
+                      Number{rounded_to(check.matching_mass, 3), units::kg});
     return check;
 }
 

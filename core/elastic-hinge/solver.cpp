@@ -252,9 +252,9 @@ void add_notes(const Input& input, Result& result) {
         result.notes.emplace_back(
             CORE_TEXT("elastic-hinge",
                       "Equation (9) as printed has the wrong sign at the counterweight's inertia: "
-                      "the slider would still bear up to %1 N. Newton–Euler makes the side force "
+                      "the slider would still bear up to %1. Newton–Euler makes the side force "
                       "zero."),
-            std::round(result.largest_side_force_true));
+            Number{std::round(result.largest_side_force_true), units::newton});
     }
     if (guide.feasible && guide.relief < 0.1 * units::mm && guide.error.relative > 0.02) {
         const auto rounded = [](double value, double decimals) {

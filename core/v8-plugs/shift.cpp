@@ -98,11 +98,15 @@ Message describe(const ShiftEffect& effect, double tolerance) {
     if (!effect.planned) {
         return {CORE_TEXT("V8",
                           "The method neglects that the centre of mass of a machined plug moves, "
-                          "by 0.8 to 1.2 mm in the paper: with it up to %1 would be left, beyond "
-                          "the %2 allowed. Give the plug's sizes and the cutter, or take off %3 to "
+                          "by %5 to %6 in the paper: with it up to %1 would be left, beyond the "
+                          "%2 allowed. Give the plug's sizes and the cutter, or take off %3 to "
                           "%4 each instead."),
-                beyond, allowed, in_grams(effect.least_reduction),
-                in_grams(effect.greatest_reduction)};
+                beyond,
+                allowed,
+                in_grams(effect.least_reduction),
+                in_grams(effect.greatest_reduction),
+                Number{smallest_shift / units::mm, units::mm},
+                Number{largest_shift / units::mm, units::mm}};
     }
     if (!effect.depth) {
         return {
