@@ -90,13 +90,27 @@ class SignalsWait {
     sigset_t before_{};
 };
 
+/// The target's name, shortened to whole letters where nothing more could stand behind it.
+std::string short_name(const std::filesystem::path& target) {
+    constexpr std::size_t longest = 200;  // bytes, of 255
+    std::string name = target.filename().string();
+    if (name.size() > longest) {
+        std::size_t end = longest;
+        while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U) {
+            --end;
+        }
+        name.resize(end);
+    }
+    return name;
+}
+
 /// A name beside the target that nothing has; `make` gives it to a file and fails where it is
 /// taken, also by a link that somebody planted there.
 template <typename Make>
 std::filesystem::path make_beside(const std::filesystem::path& target, Make make) {
     constexpr int tries = 1000;
     for (int i = 0; i < tries; ++i) {
-        std::filesystem::path partial = target;
+        std::filesystem::path partial = target.parent_path() / short_name(target);
         partial += ".part" + std::to_string(::getpid()) + "-" + std::to_string(i);
         if (make(partial.c_str())) {
             return partial;
@@ -106,6 +120,27 @@ std::filesystem::path make_beside(const std::filesystem::path& target, Make make
         }
     }
     throw not_written();
+}
+
+/// Writes into a file that has other names too: they stay names of one file. Room is made first, so
+/// a full disk leaves it as it was.
+void write_into(const std::filesystem::path& target, std::string_view text) {
+    const Descriptor file(::open(target.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC));
+    if (file.number < 0) {
+        throw not_written();
+    }
+    const auto size = static_cast<off_t>(text.size());
+    if (size > 0) {
+        const int fault = ::posix_fallocate(file.number, 0, size);
+        if (fault == ENOSPC || fault == EDQUOT || fault == EFBIG) {
+            errno = fault;
+            throw not_written();
+        }
+    }
+    write_all(file.number, text);
+    if (::ftruncate(file.number, size) != 0 || ::fsync(file.number) != 0) {
+        throw not_written();
+    }
 }
 
 /// The bytes are on the disk before their name is, and the name before this returns.
@@ -154,7 +189,10 @@ void replace_file(const std::filesystem::path& target, std::string_view text) {
                        0;
             });
         }
-        if (::rename(partial.c_str(), target.c_str()) != 0) {
+        if (is_there && old.st_nlink > 1) {
+            write_into(target, text);  // should the machine stop now, the whole text lies beside it
+            ::unlink(partial.c_str());
+        } else if (::rename(partial.c_str(), target.c_str()) != 0) {
             throw not_written();
         }
     } catch (const InputError&) {

@@ -12,7 +12,8 @@ namespace ravnoves {
 std::string read_text_file(const std::filesystem::path& path);
 /// Writes beside the target, then renames: a file already there stays whole when anything fails or
 /// the machine stops, and nothing is left behind when a signal ends the program. A file that is
-/// replaced keeps its rights, a read-only one stays. A link is followed, a device or a pipe written straight through.
+/// replaced keeps its rights, a read-only one stays. A link is followed, of a file with several
+/// names all name what is written; a device or a pipe is written straight through.
 /// @throws InputError where the place cannot be written
 void write_text_file(const std::filesystem::path& path, std::string_view text);
 

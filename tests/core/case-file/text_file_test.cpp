@@ -108,6 +108,30 @@ TEST_F(TextFile, APipeIsWrittenWhereSomebodyReadsIt) {
     ::close(reader);
 }
 
+TEST_F(TextFile, AllNamesOfAFileNameWhatIsWritten) {
+    const fs::path other = folder_ / "the same.case.json";
+    write_text_file(path_, "one, which is longer");
+    fs::create_hard_link(path_, other);
+    write_text_file(path_, "two");
+    EXPECT_EQ(read_text_file(other), "two");
+    EXPECT_EQ(fs::hard_link_count(path_), 2U);
+    write_text_file(other, "three, which is longer");
+    EXPECT_EQ(read_text_file(path_), "three, which is longer");
+    EXPECT_EQ(files(), 2U);
+}
+
+TEST_F(TextFile, ANameMayBeAsLongAsNamesAre) {
+    std::string name(250, 'n');
+    write_text_file(folder_ / name, "text");
+    EXPECT_EQ(read_text_file(folder_ / name), "text");
+    std::string letters;
+    for (int i = 0; i < 125; ++i) {
+        letters += "ж";
+    }
+    write_text_file(folder_ / letters, "text");
+    EXPECT_EQ(files(), 2U);
+}
+
 TEST_F(TextFile, ALinkIsFollowed) {
     const fs::path target = folder_ / "target";
     write_text_file(target, "before");
