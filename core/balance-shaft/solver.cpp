@@ -10,6 +10,7 @@
 #include "balance-shaft/engine_torque.h"
 #include "balance-shaft/moments.h"
 #include "balance-shaft/trace_check.h"
+#include "case-file/unusual_engine.h"
 #include "numerics/angle.h"
 #include "numerics/periodic_piecewise.h"
 
@@ -201,7 +202,11 @@ void Solver::Prepared::prepare_sweep() {
 }
 
 void Solver::Prepared::prepare_notes() {
-    const auto number = [](double value) { return Number{value, {}, 4}; };
+    const auto moment = [](double value) { return Number{value, units::N_m, 4}; };
+    for (Message& note : unusual_engine_notes(input.angular_speed, input.crank_radius,
+                                              input.rod_length.value_or(0.0))) {
+        base.notes.push_back(std::move(note));
+    }
     if (base.inertia_check.consistent && !*base.inertia_check.consistent) {
         base.notes.push_back(base.inertia_check.text);
     }
@@ -212,15 +217,15 @@ void Solver::Prepared::prepare_notes() {
             base.notes.emplace_back(
                 CORE_TEXT("balance-shaft",
                           "No angle of the shaft makes the range smaller than without a shaft: at "
-                          "best %1 N·m against %2 N·m."),
-                number(base.best_range.value), number(base.M_up.range));
+                          "best %1 against %2."),
+                moment(base.best_range.value), moment(base.M_up.range));
         }
         if (base.best_rms.value >= base.M_up.rms) {
             base.notes.emplace_back(
                 CORE_TEXT("balance-shaft",
                           "No angle of the shaft makes the RMS smaller than without a shaft: at "
-                          "best %1 N·m against %2 N·m."),
-                number(base.best_rms.value), number(base.M_up.rms));
+                          "best %1 against %2."),
+                moment(base.best_rms.value), moment(base.M_up.rms));
         }
     }
     if (input.torque.kind == TorqueSource::Kind::pressure) {
@@ -236,10 +241,11 @@ void Solver::Prepared::prepare_notes() {
         base.notes.emplace_back(
             CORE_TEXT("balance-shaft",
                       "The counterweight given balances %1 % of the first-order inertia force; "
-                      "equation (1) asks for %2 kg."),
-            number(100.0 * balanced),
-            number(input.reciprocating_mass() * input.crank_radius /
-                   (2.0 * input.counterweight_radius)));
+                      "equation (1) asks for %2."),
+            Number{100.0 * balanced, units::none, 4},
+            Number{input.reciprocating_mass() * input.crank_radius /
+                       (2.0 * input.counterweight_radius),
+                   units::kg, 4});
     }
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "case-file/input_error.h"
+#include "case-file/unusual_engine.h"
 
 namespace ravnoves::inertia_moments {
 
@@ -124,6 +125,10 @@ Result solve(const Input& input) {
     }
     result.notes = articulated_rod_notes(engine.throws, engine.cylinders, engine.crank_radius);
     for (Message& note : unusual_rod_notes(engine.knuckles, input.rod_length())) {
+        result.notes.push_back(std::move(note));
+    }
+    for (Message& note :
+         unusual_engine_notes(input.angular_speed, input.crank_radius, input.rod_length())) {
         result.notes.push_back(std::move(note));
     }
     const double step = input.step.value_or(usual_step);
