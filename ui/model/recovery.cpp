@@ -29,9 +29,15 @@ QString keptText(const Json& json, const char* key) {
     return QString::fromStdString(json.value(key, std::string()));
 }
 
-/// @throws InputError, Json::exception for a file that is none of ours
+/// A case that only a newer program can read.
+struct NewerCase : std::exception {};
+
+/// @throws InputError, Json::exception for a file that is none of ours, NewerCase
 RecoveredCase readKept(const QString& file) {
     const Json json = parse_json(read_text_file(fsPath(file)));
+    if (json.at("case").value("version", 0) > case_version) {
+        throw NewerCase();
+    }
     RecoveredCase kept;
     kept.file = file;
     kept.saved = QFileInfo(file).lastModified();
@@ -194,6 +200,8 @@ Recovery::Found Recovery::leftBehind() {
         for (const QString& file : filesOf(session)) {
             try {
                 found.cases << readKept(file);
+            } catch (const NewerCase&) {
+                found.newer << file;
             } catch (const std::exception&) {
                 const QString aside = file + damagedEnding;
                 QFile::remove(aside);

@@ -58,6 +58,7 @@ class Recovery : public QObject {
     struct Found {
         QList<RecoveredCase> cases;  ///< the newest first
         QStringList damaged;         ///< files that cannot be read, where they lie now
+        QStringList newer;           ///< files of a newer program, left to it
     };
     /// What programs have left that run no longer. Nobody else is offered it while this one runs.
     Found leftBehind();

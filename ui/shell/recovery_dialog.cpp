@@ -69,6 +69,13 @@ RecoveryDialog::RecoveryDialog(const Recovery::Found& found, QWidget* parent)
                 .arg(file),
             this));
     }
+    for (const QString& file : found.newer) {
+        column->addWidget(recoveryText(
+            tr("A newer version of Ravnoves has kept a case that was not saved: only that can read "
+               "it. It stays as %1.")
+                .arg(file),
+            this));
+    }
     auto* buttons = new QHBoxLayout;
     buttons->addStretch();
     const auto add = [&](const char* name, const QString& text, auto&& slot) {

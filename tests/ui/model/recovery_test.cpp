@@ -13,6 +13,8 @@
 #include <QTest>
 #include <csignal>
 
+#include "case-file/json.h"
+#include "case-file/text_file.h"
 #include "model/case_document.h"
 #include "model/root_model.h"
 #include "text/file_path.h"
@@ -137,6 +139,24 @@ TEST_F(RecoveryTest, WhatWasChangedSinceTheCrashIsSaid) {
     ASSERT_EQ(CaseDocument(&other, {}).saveTo(file("a.case.json")), QString());
     document.restore(document.asFile(), {}, file("a.case.json"), known);
     EXPECT_EQ(document.disk().state(), FileOnDisk::State::Changed);
+}
+
+TEST_F(RecoveryTest, ACaseOfANewerProgramIsLeftToIt) {
+    {
+        Recovery crashed(keptIn());
+        watch(crashed);
+        model.set("square", 9.0);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return kept().size() == 1; }, soon));
+    }
+    const QString path = QDir(keptIn()).filePath(kept().constFirst());
+    Json json = parse_json(read_text_file(path.toStdString()));
+    json["case"]["version"] = 99;
+    write_text_file(path.toStdString(), json.dump());
+    const Recovery::Found found = Recovery(keptIn()).leftBehind();
+    EXPECT_TRUE(found.cases.isEmpty());
+    EXPECT_TRUE(found.damaged.isEmpty());
+    EXPECT_EQ(found.newer, QStringList{path});
+    EXPECT_TRUE(QFile::exists(path));
 }
 
 TEST_F(RecoveryTest, ADamagedFileIsKeptAside) {
