@@ -4,6 +4,8 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QSettings>
+#include <QTimer>
+#include <algorithm>
 #include <utility>
 
 #include "case-file/input_error.h"
@@ -72,8 +74,14 @@ CaseDocument::CaseDocument(SceneModel* model, DocumentDialogs dialogs, QObject* 
     : QObject(parent),
       model_(model),
       dialogs_(std::move(dialogs)),
-      rest_(std::make_unique<CaseFile>()) {
+      rest_(std::make_unique<CaseFile>()),
+      sourcesLater_(new QTimer(this)) {
     documents() << this;
+    constexpr int delay = 300;  // ms
+    sourcesLater_->setSingleShot(true);
+    sourcesLater_->setInterval(delay);
+    connect(sourcesLater_, &QTimer::timeout, this, &CaseDocument::watchSources);
+    connect(model, &SceneModel::historyChanged, sourcesLater_, [this] { sourcesLater_->start(); });
     connect(model, &SceneModel::historyChanged, this, &CaseDocument::tellNeed);
     connect(model, &SceneModel::titleChanged, this, &CaseDocument::nameChanged);
     connect(&disk_, &FileOnDisk::stateChanged, this, [this] {
@@ -189,6 +197,8 @@ Json* CaseDocument::fileNamedAt(CaseFile& file, const InputError& error) {
 void CaseDocument::load(const CaseFile& file, const CaseContext& context) {
     model_->loadFile(file, context, isExample(file));
     *rest_ = file;
+    sources_.clear();  // they were read just now
+    watchSources();
     Q_EMIT model_->broughtIn();
 }
 
@@ -216,6 +226,67 @@ void CaseDocument::keepMine() {
     disk_.accept();
     model_->history()->resetClean();
     Q_EMIT nameChanged();
+}
+
+void CaseDocument::watchSources() {
+    sourcesLater_->stop();
+    std::vector<QString> paths;
+    if (model_->hasCaseFile()) {
+        for (const std::filesystem::path& each : files_named_by(asFile(), model_->context())) {
+            const QFileInfo file(QFile::decodeName(each.string().c_str()));
+            paths.push_back(file.absoluteFilePath());
+        }
+    }
+    const auto isNamed = [&](const auto& source) {
+        return std::find(paths.begin(), paths.end(), source->path()) != paths.end();
+    };
+    const bool isFewer = std::erase_if(sources_, [&](const auto& each) { return !isNamed(each); });
+    for (const QString& path : paths) {
+        if (std::none_of(sources_.begin(), sources_.end(),
+                         [&](const auto& each) { return each->path() == path; })) {
+            sources_.push_back(std::make_unique<FileOnDisk>());
+            sources_.back()->setPath(path);
+            connect(sources_.back().get(), &FileOnDisk::stateChanged, this,
+                    &CaseDocument::sourcesChanged);
+        }
+    }
+    if (isFewer) {
+        Q_EMIT sourcesChanged();
+    }
+}
+
+const FileOnDisk* CaseDocument::changedSource() const {
+    for (const auto& each : sources_) {
+        if (each->state() != FileOnDisk::State::Same) {
+            return each.get();
+        }
+    }
+    return nullptr;
+}
+
+void CaseDocument::checkSources() {
+    for (const auto& each : sources_) {
+        each->check();
+    }
+}
+
+QString CaseDocument::readSources() {
+    checkSources();
+    try {
+        model_->loadInput(model_->inputJson(), model_->context());
+    } catch (const InputError& error) {
+        return errorText(error);
+    }
+    keepSources();
+    Q_EMIT model_->broughtIn();
+    return {};
+}
+
+void CaseDocument::keepSources() {
+    for (const auto& each : sources_) {
+        each->accept();
+    }
+    Q_EMIT sourcesChanged();
 }
 
 void CaseDocument::checkReadable(const std::string& text) {

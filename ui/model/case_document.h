@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "model/file_on_disk.h"
 #include "model/scene_model.h"
@@ -95,6 +96,17 @@ class CaseDocument : public QObject {
     /// What is here stays, whatever others did to the file, and needs saving.
     void keepMine();
 
+    /// Of the files that the case reads (CSV) the first that others have changed or deleted since;
+    /// null where all are as they were.
+    const FileOnDisk* changedSource() const;
+    /// Looks at them now.
+    void checkSources();
+    /// Reads them again, as one step of the history.
+    /// @return an empty string, or what is wrong
+    QString readSources();
+    /// What was read of them before stays.
+    void keepSources();
+
     // With the user's help; false where the user wants to stay, or the file could not be written.
     bool save();
     bool saveAs();
@@ -108,8 +120,11 @@ class CaseDocument : public QObject {
     /// name() or needsSaving() is another.
     void nameChanged();
     void saved(const QString& path);
+    /// changedSource() is another, or changed again.
+    void sourcesChanged();
 
   private:
+    void watchSources();
     void setPath(const QString& path, const QByteArray& known);
     void tellNeed();
     void load(const CaseFile& file, const CaseContext& context);
@@ -124,6 +139,8 @@ class CaseDocument : public QObject {
     QString path_;
     std::unique_ptr<CaseFile> rest_;  ///< of the file, what the model does not know
     FileOnDisk disk_;
+    std::vector<std::unique_ptr<FileOnDisk>> sources_;  ///< that the case reads
+    QTimer* sourcesLater_;
     bool isLastCopy_ = false;
     bool neededSaving_ = false;
 };

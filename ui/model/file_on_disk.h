@@ -24,6 +24,7 @@ class FileOnDisk : public QObject {
     /// The same with the digest of what was read or written, which others may have changed since.
     void setPath(const QString& path, const QByteArray& known);
     static QByteArray digestOf(std::string_view content);
+    const QString& path() const { return path_; }
     /// Of the content known; empty where there is none.
     const QByteArray& digest() const { return known_; }
     State state() const { return state_; }

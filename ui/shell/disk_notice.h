@@ -9,8 +9,8 @@ namespace ravnoves {
 
 class CaseDocument;
 
-/// Over the page: that the case's file was changed or deleted by others, and what to do. Hidden
-/// where the file is as it was.
+/// Over the page: that the case's file, or one that it reads, was changed or deleted by others, and
+/// what to do. Hidden where they are as they were.
 class DiskNotice : public Panel {
     Q_OBJECT
 
@@ -27,6 +27,8 @@ class DiskNotice : public Panel {
   private:
     QLabel* text_;
     QPushButton* reload_;
+    QPushButton* keep_;
+    QPushButton* saveAs_;
 };
 
 }  // namespace ravnoves

@@ -161,6 +161,7 @@ OpenDocument& Documents::add(std::size_t scene) {
     });
     connect(added.document, &CaseDocument::saved, this, &Documents::saved);
     connect(&added.document->disk(), &FileOnDisk::stateChanged, this, &Documents::showNotice);
+    connect(added.document, &CaseDocument::sourcesChanged, this, &Documents::showNotice);
     keep(added);
     return added;
 }
@@ -186,7 +187,14 @@ void Documents::makeNotice() {
     notice_ = new DiskNotice(this);
     static_cast<QVBoxLayout*>(layout())->insertWidget(1, notice_);  // below the tabs
     connect(notice_, &DiskNotice::reloadAsked, this, &Documents::reload);
-    connect(notice_, &DiskNotice::keepAsked, this, [this] { current_->document->keepMine(); });
+    connect(notice_, &DiskNotice::keepAsked, this, [this] {
+        CaseDocument& document = *current_->document;
+        if (document.disk().state() != FileOnDisk::State::Same) {
+            document.keepMine();
+        } else {
+            document.keepSources();
+        }
+    });
     connect(notice_, &DiskNotice::saveAsAsked, this, [this] { current_->document->saveAs(); });
 }
 
@@ -255,6 +263,7 @@ void Documents::bringToFront(OpenDocument& document) {
     stack_->setCurrentWidget(document.page);
     arrangeTabs();
     document.document->disk().check();
+    document.document->checkSources();
     showNotice();
     document.page->setActive(true);
     Q_EMIT currentChanged();
@@ -449,7 +458,10 @@ void Documents::showNotice() {
 }
 
 void Documents::reload() {
-    const QString trouble = current_->document->reload();
+    CaseDocument& document = *current_->document;
+    const QString trouble = document.disk().state() != FileOnDisk::State::Same
+                                ? document.reload()
+                                : document.readSources();
     if (!trouble.isEmpty()) {
         QMessageBox::warning(window(), tr("Open case"), trouble);
     }
@@ -459,6 +471,7 @@ bool Documents::event(QEvent* event) {
     if (event->type() == QEvent::WindowActivate) {
         for (const auto& each : documents_) {
             each->document->disk().check();
+            each->document->checkSources();
         }
     }
     return QWidget::event(event);
