@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "elastic-hinge/fields.h"
+#include "shell/refused_entries.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 #include "widgets/file_dialogs.h"
@@ -109,6 +110,9 @@ QString GuideExportForm::exportTo(const QString& path) {
 }
 
 void GuideExportForm::ask(const QString& suffix) {
+    if (!goOnWithoutRefused(this, tr("Export guide"))) {
+        return;
+    }
     QList<FileFormat> formats{dxfFormat(), csvFormat()};
     if (formats.back().suffix == suffix) {
         std::swap(formats.front(), formats.back());
