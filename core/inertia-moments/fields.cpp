@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <utility>
+#include <vector>
 
 #include "case-file/field_visitor.h"
 #include "case-file/input_error.h"
@@ -11,6 +12,28 @@
 #include "inertia-moments/layouts.h"
 
 namespace ravnoves::inertia_moments {
+
+namespace {
+
+std::span<const Word> layout_words() {
+    static const std::vector<Word> words = [] {
+        std::vector<Word> list;
+        for (const LayoutSpec& spec : layout_library()) {
+            list.push_back({spec.name, spec.title});
+        }
+        return list;
+    }();
+    return words;
+}
+
+}  // namespace
+
+const Field field::layout_name{
+    .key = "name",
+    .label = CORE_TEXT("inertia-moments", "Layout"),
+    .hint =
+        CORE_TEXT("inertia-moments", "Name in the library, for example i4, v6-60, v8-cross-plane."),
+    .words = layout_words()};
 
 namespace {
 

@@ -177,19 +177,19 @@ inline constexpr Field knuckle_mass{
 
 // Of the object "layout".
 enum class LayoutType { vr, library };
-inline constexpr Word layout_types[] = {{"vr"}, {"library"}};
+inline constexpr Word layout_types[] = {
+    {"vr", CORE_TEXT("inertia-moments", "VR engine")},
+    {"library", CORE_TEXT("inertia-moments", "of the library")}};
 inline constexpr Field layout{
     .key = "layout",
     .hint = CORE_TEXT("inertia-moments", "A layout, instead of the cylinders one by one.")};
 inline constexpr Field layout_type{
     .key = "type",
+    .label = CORE_TEXT("inertia-moments", "Kind of layout"),
     .hint = CORE_TEXT("inertia-moments",
                       "A VR engine of any number of cylinders, or a layout of the library."),
     .words = layout_types};
-inline constexpr Field layout_name{
-    .key = "name",
-    .hint = CORE_TEXT("inertia-moments",
-                      "Name in the library, for example i4, v6-60, v8-cross-plane.")};
+extern const Field layout_name;  ///< its words are the names of the library
 inline constexpr Field layout_cylinders{
     .key = "cylinders",
     .range = Range::between(1, most_cylinders),

@@ -8,6 +8,7 @@
 
 #include "case-file/json.h"
 #include "model/scene_model.h"
+#include "text/capital.h"
 #include "text/difference_text.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
@@ -77,7 +78,7 @@ class FieldNames {
             lastKey(pointer) != std::string(entry->field.key)) {
             parts << words(pointer);
         }
-        return parts.join(QStringLiteral(", "));
+        return capitalised(parts.join(QStringLiteral(", ")));
     }
 
   private:
@@ -168,7 +169,7 @@ QString InputDifference::absolute() const {
 }
 
 QString InputDifference::percent() const {
-    return presentValue && referenceValue && unit != QStringLiteral("°")
+    return presentValue && referenceValue && !isCount && unit != QStringLiteral("°")
                ? signedPercent(*presentValue - *referenceValue, *referenceValue)
                : QString();
 }
@@ -198,7 +199,12 @@ std::vector<InputDifference> inputDifferences(const SceneModel& model, const Jso
                                    .unit = unit.name,
                                    .present = shownValue(now, entry, unit.factor),
                                    .reference = shownValue(was, entry, unit.factor)};
-        if (areNumbers) {
+        const bool isInteger = areNumbers && now->is_number_integer() && was->is_number_integer();
+        // Numbers of cylinders are names.
+        const bool isName = isInteger && entry != nullptr && entry->kind == FieldKind::list &&
+                            entry->field.unit == units::none;
+        difference.isCount = entry != nullptr && entry->kind == FieldKind::integer;
+        if (areNumbers && !isName) {
             difference.presentValue = unit.factor * now->get<double>();
             difference.referenceValue = unit.factor * was->get<double>();
         }

@@ -20,6 +20,7 @@ struct InputDifference {
     // Where both are numbers, in the unit:
     std::optional<double> presentValue = {};
     std::optional<double> referenceValue = {};
+    bool isCount = false;  ///< of what is counted a percentage says nothing
 
     QString absolute() const;  ///< present − reference with its sign; empty where that is nothing
     QString percent() const;   ///< of the reference

@@ -6,6 +6,7 @@
 
 #include "case-file/json.h"
 #include "model/scene_model.h"
+#include "text/capital.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
@@ -81,17 +82,17 @@ class Inputs {
     QString nameOf(const std::string& pointer, const std::string& key) const {
         const FieldEntry* entry = entryAt(pointer);
         if (entry != nullptr && !entry->field.label.empty()) {
-            return fieldName(entry->field);
+            return capitalised(fieldName(entry->field));
         }
         // The form names the field that may be given in its place.
         const std::string parent = pointer.substr(0, pointer.rfind('/') + 1);
         for (const std::string& other : entry != nullptr ? entry->alternatives : noKeys()) {
             const FieldEntry* named = entryAt(parent + other);
             if (named != nullptr && !named->field.label.empty()) {
-                return fieldName(named->field);
+                return capitalised(fieldName(named->field));
             }
         }
-        return inWords(key, !unitOf(pointer).name.isEmpty());
+        return capitalised(inWords(key, !unitOf(pointer).name.isEmpty()));
     }
 
     static const std::vector<std::string>& noKeys() {

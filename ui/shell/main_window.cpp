@@ -544,7 +544,7 @@ void MainWindow::rememberSession() {
 
 void MainWindow::offerRecovered() {
     const Recovery::Found found = recovery_->leftBehind();
-    if (found.cases.isEmpty() && found.damaged.isEmpty()) {
+    if (found.cases.isEmpty() && found.damaged.isEmpty() && found.newer.isEmpty()) {
         return;
     }
     auto* dialog = new RecoveryDialog(found, this);
@@ -631,9 +631,14 @@ void MainWindow::updateTitle() {
     const CaseDocument& document = *documents_->current().document;
     const QString scene = documents_->currentScene().title;
     const QString name = document.name();
-    setWindowTitle(
-        (name.isEmpty() ? scene + QStringLiteral("[*]") : name + QStringLiteral("[*] – ") + scene) +
-        QStringLiteral(" – Ravnoves"));
+    // A file, then what the case calls itself where its file does not say so.
+    const QString title = document.model()->title();
+    const bool isNamed = !title.isEmpty() && !name.startsWith(title);
+    setWindowTitle((name.isEmpty()
+                        ? scene + QStringLiteral("[*]")
+                        : name + QStringLiteral("[*] – ") +
+                              (isNamed ? title + QStringLiteral(" – ") : QString()) + scene) +
+                   QStringLiteral(" – Ravnoves"));
     setWindowModified(document.needsSaving());
 }
 

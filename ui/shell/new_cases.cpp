@@ -25,17 +25,14 @@ namespace {
 
 /// The titles of resources/examples, as they stand there: here they are found to be translated.
 [[maybe_unused]] constexpr std::array exampleTitles{
-    QT_TRANSLATE_NOOP("ravnoves::NewCases", "TMZ-650D, balance shaft at 45 deg"),
-    QT_TRANSLATE_NOOP("ravnoves::NewCases", "Zotov and Sviridov 2021, formulas as printed"),
-    QT_TRANSLATE_NOOP("ravnoves::NewCases", "counterweight on the rod, solved"),
-    QT_TRANSLATE_NOOP("ravnoves::NewCases",
-                      "the same mechanism, exact kinematics, guide that keeps the energy constant"),
-    QT_TRANSLATE_NOOP("ravnoves::NewCases",
-                      "4.25 l V-8, oversize pistons and bearings (part masses are examples)"),
-    QT_TRANSLATE_NOOP("ravnoves::NewCases",
-                      "6 l V-8, improved piston and rod (part masses are examples)"),
-    QT_TRANSLATE_NOOP("ravnoves::NewCases", "Volkswagen VR5 at 6200 rpm"),
-    QT_TRANSLATE_NOOP("ravnoves::NewCases", "Nine-cylinder radial with articulated rods"),
+    QT_TRANSLATE_NOOP("ravnoves::NewCases", "TMZ-650D: balance shaft at 45°"),
+    QT_TRANSLATE_NOOP("ravnoves::NewCases", "Zotov and Sviridov 2021: formulas as printed"),
+    QT_TRANSLATE_NOOP("ravnoves::NewCases", "Zotov and Sviridov 2021: counterweight on the rod"),
+    QT_TRANSLATE_NOOP("ravnoves::NewCases", "Zotov and Sviridov 2021: guide that keeps the energy"),
+    QT_TRANSLATE_NOOP("ravnoves::NewCases", "V-8 of 4.25 litres: repair with oversize pistons"),
+    QT_TRANSLATE_NOOP("ravnoves::NewCases", "V-8 of 6 litres: improved pistons and rods"),
+    QT_TRANSLATE_NOOP("ravnoves::NewCases", "Volkswagen VR5 at 6200 min⁻¹"),
+    QT_TRANSLATE_NOOP("ravnoves::NewCases", "Radial engine of nine cylinders"),
 };
 
 QString shown(const char* text) {

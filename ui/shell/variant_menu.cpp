@@ -66,6 +66,7 @@ void VariantMenu::setPage(ScenePage* page) {
         disconnect(model_, nullptr, this, nullptr);
     }
     page_ = page;
+    kept_.clear();
     model_ = page != nullptr ? page->model() : nullptr;
     if (model_ != nullptr) {
         connect(model_, &SceneModel::variantsChanged, this, &VariantMenu::showState);
@@ -76,6 +77,12 @@ void VariantMenu::setPage(ScenePage* page) {
 void VariantMenu::showState() {
     const bool usable = page_ != nullptr && model_->hasCaseFile();
     const int reference = usable ? model_->reference() : -1;
+    // What was said of a variant that is undone is not so any more.
+    if (!kept_.isEmpty() && usable &&
+        (model_->variants().isEmpty() || model_->variants().constLast().name != kept_)) {
+        kept_.clear();
+        Q_EMIT page_->status({});
+    }
     keep_->setEnabled(usable);
     none_->setChecked(reference < 0);
     none_->setEnabled(usable && !model_->variants().isEmpty());
@@ -124,8 +131,9 @@ void VariantMenu::fillList() {
 
 void VariantMenu::keep() {
     model_->keepVariant();
-    Q_EMIT page_->status(tr("Kept as variant %1; what changes from here on is shown against it.")
-                             .arg(model_->variants().constLast().name));
+    kept_ = model_->variants().constLast().name;
+    Q_EMIT page_->status(
+        tr("Kept as variant %1; what changes from here on is shown against it.").arg(kept_));
 }
 
 void VariantMenu::none() {

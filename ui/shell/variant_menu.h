@@ -44,6 +44,7 @@ class VariantMenu : public QMenu {
     QList<QAction*> onReference_;  ///< need a reference
     QAction* keep_;
     QAction* none_;
+    QString kept_;  ///< that the status line speaks of
 };
 
 }  // namespace ravnoves

@@ -5,10 +5,12 @@
 #include <QAction>
 #include <QFile>
 #include <QInputDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QProcess>
+#include <QPushButton>
 #include <QStandardPaths>
 #include <QStatusBar>
 #include <QTemporaryDir>
@@ -136,6 +138,7 @@ TEST_F(SavingTest, TitleAndNotesAreFieldsThatAreSavedAndUndone) {
     EXPECT_TRUE(window.windowTitle().contains(QStringLiteral("My engine")));
     EXPECT_TRUE(window.isWindowModified());
     ASSERT_EQ(window.saveCase(file("мой.case.json")), QString());
+    EXPECT_TRUE(window.windowTitle().startsWith(QStringLiteral("мой.case.json[*] – My engine – ")));
     const Json written = read(file("мой.case.json"));
     EXPECT_EQ(written.at("title"), "My engine");
     EXPECT_EQ(written.at("notes"), "Measured on Monday");
@@ -287,6 +290,51 @@ TEST_F(SavingTest, AMissingTableIsLookedForWithTheUser) {
     EXPECT_FALSE(window.isWindowModified());
     MainWindow other;
     EXPECT_EQ(other.openCase(path), QString());
+}
+
+TEST_F(SavingTest, ATableThatOthersChangeIsSaidAndReadAgain) {
+    ASSERT_EQ(window.openCase(caseWithTable("a")), QString());
+    auto* notice = window.findChild<QWidget*>(QStringLiteral("disk_notice"));
+    const auto isSaid = [&] { return notice->isVisible(); };
+    const Json before = model().resultJson();
+    const QString table = file("a/момент.csv");
+    std::string text = read_text_file(fsPath(table));
+    const std::size_t second = text.find('\n') + 1;
+    text.insert(text.find(',', second) + 1, "1");  // its torque has a digit more
+    write_text_file(fsPath(table), text);
+    ASSERT_TRUE(QTest::qWaitFor(isSaid, 3000));
+    EXPECT_TRUE(notice->findChild<QLabel*>()->text().contains(QStringLiteral("момент.csv")));
+    EXPECT_EQ(model().resultJson(), before);
+    QTest::mouseClick(test::named<QPushButton>(*notice, "disk_reload"), Qt::LeftButton);
+    EXPECT_FALSE(isSaid());
+    EXPECT_NE(model().resultJson(), before);
+    press(Qt::Key_Z);
+    EXPECT_EQ(model().resultJson(), before);
+    // What cannot be read is said, and all stays.
+    write_text_file(fsPath(table), "nothing");
+    ASSERT_TRUE(QTest::qWaitFor(isSaid, 3000));
+    answer("OK");
+    QTest::mouseClick(test::named<QPushButton>(*notice, "disk_reload"), Qt::LeftButton);
+    EXPECT_EQ(model().resultJson(), before);
+    ASSERT_TRUE(QFile::remove(table));
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return !test::named<QPushButton>(*notice, "disk_reload")->isVisible(); }, 3000));
+    QTest::mouseClick(test::named<QPushButton>(*notice, "disk_keep"), Qt::LeftButton);
+    EXPECT_FALSE(isSaid());
+}
+
+TEST_F(SavingTest, WhatIsSaidOfAVariantGoesWithIt) {
+    const auto isSaid = [this] {
+        const auto labels = window.statusBar()->findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+            return label->text().startsWith(QStringLiteral("Kept as variant"));
+        });
+    };
+    press(Qt::Key_K);
+    EXPECT_TRUE(isSaid());
+    press(Qt::Key_Z);
+    EXPECT_TRUE(model().variants().isEmpty());
+    EXPECT_FALSE(isSaid());
 }
 
 TEST_F(SavingTest, GivingUpTheSearchLeavesAllAsItWas) {
