@@ -22,6 +22,7 @@
 #include "balance-shaft/shaft_map_view.h"
 #include "balance-shaft/speed_view.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/page_columns.h"
 #include "widgets/panel.h"
@@ -217,16 +218,14 @@ void BalanceShaftPage::showShaft() {
     angle_->setValue(alpha);
     moments_->setCurve(s_, result.curves.crank_angle_deg, result.curves.M_s);
     moments_->setCurve(ups_, result.curves.crank_angle_deg, result.curves.M_ups);
-    const QLocale locale;
+    const auto shown = [](double moment) { return shownDigits(moment, units::N_m, 0); };
     std::vector<PlotView::Mark> marks;
     const auto mark = [&](int curve, const MomentMetrics& metrics, int colour) {
         if (!moments_->isCurveShown(curve)) {
             return;
         }
-        marks.push_back(
-            {metrics.max_angle / degree, metrics.max, fixedNumber(metrics.max, 0, locale), colour});
-        marks.push_back(
-            {metrics.min_angle / degree, metrics.min, fixedNumber(metrics.min, 0, locale), colour});
+        marks.push_back({metrics.max_angle / degree, metrics.max, shown(metrics.max), colour});
+        marks.push_back({metrics.min_angle / degree, metrics.min, shown(metrics.min), colour});
     };
     mark(ups_, result.M_ups, 2);
     mark(up_, result.M_up, 0);

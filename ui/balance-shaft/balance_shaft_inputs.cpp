@@ -8,6 +8,7 @@
 #include "balance-shaft/torque_source_editor.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/form.h"
 #include "widgets/page_columns.h"
@@ -46,8 +47,7 @@ void BalanceShaftPage::addEngine(Form* form) {
     speed->setDigits(8);
     QLabel* angularSpeed = engine->addResult(tr("ω"), tr("Angular speed, n π / 30"));
     form->follow([this, angularSpeed] {
-        angularSpeed->setText(fixedNumber(model_->input().angular_speed, 2, QLocale()) +
-                              tr(" rad/s"));
+        angularSpeed->setText(shownNumber(model_->input().angular_speed, units::rad_per_s, 2));
     });
     form->choice("/strokes", [this](int strokes) { return model_->setStrokes(strokes); });
     form->number("/crank_radius_mm");
@@ -90,10 +90,9 @@ void BalanceShaftPage::addMasses(Form* form) {
     QLabel* note = captionLabel({}, masses);
     masses->addWide(note);
     form->follow([this, sum, note] {
-        const QLocale locale;
-        sum->setText(fixedNumber(model_->input().reciprocating_mass(), 3, locale) + tr(" kg"));
+        sum->setText(shownNumber(model_->input().reciprocating_mass(), units::kg, 3));
         const double other = model_->otherMasses();
-        note->setText(tr("%1 kg of it are not listed above.").arg(formNumber(other, locale, 6)));
+        note->setText(tr("%1 of it are not listed above.").arg(shownShort(other, units::kg, 6)));
         note->setVisible(other > 0.0);
     });
 }

@@ -10,6 +10,7 @@
 #include "balance-shaft/mechanism.h"
 #include "balance-shaft/model/balance_shaft_model.h"
 #include "numerics/constants.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
 
@@ -208,9 +209,8 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
     painter.drawText(QRectF(rect()).adjusted(8, 6, -8, -6), Qt::AlignTop | Qt::AlignLeft,
                      tr("φ = %1°").arg(QLocale().toString(model_->crankAngleDeg(), 'f', 0)));
     painter.drawText(QRectF(rect()).adjusted(8, 6, -8, -6), Qt::AlignTop | Qt::AlignRight,
-                     tr("%1 × %2 mm")
-                         .arg(QLocale().toString(1e3 * envelope.width(), 'f', 0),
-                              QLocale().toString(1e3 * envelope.height(), 'f', 0)));
+                     shownDigits(envelope.width(), units::mm, 0) + QStringLiteral(" × ") +
+                         shownNumber(envelope.height(), units::mm, 0));
     if (!buildable) {
         painter.setPen(theme.error());
         painter.drawText(QRectF(rect()).adjusted(8, 22, -8, -6), Qt::AlignTop | Qt::AlignRight,

@@ -6,6 +6,7 @@
 #include "balance-shaft/model/shown_curves.h"
 #include "plot/plot_view.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
 #include "widgets/panel.h"
@@ -43,12 +44,13 @@ OrdersView::OrdersView(BalanceShaftModel* model, QWidget* parent) : QWidget(pare
         panel));
     table_ = new ResultTable(panel);
     table_->setAccessibleName(tr("Order spectrum"));
-    table_->setColumns(
-        {tr("Order"), tr("Mᵤₚ, N·m"), tr("phase, °"), tr("Mᵤₚₛ, N·m"), tr("phase, °")});
+    const QString without = shownTitle(tr("Mᵤₚ, N·m")).text;
+    const QString with = shownTitle(tr("Mᵤₚₛ, N·m")).text;
+    table_->setColumns({tr("Order"), without, tr("phase, °"), with, tr("phase, °")});
     table_->setTips(
         {{tr("Order"), tr("Multiple of the crank speed")},
-         {tr("Mᵤₚ, N·m"), tr("Fourier amplitude of the moment without a shaft")},
-         {tr("Mᵤₚₛ, N·m"), tr("Fourier amplitude with the shaft at the present α")},
+         {without, tr("Fourier amplitude of the moment without a shaft")},
+         {with, tr("Fourier amplitude with the shaft at the present α")},
          {tr("phase, °"), tr("Of the moment to the left: amplitude × sin(kφ + phase)")}});
     table_->setShownRows(5);
     inside->addWidget(table_);
@@ -74,12 +76,11 @@ void OrdersView::showResult() {
     const QLocale locale;
     QVector<QStringList> rows;
     for (std::size_t i = 0; i < shown.order.size(); ++i) {
-        const auto fixed = [&](double value, int digits) {
-            return fixedNumber(value, digits, locale);
-        };
-        rows.push_back({formNumber(shown.order[i], locale), fixed(shown.without[i], 2),
-                        fixed(result.spectrum_M_up[i].phase / degree, 1), fixed(shown.with[i], 2),
-                        fixed(result.spectrum_M_ups[i].phase / degree, 1)});
+        const auto moment = [](double value) { return shownDigits(value, units::N_m, 2); };
+        const auto phase = [](double value) { return shownDigits(value, units::degree, 1); };
+        rows.push_back({formNumber(shown.order[i], locale), moment(shown.without[i]),
+                        phase(result.spectrum_M_up[i].phase), moment(shown.with[i]),
+                        phase(result.spectrum_M_ups[i].phase)});
     }
     table_->setRows(rows);
 }

@@ -16,6 +16,7 @@
 #include "shell/refused_entries.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
 #include "widgets/file_dialogs.h"
@@ -85,14 +86,12 @@ RelievedShaftDrawing::RelievedShaftDrawing(QWidget* parent) : ComparedFigure(par
 
 void RelievedShaftDrawing::setShaft(const RelievedShaft& shaft) {
     shaft_ = shaft;
-    const QLocale locale;
-    const auto mm = [&](double metres) { return fixedNumber(metres / units::mm, 1, locale); };
+    const auto mm = [](double metres) { return shownNumber(metres, units::mm, 1); };
     setAccessibleDescription(
-        shaft.half_width > 0.0
-            ? tr("Bar of %1 mm, its middle cut %2 mm deep over %3 mm; bearings %4 mm apart.")
-                  .arg(mm(shaft.diameter), mm(shaft.depth), mm(shaft.length),
-                       mm(shaft.bearing_span))
-            : tr("No shaft of these sizes"));
+        shaft.half_width > 0.0 ? tr("Bar of %1, its middle cut %2 deep over %3; bearings %4 apart.")
+                                     .arg(mm(shaft.diameter), mm(shaft.depth), mm(shaft.length),
+                                          mm(shaft.bearing_span))
+                               : tr("No shaft of these sizes"));
     update();
     Q_EMIT pictureChanged();
 }
@@ -191,8 +190,7 @@ void RelievedShaftDrawing::paintEvent(QPaintEvent* /*event*/) {
 
     // Sizes.
     painter.setPen(theme.text());
-    const QLocale locale;
-    const auto mm = [&](double metres) { return fixedNumber(metres / units::mm, 1, locale); };
+    const auto mm = [](double metres) { return shownNumber(metres, units::mm, 1); };
     const QPointF below(0.0, 16.0 + row / 2.0);
     const QPointF above(0.0, -8.0 - row / 2.0);
     drawing::drawCentred(painter, at(section, 0.0, -radius) + below,

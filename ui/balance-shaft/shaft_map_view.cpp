@@ -19,6 +19,7 @@
 #include "plot/plot_view.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/apart.h"
 #include "widgets/form.h"
@@ -350,14 +351,13 @@ void ShaftMapView::showDistances() {
                        units::cm2);
     }
     distances_->setCurve(size_, x, std::move(size));
-    const QLocale locale;
     std::vector<PlotView::Mark> marks;
     const auto mark = [&](const auto& built, const auto& all, Measure measure, int colour) {
         const auto& best = built ? built : all;
         if (best) {
             const double at = best->position.centre_distance() / units::mm;
-            marks.push_back({at, best->criteria.*measure, fixedNumber(at, 1, locale), colour,
-                             PlotView::Side::Left, true});
+            marks.push_back({at, best->criteria.*measure, shownDigits(at * units::mm, units::mm, 1),
+                             colour, PlotView::Side::Left, true});
         }
     };
     mark(map->buildable.range, map->best.range, range, 2);

@@ -11,6 +11,7 @@
 #include "plot/model/contour_lines.h"
 #include "text/csv_format.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -169,8 +170,8 @@ QString SpeedMapPlot::wordsAt(double angleDeg, double speed) const {
     const double value = map_->valueAt(angleDeg, speed);
     const QLocale locale;
     const double change = 100.0 * (value - 1.0);
-    return tr("α %1°, n %2 min⁻¹: %3 of that without a shaft, %4")
-        .arg(fixedNumber(angleDeg, 1, locale), fixedNumber(speed, 0, locale),
+    return tr("α %1°, n %2: %3 of that without a shaft, %4")
+        .arg(fixedNumber(angleDeg, 1, locale), shownNumber(speed * units::rpm, units::rpm, 0),
              fixedNumber(value, 3, locale),
              (change > 0.0 ? tr("%1 % worse") : tr("%1 % better"))
                  .arg(fixedNumber(std::abs(change), 1, locale)));
@@ -205,12 +206,13 @@ QString SpeedMapPlot::csv(const CsvFormat& format) const {
         return {};
     }
     const auto number = [&format](double value) { return format.number(value); };
-    QString text = format.field(tr("n, min⁻¹")) + format.separator + format.field(tr("α, °")) +
+    const ShownTitle speed = shownTitle(tr("n, min⁻¹"));
+    QString text = format.field(speed.text) + format.separator + format.field(tr("α, °")) +
                    format.separator + format.field(title()) + QLatin1Char('\n');
     for (int s = 0; s < map_->speeds; ++s) {
         for (int a = 0; a < map_->angles; ++a) {
-            text += number(map_->lowest + s * map_->speedStep()) + format.separator +
-                    number(360.0 * a / map_->angles) + format.separator +
+            text += number(speed.factor * (map_->lowest + s * map_->speedStep())) +
+                    format.separator + number(360.0 * a / map_->angles) + format.separator +
                     number(map_->value(s, a)) + QLatin1Char('\n');
         }
     }

@@ -90,7 +90,7 @@ QString TorqueTableEditor::importFile(const QString& path) {
 void TorqueTableEditor::paste() {
     const QString text = QApplication::clipboard()->text();
     try {
-        const QString what = table_->replaceByText(text);
+        const QString what = table_->replaceByText(text, true);
         say(tr("Read %1.").arg(what), false);
     } catch (const InputError& error) {
         const auto rows = static_cast<int>(readTextTable(text).size());

@@ -7,6 +7,7 @@
 #include "elastic-hinge/number_list_field.h"
 #include "elastic-hinge/presets.h"
 #include "text/message_text.h"
+#include "text/shown_units.h"
 
 namespace ravnoves {
 
@@ -79,7 +80,8 @@ void HingeInputs::addMechanism() {
         });
     addChoice(
         QStringLiteral("masses_given_as"), shownText(field::given_as.label),
-        {tr("weights, N"), tr("masses, kg")}, shownText(field::given_as.hint),
+        {shownTitle(tr("weights, N")).text, shownTitle(tr("masses, kg")).text},
+        shownText(field::given_as.hint),
         [this] { return model_->input().masses_as_weights ? 0 : 1; },
         [this](int index) {
             model_->edit(tr("Weights or masses"),
@@ -169,18 +171,19 @@ void HingeInputs::addFamilies() {
     section(tr("Families of curves"));
     constexpr int longest = 6;
     const auto add = [this](const char* name, const QString& label, const Range& range,
-                            const QString& hint, auto read, auto write) {
-        auto* list = new NumberListField(range, longest, this);
+                            const Unit& unit, const QString& hint, auto read, auto write) {
+        auto* list = new NumberListField(range, unit, longest, this);
         list->setObjectName(QLatin1String(name));
         list->setHint(hint);
         current()->addWidget(label, list);
         connect(list, &NumberListField::valuesEdited, model_, write);
         follow([this, list, read] { list->setValue((model_->*read)()); });
     };
-    add("compare_speeds", tr("Speeds ω, rad/s&;"), field::angular_speed.range,
-        tr("Crank speeds that the plots compare, rad/s. Paper: 100, 300, 500."),
+    add("compare_speeds", tr("Speeds ω, %1&;").arg(shownUnit(units::rad_per_s).name),
+        field::angular_speed.range, units::rad_per_s,
+        tr("Crank speeds that the plots compare. Paper: 100, 300 and 500 rad/s."),
         &ElasticHingeModel::compareSpeeds, &ElasticHingeModel::setCompareSpeeds);
-    add("compare_lambdas", tr("Ratios &λ"), field::lambda.range,
+    add("compare_lambdas", tr("Ratios &λ"), field::lambda.range, units::none,
         tr("λ that the side force is compared for. Paper: 0.3, 0.4, 0.6, 0.8, 1 (1 with the "
            "series only)."),
         &ElasticHingeModel::compareLambdas, &ElasticHingeModel::setCompareLambdas);

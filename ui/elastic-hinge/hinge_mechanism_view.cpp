@@ -10,6 +10,7 @@
 #include "elastic-hinge/model/elastic_hinge_model.h"
 #include "numerics/constants.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
 
@@ -265,7 +266,7 @@ void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
     painter.drawText(inside, Qt::AlignTop | Qt::AlignLeft,
                      tr("φ = %1°").arg(QLocale().toString(model_->crankAngleDeg(), 'f', 0)));
     painter.drawText(inside, Qt::AlignTop | Qt::AlignRight,
-                     tr("ω = %1 rad/s").arg(fixedNumber(model_->shownSpeed(), 2, QLocale())));
+                     tr("ω = %1").arg(shownNumber(model_->shownSpeed(), units::rad_per_s, 2)));
     if (model_->shownHinge() == elastic_hinge::Hinge::crank && guide.feasible &&
         model_->exaggeration() > 1.0) {
         painter.drawText(inside, Qt::AlignBottom | Qt::AlignLeft,

@@ -1,5 +1,6 @@
 #include "elastic-hinge/hinge_plots.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 
 namespace ravnoves {
 
@@ -21,16 +22,16 @@ class MechanismFamily {
           family_(plot->addFamily(6, {.name = {}, .colour = 1, .width = 1.4})) {}
 
     void show(const std::vector<double>& phi, const std::vector<FamilyMember>& members,
-              const QString& pattern) const {
+              const std::function<QString(double)>& name) const {
         std::vector<PlotView::Member> shown;
         for (const FamilyMember& member : members) {
-            shown.push_back(
-                {pattern.arg(formNumber(member.parameter, QLocale(), 5)), member.curves.*values_});
+            shown.push_back({name(member.parameter), member.curves.*values_});
         }
         plot_->setFamily(family_, phi, shown);
     }
     void showSpeeds(const Result& result) const {
-        show(result.crank_angle_deg, result.by_speed, HingePlots::tr("%1 rad/s"));
+        show(result.crank_angle_deg, result.by_speed,
+             [](double speed) { return shownShort(speed, units::rad_per_s, 5); });
     }
 
   private:
@@ -90,7 +91,9 @@ HingePlotTab* makeSideForceTab(ElasticHingeModel* model, QWidget* parent) {
     const MechanismFamily speeds(without, &MechanismCurves::side_force_without_hinge);
     tab->refresh = [=] {
         const Result& result = model->result();
-        lambdas.show(result.crank_angle_deg, result.by_lambda, QStringLiteral("λ = %1"));
+        lambdas.show(result.crank_angle_deg, result.by_lambda, [](double lambda) {
+            return QStringLiteral("λ = ") + formNumber(lambda, QLocale(), 5);
+        });
         // A flat line at 0, not its rounding enlarged.
         if (model->sideForceVanishes()) {
             with->setYRange(PlotView::Side::Left, -1.0, 1.0);

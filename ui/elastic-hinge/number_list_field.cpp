@@ -2,12 +2,15 @@
 
 #include <QRegularExpression>
 
+#include "case-file/range.h"
+#include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 
 namespace ravnoves {
 
-NumberListField::NumberListField(const Range& range, int longest, QWidget* parent)
-    : ValueEntry(parent), range_(range), longest_(longest) {
+NumberListField::NumberListField(const Range& range, const Unit& unit, int longest, QWidget* parent)
+    : ValueEntry(parent), range_(range), unit_(unit), longest_(longest) {
     describe();
 }
 
@@ -15,12 +18,16 @@ NumberListField::Reading NumberListField::read(const QString& typed) const {
     static const QRegularExpression separators(QStringLiteral("[;\\s]+"));
     std::vector<double> values;
     for (const QString& part : typed.split(separators, Qt::SkipEmptyParts)) {
-        const auto value = readFormNumber(part);
+        auto value = readFormNumber(part);
         if (!value) {
             return {{}, tr("“%1” is not a number.").arg(part)};
         }
+        if (const double factor = shownUnit(unit_).factor; factor != 1.0) {
+            constexpr int exact = 9;  // what is shown and read again is the same
+            value = rounded_to(*value / factor, exact);
+        }
         if (!range_.contains(*value)) {
-            return {{}, tr("The value %1.").arg(rangeText(range_, {}, locale()))};
+            return {{}, tr("The value %1.").arg(rangeText())};
         }
         values.push_back(*value);
     }
@@ -33,13 +40,18 @@ NumberListField::Reading NumberListField::read(const QString& typed) const {
 QString NumberListField::written() const {
     QStringList parts;
     for (const double each : value()) {
-        parts << formNumber(each, locale(), 6);
+        parts << formNumber(shownUnit(unit_).factor * each, locale(), 6);
     }
     return parts.join(QStringLiteral("; "));
 }
 
+QString NumberListField::rangeText() const {
+    // A pure number where there is no other unit to be told from.
+    return messageText(range_.message(shownAs(unit_) == unit_ ? units::none : unit_));
+}
+
 QString NumberListField::rule() const {
-    return tr("Each value %1.").arg(rangeText(range_, {}, locale()));
+    return tr("Each value %1.").arg(rangeText());
 }
 
 }  // namespace ravnoves

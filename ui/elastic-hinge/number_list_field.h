@@ -7,12 +7,13 @@
 
 namespace ravnoves {
 
-/// A field for a few numbers with blanks or semicolons between them; decimal comma and point.
+/// A field for a few numbers with blanks or semicolons between them; decimal comma and point. Its
+/// values are in the unit; what is written and read may be in another that the user has chosen.
 class NumberListField : public ValueEntry<std::vector<double>> {
     Q_OBJECT
 
   public:
-    NumberListField(const Range& range, int longest, QWidget* parent = nullptr);
+    NumberListField(const Range& range, const Unit& unit, int longest, QWidget* parent = nullptr);
 
   Q_SIGNALS:
     void valuesEdited(const std::vector<double>& values);
@@ -24,7 +25,10 @@ class NumberListField : public ValueEntry<std::vector<double>> {
     void passOn() override { Q_EMIT valuesEdited(value()); }
 
   private:
+    QString rangeText() const;
+
     Range range_;
+    Unit unit_;
     int longest_;
 };
 

@@ -10,6 +10,7 @@
 #include "numerics/angle.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
 #include "widgets/figure.h"
@@ -142,8 +143,8 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
                   at(rotating.force_factor, rotating.force_scale),
                   lag(rotating.force_factor, rotating.force_scale)),
          theme.error(), true);
-    line(tr("moment Σ z e^{iκ} = %1 mm at %2; opposite: %3 against the rotation")
-             .arg(fixedNumber(1e3 * std::abs(rotating.moment_factor), 1, QLocale()),
+    line(tr("moment Σ z e^{iκ} = %1 at %2; opposite: %3 against the rotation")
+             .arg(shownNumber(std::abs(rotating.moment_factor), units::mm, 1),
                   at(rotating.moment_factor, rotating.moment_scale),
                   lag(rotating.moment_factor, rotating.moment_scale)),
          theme.curve(4), true);
@@ -151,13 +152,15 @@ void CounterweightView::paintEvent(QPaintEvent* /*event*/) {
         const auto& design = *result.counterweights;
         const auto weight = [&](const QString& name, const inertia_moments::Counterweight& w,
                                 const QColor& colour) {
-            line(tr("%1: %2 g at ρ %3 mm, %4")
-                     .arg(name,
-                          std::abs(w.unbalance) > inertia_moments::zero_share * design.scale
-                              ? formNumber(1e3 * w.mass(), QLocale(), 4)
-                              : QStringLiteral("0"),
-                          formNumber(1e3 * w.radius, QLocale(), 4), at(w.unbalance, design.scale)),
-                 colour, true);
+            line(
+                tr("%1: %2 at ρ %3, %4")
+                    .arg(name,
+                         withUnit(std::abs(w.unbalance) > inertia_moments::zero_share * design.scale
+                                      ? shownFigures(w.mass(), units::gram, 4)
+                                      : QStringLiteral("0"),
+                                  shownUnit(units::gram).name),
+                         shownShort(w.radius, units::mm, 4), at(w.unbalance, design.scale)),
+                colour, true);
         };
         weight(tr("front web"), design.front, drawing::frontWeight());
         weight(tr("rear web"), design.rear, drawing::rearWeight());

@@ -14,6 +14,7 @@
 #include "inertia-moments/shaft_editor.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/value_slider.h"
 
@@ -110,7 +111,7 @@ void EngineForm::addRodLength() {
     follow([this, ratio, length] {
         const QLocale locale;
         ratio->setPlaceholderText(formNumber(model_->input().ratio(), locale, 5));
-        length->setPlaceholderText(formNumber(model_->input().rod_length() / units::mm, locale, 6));
+        length->setPlaceholderText(shownFigures(model_->input().rod_length(), units::mm, 6));
     });
 }
 
@@ -228,7 +229,8 @@ BalancingForm::BalancingForm(InertiaMomentsModel* model) : Form(model) {
     section(tr("Balance shafts"));
     choice("/balance_shaft_basis");
     current()->addWide(captionLabel(
-        tr("k order, L distance of the weights (mm), ρ their radius (mm), δ error of phase (°)"),
+        tr("k order, L distance of the weights (%1), ρ their radius (%1), δ error of phase (°)")
+            .arg(shownUnit(units::mm).name),
         this));
     current()->addWide(new ShaftEditor(model, this));
     auto* add = new QPushButton(tr("&Add shaft"), this);

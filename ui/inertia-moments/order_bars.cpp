@@ -9,6 +9,7 @@
 
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -69,10 +70,10 @@ std::vector<std::array<OrderBars::Group, 3>> OrderBars::groups() const {
         // Rounding is not an amplitude.
         const std::array scales{exact.force_scale, exact.moment_scale, exact.roll_scale};
         for (std::size_t p = 0; p < scales.size(); ++p) {
+            const double shown = shownUnit(p == 0 ? units::newton : units::N_m).factor;
             for (double Group::*member : {&Group::exact, &Group::twoTerm, &Group::left}) {
-                if (all[i][p].*member <= inertia_moments::zero_share * scales[p]) {
-                    all[i][p].*member = 0.0;
-                }
+                double& value = all[i][p].*member;
+                value = value <= inertia_moments::zero_share * scales[p] ? 0.0 : shown * value;
             }
         }
     }
@@ -82,13 +83,13 @@ std::vector<std::array<OrderBars::Group, 3>> OrderBars::groups() const {
 QString OrderBars::sentence() const {
     const auto all = groups();
     QString text =
-        tr("Largest: force %1 N in order %2, moment %3 N·m in order %4, roll moment %5 "
-           "N·m in order %6.");
+        tr("Largest: force %1 in order %2, moment %3 in order %4, roll moment %5 in order %6.");
     for (std::size_t p = 0; p < panels; ++p) {
         const auto most = std::max_element(
             all.begin(), all.end(),
             [p](const auto& one, const auto& other) { return one[p].exact < other[p].exact; });
-        text = text.arg(most != all.end() ? valueText((*most)[p].exact) : QString())
+        const QString unit = shownUnit(p == 0 ? units::newton : units::N_m).name;
+        text = text.arg(most != all.end() ? withUnit(valueText((*most)[p].exact), unit) : QString())
                    .arg(most - all.begin() + 1);
     }
     return text;
@@ -142,7 +143,8 @@ void OrderBars::paintEvent(QPaintEvent* /*event*/) {
         entry(metrics.elidedText(referenceName(), Qt::ElideRight, room),
               QPen(theme.mutedText(), 1.2, Qt::DashLine), Qt::NoBrush);
     }
-    const std::array<QString, panels> names{tr("F, N"), tr("M, N·m"), tr("Mz, N·m")};
+    const std::array<QString, panels> names{
+        shownTitle(tr("F, N")).text, shownTitle(tr("M, N·m")).text, shownTitle(tr("Mz, N·m")).text};
     for (int panel = 0; panel < panels; ++panel) {
         const auto p = static_cast<std::size_t>(panel);
         const QRectF area = barsRect(panel);
@@ -234,10 +236,11 @@ bool OrderBars::event(QEvent* event) {
             const auto i =
                 static_cast<std::size_t>(std::clamp((help->pos().x() - area.left()) / slot, 0.0,
                                                     static_cast<double>(all.size()) - 1.0));
+            const QString unit = shownUnit(panel == 0 ? units::newton : units::N_m).name;
             const auto inWords = [&](const Group& group) {
                 return tr("Order %1: exact %2, two-term %3, left over %4")
                     .arg(QString::number(i + 1), valueText(group.exact), valueText(group.twoTerm),
-                         valueText(group.left));
+                         withUnit(valueText(group.left), unit));
             };
             const auto p = static_cast<std::size_t>(panel);
             QString text = inWords(all[i][p]);

@@ -9,6 +9,7 @@
 
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/drawing.h"
 #include "widgets/figure.h"
@@ -22,8 +23,8 @@ using inertia_moments::ShaftDesign;
 
 namespace {
 
-QString short4(double value) {
-    return formNumber(value, QLocale(), 4);
+QString short4(double si, const Unit& unit) {
+    return shownShort(si, unit, 4);
 }
 
 }  // namespace
@@ -119,16 +120,15 @@ void ShaftView::paintShaft(QPainter& painter, int index, const QRectF& area) con
     painter.setPen(theme.mutedText());
     painter.drawText(area.adjusted(6, 3, -6, 0), Qt::AlignTop | Qt::AlignRight, state);
 
-    const QString unit = moment ? tr("N·m") : tr("N");
+    const Unit& unit = moment ? units::N_m : units::newton;
     // Without a phase there is nothing to cancel but rounding.
     const double something = design.phase ? 1.0 : 0.0;
-    QStringList lines{tr("mρ %1 g·mm").arg(short4(something * design.unbalance * 1e6))};
+    QStringList lines{tr("mρ %1").arg(short4(something * design.unbalance, units::gram_mm))};
     if (design.mass) {
-        lines << tr("m %1 g").arg(short4(something * 1e3 * *design.mass));
+        lines << tr("m %1").arg(short4(something * *design.mass, units::gram));
     }
-    lines << tr("%1 → %2 %3")
-                 .arg(fixedNumber(design.before, 0, QLocale()),
-                      fixedNumber(design.remaining, 0, QLocale()), unit);
+    lines << shownDigits(design.before, unit, 0) + QStringLiteral(" → ") +
+                 shownNumber(design.remaining, unit, 0);
     for (QString& line : lines) {
         line = fitted(line, room + 4.0);
     }

@@ -14,6 +14,7 @@
 #include "plot/picture_file.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/page_columns.h"
 
@@ -72,7 +73,9 @@ PlotView::Axis sweepAxis(const SweepInfo& sweep) {
     if (sweep.crowded()) {
         axis.scale = {[sweep](double value) { return sweep.place(value); },
                       [sweep](double place) { return sweep.at(place); }, crowdedTicks(sweep)};
-        axis.label = [sweep](double value) { return sweepNumber(sweep, value); };
+        axis.label = [sweep](double shown) {
+            return sweepNumber(sweep, shown / shownUnit(sweep.unit).factor);
+        };
     }
     return axis;
 }

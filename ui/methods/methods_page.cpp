@@ -322,7 +322,7 @@ void MethodsPage::showKernel() {
 void MethodsPage::showSweep() {
     const methods::SweepInfo& sweep = model_->sweep();
     sweeps_->setCurrentIndex(static_cast<int>(model_->sweepIndex()));
-    value_->setSweep(sweep, shownText(sweep.title), unitText(sweep.unit.name));
+    value_->setSweep(sweep, shownText(sweep.title));
     showCase();
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "case-file/range.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/number_field.h"
 
@@ -52,27 +53,29 @@ SweepValueField::SweepValueField(QWidget* parent) : QWidget(parent) {
     row->addWidget(unit_);
     connect(slider_, &QSlider::valueChanged, this, [this](int tick) {
         const double value = valueAt(tick);
-        field_->setValue(value);
+        field_->setValue(factor_ * value);
         Q_EMIT valueEdited(value);
     });
     connect(field_, &NumberField::valueEdited, this, [this](std::optional<double> value) {
         if (value) {
-            setValue(*value);
-            Q_EMIT valueEdited(*value);
+            const double own = std::clamp(*value / factor_, sweep_.from, sweep_.to);
+            setValue(own);
+            Q_EMIT valueEdited(own);
         }
     });
 }
 
-void SweepValueField::setSweep(const methods::SweepInfo& sweep, const QString& title,
-                               const QString& unit) {
+void SweepValueField::setSweep(const methods::SweepInfo& sweep, const QString& title) {
     sweep_ = sweep;
-    field_->setRange(Range::between(sweep.from, sweep.to), unit);
+    const ShownUnit unit = shownUnit(sweep.unit);
+    factor_ = unit.factor;
+    field_->setRange(Range::between(factor_ * sweep.from, factor_ * sweep.to), unit.name);
     field_->setHint(title);
     field_->setAccessibleName(title);
     slider_->setAccessibleName(title);
     slider_->setToolTip(title);
-    unit_->setText(unit);
-    unit_->setVisible(!unit.isEmpty());
+    unit_->setText(unit.name);
+    unit_->setVisible(!unit.name.isEmpty());
 }
 
 void SweepValueField::setValue(double value) {
@@ -81,7 +84,7 @@ void SweepValueField::setValue(double value) {
         const QSignalBlocker quiet(slider_);
         slider_->setValue(static_cast<int>(std::lround(sweep_.place(value) * sliderSteps)));
     }
-    field_->setValue(value);
+    field_->setValue(factor_ * value);
 }
 
 double SweepValueField::valueAt(int tick) const {

@@ -20,7 +20,7 @@ class SweepValueField : public QWidget {
     explicit SweepValueField(QWidget* parent = nullptr);
 
     /// Another hard parameter; its title is read out.
-    void setSweep(const methods::SweepInfo& sweep, const QString& title, const QString& unit);
+    void setSweep(const methods::SweepInfo& sweep, const QString& title);
     void setValue(double value);  ///< no signal
     QSlider* slider() const { return slider_; }
     NumberField* field() const { return field_; }
@@ -33,6 +33,7 @@ class SweepValueField : public QWidget {
     double valueAt(int tick) const;
 
     methods::SweepInfo sweep_;
+    double factor_ = 1.0;  ///< numbers in the field per number of the value
     QSlider* slider_;
     NumberField* field_;
     QLabel* unit_;

@@ -520,8 +520,14 @@ void MainWindow::beginSession() {
             openCase(current);
         }
         if (!missing.isEmpty()) {
-            statusBar()->showMessage(
-                tr("Not opened again: %1").arg(missing.join(QStringLiteral(", "))), 10'000);
+            // What the status bar says of a window that is not shown yet lies over the hint.
+            QMetaObject::invokeMethod(
+                this,
+                [this, missing] {
+                    statusBar()->showMessage(
+                        tr("Not opened again: %1").arg(missing.join(QStringLiteral(", "))), 10'000);
+                },
+                Qt::QueuedConnection);
         }
     }
     connect(documents_, &Documents::changed, this, &MainWindow::rememberSession);

@@ -8,7 +8,9 @@
 #include <QSettings>
 #include <QVBoxLayout>
 
+#include "numerics/units.h"
 #include "text/language.h"
+#include "text/number_text.h"
 #include "text/preferences.h"
 #include "theme/theme.h"
 
@@ -110,6 +112,8 @@ void SettingsDialog::build() {
               digits, preferences.digits(),
               [](const QVariant& count) { Preferences::instance().setDigits(count.toInt()); });
 
+    addUnits();
+
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, content_);
     buttons->button(QDialogButtonBox::Close)->setIcon({});  // black on black in the dark theme
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
@@ -118,6 +122,35 @@ void SettingsDialog::build() {
         again != nullptr && !focused.isEmpty()) {
         again->setFocus();
     }
+}
+
+void SettingsDialog::addUnits() {
+    using Units = Preferences::Units;
+    const auto add = [this](Preferences::Quantity quantity, const char* name, const QString& label,
+                            const QString& own, const QList<std::pair<QString, Units>>& others) {
+        Choices choices{{own, static_cast<int>(Units::Own)}};
+        for (const auto& [text, units] : others) {
+            choices.append({text, static_cast<int>(units)});
+        }
+        addChoice(name, label,
+                  tr("Of all that is shown, typed, printed and exported. Case files stay as they "
+                     "are, and drawings for the machine shop are in millimetres."),
+                  choices, static_cast<int>(Preferences::instance().units(quantity)),
+                  [quantity](const QVariant& units) {
+                      Preferences::instance().setUnits(quantity, static_cast<Units>(units.toInt()));
+                  });
+    };
+    add(Preferences::Length, "length_unit", tr("L&engths"), tr("millimetres"),
+        {{tr("inches"), Units::Imperial}});
+    add(Preferences::Mass, "mass_unit", tr("&Masses"), tr("kilograms and grams"),
+        {{tr("grams"), Units::Gram}, {tr("pounds and ounces"), Units::Imperial}});
+    add(Preferences::Torque, "torque_unit", tr("T&orques"), unitText(units::N_m.name),
+        {{unitText("lb·ft"), Units::Imperial}});
+    add(Preferences::Force, "force_unit", tr("&Forces"), unitText(units::newton.name),
+        {{unitText("lbf"), Units::Imperial}});
+    add(Preferences::Speed, "speed_unit", tr("&Speeds"), tr("as each page has them"),
+        {{unitText(units::rpm.name), Units::Rpm},
+         {unitText(units::rad_per_s.name), Units::RadPerSecond}});
 }
 
 }  // namespace ravnoves

@@ -7,8 +7,8 @@ class QFormLayout;
 
 namespace ravnoves {
 
-/// Theme, size of the text, language, digits. What is chosen holds at once, here as well, and
-/// stays for the next start.
+/// Theme, size of the text, language, digits, units. What is chosen holds at once, here as well,
+/// and stays for the next start.
 class SettingsDialog : public QDialog {
     Q_OBJECT
 
@@ -17,6 +17,7 @@ class SettingsDialog : public QDialog {
 
   private:
     void build();
+    void addUnits();
     /// A row with a choice; `take` gets the data of what the user chose.
     template <typename Take>
     QComboBox* addChoice(const char* name, const QString& label, const QString& hint,

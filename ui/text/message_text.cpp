@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
+#include <string_view>
 
 #include "case-file/range.h"
 #include "text/number_text.h"
@@ -35,6 +36,23 @@ struct Shown {
     }
 };
 
+/// The values of a message. Where a range names its unit once, behind its upper end, the lower one
+/// follows that into another unit.
+std::vector<Argument> inOneUnit(const Message& message) {
+    std::vector<Argument> values = message.arguments();
+    const std::string_view pattern = message.pattern().english;
+    if (values.size() == 2 && pattern.starts_with("must be ")) {
+        auto* low = std::get_if<Number>(&values[0]);
+        const auto* high = std::get_if<Number>(&values[1]);
+        const bool shares = low != nullptr && high != nullptr && low->unit == units::none;
+        if (const double factor = shares ? shownUnit(high->unit).factor : 1.0; factor != 1.0) {
+            constexpr int converted = 6;
+            low->value = rounded_to(factor * low->value, converted);
+        }
+    }
+    return values;
+}
+
 }  // namespace
 
 QString shownText(const Text& text) {
@@ -47,7 +65,7 @@ QString messageText(const Message& message) {
         return QString::fromStdString(message.verbatim());
     }
     std::vector<std::string> values;
-    for (const Argument& argument : message.arguments()) {
+    for (const Argument& argument : inOneUnit(message)) {
         values.push_back(std::visit(Shown{}, argument).toStdString());
     }
     return QString::fromStdString(fill_pattern(shownText(pattern).toStdString(), values));

@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "text/number_text.h"
 #include "text/preferences.h"
@@ -51,6 +52,8 @@ const std::array changes{
            unit(QT_TRANSLATE_NOOP("core", "oz"), ounce), 2},
     Change{Preferences::Mass, System::Imperial, units::gram_mm,
            unit(QT_TRANSLATE_NOOP("core", "oz·in"), ounce* inch), 3},
+    Change{Preferences::Mass, System::Imperial, units::kg_m3,
+           unit(QT_TRANSLATE_NOOP("core", "lb/ft³"), pound / (foot * foot * foot)), 1},
     Change{Preferences::Mass, System::Imperial, units::kg_m2,
            unit(QT_TRANSLATE_NOOP("core", "lb·ft²"), pound* foot* foot), -1},
     Change{Preferences::Torque, System::Imperial, units::N_m,
@@ -81,13 +84,21 @@ ShownUnit shown(const Change& change) {
 }  // namespace
 
 ShownUnit shownUnit(const Unit& unit) {
-    const Change* change = changeOf([&](const Unit& own) { return own == unit; });
+    const Change* change = changeOf([&](const Unit& own) { return own.name == unit.name; });
     return change != nullptr ? shown(*change) : ShownUnit{unitText(unit.name)};
 }
 
 ShownUnit shownUnit(const QString& name) {
     const Change* change = changeOf([&](const Unit& own) { return unitText(own.name) == name; });
     return change != nullptr ? shown(*change) : ShownUnit{name};
+}
+
+Unit shownAs(const Unit& unit) {
+    const Change* change = changeOf([&](const Unit& own) { return own.name == unit.name; });
+    // Newtons may stand for the mass that weighs so much.
+    return change != nullptr
+               ? Unit{change->shown.name, unit.to_si * (change->shown.to_si / change->own.to_si)}
+               : unit;
 }
 
 QString unitOfTitle(const QString& title) {
@@ -113,9 +124,29 @@ ShownTitle shownTitle(const QString& title) {
     return {title.chopped(own.size()) + unit.name, unit.factor, unit.decimals};
 }
 
+double shownValue(double si, const Unit& unit) {
+    return si / unit * shownUnit(unit).factor;
+}
+
 QString shownDigits(double si, const Unit& unit, int decimals) {
     const ShownUnit shown = shownUnit(unit);
     return fixedNumber(si / unit * shown.factor, std::max(0, decimals + shown.decimals), QLocale());
+}
+
+QString shownFigures(double si, const Unit& unit, int digits) {
+    const double value = shownValue(si, unit);
+    // Grams of what weighs kilograms are written out.
+    const bool isLong = shownUnit(unit).factor != 1.0 && std::abs(value) < 1e8 &&
+                        std::abs(value) >= std::pow(10.0, digits);
+    return isLong ? fixedDecimals(value, 0, QLocale()) : formNumber(value, QLocale(), digits);
+}
+
+QString shownShort(double si, const Unit& unit, int digits) {
+    return withUnit(shownFigures(si, unit, digits), shownUnit(unit).name);
+}
+
+QStringList shownRow(const QString& name, double si, const Unit& unit, int decimals) {
+    return {name, shownDigits(si, unit, decimals), shownUnit(unit).name};
 }
 
 QString shownNumber(double si, const Unit& unit, int decimals) {

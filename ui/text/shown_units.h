@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 #include "numerics/units.h"
 
@@ -19,6 +20,9 @@ ShownUnit shownUnit(const Unit& unit);
 /// The same for a unit by its name in the language of the program; other words as they are.
 ShownUnit shownUnit(const QString& name);
 
+/// The unit itself, for texts in another language than the program's.
+Unit shownAs(const Unit& unit);
+
 /// A heading or the title of an axis that ends in a unit ("l, mm", "N·m"), with the one shown in
 /// its place.
 struct ShownTitle {
@@ -30,9 +34,16 @@ ShownTitle shownTitle(const QString& title);
 /// The unit that a title ends in, as it stands there; empty where there is none.
 QString unitOfTitle(const QString& title);
 
+/// An SI value as the number shown, for formats of their own.
+double shownValue(double si, const Unit& unit);
 /// An SI value in the unit shown: "46.00 mm", "1.8110 in".
 QString shownNumber(double si, const Unit& unit, int decimals);
 /// The same without the unit.
 QString shownDigits(double si, const Unit& unit, int decimals);
+/// So many significant digits, with the unit and without it.
+QString shownShort(double si, const Unit& unit, int digits);
+QString shownFigures(double si, const Unit& unit, int digits);
+/// A row of a table: name, number and unit.
+QStringList shownRow(const QString& name, double si, const Unit& unit, int decimals);
 
 }  // namespace ravnoves

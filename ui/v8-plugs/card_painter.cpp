@@ -48,7 +48,7 @@ void CardPainter::paint() {
 }
 
 QString CardPainter::grams(double mass, int decimals) const {
-    return words_.number(mass / gram, decimals);
+    return words_.digits(mass, gram, decimals);
 }
 
 QString CardPainter::engineName() const {
@@ -126,7 +126,7 @@ double CardPainter::engineTable(double y, double width) {
         }
         const auto& [field, member, group] = fields[i];
         const auto& value = input_.engine.*member;
-        return {words_.name(field), value ? words_.plain(*value / field.unit, 4) : missing,
+        return {words_.name(field), value ? words_.plain(*value, field.unit, 4) : missing,
                 words_.unit(field.unit)};
     };
     for (std::size_t i = 0; i < half; ++i) {
@@ -144,7 +144,7 @@ void CardPainter::changesTable(double x, double y, double width) {
         }
         changes.add(
             {{words_.name(field.field),
-              input_.changes_known() ? words_.plain(solution_.changes.*field.member / gram, 3)
+              input_.changes_known() ? words_.plain(solution_.changes.*field.member, gram, 3)
                                      : missing,
               unitGram()}});
     }
@@ -153,7 +153,7 @@ void CardPainter::changesTable(double x, double y, double width) {
           solution_.unbalanced_mass ? grams(*solution_.unbalanced_mass, 3) : missing, unitGram()},
          true,
          true});
-    changes.add({{words_.name(field::tolerance), words_.plain(input_.tolerance / units::gram_mm, 2),
+    changes.add({{words_.name(field::tolerance), words_.plain(input_.tolerance, units::gram_mm, 2),
                   unitUnbalance()}});
     changes.draw(sheet_, x, y + 5.2);
 }
@@ -181,11 +181,10 @@ double CardPainter::options(double y) {
         const bool fitted =
             needs_new_crankshaft(id) == (input_.crankshaft == Crankshaft::new_plugs);
         const bool best = recommended && chosen && chosen->id == id;
-        table.add({{v8_text::optionName(words_, id), words_.number(option->constant / gram, 3),
-                    words_.number(option->maximum / gram, 3),
-                    words_.number(option->required_reduction / gram, 3),
-                    words_.number(option->max_reduction / gram, 3),
-                    words_.number(option->residual_unbalance / units::gram_mm, 1),
+        table.add({{v8_text::optionName(words_, id), grams(option->constant, 3),
+                    grams(option->maximum, 3), grams(option->required_reduction, 3),
+                    grams(option->max_reduction, 3),
+                    words_.digits(option->residual_unbalance, units::gram_mm, 1),
                     !fitted ? words_.translate("JobCard", "other crankshaft")
                     : best && v8_text::methodAlone(solution_, id)
                         ? words_.translate("JobCard", "check: see above")

@@ -116,12 +116,11 @@ void CardPainter::machine(double y) {
     QString limits;
     if (solution_.balancing && input_.balancing) {
         const BalancingCheck check = input_.balancing->check().value();
-        limits =
-            words_.translate("JobCard", "ISO 21940-11, G %1, %2 kg at %3 min⁻¹: Uₚₑᵣ = %4 in all.")
-                .arg(words_.plain(check.grade / units::mm_per_s, 2),
-                     words_.plain(check.rotor_mass, 2),
-                     words_.plain(check.service_speed / units::rpm, 0),
-                     v8_text::gramMillimetres(words_, solution_.balancing->permissible));
+        limits = words_.translate("JobCard", "ISO 21940-11, G %1, %2 at %3: Uₚₑᵣ = %4 in all.")
+                     .arg(words_.plain(check.grade / units::mm_per_s, 2),
+                          words_.plainWithUnit(check.rotor_mass, units::kg, 2),
+                          words_.plainWithUnit(check.service_speed, units::rpm, 0),
+                          v8_text::gramMillimetres(words_, solution_.balancing->permissible));
     } else {
         limits = words_.translate("JobCard", "ISO 21940-11: no grade, mass and speed given.");
     }
@@ -141,8 +140,8 @@ void CardPainter::machine(double y) {
     const QString byHand = QStringLiteral("…………………");
     const auto row = [&](const QString& name, const PlaneVerdict& plane) {
         table.add(
-            {{name, words_.number(plane.permissible / units::gram_mm, 1),
-              plane.reading ? words_.number(*plane.reading / units::gram_mm, 1) : byHand, byHand,
+            {{name, words_.digits(plane.permissible, units::gram_mm, 1),
+              plane.reading ? words_.digits(*plane.reading, units::gram_mm, 1) : byHand, byHand,
               !plane.passes   ? byHand
               : *plane.passes ? words_.translate("JobCard", "passes")
                               : words_.translate("JobCard", "fails")}});

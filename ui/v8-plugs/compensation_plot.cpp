@@ -43,7 +43,7 @@ void CompensationPlot::showSolution(const Result& solution) {
         }
         const double most = option->max_reduction / gram;
         setCurve(curves_[i], {0.0, most}, {option->constant / gram, option->maximum / gram});
-        marks.push_back({most, option->maximum / gram, words.number(option->maximum / gram, 2),
+        marks.push_back({most, option->maximum / gram, words.digits(option->maximum, gram, 2),
                          static_cast<int>(i)});
         reach = std::max(reach, most);
         lowest = std::min(lowest, option->constant / gram);
@@ -53,8 +53,8 @@ void CompensationPlot::showSolution(const Result& solution) {
     std::vector<Line> lines;
     if (solution.unbalanced_mass) {
         const double today = *solution.unbalanced_mass / gram;
-        lines.push_back(
-            {today, Qt::Horizontal, todayColour, tr("today %1").arg(words.number(today, 2))});
+        lines.push_back({today, Qt::Horizontal, todayColour,
+                         tr("today %1").arg(words.digits(*solution.unbalanced_mass, gram, 2))});
         lowest = std::min(lowest, today);
         highest = std::max(highest, today);
     }

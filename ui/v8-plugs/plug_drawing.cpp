@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "text/shown_units.h"
 #include "v8-plugs/model/v8_text.h"
 
 namespace ravnoves {
@@ -294,11 +295,14 @@ void drawPlug(QPainter& painter, const QRectF& target, const std::optional<PlugD
     }
     const PlugDrawing& drawing = *known;
     const v8_plugs::PlugGeometry& plug = drawing.plug;
-    const auto shown = [&](double length) { return words.plain(length / mm, 2); };
+    // Millimetres go without saying on a drawing.
+    const auto shown = [&](double length) {
+        return shownAs(mm) == mm ? words.plain(length, mm, 2) : words.plainWithUnit(length, mm, 2);
+    };
     Labels labels;
-    // The multiplication sign, and the language's decimal sign.
-    labels.thread =
-        QStringLiteral("M%1×%2").arg(shown(plug.thread.diameter), shown(plug.thread.pitch));
+    // A name, in millimetres always: the multiplication sign, and the language's decimal sign.
+    labels.thread = QStringLiteral("M%1×%2").arg(words.plain(plug.thread.diameter / mm, 2),
+                                                 words.plain(plug.thread.pitch / mm, 2));
     labels.height = shown(plug.height);
     labels.boreDiameter = QStringLiteral("⌀") + shown(plug.bore_diameter);
     labels.boreDepth = shown(plug.bore_depth);

@@ -14,7 +14,9 @@ using namespace v8_plugs;
 PlugView::PlugView(V8PlugsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
     setAccessibleName(tr("Plug in section"));
     makeFigure(this);
-    setToolTip(tr("The plug of sheet 4 to scale, in section, with its sizes, mm."));
+    setToolTip(
+        tr("The plug of sheet 4 to scale, in section, with its sizes; those without a unit are in "
+           "millimetres."));
     const auto repaint = [this] { update(); };
     connect(model_, &SceneModel::changed, this, repaint);
     connect(&Theme::instance(), &Theme::changed, this, repaint);

@@ -31,12 +31,11 @@ ShiftPlot::ShiftPlot(QWidget* parent) : PlotView(tr("Shift of the plug's centre 
     for (std::size_t i = 0; i < shift_curves.size(); ++i) {
         const ShiftCurve& printed = shift_curves[i];
         CurveStyle style;
-        style.name = words.plain(printed.crank_radius / mm, 1);
+        style.name = words.plainWithUnit(printed.crank_radius, mm, 1);
         style.toolTip =
             tr("r = %1: %2")
-                .arg(withUnit(words.plain(printed.crank_radius / mm, 1), words.unit(mm)),
-                     QString::fromUtf8(printed.engines.data(),
-                                       static_cast<qsizetype>(printed.engines.size())));
+                .arg(style.name, QString::fromUtf8(printed.engines.data(),
+                                                   static_cast<qsizetype>(printed.engines.size())));
         style.colour = static_cast<int>(i);
         setCurve(addCurve(style), {0.0, widest}, ends(printed.crank_radius));
     }

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "text/message_text.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "v8-plugs/fields.h"
 #include "widgets/result_table.h"
@@ -81,9 +82,9 @@ void WeighInSheet::buildGrid() {
         put(grid, row + 1, 0, table_->headerData(row, Qt::Vertical, Qt::DisplayRole).toString(),
             row < WeighInTable::firstCylinder ? Theme::smallSize : Theme::titleSize);
     }
-    put(grid, rows + 1, 0, tr("mean, g"), Theme::smallSize);
-    put(grid, rows + 2, 0, tr("to nominal, g"), Theme::smallSize);
-    put(grid, rows + 3, 0, tr("spread, g"), Theme::smallSize);
+    put(grid, rows + 1, 0, shownTitle(tr("mean, g")).text, Theme::smallSize);
+    put(grid, rows + 2, 0, shownTitle(tr("to nominal, g")).text, Theme::smallSize);
+    put(grid, rows + 3, 0, shownTitle(tr("spread, g")).text, Theme::smallSize);
     trouble_ = new TroubleLine(this);
     for (int column = 0; column < table_->columnCount(); ++column) {
         addColumn(grid, column);

@@ -261,7 +261,7 @@ TEST_F(ShaftMapTest, HatchesWhatCannotBeBuiltAndSaysWhy) {
     // Under the pointer it says why, and what the place would give.
     move(plot->pixelOf({0.0, 20 * mm}), Qt::NoButton);
     const QString over = view->words()->text();
-    EXPECT_TRUE(over.contains(QStringLiteral("20.0 mm"))) << over.toStdString();
+    EXPECT_TRUE(over.contains(QStringLiteral("20.0\u00A0mm"))) << over.toStdString();
     EXPECT_TRUE(over.contains(QStringLiteral("N·m"))) << over.toStdString();
     EXPECT_TRUE(over.contains(map->reason({0.0, 20 * mm}))) << over.toStdString();
     EXPECT_FALSE(map->reason({0.0, 20 * mm}).isEmpty());
@@ -468,7 +468,7 @@ TEST_F(ShaftMapTest, PlacesGoneToAreShortNumbersThatCanBeBuilt) {
         // The words say what the fields of the form show, and all of it.
         const QString l = QLocale().toString(length() / mm, 'f', 2);
         const QString alpha = QLocale().toString(angle() / degree, 'f', 2);
-        EXPECT_TRUE(view->words()->text().contains(QStringLiteral("l %1 mm, α %2°").arg(l, alpha)))
+        EXPECT_TRUE(view->words()->text().contains(QStringLiteral("l %1\u00A0mm, α %2°").arg(l, alpha)))
             << view->words()->text().toStdString();
         EXPECT_NEAR(*test::named<NumberField>(page, "centre_distance_mm")->value(), l.toDouble(),
                     1e-12);

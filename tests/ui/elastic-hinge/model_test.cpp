@@ -113,7 +113,7 @@ TEST(ElasticHingeModel, SetsValuesByTheirKeys) {
 TEST(ElasticHingeModel, SaysThatThePapersGuideIsNoDesign) {
     ElasticHingeModel model;
     EXPECT_EQ(model.verdict().level, Level::Warning);
-    EXPECT_TRUE(model.verdict().text.contains(QStringLiteral("0.018 mm")))
+    EXPECT_TRUE(model.verdict().text.contains(QStringLiteral("0.018\u00A0mm")))
         << model.verdict().text.toStdString();
     model.edit(QStringLiteral("c"), [](auto& input) { input.spring->stiffness = 3e5; });
     EXPECT_EQ(model.verdict().level, Level::Good);
@@ -161,7 +161,7 @@ TEST(ElasticHingeModel, TooLittlePreloadIsMendedByEitherButton) {
 TEST(ElasticHingeModel, TakesOverTheGuideFound) {
     ElasticHingeModel model;
     EXPECT_TRUE(model.proposal().found);
-    EXPECT_TRUE(model.proposalText().contains(QStringLiteral("relief 1.000 mm")))
+    EXPECT_TRUE(model.proposalText().contains(QStringLiteral("relief 1.000\u00A0mm")))
         << model.proposalText().toStdString();
     model.takeProposal();
     EXPECT_NEAR(model.result().crank_guide.relief, 1e-3, 1e-9);

@@ -6,11 +6,13 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTabWidget>
 #include <QTemporaryDir>
+#include <QTimer>
 
 #include "case-file/json.h"
 #include "case-file/text_file.h"
@@ -261,7 +263,7 @@ TEST_F(ElasticHingePageTest, PlotsHoldThePapersFigures) {
     EXPECT_NEAR(*page.plots()->rodMomentPlot()->valueAt(0, 30.0), -14.849, 1e-3);
     EXPECT_NEAR(*page.plots()->rodMomentPlot()->valueAt(1, 30.0), -14.849 - 9.46481 / two_pi, 1e-3);
     EXPECT_NEAR(*page.plots()->rodMomentPlot()->valueAt(2, 30.0), -14.782, 1e-3);  // the series
-    EXPECT_EQ(page.plots()->rodSpeedsPlot()->curveName(2), QStringLiteral("500 rad/s"));
+    EXPECT_EQ(page.plots()->rodSpeedsPlot()->curveName(2), QStringLiteral("500\u00A0rad/s"));
     EXPECT_TRUE(page.plots()->rodSpeedsPlot()->isCurveShown(2));
     EXPECT_FALSE(page.plots()->rodSpeedsPlot()->isCurveShown(3));
     bringPlots("side-force");
@@ -356,10 +358,10 @@ TEST_F(ElasticHingePageTest, PicturePlaysPausesAndTurns) {
 TEST_F(ElasticHingePageTest, SearchTakesOverWhatItFound) {
     bringForm("search");
     auto* answer = find<QLabel>("search_answer");
-    EXPECT_TRUE(answer->text().contains(QStringLiteral("1.000 mm")))
+    EXPECT_TRUE(answer->text().contains(QStringLiteral("1.000\u00A0mm")))
         << answer->text().toStdString();
     type(find<NumberField>("relief_mm"), QStringLiteral("2"));
-    EXPECT_TRUE(answer->text().contains(QStringLiteral("2.000 mm")))
+    EXPECT_TRUE(answer->text().contains(QStringLiteral("2.000\u00A0mm")))
         << answer->text().toStdString();
     QTest::mouseClick(find<QPushButton>("take_proposal"), Qt::LeftButton);
     EXPECT_NEAR(model->result().crank_guide.relief, 2e-3, 1e-9);
@@ -385,6 +387,20 @@ TEST_F(ElasticHingePageTest, ExportsAsTheFormIsSet) {
     EXPECT_FALSE(find<QPushButton>("export_dxf")->isEnabled());
     EXPECT_FALSE(page.exportForm()->exportTo(csv).isEmpty());
     EXPECT_EQ(read_text_file(csv.toStdString()), text);  // what was there stays
+}
+
+TEST_F(ElasticHingePageTest, AnExportAsksAboutEntriesThatAreRefused) {
+    bringForm("export");
+    type(find<NumberField>("step_deg"), QStringLiteral("-5"));
+    QString asked;
+    QTimer::singleShot(50, &page, [&asked] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        ASSERT_NE(box, nullptr);
+        asked = box->text();
+        box->button(QMessageBox::Cancel)->click();
+    });
+    QTest::mouseClick(find<QPushButton>("export_csv"), Qt::LeftButton);
+    EXPECT_TRUE(asked.contains(QStringLiteral("refused"))) << asked.toStdString();
 }
 
 TEST_F(ElasticHingePageTest, MotionIsCancelledByItsButton) {

@@ -12,6 +12,7 @@
 #include "example_check.h"
 #include "inertia-moments/layouts.h"
 #include "inertia-moments/model/engine_curves.h"
+#include "model/input_differences.h"
 #include "scenes/scenes.h"
 
 namespace ravnoves {
@@ -45,6 +46,27 @@ TEST(InertiaMomentsModel, OpensTheExampleAndKeepsTheExpectedNumbers) {
     test::expect_matches(expected.at("expected"), model.resultJson(), "", 0.0);
     // What it opened it saves unchanged.
     EXPECT_EQ(model.inputJson()["layout"], file.input["layout"]);
+}
+
+TEST(InertiaMomentsModel, ComparedInputsAreSaidInWords) {
+    InertiaMomentsModel model;
+    model.chooseLayout(QStringLiteral("i4"));
+    const Json before = model.inputJson();
+    model.chooseLayout(QStringLiteral("i6"));
+    bool hasLayout = false;
+    for (const InputDifference& each : inputDifferences(model, before)) {
+        if (each.pointer == "/layout/name") {
+            hasLayout = true;
+            EXPECT_EQ(each.name, QStringLiteral("Layout"));
+            EXPECT_EQ(each.present, QStringLiteral("In-line 6"));
+            EXPECT_EQ(each.reference, QStringLiteral("In-line 4"));
+        }
+        // Numbers of cylinders are names: a difference of them says nothing.
+        if (each.pointer.find("firing_order") != std::string::npos) {
+            EXPECT_EQ(each.absolute() + each.percent(), QString()) << each.pointer;
+        }
+    }
+    EXPECT_TRUE(hasLayout);
 }
 
 TEST(InertiaMomentsModel, StartsWithThePapersEngine) {

@@ -203,10 +203,10 @@ TEST_F(InertiaMomentsPageTest, RotatingMassIsGivenForACylinderOrForAThrow) {
     auto* onThrow = page.findChild<QLabel*>(QStringLiteral("mass_on_throw"));
     EXPECT_TRUE(field("rotating_mass_kg")->toolTip().startsWith(QStringLiteral("Of one cylinder")));
     EXPECT_FALSE(given->isEnabled());  // each pin of the VR5 has one rod
-    EXPECT_EQ(onThrow->text(), QStringLiteral("0.8 kg, rods: 1"));
+    EXPECT_EQ(onThrow->text(), QStringLiteral("0.8\u00A0kg, rods: 1"));
     model->chooseLayout(QStringLiteral("v8-cross-plane"));
     EXPECT_TRUE(given->isEnabled());
-    EXPECT_EQ(onThrow->text(), QStringLiteral("1.6 kg, rods: 2"));
+    EXPECT_EQ(onThrow->text(), QStringLiteral("1.6\u00A0kg, rods: 2"));
     const double weight = model->result().counterweights->front.mass();
     given->setFocus();
     QTest::keyClick(given, Qt::Key_Down);
@@ -396,7 +396,7 @@ TEST_F(InertiaMomentsPageTest, ARadialOfTheListHasArticulatedRods) {
                   ->tableModel()
                   ->headerData(3, Qt::Vertical, Qt::ToolTipRole)
                   .toString(),
-              QStringLiteral("Top dead centre 3.303° from its axis, stroke 175.19 mm"));
+              QStringLiteral("Top dead centre 3.303° from its axis, stroke 175.19\u00A0mm"));
     // A rigid rod for all is refused in words.
     auto* rigid = page.findChild<QCheckBox*>(QStringLiteral("rigid_rod"));
     QSignalSpy status(&page, &ScenePage::status);

@@ -299,8 +299,8 @@ TEST_F(SavingTest, ATableThatOthersChangeIsSaidAndReadAgain) {
     const Json before = model().resultJson();
     const QString table = file("a/момент.csv");
     std::string text = read_text_file(fsPath(table));
-    const std::size_t second = text.find('\n') + 1;
-    text.insert(text.find(',', second) + 1, "1");  // its torque has a digit more
+    const std::size_t second = text.find(',', text.find('\n')) + 1;
+    text.replace(second, text.find('\n', second) - second, "100");
     write_text_file(fsPath(table), text);
     ASSERT_TRUE(QTest::qWaitFor(isSaid, 3000));
     EXPECT_TRUE(notice->findChild<QLabel*>()->text().contains(QStringLiteral("момент.csv")));

@@ -73,6 +73,19 @@ class Settings : public ::testing::Test {
     MainWindow window;
 };
 
+TEST_F(Settings, UnitsChangeAtOnceAndTheCaseStays) {
+    window.showScene(u"balance-shaft"_s);
+    SceneModel* model = window.currentPage()->model();
+    const Json before = model->inputJson();
+    EXPECT_TRUE(hasLabel(u"mm"_s));
+    choose(open(), "length_unit", static_cast<int>(Preferences::Units::Imperial));
+    EXPECT_TRUE(hasLabel(u"in"_s));
+    EXPECT_FALSE(hasLabel(u"mm"_s));
+    EXPECT_EQ(window.currentPage()->model(), model);
+    EXPECT_EQ(model->inputJson(), before);
+    EXPECT_FALSE(window.isWindowModified());
+}
+
 TEST_F(Settings, LanguageChangesAtOnceAndThePageGoesOn) {
     window.showScene(u"elastic-hinge"_s);
     SceneModel* model = window.currentPage()->model();

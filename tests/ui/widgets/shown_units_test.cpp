@@ -19,6 +19,7 @@
 #include "widgets/form_section.h"
 #include "widgets/number_field.h"
 #include "widgets/value_slider.h"
+#include "workshop/model/words.h"
 
 namespace ravnoves {
 namespace {
@@ -119,6 +120,25 @@ TEST_F(ShownUnits, OfMessagesAreTheUsers) {
     EXPECT_EQ(messageText(Message(Number{1.5, units::kg, 3})), u"1500\u00A0g"_s);
     EXPECT_EQ(messageText(Message(Number{1.5, units::bar})), u"1.5\u00A0bar"_s);
     EXPECT_EQ(shownNumber(0.0254, units::mm, 1), u"1.000\u00A0in"_s);
+    EXPECT_EQ(messageText(Range::between(25.4, 254.0).message(units::mm)),
+              u"must be from 1 to 10\u00A0in"_s);
+}
+
+TEST_F(ShownUnits, OfAJobCardAreInItsLanguage) {
+    preferences.setUnits(Preferences::Mass, Units::Imperial);
+    constexpr double ounce = 0.028349523125;
+    EXPECT_EQ(Words(u"en"_s).number(ounce, units::gram, 2), u"1.0000\u00A0oz"_s);
+    EXPECT_EQ(Words(u"ru"_s).number(ounce, units::gram, 2), u"1,0000\u00A0унц."_s);
+    EXPECT_EQ(Words(u"en"_s).plain(0.0254, units::mm, 2), u"1"_s);
+    EXPECT_EQ(Words(u"en"_s).message(Message(Number{25.4, units::mm})), u"1\u00A0in"_s);
+}
+
+TEST_F(ShownUnits, OfTablesAreOfTheSameQuantity) {
+    EXPECT_EQ(shownRow(u"r"_s, 0.0254, units::mm, 1), (QStringList{u"r"_s, u"1.000"_s, u"in"_s}));
+    EXPECT_EQ(shownShort(0.05, units::mm, 4), u"1.969\u00A0in"_s);
+    EXPECT_EQ(shownFigures(1.5, units::kg, 3), u"1500"_s);  // no 1.5e+03
+    EXPECT_DOUBLE_EQ(shownValue(1.3558179483314004, units::N_m), 1.0);
+    EXPECT_EQ(shownAs(units::bar), units::bar);
 }
 
 TEST_F(ShownUnits, OfTitlesStandAtTheirEnd) {

@@ -16,6 +16,7 @@
 #include "text/file_path.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 
 namespace ravnoves {
 
@@ -353,13 +354,14 @@ double BalanceShaftModel::otherMasses() const {
 }
 
 QStringList BalanceShaftModel::criteriaColumns() const {
-    return {tr("N·m"), tr("Mᵤₚ"), tr("Mₛ"), tr("Mᵤₚₛ"), tr("change")};
+    return {shownUnit(units::N_m).name, tr("Mᵤₚ"), tr("Mₛ"), tr("Mᵤₚₛ"), tr("change")};
 }
 
 QVector<QStringList> BalanceShaftModel::criteriaRows() const {
+    const auto moment = [](double value) { return shownDigits(value, units::N_m, 1); };
     const auto row = [&](const QString& name, double MomentMetrics::*value, const QString& change) {
-        return QStringList{name, number(result().M_up.*value, 1), number(result().M_s.*value, 1),
-                           number(result().M_ups.*value, 1), change};
+        return QStringList{name, moment(result().M_up.*value), moment(result().M_s.*value),
+                           moment(result().M_ups.*value), change};
     };
     double scale = 0.0;
     for (const MomentMetrics* each : {&result().M_up, &result().M_s, &result().M_ups}) {
@@ -396,8 +398,8 @@ QVector<QStringList> BalanceShaftModel::criteriaRows() const {
                 judged(unlessNoise(result().rms_change, result().M_up.rms), true)),
             row(tr("mean"), &MomentMetrics::mean,
                 percent(relative(result().M_ups.mean, result().M_up.mean))),
-            {tr("nodes"), number(result().printed_mean_M_up, 1),
-             number(result().printed_mean_M_s, 1), number(result().printed_mean_M_ups, 1),
+            {tr("nodes"), moment(result().printed_mean_M_up), moment(result().printed_mean_M_s),
+             moment(result().printed_mean_M_ups),
              percent(relative(result().printed_mean_M_ups, result().printed_mean_M_up))},
             row(tr("max"), &MomentMetrics::max,
                 judged(relative(result().M_ups.max, result().M_up.max), true)),
@@ -410,21 +412,18 @@ QStringList BalanceShaftModel::quantityColumns() const {
 }
 
 QVector<QStringList> BalanceShaftModel::quantityRows() const {
-    const QString newton = tr("N");
-    const QString newtonMetre = tr("N·m");
-    const QString millimetre = tr("mm");
     const QString share =
         result().order_1_share ? number(100.0 * *result().order_1_share, 1) : QStringLiteral("–");
     return {
-        {tr("Inertia force Pⱼ₁, max"), number(result().inertia_force_1_max, 1), newton},
-        {tr("Counterweight m₁"), number(result().counterweight_mass, 4), tr("kg")},
-        {tr("Counterweight force P₁"), number(result().counterweight_force, 1), newton},
-        {tr("Amplitude of Mₛ, P₁ l"), number(result().moment_amplitude, 2), newtonMetre},
+        shownRow(tr("Inertia force Pⱼ₁, max"), result().inertia_force_1_max, units::newton, 1),
+        shownRow(tr("Counterweight m₁"), result().counterweight_mass, units::kg, 4),
+        shownRow(tr("Counterweight force P₁"), result().counterweight_force, units::newton, 1),
+        shownRow(tr("Amplitude of Mₛ, P₁ l"), result().moment_amplitude, units::N_m, 2),
         {tr("First order's share of Mᵤₚ"), share, QStringLiteral("%")},
         {tr("Envelope, width × height"),
-         number(result().envelope.width() / units::mm, 0) + QStringLiteral(" × ") +
-             number(result().envelope.height() / units::mm, 0),
-         millimetre},
+         shownDigits(result().envelope.width(), units::mm, 0) + QStringLiteral(" × ") +
+             shownDigits(result().envelope.height(), units::mm, 0),
+         shownUnit(units::mm).name},
     };
 }
 
@@ -437,14 +436,13 @@ QVector<QStringList> BalanceShaftModel::cycleRows() const {
         {tr("Indicated mean effective pressure"), number(cycle.imep / units::bar, 3), tr("bar")},
         {tr("Indicated work per cycle"), number(cycle.work, 1), tr("J")},
         {tr("Indicated power"), number(result().indicated_power / units::kW, 2), tr("kW")},
-        {tr("Mean torque"), number(-result().M_up.mean, 2), tr("N·m")},
+        shownRow(tr("Mean torque"), -result().M_up.mean, units::N_m, 2),
         {tr("Peak pressure"), number(cycle.peak_pressure / units::bar, 1), tr("bar")},
         {tr("at crank angle"), number(cycle.peak_pressure_angle / degree, 1), QStringLiteral("°")},
-        {tr("Displacement"), number(cycle.displacement / units::cm3, 1), tr("cm³")},
+        shownRow(tr("Displacement"), cycle.displacement, units::cm3, 1),
     };
     if (cycle.clearance) {
-        rows.push_back(
-            {tr("Clearance volume"), number(*cycle.clearance / units::cm3, 2), tr("cm³")});
+        rows.push_back(shownRow(tr("Clearance volume"), *cycle.clearance, units::cm3, 2));
     }
     if (cycle.heat) {
         rows.push_back({tr("Heat per cycle"), number(*cycle.heat, 1), tr("J")});
@@ -454,20 +452,20 @@ QVector<QStringList> BalanceShaftModel::cycleRows() const {
 
 QVector<QStringList> BalanceShaftModel::flywheelRows() const {
     const balance_shaft::Flywheel& wheel = result().flywheel;
-    const auto maybe = [](const std::optional<double>& value, int digits) {
-        return value ? formNumber(*value, QLocale(), digits) : QStringLiteral("–");
+    const auto maybe = [](const std::optional<double>& value, const Unit& unit, int digits) {
+        return value ? shownFigures(*value, unit, digits) : QStringLiteral("–");
     };
     const QString angle = QStringLiteral("°");
     // Half of δ to each side of the mean speed.
-    const auto swing =
-        wheel.fluctuation
-            ? std::optional(*wheel.fluctuation * result().angular_speed / 2.0 / units::rpm)
-            : std::nullopt;
+    const auto swing = wheel.fluctuation
+                           ? std::optional(*wheel.fluctuation * result().angular_speed / 2.0)
+                           : std::nullopt;
     return {
         {tr("Excess work ΔE"), number(wheel.excess_work, 1), tr("J")},
-        {tr("Fluctuation δ"), maybe(wheel.fluctuation, 4), QString()},
-        {tr("Moment of inertia J"), maybe(wheel.inertia, 4), tr("kg·m²")},
-        {tr("Speed swings by ±"), maybe(swing, 3), tr("min⁻¹")},
+        {tr("Fluctuation δ"), maybe(wheel.fluctuation, units::none, 4), QString()},
+        {tr("Moment of inertia J"), maybe(wheel.inertia, units::kg_m2, 4),
+         shownUnit(units::kg_m2).name},
+        {tr("Speed swings by ±"), maybe(swing, units::rpm, 3), shownUnit(units::rpm).name},
         {tr("Fastest at crank angle"), number(wheel.max_angle / degree, 1), angle},
         {tr("Slowest at crank angle"), number(wheel.min_angle / degree, 1), angle},
     };
@@ -484,13 +482,15 @@ QString bestText(const Optimum& best, const Optimum& all, bool canBeBuilt,
         return say(
             QT_TRANSLATE_NOOP("ravnoves::BalanceShaftModel", "Every α is as good as any other."));
     }
-    QString text = sentence.arg(number(*best.shaft_angle / degree, 2), number(best.value, 1));
+    QString text =
+        sentence.arg(number(*best.shaft_angle / degree, 2), shownNumber(best.value, units::N_m, 1));
     if (!canBeBuilt) {
         text += say(QT_TRANSLATE_NOOP("ravnoves::BalanceShaftModel", "\nbut nothing can be built"));
     } else if (all.shaft_angle && *all.shaft_angle != *best.shaft_angle) {
         text += say(QT_TRANSLATE_NOOP("ravnoves::BalanceShaftModel",
-                                      "\n%2 N·m less at %1° cannot be built"))
-                    .arg(number(*all.shaft_angle / degree, 2), number(best.value - all.value, 1));
+                                      "\n%2 less at %1° cannot be built"))
+                    .arg(number(*all.shaft_angle / degree, 2),
+                         shownNumber(best.value - all.value, units::N_m, 1));
     }
     return text;
 }
@@ -499,12 +499,12 @@ QString bestText(const Optimum& best, const Optimum& all, bool canBeBuilt,
 
 QString BalanceShaftModel::bestRangeText() const {
     return bestText(bestRange(), result().best_range, !result().buildable.stretches.empty(),
-                    tr("Least range %2 N·m at %1°"));
+                    tr("Least range %2 at %1°"));
 }
 
 QString BalanceShaftModel::bestRmsText() const {
     return bestText(bestRms(), result().best_rms, !result().buildable.stretches.empty(),
-                    tr("Least RMS %2 N·m at %1°"));
+                    tr("Least RMS %2 at %1°"));
 }
 
 QString BalanceShaftModel::notesText() const {

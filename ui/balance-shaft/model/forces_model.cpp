@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "text/number_text.h"
+#include "text/shown_units.h"
 
 namespace ravnoves {
 
@@ -32,15 +33,15 @@ ForcesModel::Loci ForcesModel::loci() const {
 
 QVector<QStringList> ForcesModel::forceRows() const {
     const balance_shaft::CrankBalance balance = balance_shaft::crank_balance(model_->solver());
-    const auto row = [](const QString& name, double value, const QString& unit = tr("N")) {
-        return QStringList{name, fixedNumber(value, 0, QLocale()), unit};
+    const auto row = [](const QString& name, double value, const Unit& unit = units::newton) {
+        return shownRow(name, value, unit, 0);
     };
     return {row(tr("1st order, P"), balance.first_order),
             row(tr("along, (1 − κ) P"), balance.along),
             row(tr("across, κ P"), balance.across),
             row(tr("1st with shaft"), balance.with_shaft),
             row(tr("2nd order, λ mⱼ r ω²"), balance.second_order),
-            row(tr("on crank, κ mⱼ r"), balance.counterweight_moment / units::gram_mm, tr("g·mm"))};
+            row(tr("on crank, κ mⱼ r"), balance.counterweight_moment, units::gram_mm)};
 }
 
 QStringList ForcesModel::forceHints() {
@@ -60,18 +61,22 @@ QVector<QStringList> ForcesModel::gearRows(const balance_shaft::GearError& error
     const auto fixed = [](double value, int digits) {
         return fixedNumber(value, digits, QLocale());
     };
-    const auto change = [&](double right, double wrong, int digits) {
-        return fixed(right, digits) + QStringLiteral(" → ") + fixed(wrong, digits);
+    const auto moment = [](double value, int digits) {
+        return shownDigits(value, units::N_m, digits);
     };
-    const QString newtonMetre = tr("N·m");
-    return {{tr("phase error"), fixed(error.phase_error / degree, 2), QStringLiteral("°")},
-            {tr("force left"), fixed(error.residual_force, 0), tr("N")},
-            {tr("range"), change(error.right_range, error.range, 0), newtonMetre},
-            {tr("RMS"), change(error.right_rms, error.rms, 1), newtonMetre},
-            {tr("play, ±"), fixed(error.play / degree, 3), QStringLiteral("°")},
-            {tr("range in play"),
-             fixed(error.play_range_low, 0) + QStringLiteral("…") + fixed(error.play_range_high, 0),
-             newtonMetre}};
+    const auto change = [&](double right, double wrong, int digits) {
+        return moment(right, digits) + QStringLiteral(" → ") + moment(wrong, digits);
+    };
+    const QString momentUnit = shownUnit(units::N_m).name;
+    return {
+        {tr("phase error"), fixed(error.phase_error / degree, 2), QStringLiteral("°")},
+        shownRow(tr("force left"), error.residual_force, units::newton, 0),
+        {tr("range"), change(error.right_range, error.range, 0), momentUnit},
+        {tr("RMS"), change(error.right_rms, error.rms, 1), momentUnit},
+        {tr("play, ±"), fixed(error.play / degree, 3), QStringLiteral("°")},
+        {tr("range in play"),
+         moment(error.play_range_low, 0) + QStringLiteral("…") + moment(error.play_range_high, 0),
+         momentUnit}};
 }
 
 QStringList ForcesModel::gearHints() {

@@ -4,6 +4,7 @@
 
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 #include "text/write_file.h"
 
 namespace ravnoves {
@@ -60,32 +61,35 @@ void RelievedShaftModel::choose(Sized sized) {
 QVector<QStringList> RelievedShaftModel::rows() const {
     const RelievedShaft& found = shaft();
     const balance_shaft::ShaftBending& bending = found.bending;
-    const auto row = [](const QString& name, double value, int digits, const QString& unit) {
-        return QStringList{
-            name, value > 0.0 ? fixedNumber(value, digits, QLocale()) : QStringLiteral("–"), unit};
+    const auto row = [](const QString& name, double si, int decimals, const Unit& unit) {
+        QStringList cells = shownRow(name, si, unit, decimals);
+        if (!(si > 0.0)) {
+            cells[1] = QStringLiteral("–");
+        }
+        return cells;
     };
-    const QString mm = tr("mm");
-    const QString megapascal = tr("MPa");
+    using units::mm;
     return {
-        row(tr("unbalance needed, m₁ ρ₁"), found.required / units::gram_mm, 0, tr("g·mm")),
-        row(tr("unbalance of the shaft"), found.unbalance / units::gram_mm, 0, tr("g·mm")),
-        row(tr("width of the flat"), 2.0 * found.half_width / units::mm, 2, mm),
-        row(tr("mass of the relieved part"), found.mass, 3, tr("kg")),
-        row(tr("mass milled away"), found.removed_mass, 3, tr("kg")),
-        row(tr("radius of its centre of mass"), found.centre_of_mass_radius / units::mm, 2, mm),
-        row(tr("critical bar radius"), found.critical_radius / units::mm, 2, mm),
-        row(tr("critical length"), found.critical_length / units::mm, 1, mm),
-        row(tr("bearing span L"), found.bearing_span / units::mm, 1, mm),
-        row(tr("whirling speed"), bending.critical_speed / units::rpm, 0, tr("min⁻¹")),
+        row(tr("unbalance needed, m₁ ρ₁"), found.required, 0, units::gram_mm),
+        row(tr("unbalance of the shaft"), found.unbalance, 0, units::gram_mm),
+        row(tr("width of the flat"), 2.0 * found.half_width, 2, mm),
+        row(tr("mass of the relieved part"), found.mass, 3, units::kg),
+        row(tr("mass milled away"), found.removed_mass, 3, units::kg),
+        row(tr("radius of its centre of mass"), found.centre_of_mass_radius, 2, mm),
+        row(tr("critical bar radius"), found.critical_radius, 2, mm),
+        row(tr("critical length"), found.critical_length, 1, mm),
+        row(tr("bearing span L"), found.bearing_span, 1, mm),
+        row(tr("whirling speed"), bending.critical_speed, 0, units::rpm),
         row(tr("over the speed"), bending.critical_speed / model_->input().angular_speed, 2,
-            QStringLiteral("×")),
-        row(tr("load of a bearing"), bending.bearing_load, 0, tr("N")),
-        row(tr("sag at speed"), bending.deflection / units::mm, 3, mm),
-        row(tr("permitted sag"), found.permitted_sag / units::mm, 3, mm),
-        row(tr("sag at rest"), bending.weight_sag / units::mm, 4, mm),
-        row(tr("tilt of the journals"), 1e3 * bending.journal_slope, 2, tr("mrad")),
-        row(tr("bending stress"), bending.bending_stress / units::MPa, 1, megapascal),
-        row(tr("stress with shear"), bending.combined_stress / units::MPa, 1, megapascal),
+            {"×", 1.0}),
+        row(tr("load of a bearing"), bending.bearing_load, 0, units::newton),
+        row(tr("sag at speed"), bending.deflection, 3, mm),
+        row(tr("permitted sag"), found.permitted_sag, 3, mm),
+        row(tr("sag at rest"), bending.weight_sag, 4, mm),
+        row(tr("tilt of the journals"), bending.journal_slope, 2,
+            {QT_TRANSLATE_NOOP("core", "mrad"), 1e-3}),
+        row(tr("bending stress"), bending.bending_stress, 1, units::MPa),
+        row(tr("stress with shear"), bending.combined_stress, 1, units::MPa),
     };
 }
 

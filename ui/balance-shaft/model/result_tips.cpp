@@ -4,9 +4,9 @@ namespace ravnoves {
 
 ResultTips BalanceShaftModel::criteriaTips() {
     return {
-        {tr("Mᵤₚ"), tr("Tipping moment on the engine without a shaft, −Mᵢ, N·m")},
-        {tr("Mₛ"), tr("Moment of the shaft, P₁ l sin(α + φ), N·m")},
-        {tr("Mᵤₚₛ"), tr("Moment on the mounts with the shaft, Mᵤₚ + Mₛ, N·m")},
+        {tr("Mᵤₚ"), tr("Tipping moment on the engine without a shaft, −Mᵢ")},
+        {tr("Mₛ"), tr("Moment of the shaft, P₁ l sin(α + φ)")},
+        {tr("Mᵤₚₛ"), tr("Moment on the mounts with the shaft, Mᵤₚ + Mₛ")},
         {tr("change"),
          tr("Mᵤₚₛ against Mᵤₚ, as a share of Mᵤₚ. Better: less range, RMS and maximum, "
             "a minimum nearer to zero.")},

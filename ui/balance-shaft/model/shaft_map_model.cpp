@@ -13,6 +13,7 @@
 #include "text/csv_format.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 
 namespace ravnoves {
 
@@ -34,7 +35,11 @@ constexpr std::size_t distances = 120;
 constexpr double roomAround = 1.25;
 
 QString mm(double metres, int decimals = 1) {
-    return fixedNumber(metres / units::mm, decimals, QLocale());
+    return shownNumber(metres, units::mm, decimals);
+}
+
+QString newtonMetres(double moment) {
+    return shownNumber(moment, units::N_m, 1);
 }
 
 QString degrees(double radians, int decimals = 1) {
@@ -467,18 +472,17 @@ QString ShaftMapModel::bestText() const {
         return messageText(map_->best.reason);
     }
     const auto where = [](const Position& position) {
-        return tr("l %1 mm, α %2°")
+        return tr("l %1, α %2°")
             .arg(mm(position.centre_distance(), 2), degrees(position.shaft_angle(), 2));
     };
     const auto value = [this](const Criteria& criteria) {
         const QString change = signedPercent(this->change(criteria).value_or(0.0));
         return criterion_ == Criterion::Both
                    ? change
-                   : tr("%1 N·m (%2)")
-                         .arg(fixedNumber(
-                                  criterion_ == Criterion::Range ? criteria.range : criteria.rms, 1,
-                                  QLocale()),
-                              change);
+                   : QStringLiteral("%1 (%2)").arg(
+                         newtonMetres(criterion_ == Criterion::Range ? criteria.range
+                                                                     : criteria.rms),
+                         change);
     };
     QString text = tr("Best place by the %1: %2 at %3.")
                        .arg(criterionName(), value(best->criteria), where(best->position));
@@ -512,19 +516,18 @@ QStringList ShaftMapModel::placeLines(const Position& position, int decimals) co
     }
     const PositionStudy& study = map_->study;
     const Criteria criteria = study.at(position);
-    const QLocale locale;
     const auto withChange = [&](const QString& text, double with, double without) {
-        const QString value = text.arg(fixedNumber(with, 1, locale));
+        const QString value = text.arg(newtonMetres(with));
         return without > 0.0 ? value + QStringLiteral(" (") + signedPercent(with / without - 1.0) +
                                    QLatin1Char(')')
                              : value;
     };
-    return {tr("l %1 mm, α %2°")
+    return {tr("l %1, α %2°")
                 .arg(mm(position.centre_distance(), decimals),
                      degrees(position.shaft_angle(), decimals)),
-            withChange(tr("range %1 N·m"), criteria.range, study.range_without()),
-            withChange(tr("RMS %1 N·m"), criteria.rms, study.rms_without()),
-            tr("box %1 cm²").arg(fixedNumber(criteria.size / units::cm2, 0, locale))};
+            withChange(tr("range %1"), criteria.range, study.range_without()),
+            withChange(tr("RMS %1"), criteria.rms, study.rms_without()),
+            tr("box %1").arg(shownNumber(criteria.size, units::cm2, 0))};
 }
 
 QString ShaftMapModel::placeText(const Position& position, int decimals) const {
@@ -620,9 +623,11 @@ QString ShaftMapModel::fieldCsv(const CsvFormat& csv) const {
         return {};
     }
     const balance_shaft::PositionMap& field = map_->field;
+    const ShownTitle range = shownTitle(tr("ΔMᵤₚₛ, N·m"));
     QString text =
-        QStringList{csv.field(tr("x, mm")), csv.field(tr("y, mm")), csv.field(tr("ΔMᵤₚₛ, N·m")),
-                    csv.field(tr("RMS, N·m")), csv.field(tr("can be built"))}
+        QStringList{csv.field(shownTitle(tr("x, mm")).text),
+                    csv.field(shownTitle(tr("y, mm")).text), csv.field(range.text),
+                    csv.field(shownTitle(tr("RMS, N·m")).text), csv.field(tr("can be built"))}
             .join(csv.separator) +
         QLatin1Char('\n');
     const std::size_t columns = map_->obstacleColumns;
@@ -634,12 +639,13 @@ QString ShaftMapModel::fieldCsv(const CsvFormat& csv) const {
             const auto along = [](double from, double to, std::size_t i, std::size_t count) {
                 return (from +
                         (to - from) * static_cast<double>(i) / static_cast<double>(count - 1)) /
-                       units::mm;
+                       shownAs(units::mm);
             };
             const bool built = map_->obstacles[row * columns + column] == Obstacle::none;
             text += QStringList{csv.number(along(field.left, field.right, column, columns)),
                                 csv.number(along(field.bottom, field.top, row, rows)),
-                                csv.number(field.range[element]), csv.number(field.rms[element]),
+                                csv.number(range.factor * field.range[element]),
+                                csv.number(range.factor * field.rms[element]),
                                 QString::number(built ? 1 : 0)}
                         .join(csv.separator) +
                     QLatin1Char('\n');

@@ -9,6 +9,7 @@
 #include "numerics/angle.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 
 namespace ravnoves {
 
@@ -188,10 +189,10 @@ QString SpeedStudyModel::answer() const {
     }
     const double change = 100.0 * (best.value - 1.0);
     return tr("Least bad α over the band, by the %1 against the engine without a shaft: %2°. At "
-              "its worst speed, %3 min⁻¹, the %1 is %4 % %5.")
+              "its worst speed, %3, the %1 is %4 % %5.")
                .arg(byRange() ? tr("range") : tr("RMS"),
                     fixedNumber(best.shaft_angle / degree, 1, locale),
-                    fixedNumber(best.worst_speed / rpm, 0, locale),
+                    shownNumber(best.worst_speed, units::rpm, 0),
                     fixedNumber(std::abs(change), 1, locale),
                     change > 0.0 ? tr("larger") : tr("smaller")) +
            other;

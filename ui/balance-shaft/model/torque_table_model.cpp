@@ -6,6 +6,7 @@
 #include "text/error_text.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 
 namespace ravnoves {
 
@@ -30,10 +31,10 @@ void TorqueTableModel::setTable(const TorqueTable& table) {
     beginResetModel();
     rows_.clear();
     rows_.reserve(table.size());
-    const QLocale locale;
     for (std::size_t i = 0; i < table.size(); ++i) {
-        rows_.push_back({formNumber(table.crank_angle_deg[i], locale, 15),
-                         formNumber(table.torque[i], locale, 15)});
+        const QString torque = shownFigures(table.torque[i], units::N_m, 15);
+        rows_.push_back(
+            {formNumber(table.crank_angle_deg[i], QLocale(), 15), torque, torque, table.torque[i]});
     }
     valid_ = table;
     trouble_.clear();
@@ -56,7 +57,8 @@ void TorqueTableModel::check() {
             break;
         }
         table.crank_angle_deg.push_back(*angle);
-        table.torque.push_back(*torque);
+        table.torque.push_back(rows_[i].torque == rows_[i].ownText ? rows_[i].own
+                                                                   : *torque * shownAs(units::N_m));
     }
     if (trouble.isEmpty()) {
         try {
@@ -110,9 +112,13 @@ void TorqueTableModel::removeRowRange(int first, int count) {
     check();
 }
 
-QString TorqueTableModel::replaceByText(const QString& text) {
-    const balance_shaft::ParsedTorqueTable read =
-        balance_shaft::parse_torque_table(text.toStdString());
+QString TorqueTableModel::replaceByText(const QString& text, bool isShown) {
+    balance_shaft::ParsedTorqueTable read = balance_shaft::parse_torque_table(text.toStdString());
+    if (isShown && !text.contains(QStringLiteral("N·m")) && !text.contains(QLatin1String("Nm"))) {
+        for (double& torque : read.table.torque) {
+            torque = torque * shownAs(units::N_m);
+        }
+    }
     const bool differs = !(read.table == valid_);
     setTable(read.table);
     if (differs) {
@@ -193,7 +199,7 @@ QVariant TorqueTableModel::headerData(int section, Qt::Orientation orientation, 
     if (orientation == Qt::Vertical) {
         return section + 1;
     }
-    return section == CrankAngle ? tr("φ, °") : tr("torque, N·m");
+    return section == CrankAngle ? tr("φ, °") : shownTitle(tr("torque, N·m")).text;
 }
 
 }  // namespace ravnoves

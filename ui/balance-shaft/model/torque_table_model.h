@@ -29,9 +29,10 @@ class TorqueTableModel : public EditableTable {
 
     void insertRowBelow(int row) override;
     void removeRowRange(int first, int count) override;
-    /// Replaces the whole table by text from a spreadsheet or a CSV file.
+    /// Replaces the whole table by text from a CSV file, in N·m, or from a spreadsheet, in the unit
+    /// that the column shows where the text names none.
     /// @return what was read, as a sentence; throws InputError and changes nothing
-    QString replaceByText(const QString& text);
+    QString replaceByText(const QString& text, bool isShown = false);
     QString pasteBlock(int row, int column, const std::vector<QStringList>& cells) override;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -48,6 +49,8 @@ class TorqueTableModel : public EditableTable {
     struct Row {
         QString angle;
         QString torque;
+        QString ownText = {};  ///< what stands for `own`, until something else is typed
+        double own = 0.0;      ///< N·m
     };
 
     void check();

@@ -13,6 +13,7 @@
 #include "plot/model/ticks.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 #include "text/write_file.h"
 
 namespace ravnoves {
@@ -49,9 +50,19 @@ QString significant(double value, int digits = 4) {
     return formNumber(value, QLocale(), digits);
 }
 
-/// A preload in mm, rounded up so that what is shown suffices.
-QString millimetresUp(double length) {
-    return number(std::ceil(length / units::mm * 1e4 - 1e-9) / 1e4, 4);
+/// The same of a quantity, in the unit shown.
+QString significant(double si, const Unit& unit, int digits = 4) {
+    return significant(shownValue(si, unit), digits);
+}
+QString withItsUnit(double si, const Unit& unit, int digits = 4) {
+    return withUnit(significant(si, unit, digits), shownUnit(unit).name);
+}
+
+/// A preload, rounded up so that what is shown suffices.
+QString preloadUp(double length) {
+    const int decimals = 4 + shownUnit(units::mm).decimals;
+    const double parts = std::pow(10.0, decimals);
+    return number(std::ceil(shownValue(length, units::mm) * parts - 1e-9) / parts, decimals);
 }
 
 QString percent(double fraction, int decimals = 1) {
@@ -314,13 +325,14 @@ QString ElasticHingeModel::proposalText() const {
     if (!found.found) {
         return tr("None: %1.").arg(messageText(found.reason));
     }
-    return tr("c = %1 kN/m, ρ₀ = %2 mm: relief %3 mm within %4 mm; the spring is at least %5 mm "
-              "long, bears up to %6 kN and stores up to %7 J.")
-        .arg(significant(found.spring.stiffness / units::kN_per_m, 5),
-             number(found.spring.guide_radius_at_zero / units::mm, 3),
-             number(found.relief / units::mm, 3), number(found.outer_diameter / units::mm, 1),
-             number(found.smallest_spring_length / units::mm, 1),
-             significant(found.largest_spring_force / units::kN),
+    return tr("c = %1, ρ₀ = %2: relief %3 within %4; the spring is at least %5 long, bears up to "
+              "%6 and stores up to %7 J.")
+        .arg(withItsUnit(found.spring.stiffness, units::kN_per_m, 5),
+             shownNumber(found.spring.guide_radius_at_zero, units::mm, 3),
+             shownNumber(found.relief, units::mm, 3),
+             shownNumber(found.outer_diameter, units::mm, 1),
+             shownNumber(found.smallest_spring_length, units::mm, 1),
+             withItsUnit(found.largest_spring_force, units::kN),
              significant(found.largest_spring_energy));
 }
 
@@ -373,27 +385,27 @@ ElasticHingeModel::Verdict ElasticHingeModel::verdict() const {
     }
     if (guide.summary().undercut) {
         return {Level::Bad,
-                tr("The roller of radius %1 mm undercuts the guide: at most %2 mm "
-                   "follow it.")
-                    .arg(significant(input().roller_radius / units::mm),
-                         number(*guide.summary().largest_roller_radius / units::mm, 2))};
+                tr("The roller of radius %1 undercuts the guide: at most %2 follow it.")
+                    .arg(withItsUnit(input().roller_radius, units::mm),
+                         shownNumber(*guide.summary().largest_roller_radius, units::mm, 2))};
     }
     if (input().guide_sign == GuideSign::as_printed) {
         return {Level::Warning,
                 tr("The guide exists, but with the printed sign it stores what the mechanism "
                    "takes up: the crank does not keep its speed.")};
     }
-    const QString error = significant(guide.error.amplitude / units::micrometre, 3);
+    const QString error = withItsUnit(guide.error.amplitude, units::micrometre, 3);
+    const QString relief = shownNumber(guide.relief, units::mm, 3);
     const QString spoilt = percent(guide.error.relative);
     if (guide.error.relative > poorTorque) {
         return {Level::Warning,
-                tr("The guide exists, but cannot be made: with a relief of %1 mm a profile error "
-                   "of %2 µm changes its moment by up to %3.")
-                    .arg(number(guide.relief / units::mm, 3), error, spoilt)};
+                tr("The guide exists, but cannot be made: with a relief of %1 a profile error "
+                   "of %2 changes its moment by up to %3.")
+                    .arg(relief, error, spoilt)};
     }
-    return {Level::Good, tr("The guide exists: relief %1 mm; a profile error of %2 µm changes its "
+    return {Level::Good, tr("The guide exists: relief %1; a profile error of %2 changes its "
                             "moment by up to %3.")
-                             .arg(number(guide.relief / units::mm, 3), error, spoilt)};
+                             .arg(relief, error, spoilt)};
 }
 
 QStringList ElasticHingeModel::quantityColumns() const {
@@ -402,56 +414,61 @@ QStringList ElasticHingeModel::quantityColumns() const {
 
 QVector<QStringList> ElasticHingeModel::quantityRows() const {
     QString none = QStringLiteral("–");
-    const QString newton = tr("N");
-    const QString millimetre = tr("mm");
+    const auto name = [](const Unit& unit) { return shownUnit(unit).name; };
+    const QString newton = name(units::newton);
+    const QString millimetre = name(units::mm);
+    const auto length = [](double value, int decimals) {
+        return shownDigits(value, units::mm, decimals);
+    };
     const Guide& guide = result().crank_guide;
     const bool there = guide.feasible;
     const bool known = guide.shape != nullptr;
     const auto when = [&](bool shown, const QString& text) { return shown ? text : none; };
 
     QVector<QStringList> rows;
-    rows << QStringList{tr("Relief of the guide"), when(there, number(guide.relief / units::mm, 4)),
+    rows << QStringList{tr("Relief of the guide"), when(there, length(guide.relief, 4)),
                         millimetre};
     rows << QStringList{tr("Preload needed / given"),
-                        when(known, millimetresUp(guide.minimum_preload) + QStringLiteral(" / ") +
-                                        number(guide.preload / units::mm, 2)),
+                        when(known, preloadUp(guide.minimum_preload) + QStringLiteral(" / ") +
+                                        length(guide.preload, 2)),
                         millimetre};
-    rows << QStringList{tr("Spring travel"),
-                        when(there, number(guide.spring_travel / units::mm, 3)), millimetre};
+    rows << QStringList{tr("Spring travel"), when(there, length(guide.spring_travel, 3)),
+                        millimetre};
     rows << QStringList{tr("Largest spring force"),
-                        when(there, significant(guide.largest_spring_force / units::kN)), tr("kN")};
-    rows << QStringList{tr("Moment error from %1 µm")
-                            .arg(significant(input().profile_error / units::micrometre, 3)),
-                        when(there, number(guide.error.torque, 2) + QStringLiteral(" (") +
-                                        percent(guide.error.relative) + QLatin1Char(')')),
-                        tr("N·m")};
+                        when(there, significant(guide.largest_spring_force, units::kN)),
+                        name(units::kN)};
     rows << QStringList{
-        tr("Least curvature radius"),
-        when(there, number(guide.summary().smallest_curvature_radius / units::mm, 2)), millimetre};
-    rows << QStringList{
-        tr("Largest roller radius"),
-        when(there, guide.summary().largest_roller_radius
-                        ? number(*guide.summary().largest_roller_radius / units::mm, 2)
-                        : tr("any")),
-        millimetre};
+        tr("Moment error from %1").arg(withItsUnit(input().profile_error, units::micrometre, 3)),
+        when(there, shownDigits(guide.error.torque, units::N_m, 2) + QStringLiteral(" (") +
+                        percent(guide.error.relative) + QLatin1Char(')')),
+        name(units::N_m)};
+    rows << QStringList{tr("Least curvature radius"),
+                        when(there, length(guide.summary().smallest_curvature_radius, 2)),
+                        millimetre};
+    rows << QStringList{tr("Largest roller radius"),
+                        when(there, guide.summary().largest_roller_radius
+                                        ? length(*guide.summary().largest_roller_radius, 2)
+                                        : tr("any")),
+                        millimetre};
     rows << QStringList{tr("∮ M₁₂ dφ"), number(result().rod_hinge_integral, 3), tr("J")};
     rows << QStringList{tr("Side force without hinge"),
-                        number(result().largest_side_force_without, 1), newton};
+                        shownDigits(result().largest_side_force_without, units::newton, 1), newton};
     const double with = result().largest_side_force_with;
     const double reduction = result().largest_side_force_without / with;
-    rows << QStringList{
-        tr("Side force with rod hinge"),
-        number(with, 2) + (with > 0.0 && std::isfinite(reduction)
-                               ? QStringLiteral(" (÷ ") + number(reduction, 1) + QLatin1Char(')')
-                               : QString()),
-        newton};
+    rows << QStringList{tr("Side force with rod hinge"),
+                        shownDigits(with, units::newton, 2) +
+                            (with > 0.0 && std::isfinite(reduction)
+                                 ? QStringLiteral(" (÷ ") + number(reduction, 1) + QLatin1Char(')')
+                                 : QString()),
+                        newton};
     const double gravity = input().gravity;
     rows << QStringList{
         tr("Counterweight P₄"),
         when(result().has_counterweight,
-             number(result().counterweight_mass * (input().masses_as_weights ? gravity : 1.0),
-                    input().masses_as_weights ? 3 : 4)),
-        input().masses_as_weights ? newton : tr("kg")};
+             input().masses_as_weights
+                 ? shownDigits(result().counterweight_mass * gravity, units::newton, 3)
+                 : shownDigits(result().counterweight_mass, units::kg, 4)),
+        input().masses_as_weights ? newton : name(units::kg)};
     const auto ripple = [&](const std::optional<Motion>& motion) {
         if (!motion) {
             return none;
@@ -466,8 +483,9 @@ QVector<QStringList> ElasticHingeModel::quantityRows() const {
                         share};
     rows << QStringList{tr("Ripple with hinge"), motions_ ? ripple(motions_->crank) : none, share};
     rows << QStringList{
-        tr("Ripple from %1 rad/s")
-            .arg(significant(motions_ ? motions_->offSpeed : MotionRunner::offSpeed(input()))),
+        tr("Ripple from %1")
+            .arg(withItsUnit(motions_ ? motions_->offSpeed : MotionRunner::offSpeed(input()),
+                             units::rad_per_s)),
         motions_ ? ripple(motions_->offDesign) : none, share};
     return rows;
 }
@@ -493,9 +511,9 @@ QString ElasticHingeModel::motionsText() const {
             return;
         }
         if (motion->end == MotionEnd::completed) {
-            lines << tr("%1: %2…%3 rad/s, drift %4")
-                         .arg(name, significant(motion->min_speed, 5),
-                              significant(motion->max_speed, 5),
+            lines << tr("%1: %2…%3, drift %4")
+                         .arg(name, significant(motion->min_speed, units::rad_per_s, 5),
+                              withItsUnit(motion->max_speed, units::rad_per_s, 5),
                               powerText(motion->energy_drift, QLocale(), 1));
         } else if (motion->end != MotionEnd::cancelled) {
             lines << name + QStringLiteral(": ") + messageText(motion->reason);
@@ -504,7 +522,7 @@ QString ElasticHingeModel::motionsText() const {
     add(tr("without hinge"), motions_->without);
     add(tr("crank hinge"), motions_->crank);
     add(tr("both hinges"), motions_->both);
-    add(tr("from %1 rad/s").arg(significant(motions_->offSpeed)), motions_->offDesign);
+    add(tr("from %1").arg(withItsUnit(motions_->offSpeed, units::rad_per_s)), motions_->offDesign);
     return lines.join(QLatin1Char('\n'));
 }
 

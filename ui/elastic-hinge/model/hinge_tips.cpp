@@ -10,9 +10,9 @@ ResultTips ElasticHingeModel::quantityTips() {
             "one")},
         {tr("Spring travel"), tr("Largest less smallest length of the spring over a turn")},
         {tr("Largest spring force"), tr("c |ℓ − ℓ₀|, largest over a turn")},
-        {tr("Moment error from %1 µm"), tr("Largest error of the hinge's moment when the guide is "
-                                           "made so much off its profile; in "
-                                           "brackets against the largest moment")},
+        {tr("Moment error from %1"), tr("Largest error of the hinge's moment when the guide is "
+                                        "made so much off its profile; in "
+                                        "brackets against the largest moment")},
         {tr("Least curvature radius"), tr("Of the guide; a cutter must be smaller")},
         {tr("Largest roller radius"), tr("That still touches the whole guide")},
         {tr("∮ M₁₂ dφ"), tr("Work of the rod hinge's moment over a turn; 0 where a spring can give "
@@ -24,8 +24,8 @@ ResultTips ElasticHingeModel::quantityTips() {
         {tr("Counterweight P₄"), tr("On the rod, with which ∮ M₁₂ dφ = 0, or as entered")},
         {tr("Ripple without hinge"), tr("(ω_max − ω_min) / ω mean of the free motion, %")},
         {tr("Ripple with hinge"), tr("The same with the crank's hinge")},
-        {tr("Ripple from %1 rad/s"), tr("The same when the crank starts at another speed than the "
-                                        "hinge is made for")},
+        {tr("Ripple from %1"), tr("The same when the crank starts at another speed than the "
+                                  "hinge is made for")},
     };
 }
 

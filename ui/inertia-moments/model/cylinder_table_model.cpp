@@ -6,11 +6,13 @@
 #include <array>
 
 #include "case-file/input_error.h"
+#include "case-file/range.h"
 #include "inertia-moments/fields.h"
 #include "inertia-moments/model/inertia_moments_model.h"
 #include "text/error_text.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 #include "text/typed_number.h"
 
 namespace ravnoves {
@@ -64,13 +66,22 @@ std::optional<double> given(const Cylinder& cylinder, int column) {
     }
 }
 
+/// What was typed, in the field's own unit.
+std::optional<double> ownNumber(const Field& field, const QString& text) {
+    constexpr int exact = 12;  // what is shown and read again is the same
+    const ShownUnit unit = shownUnit(field.unit);
+    const double factor = unit.factor;
+    const auto number = readTypedNumber(text, unit.name).value;
+    return number && factor != 1.0 ? std::optional(rounded_to(*number / factor, exact)) : number;
+}
+
 /// Writes a cell's text into a cylinder.
 /// @return false for a text that is no value for the column
 bool setCell(Cylinder& cylinder, int column, const QString& text) {
     const Field& field = fieldOf(column);
     const bool optional = column >= Table::KnuckleRadius;
     const bool isEmpty = optional && text.isEmpty();
-    const auto number = readTypedNumber(text, unitText(field.unit.name)).value;
+    const auto number = ownNumber(field, text);
     if (!isEmpty && (!number || !field.range.contains(*number))) {
         return false;
     }
@@ -117,7 +128,7 @@ bool setCell(Cylinder& cylinder, int column, const QString& text) {
 InputError refusal(int row, int column, const QString& text) {
     const Field& field = fieldOf(column);
     const Message place = inertia_moments::cylinder_place(static_cast<std::size_t>(row), field.key);
-    const auto number = readTypedNumber(text, unitText(field.unit.name)).value;
+    const auto number = readTypedNumber(text, shownUnit(field.unit).name).value;
     if (!number) {
         return {place, CORE_TEXT("core", "must be a number"), quoted_list({text.toStdString()})};
     }
@@ -125,6 +136,10 @@ InputError refusal(int row, int column, const QString& text) {
             column == Table::Master ? field.range.whole_number_message()
                                     : field.range.message(field.unit),
             Number{*number}};
+}
+
+QString strokeText(double shown) {
+    return fixedNumber(shown, 2 + shownUnit(units::mm).decimals, QLocale());
 }
 
 /// The rows as they are given; those of a layout have no articulated rods.
@@ -157,7 +172,7 @@ std::optional<double> CylinderTableModel::valueAt(int row, int column) const {
     if (column >= TopDeadCentre) {
         for (std::size_t each = strokes_.size(); each < engine.cylinders.size(); ++each) {
             strokes_.emplace_back(engine.top_dead_centre(each) / degree,
-                                  engine.stroke(each) / units::mm);
+                                  shownValue(engine.stroke(each), units::mm));
         }
         return column == Stroke ? strokes_[i].second : strokes_[i].first;
     }
@@ -180,7 +195,9 @@ std::optional<double> CylinderTableModel::valueAt(int row, int column) const {
                 break;
         }
     }
-    return value ? std::optional(from_si(fieldOf(column), *value)) : std::nullopt;
+    return value ? std::optional(from_si(fieldOf(column), *value) *
+                                 shownUnit(fieldOf(column).unit).factor)
+                 : std::nullopt;
 }
 
 bool CylinderTableModel::isUsual(int row, int column) const {
@@ -263,7 +280,7 @@ QVariant CylinderTableModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole:
             return !value                            ? QString()
                    : index.column() == TopDeadCentre ? fixedNumber(*value, 3, QLocale())
-                   : index.column() == Stroke        ? fixedNumber(*value, 2, QLocale())
+                   : index.column() == Stroke        ? strokeText(*value)
                                                      : formNumber(*value, QLocale(), 6);
         case Qt::EditRole:
             return value && (!usual || index.column() >= TopDeadCentre)
@@ -320,9 +337,9 @@ bool CylinderTableModel::setData(const QModelIndex& index, const QVariant& value
 QVariant CylinderTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation == Qt::Vertical) {
         if (role == Qt::ToolTipRole && section < rowCount()) {
-            return tr("Top dead centre %1° from its axis, stroke %2 mm")
+            return tr("Top dead centre %1° from its axis, stroke %2")
                 .arg(fixedNumber(*valueAt(section, TopDeadCentre), 3, QLocale()),
-                     fixedNumber(*valueAt(section, Stroke), 2, QLocale()));
+                     withUnit(strokeText(*valueAt(section, Stroke)), shownUnit(units::mm).name));
         }
         return role == Qt::DisplayRole ? QVariant(section + 1) : QVariant();
     }
@@ -330,7 +347,7 @@ QVariant CylinderTableModel::headerData(int section, Qt::Orientation orientation
         const bool isStroke = section == Stroke;
         switch (role) {
             case Qt::DisplayRole:
-                return isStroke ? tr("stroke, mm") : tr("TDC, °");
+                return isStroke ? shownTitle(tr("stroke, mm")).text : tr("TDC, °");
             case Qt::ToolTipRole:
                 return isStroke ? tr("Stroke of the piston; follows from the other values")
                                 : tr("Top dead centre: the crank's angle from the cylinder's axis; "
@@ -347,7 +364,7 @@ QVariant CylinderTableModel::headerData(int section, Qt::Orientation orientation
             }
             const QString symbol =
                 QString::fromUtf8(field.symbol.data(), static_cast<qsizetype>(field.symbol.size()));
-            const QString unit = unitText(field.unit.name);
+            const QString unit = shownUnit(field.unit).name;
             return unit.isEmpty() ? symbol : symbol + QStringLiteral(", ") + unit;
         }
         case Qt::ToolTipRole:

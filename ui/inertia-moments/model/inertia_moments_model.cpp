@@ -13,6 +13,7 @@
 #include "numerics/angle.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 
 namespace ravnoves {
 
@@ -66,10 +67,23 @@ QString figure(double value) {
     return number(value, std::min(decimals, 3));
 }
 
+/// Of a quantity, in the unit shown.
+QString figure(double si, const Unit& unit) {
+    return figure(shownValue(si, unit));
+}
+
+const Unit& unitOf(Quantity quantity) {
+    return quantity == Quantity::force ? units::newton : units::N_m;
+}
+
+QString forceAndMoment() {
+    return shownUnit(units::newton).name + QStringLiteral("; ") + shownUnit(units::N_m).name;
+}
+
 /// The same, and 0 where it is nothing but rounding beside its scale.
-QString figure(double value, double scale) {
-    return std::abs(value) > inertia_moments::zero_share * scale ? figure(value)
-                                                                 : QStringLiteral("0");
+QString figure(double si, double scale, const Unit& unit) {
+    return std::abs(si) > inertia_moments::zero_share * scale ? figure(si, unit)
+                                                              : QStringLiteral("0");
 }
 
 QString degrees(double radians) {
@@ -398,8 +412,8 @@ QString InertiaMomentsModel::setRotatingMassOfThrow(bool ofThrow) {
 QString InertiaMomentsModel::throwMassText() const {
     QStringList kinds;
     for (const inertia_moments::Throw* kind : kindsOfThrow(result())) {
-        kinds << tr("%1 kg, rods: %2")
-                     .arg(formNumber(result().engine.mass_on(*kind), QLocale(), 4))
+        kinds << tr("%1, rods: %2")
+                     .arg(shownShort(result().engine.mass_on(*kind), units::kg, 4))
                      .arg(kind->cylinders.size());
     }
     return kinds.join(QLatin1Char('\n'));
@@ -666,7 +680,7 @@ Harmonic<double> componentOf(const EngineOrder& order, const Difference& d) {
 }  // namespace
 
 QStringList InertiaMomentsModel::orderColumns() const {
-    return {tr("N; N·m"), tr("exact"), tr("phase, °"), tr("two-term"), tr("diff., %")};
+    return {forceAndMoment(), tr("exact"), tr("phase, °"), tr("two-term"), tr("diff., %")};
 }
 
 QVector<QStringList> InertiaMomentsModel::orderRows() const {
@@ -679,33 +693,37 @@ QVector<QStringList> InertiaMomentsModel::orderRows() const {
                 {componentName(d), QStringLiteral("0"), dash, QStringLiteral("0"), dash});
             continue;
         }
-        rows.push_back({componentName(d), figure(d.exact), degrees(inertia_moments::phase(h)),
-                        figure(d.two_term, std::abs(d.exact)), number(100.0 * *d.relative, 1)});
+        const Unit& unit = unitOf(d.quantity);
+        rows.push_back({componentName(d), figure(d.exact, unit), degrees(inertia_moments::phase(h)),
+                        figure(d.two_term, std::abs(d.exact), unit),
+                        number(100.0 * *d.relative, 1)});
     }
     return rows;
 }
 
 QStringList InertiaMomentsModel::rotatingColumns() const {
-    return {tr("N; N·m"), tr("+kω"), tr("at, °"), tr("−kω"), tr("at, °")};
+    return {forceAndMoment(), tr("+kω"), tr("at, °"), tr("−kω"), tr("at, °")};
 }
 
 QVector<QStringList> InertiaMomentsModel::rotatingRows() const {
     QVector<QStringList> rows;
-    const auto add = [&](const QString& name, const RotatingPair& pair, double scale) {
-        rows.push_back({name, figure(std::abs(pair.forward), scale),
-                        directionText(pair.forward, scale), figure(std::abs(pair.backward), scale),
-                        directionText(pair.backward, scale)});
+    const auto add = [&](const QString& name, const RotatingPair& pair, double scale,
+                         const Unit& unit) {
+        rows.push_back(
+            {name, figure(std::abs(pair.forward), scale, unit), directionText(pair.forward, scale),
+             figure(std::abs(pair.backward), scale, unit), directionText(pair.backward, scale)});
     };
     for (const EngineOrder& order : result().exact.orders) {
         const QString k = QString::number(order.order) + QStringLiteral("\u2002");
-        add(k + QStringLiteral("F"), order.force, order.force_scale);
-        add(k + QStringLiteral("M"), order.moment, order.moment_scale);
+        add(k + QStringLiteral("F"), order.force, order.force_scale, units::newton);
+        add(k + QStringLiteral("M"), order.moment, order.moment_scale, units::N_m);
     }
     return rows;
 }
 
 QStringList InertiaMomentsModel::shaftColumns() const {
-    return {tr("Shaft"), tr("cancels"), tr("mρ, g·mm"), tr("at, °"), tr("left")};
+    return {forceAndMoment(), tr("cancels"), shownTitle(tr("mρ, g·mm")).text, tr("at, °"),
+            tr("left")};
 }
 
 QVector<QStringList> InertiaMomentsModel::shaftRows() const {
@@ -713,10 +731,12 @@ QVector<QStringList> InertiaMomentsModel::shaftRows() const {
     for (const ShaftDesign& design : result().shafts) {
         const QString mark =
             design.shaft.enabled ? QStringLiteral("\u25CF ") : QStringLiteral("\u25CB ");
+        const Unit& unit = design.shaft.balances == Balances::force ? units::newton : units::N_m;
         rows.push_back(
-            {mark + shaftTitle(design.shaft), figure(std::abs(design.target), design.scale),
-             design.phase ? figure(design.unbalance / units::gram_mm) : QStringLiteral("0"),
-             design.phase ? degrees(*design.phase) : dash, figure(design.remaining, design.scale)});
+            {mark + shaftTitle(design.shaft), figure(std::abs(design.target), design.scale, unit),
+             design.phase ? figure(design.unbalance, units::gram_mm) : QStringLiteral("0"),
+             design.phase ? degrees(*design.phase) : dash,
+             figure(design.remaining, design.scale, unit)});
     }
     return rows;
 }
@@ -733,29 +753,30 @@ QVector<QStringList> InertiaMomentsModel::weightRows() const {
                            directionText(std::conj(vector), scale)};
     };
     QVector<QStringList> rows{
-        row(tr("Force, N"),
-            figure(std::abs(rotating.force()), rotating.force_scale * rotating.mass_force),
+        row(shownTitle(tr("Force, N")).text,
+            figure(std::abs(rotating.force()), rotating.force_scale * rotating.mass_force,
+                   units::newton),
             rotating.force_factor, rotating.force_scale),
-        row(tr("Moment, N·m"),
-            figure(std::abs(rotating.moment()), rotating.moment_scale * rotating.mass_force),
+        row(shownTitle(tr("Moment, N·m")).text,
+            figure(std::abs(rotating.moment()), rotating.moment_scale * rotating.mass_force,
+                   units::N_m),
             rotating.moment_factor, rotating.moment_scale),
         row(tr("against the force"), dash, -rotating.force_factor, rotating.force_scale),
         row(tr("against the moment"), dash, -rotating.moment_factor, rotating.moment_scale)};
     for (const inertia_moments::Throw* kind : kindsOfThrow(result())) {
-        rows.push_back({tr("On a throw, rods: %1, g").arg(kind->cylinders.size()),
-                        figure(result().engine.mass_on(*kind) / units::gram),
+        rows.push_back({shownTitle(tr("On a throw, rods: %1, g").arg(kind->cylinders.size())).text,
+                        figure(result().engine.mass_on(*kind), units::gram),
                         {},
                         {}});
     }
     if (result().counterweights) {
         const inertia_moments::CounterweightDesign& design = *result().counterweights;
         const auto weight = [&](const QString& name, const inertia_moments::Counterweight& w) {
-            rows.push_back(
-                row(name + tr(", g·mm"),
-                    figure(std::abs(w.unbalance) / units::gram_mm, design.scale / units::gram_mm),
-                    w.unbalance, design.scale));
-            rows.push_back({name + tr(", g"),
-                            figure(w.mass() / units::gram, design.scale / w.radius / units::gram),
+            rows.push_back(row(shownTitle(name + tr(", g·mm")).text,
+                               figure(std::abs(w.unbalance), design.scale, units::gram_mm),
+                               w.unbalance, design.scale));
+            rows.push_back({shownTitle(name + tr(", g")).text,
+                            figure(w.mass(), design.scale / w.radius, units::gram),
                             {},
                             {}});
         };
@@ -766,7 +787,7 @@ QVector<QStringList> InertiaMomentsModel::weightRows() const {
 }
 
 QStringList InertiaMomentsModel::remainingColumns() const {
-    return {tr("N; N·m"), tr("before"), tr("left"), tr("left, %")};
+    return {forceAndMoment(), tr("before"), tr("left"), tr("left, %")};
 }
 
 QVector<QStringList> InertiaMomentsModel::remainingRows() const {
@@ -775,9 +796,10 @@ QVector<QStringList> InertiaMomentsModel::remainingRows() const {
         const EngineOrder& before = result().exact.orders[i];
         const EngineOrder& after = result().remaining.orders[i];
         const QString k = QString::number(before.order) + QStringLiteral("\u2002");
-        const auto add = [&](const QString& name, double was, double is, double scale) {
+        const auto add = [&](const QString& name, double was, double is, double scale,
+                             const Unit& unit) {
             const bool isZero = !(was > inertia_moments::zero_share * scale);
-            rows.push_back({name, figure(was, scale), figure(is, scale),
+            rows.push_back({name, figure(was, scale, unit), figure(is, scale, unit),
                             isZero ? dash : number(100.0 * is / was, 1)});
         };
         // Of the rotating masses too, in order 1: they count as there from the start.
@@ -790,8 +812,8 @@ QVector<QStringList> InertiaMomentsModel::remainingRows() const {
         }
         const double forces = before.force_scale;
         const double moments = before.moment_scale;
-        add(k + QStringLiteral("F"), force.max(), after.force.max(), forces);
-        add(k + QStringLiteral("M"), moment.max(), after.moment.max(), moments);
+        add(k + QStringLiteral("F"), force.max(), after.force.max(), forces, units::newton);
+        add(k + QStringLiteral("M"), moment.max(), after.moment.max(), moments, units::N_m);
     }
     return rows;
 }

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case-file/range.h"
 #include "plot/model/ticks.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 
 namespace ravnoves {
 
@@ -41,9 +43,13 @@ struct Shown {
     QString operator()(const std::string& word) const { return verbatimText(word); }
     QString operator()(const Message& message) const { return methodText(message); }
     QString operator()(const Number& number) const {
-        const Message plain(Number{number.value, units::none, number.digits});
-        return withUnit(inLocale(QString::fromStdString(plain.english())),
-                        unitText(number.unit.name));
+        constexpr int converted = 6;
+        const ShownUnit unit = shownUnit(number.unit);
+        const Message plain(
+            unit.factor == 1.0
+                ? Number{number.value, units::none, number.digits}
+                : Number{rounded_to(unit.factor * number.value, converted), units::none, 0});
+        return withUnit(inLocale(QString::fromStdString(plain.english())), unit.name);
     }
 };
 
@@ -73,9 +79,10 @@ QString sweepNumber(const methods::SweepInfo& sweep, double value) {
     if (sweep.crowded() && gap > 0.0) {
         digits += std::clamp(static_cast<int>(std::ceil(-std::log10(gap))) - 1, 0, 12);
     }
-    const QString number =
-        sweep.logarithmic() ? powerText(value, QLocale()) : formNumber(value, QLocale(), digits);
-    return withUnit(number, unitText(sweep.unit.name));
+    const ShownUnit unit = shownUnit(sweep.unit);
+    const QString number = sweep.logarithmic() ? powerText(unit.factor * value, QLocale())
+                                               : formNumber(unit.factor * value, QLocale(), digits);
+    return withUnit(number, unit.name);
 }
 
 QString timeText(double nanoseconds) {

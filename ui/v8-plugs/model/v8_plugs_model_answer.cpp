@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "text/shown_units.h"
 #include "v8-plugs/model/v8_names.h"
 #include "v8-plugs/model/v8_plugs_model.h"
 #include "v8-plugs/model/v8_text.h"
@@ -117,8 +118,12 @@ QStringList V8PlugsModel::notCounted() const {
 }
 
 QStringList V8PlugsModel::optionColumns() const {
-    return {tr("Option"),    tr("const., g"), tr("slope"),     tr("reach, g"),
-            tr("needed, g"), tr("left, g"),   tr("left, g·mm")};
+    QStringList columns{tr("Option"),    tr("const., g"), tr("slope"),     tr("reach, g"),
+                        tr("needed, g"), tr("left, g"),   tr("left, g·mm")};
+    for (QString& column : columns) {
+        column = shownTitle(column).text;
+    }
+    return columns;
 }
 
 QVector<QStringList> V8PlugsModel::optionRows(bool isShort) const {
@@ -140,12 +145,12 @@ QVector<QStringList> V8PlugsModel::optionRows(bool isShort) const {
         rows << QStringList{
             // in brackets what the crankshaft that is fitted does not allow
             (fitted ? mark : QStringLiteral("(%1)").arg(mark)) + QLatin1Char(' ') + name,
-            words_.number(option->constant / gram, 3),
+            words_.digits(option->constant, gram, 3),
             words_.number(option->slope, 3),
-            words_.number(option->maximum / gram, 3),
-            words_.number(option->required_reduction / gram, 3),
-            words_.number(option->residual_mass / gram, 3),
-            words_.number(option->residual_unbalance / gram_mm, 1)};
+            words_.digits(option->maximum, gram, 3),
+            words_.digits(option->required_reduction, gram, 3),
+            words_.digits(option->residual_mass, gram, 3),
+            words_.digits(option->residual_unbalance, gram_mm, 1)};
     }
     return rows;
 }
@@ -181,7 +186,7 @@ QString V8PlugsModel::optionToolTip(int row) const {
 }
 
 QStringList V8PlugsModel::bobWeightColumns() const {
-    return {tr("factor × mass, g"), tr("nominal"), tr("before"), tr("after")};
+    return {shownTitle(tr("factor × mass, g")).text, tr("nominal"), tr("before"), tr("after")};
 }
 
 QVector<QStringList> V8PlugsModel::bobWeightRows() const {
@@ -199,14 +204,15 @@ QVector<QStringList> V8PlugsModel::bobWeightRows() const {
 }
 
 QStringList V8PlugsModel::planeColumns() const {
-    return {tr("Plane"), tr("allowed, g·mm"), tr("reading, g·mm"), tr("verdict")};
+    return {tr("Plane"), shownTitle(tr("allowed, g·mm")).text, shownTitle(tr("reading, g·mm")).text,
+            tr("verdict")};
 }
 
 QVector<QStringList> V8PlugsModel::planeRows() const {
     QVector<QStringList> rows;
     const auto add = [&](const QString& name, const PlaneVerdict& plane) {
-        rows << QStringList{name, words_.number(plane.permissible / gram_mm, 1),
-                            plane.reading ? words_.number(*plane.reading / gram_mm, 1) : dash,
+        rows << QStringList{name, words_.digits(plane.permissible, gram_mm, 1),
+                            plane.reading ? words_.digits(*plane.reading, gram_mm, 1) : dash,
                             !plane.passes   ? dash
                             : *plane.passes ? tr("✓ passes")
                                             : tr("✗ fails")};
@@ -257,13 +263,13 @@ QVector<QStringList> V8PlugsModel::crankpinRows() const {
     const auto row = [&](const QString& name, const std::array<double, crankpin_count>& excess) {
         QStringList cells{name};
         for (const double mass : excess) {
-            cells << words_.number(mass / gram, 2);
+            cells << words_.digits(mass, gram, 2);
         }
-        cells << words_.number(spread(excess) / gram, 2);
+        cells << words_.digits(spread(excess), gram, 2);
         return cells;
     };
-    return {row(tr("as weighed, g"), *solution().crankpin_excess),
-            row(tr("after moving, g"), *solution().assigned_excess)};
+    return {row(shownTitle(tr("as weighed, g")).text, *solution().crankpin_excess),
+            row(shownTitle(tr("after moving, g")).text, *solution().assigned_excess)};
 }
 
 V8PlugsModel::ColumnNote V8PlugsModel::columnNote(Part part) const {
@@ -275,13 +281,13 @@ V8PlugsModel::ColumnNote V8PlugsModel::columnNote(Part part) const {
     if (!s) {
         return note;
     }
-    note.mean = words_.number(s->mean / gram, 2);
+    note.mean = words_.digits(s->mean, gram, 2);
     if (const auto& nominal = (*input().weigh_in)[part].nominal) {
-        const double deviation = (s->mean - *nominal) / gram;
-        note.deviation =
-            (deviation >= 0.005 ? QStringLiteral("+") : QString()) + words_.number(deviation, 2);
+        const double deviation = s->mean - *nominal;
+        note.deviation = (deviation >= 0.005 * gram ? QStringLiteral("+") : QString()) +
+                         words_.digits(deviation, gram, 2);
     }
-    note.spread = words_.number(s->spread / gram, 2);
+    note.spread = words_.digits(s->spread, gram, 2);
     note.tooWide = !s->within_permitted;
     note.counts = input().changes_from_weigh_in && (*input().weigh_in)[part].is_complete();
     note.toolTip = tr("%1: %2 weighed; heaviest in cylinder %3, lightest in cylinder %4.")

@@ -1,3 +1,4 @@
+#include "text/shown_units.h"
 #include "v8-plugs/model/v8_plugs_model.h"
 
 namespace ravnoves {
@@ -6,23 +7,27 @@ ResultTips V8PlugsModel::optionTips() {
     return {
         {tr("Option"), tr("What is bored or replaced; ✓ it is enough, ✗ it is not, ! only by the "
                           "method")},
-        {tr("const., g"), tr("Unbalanced mass that the option takes away with nothing bored, "
-                             "kₚ times the exchange of plugs")},
+        {shownTitle(tr("const., g")).text,
+         tr("Unbalanced mass that the option takes away with nothing bored, "
+            "kₚ times the exchange of plugs")},
         {tr("slope"), tr("Unbalanced mass for each gram that is bored out of a plug")},
-        {tr("reach, g"), tr("Largest unbalanced mass that the option compensates")},
-        {tr("needed, g"), tr("To come off each plug; negative or beyond what is possible where the "
-                             "option cannot")},
-        {tr("left, g"), tr("Unbalanced mass that stays")},
-        {tr("left, g·mm"), tr("Unbalance that stays, mass times crank radius")},
+        {shownTitle(tr("reach, g")).text,
+         tr("Largest unbalanced mass that the option compensates")},
+        {shownTitle(tr("needed, g")).text,
+         tr("To come off each plug; negative or beyond what is possible where the "
+            "option cannot")},
+        {shownTitle(tr("left, g")).text, tr("Unbalanced mass that stays")},
+        {shownTitle(tr("left, g·mm")).text, tr("Unbalance that stays, mass times crank radius")},
     };
 }
 
 ResultTips V8PlugsModel::bobWeightTips() {
     return {
-        {tr("factor × mass, g"), tr("Share of the part in the bob weight times its mass")},
-        {tr("nominal"), tr("By the nominal masses, g")},
-        {tr("before"), tr("With the parts as they are, g")},
-        {tr("after"), tr("After the compensation, g")},
+        {shownTitle(tr("factor × mass, g")).text,
+         tr("Share of the part in the bob weight times its mass")},
+        {tr("nominal"), tr("By the nominal masses")},
+        {tr("before"), tr("With the parts as they are")},
+        {tr("after"), tr("After the compensation")},
         {tr("Bob weight"), tr("Sum of the lines: what is hung on each crankpin")},
     };
 }
@@ -30,9 +35,10 @@ ResultTips V8PlugsModel::bobWeightTips() {
 ResultTips V8PlugsModel::planeTips() {
     return {
         {tr("Plane"), tr("Correction plane of the crankshaft")},
-        {tr("allowed, g·mm"), tr("Permissible residual unbalance, share of U = G m / ω "
-                                 "(ISO 21940-11)")},
-        {tr("reading, g·mm"), tr("What the balancing machine reads")},
+        {shownTitle(tr("allowed, g·mm")).text,
+         tr("Permissible residual unbalance, share of U = G m / ω "
+            "(ISO 21940-11)")},
+        {shownTitle(tr("reading, g·mm")).text, tr("What the balancing machine reads")},
         {tr("verdict"), tr("Passes where the reading is not above what is allowed")},
     };
 }
@@ -47,8 +53,10 @@ ResultTips V8PlugsModel::assignmentTips() {
 
 ResultTips V8PlugsModel::crankpinTips() {
     return {
-        {tr("as weighed, g"), tr("Excess on each crankpin over the mean, parts where they are")},
-        {tr("after moving, g"), tr("Excess on each crankpin over the mean, parts moved")},
+        {shownTitle(tr("as weighed, g")).text,
+         tr("Excess on each crankpin over the mean, parts where they are")},
+        {shownTitle(tr("after moving, g")).text,
+         tr("Excess on each crankpin over the mean, parts moved")},
         {tr("spread"), tr("Largest less smallest excess of the four crankpins")},
     };
 }

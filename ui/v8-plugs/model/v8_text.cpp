@@ -232,18 +232,20 @@ QString shiftText(const Words& words, const Input& input, const Result& solution
     const double plug = option.plug_mass_unmachined - option.reduction;
     QString text =
         words
-            .translate("V8",
-                       "Neglected by the method: the plug's centre of mass moves by 0.8 to 1.2 mm "
-                       "when it is bored, which is worth %1 to %2 beside the %3 allowed.")
-            .arg(words.number(shift_unbalance(plug, smallest_shift) / units::gram_mm, 1),
+            .translate(
+                "V8",
+                "Neglected by the method: the plug's centre of mass moves by %4 to %5 when it "
+                "is bored, which is worth %1 to %2 beside the %3 allowed.")
+            .arg(words.digits(shift_unbalance(plug, smallest_shift), units::gram_mm, 1),
                  gramMillimetres(words, shift_unbalance(plug, largest_shift)),
-                 gramMillimetres(words, input.tolerance));
+                 gramMillimetres(words, input.tolerance),
+                 words.digits(smallest_shift, units::mm, 1),
+                 words.number(largest_shift, units::mm, 1));
     const auto& effect = solution.shift[index(option.id)];
     if (effect && effect->planned) {
         text +=
             QLatin1Char(' ') + words.translate("V8", "Bored as planned here it moves by %1: %2.")
-                                   .arg(withUnit(words.plain(effect->greatest_shift / units::mm, 2),
-                                                 words.unit(units::mm)),
+                                   .arg(words.plainWithUnit(effect->greatest_shift, units::mm, 2),
                                         gramMillimetres(words, effect->greatest));
     }
     return text;
@@ -273,7 +275,7 @@ QStringList bobWeightCells(const Words& words, const Result& solution,
         const auto mass = weight == nullptr ? std::nullopt
                           : part            ? weight->product(*part)
                                             : std::optional(weight->sum());
-        cells << (mass ? words.number(*mass / units::gram, decimals) : missing);
+        cells << (mass ? words.digits(*mass, units::gram, decimals) : missing);
     }
     return cells;
 }

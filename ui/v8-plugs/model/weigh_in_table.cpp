@@ -56,9 +56,10 @@ QVariant WeighInTable::data(const QModelIndex& cell, int role) const {
             }
             return {};
         case Qt::AccessibleTextRole:
-            return row == 0   ? tr("%1, nominal mass, g").arg(part)
-                   : row == 1 ? tr("%1, permitted spread, g").arg(part)
-                              : tr("%1 of cylinder %2, g").arg(part).arg(cylinder);
+            return shownTitle(row == 0   ? tr("%1, nominal mass, g").arg(part)
+                              : row == 1 ? tr("%1, permitted spread, g").arg(part)
+                                         : tr("%1 of cylinder %2, g").arg(part).arg(cylinder))
+                .text;
         case Qt::ToolTipRole:
             return row == 0   ? tr("%1: mass by the drawing.").arg(part)
                    : row == 1 ? tr("%1: heaviest less lightest that the works manual permits. "
@@ -85,8 +86,8 @@ QVariant WeighInTable::headerData(int section, Qt::Orientation orientation, int 
     if (orientation == Qt::Horizontal) {
         return partOf(section);
     }
-    return section == 0   ? tr("nominal, g")
-           : section == 1 ? tr("permitted spread, g")
+    return section == 0   ? shownTitle(tr("nominal, g")).text
+           : section == 1 ? shownTitle(tr("permitted spread, g")).text
                           : QString::number(section - firstCylinder + 1);
 }
 

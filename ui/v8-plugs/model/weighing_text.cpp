@@ -12,7 +12,7 @@ WeighingNote weighingNote(const Words& words, const v8_plugs::Input& input) {
         return {};
     }
     const auto digit = [&](double mass) {
-        return words.plain(mass / units::gram, 6) + QChar(0x00A0) + words.unit(units::gram);
+        return words.plainWithUnit(mass, units::gram, 6);
     };
     const QString sure =
         words

@@ -3,8 +3,10 @@
 #include <QCoreApplication>
 #include <QDate>
 #include <QTranslator>
+#include <algorithm>
 
 #include "text/number_text.h"
+#include "text/shown_units.h"
 
 namespace ravnoves {
 
@@ -31,7 +33,8 @@ QString Words::translate(const char* context, const char* text, const char* comm
 }
 
 QString Words::unit(Unit unit) const {
-    return unit.name.empty() ? QString() : translate("core", std::string(unit.name).c_str());
+    const Unit shown = shownAs(unit);
+    return shown.name.empty() ? QString() : translate("core", std::string(shown.name).c_str());
 }
 
 QString Words::message(const Message& message) const {
@@ -43,9 +46,12 @@ QString Words::message(const Message& message) const {
         QString operator()(const std::string& word) const { return QString::fromStdString(word); }
         QString operator()(const Message& inner) const { return words.message(inner); }
         QString operator()(const Number& number) const {
-            return withUnit(number.digits < 0 ? words.number(number.value, -number.digits)
-                                              : formNumber(number.value, words.locale(),
-                                                           number.digits > 0 ? number.digits : 10),
+            const ShownUnit shown = shownUnit(number.unit);
+            const double value = shown.factor * number.value;
+            const int digits = number.digits > 0 ? number.digits : shown.factor == 1.0 ? 10 : 6;
+            return withUnit(number.digits < 0
+                                ? words.number(value, std::max(0, shown.decimals - number.digits))
+                                : formNumber(value, words.locale(), digits),
                             words.unit(number.unit));
         }
     };
@@ -57,7 +63,11 @@ QString Words::message(const Message& message) const {
 }
 
 QString Words::number(double si, Unit unit, int decimals) const {
-    return withUnit(number(si / unit, decimals), this->unit(unit));
+    return withUnit(digits(si, unit, decimals), this->unit(unit));
+}
+
+QString Words::digits(double si, Unit unit, int decimals) const {
+    return number(shownValue(si, unit), std::max(0, decimals + shownUnit(unit).decimals));
 }
 
 QString Words::number(double value, int decimals) const {
@@ -83,6 +93,14 @@ QString Words::plain(double value, int decimals) const {
         }
     }
     return text;
+}
+
+QString Words::plain(double si, Unit unit, int decimals) const {
+    return plain(shownValue(si, unit), std::max(0, decimals + shownUnit(unit).decimals));
+}
+
+QString Words::plainWithUnit(double si, Unit unit, int decimals) const {
+    return withUnit(plain(si, unit, decimals), this->unit(unit));
 }
 
 }  // namespace ravnoves

@@ -32,7 +32,7 @@ class Words {
     QString message(const Message& message) const;
     /// A field's label without the & of its mnemonic: "Crank radius r".
     QString name(const Field& field) const { return text(field.label).remove(QLatin1Char('&')); }
-    /// A unit of core; empty for pure numbers.
+    /// A unit of core, or the one that the user wants in its place; empty for pure numbers.
     QString unit(Unit unit) const;
 
     const QLocale& locale() const { return locale_; }
@@ -40,11 +40,16 @@ class Words {
     QString number(double value, int decimals) const;
     /// With its unit: "2.79 g".
     QString number(double si, Unit unit, int decimals) const;
+    /// The same without it.
+    QString digits(double si, Unit unit, int decimals) const;
     /// A day of ISO 8601 as the language writes it, "31.05.2024" or "2024-05-31"; what is no day
     /// stays as it is.
     QString day(const QString& iso) const;
     /// As many of the decimals as the number has: "2.79", "40".
     QString plain(double value, int decimals = 4) const;
+    QString plain(double si, Unit unit, int decimals) const;
+    /// The same with its unit.
+    QString plainWithUnit(double si, Unit unit, int decimals) const;
 
   private:
     bool own_ = false;  // a language of its own, not the program's
