@@ -29,10 +29,10 @@ struct JournalColumn {
 
 /// What cellsOf() fills.
 QList<JournalColumn> journalColumns() {
-    return {{JournalDialog::tr("Date"), 84},          {JournalDialog::tr("Engine number"), 110},
+    return {{JournalDialog::tr("Date"), 84},          {JournalDialog::tr("Engine number"), 124},
             {JournalDialog::tr("Crankshaft"), 84},    {JournalDialog::tr("Customer"), 116},
             {JournalDialog::tr("Engine"), 62},        {JournalDialog::tr("Technician"), 96},
-            {JournalDialog::tr("Result"), 176},       {JournalDialog::tr("Bob weight, g"), 94},
+            {JournalDialog::tr("Result"), 150},       {JournalDialog::tr("Bob weight, g"), 108},
             {JournalDialog::tr("Machine, g·mm"), 120}};
 }
 

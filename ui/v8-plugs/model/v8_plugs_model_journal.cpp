@@ -39,6 +39,9 @@ JournalJob V8PlugsModel::journalEntry() const {
     if (solution().advice) {
         if (solution().advice->kind == Advice::Kind::none_needed) {
             job.recommended = QStringLiteral("none-needed");
+            if (solution().before) {
+                job.bobWeight = solution().before->sum() / gram;
+            }
         } else if (solution().advice->kind == Advice::Kind::option) {
             const Option& option = *solution().advice->option;
             job.recommended = QString::fromStdString(std::string(option_word(option.id).word));
