@@ -10,6 +10,8 @@
 #include "balance-shaft/fields.h"
 #include "balance-shaft/formulas.h"
 #include "balance-shaft/scene.h"
+#include "bob-weights/formulas.h"
+#include "bob-weights/scene.h"
 #include "case-file/field_reader.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
@@ -79,6 +81,10 @@ std::vector<Formula> formulas_of_v8_plugs(const Json& input) {
     return v8_plugs::formulas(v8_plugs::read_input(input, Completeness::as_is));
 }
 
+std::vector<Formula> formulas_of_bob_weights(const Json& input) {
+    return bob_weights::formulas(bob_weights::read_input(input, Completeness::as_is));
+}
+
 std::vector<Formula> formulas_of_inertia_moments(const Json& input) {
     return inertia_moments::formulas(inertia_moments::read_input(input));
 }
@@ -93,6 +99,8 @@ std::span<const SceneSolver> scene_solvers() {
         SceneSolver{"elastic-hinge", elastic_hinge::solve_scene, formulas_of_elastic_hinge,
                     elastic_hinge::left_out},
         SceneSolver{"v8-plugs", v8_plugs::solve_scene, formulas_of_v8_plugs, v8_plugs::left_out},
+        SceneSolver{"bob-weights", bob_weights::solve_scene, formulas_of_bob_weights,
+                    bob_weights::left_out},
         SceneSolver{"inertia-moments", inertia_moments::solve_scene, formulas_of_inertia_moments,
                     inertia_moments::left_out},
     };

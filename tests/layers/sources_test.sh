@@ -101,7 +101,7 @@ for file in core/*/scene.h; do
     scenes+=("${file#core/}")
 done
 [ ${#scenes[@]} -gt 2 ] || fault "the scenes could not be found: ${scenes[*]}"
-for ground in case-file numerics drawing bibliography; do
+for ground in case-file numerics drawing bibliography workshop; do
     check_folders_apart "core/$ground" "${scenes[@]}" methods scenes
 done
 check_folders_apart core/numerics case-file drawing bibliography

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "balance-shaft/scene.h"
+#include "bob-weights/scene.h"
 #include "case-file/field_index.h"
 #include "case-file/field_visitor.h"
 #include "case-file/input_error.h"
@@ -78,6 +79,9 @@ const std::vector<Scene>& scenes() {
         scene<v8_plugs::Input>(
             "v8-plugs", [](const Json& json) { return v8_plugs::read_input(json); },
             v8_plugs::write_input),
+        scene<bob_weights::Input>(
+            "bob-weights", [](const Json& json) { return bob_weights::read_input(json); },
+            bob_weights::write_input),
         scene<inertia_moments::Input>("inertia-moments", inertia_moments::read_input,
                                       inertia_moments::write_input)};
     return all;

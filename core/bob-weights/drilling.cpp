@@ -1,0 +1,257 @@
+#include "bob-weights/drilling.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "numerics/constants.h"
+
+namespace ravnoves::bob_weights {
+
+namespace {
+
+bool is_inside(double angle, const std::pair<double, double>& sector) {
+    constexpr double rounding = 1e-9;
+    const double width = turn_of(sector.second - sector.first);
+    const double place = turn_of(angle - sector.first + rounding);
+    // From 0 to 360 is all round, as from 10 to 10 is.
+    return width < rounding || place <= width + 2.0 * rounding;
+}
+
+/// Σ cos of the angles of n holes with that spacing.
+double sum_of_cosines(int n, double spacing) {
+    double sum = 0.0;
+    for (int i = 0; i < n; ++i) {
+        sum += std::cos((i - 0.5 * (n - 1)) * spacing);
+    }
+    return sum;
+}
+
+struct Pattern {
+    int count = 0;
+    double diameter = 0.0;
+    double depth = 0.0;
+    double spacing = 0.0;
+    double left = 0.0;   // of the target
+    double metal = 0.0;  // kg
+};
+
+class Planner {
+  public:
+    Planner(double target, double angle, const Cut& cut, const HoleLimits& limits)
+        : target_(target), angle_(angle), cut_(cut), limits_(limits) {}
+
+    double deepest(double diameter) const {
+        const double room = cut_.radius - cut_.cone(diameter);
+        double depth = std::min(limits_.maximum_depth, room);
+        if (limits_.depth_step > 0.0) {
+            depth = limits_.depth_step * std::floor(depth / limits_.depth_step + 1e-9);
+        }
+        return depth;
+    }
+
+    /// Whether n holes of that depth have room; then their spacing.
+    std::optional<double> spacing(int n, double diameter, double depth) const {
+        if (n == 1) {
+            return is_allowed(angle_) ? std::optional(0.0) : std::nullopt;
+        }
+        const auto least = hole_spacing(cut_, diameter, depth, limits_.minimum_wall);
+        if (!least) {
+            return std::nullopt;
+        }
+        const double last = 0.5 * (n - 1) * *least;
+        const bool fits =
+            last <= limits_.maximum_angle && is_allowed(angle_ - last) && is_allowed(angle_ + last);
+        return fits ? least : std::nullopt;
+    }
+
+    /// n holes that take off the target, or as much as they can; nothing where they have no room
+    /// or one alone would take off too much.
+    std::optional<Pattern> pattern(int n, double diameter) const {
+        const double most = deepest(diameter);
+        if (most < 0.0 || !spacing(n, diameter, 0.0)) {
+            return std::nullopt;
+        }
+        // What n holes take off grows with the depth: their unbalance does, and where the spacing
+        // grows it costs less than the depth brings as long as the holes are above the axis.
+        double depth = roomy(n, diameter, most);
+        if (taken(n, diameter, depth) > target_) {
+            double low = 0.0;
+            double high = depth;
+            if (taken(n, diameter, low) > target_) {
+                high = low;
+            }
+            for (int i = 0; i < 100 && high - low > 1e-12; ++i) {
+                const double middle = 0.5 * (low + high);
+                (taken(n, diameter, middle) > target_ ? high : low) = middle;
+            }
+            depth = rounded(n, diameter, 0.5 * (low + high), most);
+        }
+        const Removed one = cut_.removed(diameter, depth);
+        return Pattern{n,
+                       diameter,
+                       depth,
+                       *spacing(n, diameter, depth),
+                       target_ - taken(n, diameter, depth),
+                       n * one.mass};
+    }
+
+    std::vector<Hole> holes(const Pattern& pattern) const {
+        std::vector<Hole> list;
+        const Removed one = cut_.removed(pattern.diameter, pattern.depth);
+        for (int i = 0; i < pattern.count; ++i) {
+            const double place = (i - 0.5 * (pattern.count - 1)) * pattern.spacing;
+            list.push_back({pattern.diameter, pattern.depth, turn_of(angle_ + place), one.mass,
+                            one.unbalance});
+        }
+        return list;
+    }
+
+    bool is_allowed(double angle) const {
+        return !limits_.sector || is_inside(angle, *limits_.sector);
+    }
+
+  private:
+    double taken(int n, double diameter, double depth) const {
+        const auto apart = spacing(n, diameter, depth);
+        return cut_.removed(diameter, depth).unbalance * sum_of_cosines(n, apart.value_or(0.0));
+    }
+
+    /// The deepest that n holes have room for; depth 0 has.
+    double roomy(int n, double diameter, double most) const {
+        if (spacing(n, diameter, most)) {
+            return most;
+        }
+        double low = 0.0;
+        double high = most;
+        for (int i = 0; i < 60; ++i) {
+            const double middle = 0.5 * (low + high);
+            (spacing(n, diameter, middle) ? low : high) = middle;
+        }
+        return limits_.depth_step > 0.0
+                   ? limits_.depth_step * std::floor(low / limits_.depth_step + 1e-9)
+                   : low;
+    }
+
+    double rounded(int n, double diameter, double depth, double most) const {
+        if (limits_.depth_step <= 0.0) {
+            return depth;
+        }
+        const double below = limits_.depth_step * std::floor(depth / limits_.depth_step + 1e-9);
+        const double above = below + limits_.depth_step;
+        const bool can = above <= most + 1e-12 && spacing(n, diameter, above);
+        return can && std::abs(taken(n, diameter, above) - target_) <
+                           std::abs(taken(n, diameter, below) - target_)
+                   ? above
+                   : below;
+    }
+
+    double target_;
+    double angle_;
+    const Cut& cut_;
+    const HoleLimits& limits_;
+};
+
+}  // namespace
+
+double Cut::cone(double diameter) const {
+    return point_angle < pi ? 0.5 * diameter / std::tan(0.5 * point_angle) : 0.0;
+}
+
+Removed Cut::removed(double diameter, double depth) const {
+    const double area = 0.25 * pi * diameter * diameter;
+    const double point = cone(diameter);
+    const double cylinder = area * depth;
+    const double tip = area * point / 3.0;
+    return {density * (cylinder + tip),
+            density * (cylinder * (radius - 0.5 * depth) + tip * (radius - depth - 0.25 * point))};
+}
+
+std::optional<double> hole_spacing(const Cut& cut, double diameter, double depth, double wall) {
+    // From the plane between two holes: the edge of the bottom at the radius b = R − h, half a
+    // diameter to the side, lies b sin a − d/2 cos a away, the tip of the cone (b − c) sin a; a is
+    // half the angle between the holes.
+    const double bottom = cut.radius - depth;
+    const double tip = bottom - cut.cone(diameter);
+    const double reach = std::hypot(bottom, 0.5 * diameter);
+    if (tip <= 0.0 || 0.5 * wall >= reach || 0.5 * wall >= tip) {
+        return std::nullopt;
+    }
+    const double edge = std::asin(0.5 * wall / reach) + std::atan2(0.5 * diameter, bottom);
+    return 2.0 * std::max(edge, std::asin(0.5 * wall / tip));
+}
+
+HolePlan plan_holes(double target, double angle, const Cut& cut, std::span<const double> diameters,
+                    const HoleLimits& limits, double tolerance) {
+    const Planner planner(target, angle, cut, limits);
+    if (target <= tolerance || target <= 0.0) {
+        return {{}, target, Shortfall::none};
+    }
+    if (!planner.is_allowed(angle)) {
+        return {{}, target, Shortfall::outside_sector};
+    }
+    // What the rounding of a depth may leave.
+    const auto rounding = [&](const Pattern& pattern) {
+        return pattern.count * 0.25 * pi * pattern.diameter * pattern.diameter * cut.density *
+                   cut.radius * limits.depth_step +
+               1e-12;
+    };
+    std::optional<Pattern> nearest;  // whatever it leaves
+    for (int n = 1; n <= limits.maximum_holes; ++n) {
+        std::optional<Pattern> best;
+        bool best_is_exact = false;
+        for (const double diameter : diameters) {
+            const auto found = planner.pattern(n, diameter);
+            if (!found) {
+                continue;
+            }
+            const double left = std::abs(found->left);
+            if (!nearest || left < std::abs(nearest->left) - 1e-15) {
+                nearest = found;
+            }
+            const bool exact = left <= rounding(*found);
+            if (tolerance < 0.0 ? !exact : left > tolerance) {
+                continue;
+            }
+            if (!best || (exact && !best_is_exact) ||
+                (exact == best_is_exact && found->metal < best->metal)) {
+                best = found;
+                best_is_exact = exact;
+            }
+        }
+        if (best) {
+            return {planner.holes(*best), best->left, Shortfall::none};
+        }
+    }
+    if (!nearest || std::abs(nearest->left) >= target) {
+        return {{}, target, Shortfall::nothing_fits};
+    }
+    const Shortfall why = std::abs(nearest->left) <= rounding(*nearest) ? Shortfall::rounding
+                          : nearest->left > 0.0                         ? Shortfall::too_little_room
+                                                                        : Shortfall::nothing_fits;
+    return {planner.holes(*nearest), nearest->left, why};
+}
+
+std::array<std::complex<double>, 2> carried_over(
+    const std::array<std::complex<double>, 2>& unbalance, const std::array<double, 2>& from,
+    const std::array<double, 2>& to) {
+    // Same force, U₁ + U₂ = A + B; same moment, U₁ z₁ + U₂ z₂ = A a + B b.
+    const double distance = to[1] - to[0];
+    std::array<std::complex<double>, 2> carried{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double share = (from[i] - to[0]) / distance;
+        carried[0] += (1.0 - share) * unbalance[i];
+        carried[1] += share * unbalance[i];
+    }
+    return carried;
+}
+
+double turn_of(double angle) {
+    const double turn = std::fmod(angle, 2.0 * pi);
+    const double positive = turn < 0.0 ? turn + 2.0 * pi : turn;
+    // What rounding leaves just below a turn is 0.
+    return positive > 2.0 * pi - 1e-12 ? 0.0 : positive;
+}
+
+}  // namespace ravnoves::bob_weights

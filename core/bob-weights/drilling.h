@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <complex>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace ravnoves::bob_weights {
+
+/// A hole drilled radially from a rim, or a slug in such a hole. SI.
+struct Hole {
+    double diameter;
+    double depth;  ///< of the full diameter; the cone of the point lies beyond
+    double angle;
+    double mass;       ///< taken off, kg; of a slug: added
+    double unbalance;  ///< of that mass about the crank axis, kg·m
+
+    friend bool operator==(const Hole&, const Hole&) = default;
+};
+
+/// What a drill takes off: ρ ∫ A(x) dx and ρ ∫ A(x) (R − x) dx over full diameter and cone.
+struct Removed {
+    double mass;       ///< kg
+    double unbalance;  ///< kg·m
+};
+
+/// One tool and where it works.
+struct Cut {
+    double radius;       ///< R of the rim, m
+    double density;      ///< of what is taken off (of a slug: by how much it is heavier), kg/m³
+    double point_angle;  ///< rad; π is flat
+
+    /// Length of the cone, m.
+    double cone(double diameter) const;
+    Removed removed(double diameter, double depth) const;
+};
+
+/// How holes may lie.
+struct HoleLimits {
+    double maximum_depth;  ///< m
+    double depth_step;     ///< m; 0: depths are not rounded
+    double minimum_wall;   ///< m
+    int maximum_holes;
+    double maximum_angle;  ///< from the middle to the last hole, rad
+    /// The sector that may be drilled, from and to, rad.
+    std::optional<std::pair<double, double>> sector;
+};
+
+/// Why the holes do not take off what they should.
+enum class Shortfall {
+    none,
+    nothing_fits,     ///< the smallest hole takes off too much
+    too_little_room,  ///< the holes that have room take off too little
+    rounding,         ///< the rounding of the depths leaves more than it may
+    outside_sector    ///< the sector that may be drilled is elsewhere
+};
+
+struct HolePlan {
+    std::vector<Hole> holes;
+    double left;  ///< target less what the holes take off in its direction, kg·m; signed
+    Shortfall shortfall = Shortfall::none;
+};
+
+/// Angle between two neighbouring holes whose wall at the bottom is still the minimum, rad;
+/// nothing where they meet whatever the angle.
+std::optional<double> hole_spacing(const Cut& cut, double diameter, double depth, double wall);
+
+/// Equal holes to both sides of `angle` that take off `target` there: as few as can be, and of the
+/// tools the one that takes off the least metal. The holes' unbalances add up along the angle, for
+/// they lie symmetrically about it.
+/// @param target     kg·m
+/// @param tolerance  what may be left, kg·m; negative where it is not known: then the least that
+///                   the rounding of the depths allows
+HolePlan plan_holes(double target, double angle, const Cut& cut, std::span<const double> diameters,
+                    const HoleLimits& limits, double tolerance);
+
+/// The two vectors U₁, U₂ at z₁, z₂ of the same force and moment as those at other positions.
+std::array<std::complex<double>, 2> carried_over(
+    const std::array<std::complex<double>, 2>& unbalance, const std::array<double, 2>& from,
+    const std::array<double, 2>& to);
+
+/// An angle in the turn 0 ≤ angle < 2π.
+double turn_of(double angle);
+
+}  // namespace ravnoves::bob_weights

@@ -1,0 +1,331 @@
+#include "bob-weights/fields.h"
+
+#include <array>
+
+#include "bob-weights/scene.h"
+#include "case-file/field_reader.h"
+#include "case-file/field_writer.h"
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+
+namespace ravnoves::bob_weights {
+
+namespace {
+
+using workshop::Part;
+
+constexpr Field part(std::string_view key, Text label, Text hint, Text placeholder = {"", "0"}) {
+    return {.key = key,
+            .unit = units::gram,
+            .range = Range::between(0, 1'000'000),
+            .label = label,
+            .hint = hint,
+            .placeholder = placeholder};
+}
+
+constexpr std::array<PartField, 8> parts_of_a_card{{
+    {part("rings", CORE_TEXT("bob-weights", "Rin&gs"),
+          CORE_TEXT("bob-weights", "All rings of one piston.")),
+     &Parts::rings, PartKind::reciprocating, Part::rings},
+    {part("piston", CORE_TEXT("bob-weights", "&Piston"),
+          CORE_TEXT("bob-weights", "One piston without pin and rings."), CORE_TEXT("V8", "needed")),
+     &Parts::piston, PartKind::reciprocating, Part::piston},
+    {part("pin", CORE_TEXT("bob-weights", "P&in"), CORE_TEXT("bob-weights", "One piston pin.")),
+     &Parts::pin, PartKind::reciprocating, Part::pin},
+    {part("locks", CORE_TEXT("bob-weights", "Loc&ks"),
+          CORE_TEXT("bob-weights", "The locks of one pin; 0 where it is pressed in.")),
+     &Parts::locks, PartKind::reciprocating, std::nullopt},
+    {part("small_end", CORE_TEXT("bob-weights", "S&mall end"),
+          CORE_TEXT("bob-weights", "Small end of one rod, the big end hung up level.")),
+     &Parts::small_end, PartKind::reciprocating, Part::rod_small_end},
+    {part("big_end", CORE_TEXT("bob-weights", "&Big end"),
+          CORE_TEXT("bob-weights", "Big end of one rod with its bolts, without shells."),
+          CORE_TEXT("V8", "needed")),
+     &Parts::big_end, PartKind::rotating, Part::rod_big_end},
+    {part("shells", CORE_TEXT("bob-weights", "S&hells"),
+          CORE_TEXT("bob-weights", "The two shells of one rod.")),
+     &Parts::shells, PartKind::rotating, Part::shells},
+    {part("oil", CORE_TEXT("bob-weights", "&Oil"),
+          CORE_TEXT("bob-weights", "Oil in one crankpin and about it: usually 4 g.")),
+     &Parts::oil, PartKind::crankpin, std::nullopt},
+}};
+
+[[noreturn]] void missing(const std::string& where) {
+    throw InputError(where, CORE_TEXT("core", "is required and missing"));
+}
+
+void check_engine(const Engine& engine) {
+    const std::string place = "/input/engine/";
+    if (engine.type == EngineType::v && !engine.bank_angle) {
+        missing(place + std::string(field::bank_angle.key));
+    }
+    if (engine.cylinders % engine.rods_per_pin != 0) {
+        throw InputError(place + std::string(field::cylinders.key),
+                         CORE_TEXT("bob-weights", "must be even where two rods share a bob weight"),
+                         Number{1.0 * engine.cylinders});
+    }
+    if (engine.type == EngineType::in_line && engine.rods_per_pin != 1) {
+        throw InputError(place + std::string(field::rods_per_pin.key),
+                         CORE_TEXT("bob-weights", "must be 1 where the cylinders stand in line"),
+                         Number{1.0 * engine.rods_per_pin});
+    }
+    if (engine.type != EngineType::v && engine.pin_split != 0.0) {
+        throw InputError(place + std::string(field::pin_split.key),
+                         CORE_TEXT("bob-weights", "must be 0 but for a V"),
+                         Number{from_si(field::pin_split, engine.pin_split)});
+    }
+}
+
+void check_two(std::size_t count, const std::string& place) {
+    if (count != 2) {
+        throw InputError(place, CORE_TEXT("bob-weights", "must be a list of two"),
+                         Number{static_cast<double>(count)});
+    }
+}
+
+void check_correction(const Correction& correction) {
+    const std::string place = "/input/correction/";
+    check_two(correction.planes.size(), place + "planes");
+    check_two(correction.readings.size(), place + "readings");
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Plane& plane = correction.planes[i];
+        const std::string at = place + "planes/" + std::to_string(i) + "/";
+        if (!plane.position || !plane.radius) {
+            missing(at + std::string(
+                             (plane.position ? field::plane_radius : field::plane_position).key));
+        }
+        if (plane.from_angle.has_value() != plane.to_angle.has_value()) {
+            missing(at + std::string((plane.from_angle ? field::to_angle : field::from_angle).key));
+        }
+        const Reading& reading = correction.readings[i];
+        if (!reading.unbalance || !reading.angle) {
+            missing(place + "readings/" + std::to_string(i) + "/" +
+                    std::string((reading.unbalance ? field::angle : field::unbalance).key));
+        }
+    }
+    const auto apart = [&](const char* list, const Field& field, double first, double second) {
+        if (first == second) {
+            throw InputError(place + list + "/1/" + std::string(field.key),
+                             CORE_TEXT("bob-weights", "must differ from that of the first"),
+                             Number{from_si(field, second)});
+        }
+    };
+    const auto read_at = [&](std::size_t i) {
+        return correction.readings[i].position.value_or(*correction.planes[i].position);
+    };
+    apart("planes", field::plane_position, *correction.planes[0].position,
+          *correction.planes[1].position);
+    apart("readings", field::reading_position, read_at(0), read_at(1));
+    if (correction.drill.diameters_mm.empty()) {
+        missing(place + "drill/" + std::string(field::diameters.key));
+    }
+    if (!correction.drill.maximum_depth) {
+        missing(place + "drill/" + std::string(field::maximum_depth.key));
+    }
+    if (correction.slug) {
+        const Slug& slug = *correction.slug;
+        if (!slug.diameter || !slug.density) {
+            missing(place + "slug/" +
+                    std::string((slug.diameter ? field::slug_density : field::slug_diameter).key));
+        }
+        if (*slug.density <= correction.drill.density) {
+            throw InputError(place + "slug/" + std::string(field::slug_density.key),
+                             {CORE_TEXT("bob-weights", "must be greater than the crankshaft's %1"),
+                              from_si(field::density, correction.drill.density)},
+                             Number{from_si(field::slug_density, *slug.density)});
+        }
+    }
+}
+
+void check_tolerance(const Tolerance& tolerance) {
+    const std::string place = "/input/tolerance/";
+    const std::pair<const Field&, const std::optional<double>&> graded[] = {
+        {field::grade, tolerance.grade},
+        {field::rotor_mass, tolerance.rotor_mass},
+        {field::service_speed, tolerance.service_speed}};
+    if (tolerance.by_grade) {
+        for (const auto& [field, value] : graded) {
+            if (!value) {
+                missing(place + std::string(field.key));
+            }
+        }
+    } else if (!tolerance.plane) {
+        missing(place + std::string(field::plane_tolerance.key));
+    }
+    if (tolerance.front_bearing.has_value() != tolerance.rear_bearing.has_value()) {
+        missing(place +
+                std::string(
+                    (tolerance.front_bearing ? field::rear_bearing : field::front_bearing).key));
+    }
+    if (tolerance.front_bearing && *tolerance.front_bearing == *tolerance.rear_bearing) {
+        throw InputError(place + std::string(field::rear_bearing.key),
+                         CORE_TEXT("bob-weights", "must differ from that of the first"),
+                         Number{from_si(field::rear_bearing, *tolerance.rear_bearing)});
+    }
+}
+
+}  // namespace
+
+std::span<const PartField> part_fields() {
+    return parts_of_a_card;
+}
+
+void visit_fields(FieldVisitor& visitor, Engine& engine) {
+    constexpr auto always = FieldVisitor::Written::always;
+    visitor.choice(field::type, engine.type);
+    visitor.integer(field::cylinders, engine.cylinders);
+    visitor.number(field::bank_angle, engine.bank_angle);
+    visitor.integer(field::rods_per_pin, engine.rods_per_pin, engine.type == EngineType::v ? 2 : 1,
+                    always);
+    visitor.number(field::pin_split, engine.pin_split, 0.0);
+}
+
+void visit_fields(FieldVisitor& visitor, Factor& factor) {
+    visitor.number(field::reciprocating_percent, factor.reciprocating);
+    visitor.number(field::overbalance_percent, factor.overbalance, 0.0);
+}
+
+void visit_fields(FieldVisitor& visitor, Parts& parts) {
+    for (const PartField& each : part_fields()) {
+        visitor.number(each.field, parts.*each.member);
+    }
+}
+
+void visit_fields(FieldVisitor& visitor, Plane& plane) {
+    visitor.required(field::plane_position, plane.position);
+    visitor.required(field::plane_radius, plane.radius);
+    visitor.number(field::from_angle, plane.from_angle);
+    visitor.number(field::to_angle, plane.to_angle);
+}
+
+void visit_fields(FieldVisitor& visitor, Reading& reading) {
+    visitor.number(field::reading_position, reading.position);
+    visitor.required(field::unbalance, reading.unbalance);
+    visitor.required(field::angle, reading.angle);
+}
+
+void visit_fields(FieldVisitor& visitor, Drill& drill) {
+    const Drill usual;
+    if (visitor.has(field::diameters.key, !drill.diameters_mm.empty())) {
+        visitor.numbers(field::diameters, drill.diameters_mm);
+    }
+    visitor.number(field::density, drill.density, usual.density);
+    visitor.required(field::maximum_depth, drill.maximum_depth);
+    visitor.number(field::point_angle, drill.point_angle, usual.point_angle);
+    visitor.number(field::depth_step, drill.depth_step, usual.depth_step);
+    visitor.number(field::minimum_wall, drill.minimum_wall, usual.minimum_wall);
+    visitor.integer(field::maximum_holes, drill.maximum_holes, usual.maximum_holes);
+    visitor.number(field::maximum_angle, drill.maximum_angle, usual.maximum_angle);
+}
+
+void visit_fields(FieldVisitor& visitor, Slug& slug) {
+    visitor.required(field::slug_diameter, slug.diameter);
+    visitor.required(field::slug_density, slug.density);
+}
+
+void visit_fields(FieldVisitor& visitor, Correction& correction) {
+    visitor.list(field::planes, correction.planes);
+    visitor.list(field::readings, correction.readings);
+    visitor.object(field::drill, correction.drill);
+    visitor.object(field::slug, correction.slug);
+}
+
+void visit_fields(FieldVisitor& visitor, Tolerance& tolerance) {
+    const int given =
+        visitor.one_of({field::grade.key, field::plane_tolerance.key}, tolerance.by_grade ? 0 : 1);
+    if (visitor.is_reading()) {
+        tolerance.by_grade = given == 0;
+    }
+    if (given <= 0) {
+        visitor.required(field::grade, tolerance.grade);
+        visitor.required(field::rotor_mass, tolerance.rotor_mass);
+        visitor.required(field::service_speed, tolerance.service_speed);
+    }
+    if (given != 0) {
+        visitor.required(field::plane_tolerance, tolerance.plane);
+    }
+    if (given <= 0) {
+        visitor.number(field::centre_of_mass, tolerance.centre_of_mass);
+        visitor.number(field::front_bearing, tolerance.front_bearing);
+        visitor.number(field::rear_bearing, tolerance.rear_bearing);
+    }
+}
+
+void visit_fields(FieldVisitor& visitor, Input& input) {
+    visitor.object(field::engine, input.engine);
+    visitor.object_with_defaults(field::factor, input.factor);
+    visitor.object_with_defaults(field::parts, input.parts);
+    visitor.object(field::weigh_in, input.weigh_in, [&](WeighIn& sheet) {
+        if (visitor.is_reading() || visitor.creates_objects()) {
+            for (auto& column : sheet.columns) {
+                column.mass.resize(static_cast<std::size_t>(input.engine.cylinders));
+            }
+        }
+        visitor.choice(field::numbering, sheet.numbering, workshop::CylinderNumbering::bank_by_bank,
+                       FieldVisitor::Written::always);
+        workshop::visit_columns(visitor, sheet, field::part_mass, false);
+    });
+    visitor.choice(field::balance, input.balance, Balance::internal);
+    visitor.object(field::correction, input.correction);
+    visitor.object(field::tolerance, input.tolerance);
+    visitor.object_with_defaults(field::job, input.job);
+}
+
+void fit_weigh_in(Input& input) {
+    if (input.weigh_in) {
+        for (auto& column : input.weigh_in->columns) {
+            column.mass.resize(static_cast<std::size_t>(input.engine.cylinders));
+        }
+    }
+}
+
+std::optional<double> mass_of(const Input& input, const PartField& part) {
+    if (input.weigh_in && part.column) {
+        const auto& column = (*input.weigh_in)[*part.column];
+        if (column.is_weighed() &&
+            column.mass.size() == static_cast<std::size_t>(input.engine.cylinders)) {
+            return workshop::statistics(column)->mean;
+        }
+    }
+    return input.parts.*part.member;
+}
+
+void check_input(const Input& input) {
+    check_fields(input);
+    check_engine(input.engine);
+    if (input.weigh_in) {
+        Input fitted = input;
+        fit_weigh_in(fitted);
+        workshop::check_weighed(*fitted.weigh_in);
+    }
+    for (const PartField& each : part_fields()) {
+        const bool needed = each.member == &Parts::piston || each.member == &Parts::big_end;
+        if (needed && !mass_of(input, each)) {
+            missing("/input/parts_g/" + std::string(each.field.key));
+        }
+    }
+    if (input.correction) {
+        check_correction(*input.correction);
+    }
+    if (input.tolerance) {
+        check_tolerance(*input.tolerance);
+    }
+}
+
+Input read_input(const Json& json, Completeness completeness) {
+    Input input = read_fields<Input>(json, completeness);
+    if (completeness == Completeness::required) {
+        check_input(input);
+    } else {
+        fit_weigh_in(input);
+    }
+    return input;
+}
+
+Json write_input(const Input& input) {
+    Input written = input;
+    fit_weigh_in(written);
+    return write_fields(written);
+}
+
+}  // namespace ravnoves::bob_weights

@@ -1,0 +1,263 @@
+#pragma once
+
+#include "bob-weights/input.h"
+#include "workshop/tolerance.h"
+
+/// The inputs of the scene, each described once; the masses are part_fields().
+namespace ravnoves::bob_weights {
+
+inline constexpr Word type_words[] = {{"v", CORE_TEXT("bob-weights", "V")},
+                                      {"inline", CORE_TEXT("bob-weights", "In line")},
+                                      {"boxer", CORE_TEXT("bob-weights", "Boxer")}};
+inline constexpr Word rods_words[] = {{"1", CORE_TEXT("bob-weights", "One")},
+                                      {"2", CORE_TEXT("bob-weights", "Two")}};
+inline constexpr Word numbering_words[] = {
+    {"bank-by-bank", CORE_TEXT("bob-weights", "Bank by bank")},
+    {"alternating", CORE_TEXT("bob-weights", "1 and 2, 3 and 4, …")}};
+inline constexpr Word balance_words[] = {
+    {"internal", CORE_TEXT("bob-weights", "Internal: in the crankshaft alone")},
+    {"external", CORE_TEXT("bob-weights", "External: damper and flywheel too")}};
+
+namespace field {
+
+using namespace workshop::field;
+
+// --------------------------------------------------------------------------------- engine
+inline constexpr Field engine{.key = "engine",
+                              .hint = CORE_TEXT("bob-weights", "Which engine it is.")};
+inline constexpr Field type{.key = "type",
+                            .label = CORE_TEXT("bob-weights", "&Engine"),
+                            .hint = CORE_TEXT("bob-weights", "How the cylinders stand."),
+                            .words = type_words};
+inline constexpr Field cylinders{.key = "cylinders",
+                                 .range = Range::between(1, most_cylinders),
+                                 .label = CORE_TEXT("bob-weights", "&Cylinders"),
+                                 .hint = CORE_TEXT("bob-weights", "How many the engine has.")};
+inline constexpr Field bank_angle{.key = "bank_angle_deg",
+                                  .unit = units::degree,
+                                  .range = Range::between(0, 180),
+                                  .label = CORE_TEXT("bob-weights", "&Bank angle γ"),
+                                  .hint = CORE_TEXT("bob-weights", "Between the two banks of a V."),
+                                  .placeholder = CORE_TEXT("V8", "needed")};
+inline constexpr Field rods_per_pin{
+    .key = "rods_per_pin",
+    .range = Range::between(1, 2),
+    .label = CORE_TEXT("bob-weights", "&Rods on a bob weight"),
+    .hint = CORE_TEXT("bob-weights",
+                      "Two where a crankpin, or a pair of split crankpins, carries two rods."),
+    .words = rods_words};
+inline constexpr Field pin_split{
+    .key = "pin_split_deg",
+    .unit = units::degree,
+    .range = Range::between(-120, 120),
+    .label = CORE_TEXT("bob-weights", "Crankpin &split δ"),
+    .hint = CORE_TEXT("bob-weights",
+                      "By how much the two crankpins of a throw are turned apart, positive where "
+                      "the firing interval becomes γ + δ: 30° makes a 90° V-6 fire evenly.")};
+
+// --------------------------------------------------------------------------------- factor
+inline constexpr Field factor{
+    .key = "factor",
+    .hint = CORE_TEXT("bob-weights", "Part of the reciprocating mass in the bob weight.")};
+inline constexpr Field reciprocating_percent{
+    .key = "reciprocating_percent",
+    .unit = units::percent,
+    .range = Range::between(0, 100),
+    .label = CORE_TEXT("bob-weights", "Reciprocating &factor"),
+    .hint = CORE_TEXT("bob-weights",
+                      "Part of the reciprocating mass that the counterweights take up. Empty: what "
+                      "theory gives for the engine; the maker's figure goes before it."),
+    .placeholder = CORE_TEXT("bob-weights", "by theory")};
+inline constexpr Field overbalance_percent{
+    .key = "overbalance_percent",
+    .unit = units::percent,
+    .range = Range::between(-50, 50),
+    .label = CORE_TEXT("bob-weights", "&Overbalance"),
+    .hint = CORE_TEXT("bob-weights",
+                      "Added to the factor; negative for underbalance. Usual for high speeds: 1 to "
+                      "3 %.")};
+
+// ---------------------------------------------------------------------------------- parts
+inline constexpr Field parts{.key = "parts_g",
+                             .hint = CORE_TEXT("bob-weights", "Masses of one cylinder's parts.")};
+inline constexpr Field numbering{.key = "cylinder_numbering",
+                                 .label = CORE_TEXT("bob-weights", "C&ylinders of a crankpin"),
+                                 .hint = CORE_TEXT("V8", "Which two cylinders share a crankpin."),
+                                 .words = numbering_words};
+inline constexpr Field part_mass{.key = "mass_g",
+                                 .unit = units::gram,
+                                 .range = nominal.range,
+                                 .hint = CORE_TEXT("bob-weights", "Masses by cylinder.")};
+inline constexpr Field balance{
+    .key = "balance",
+    .label = CORE_TEXT("bob-weights", "B&alanced"),
+    .hint = CORE_TEXT("bob-weights",
+                      "An externally balanced crankshaft is balanced with its damper and its "
+                      "flywheel in place."),
+    .words = balance_words};
+
+// ----------------------------------------------------------------------------- correction
+inline constexpr Field correction{
+    .key = "correction",
+    .hint = CORE_TEXT("bob-weights", "Readings of the machine, and how they are corrected.")};
+inline constexpr Field planes{.key = "planes",
+                              .hint = CORE_TEXT("bob-weights", "The two correction planes.")};
+inline constexpr Field plane_position{
+    .key = "position_mm",
+    .unit = units::mm,
+    .range = Range::between(-10'000, 10'000),
+    .label = CORE_TEXT("bob-weights", "Position"),
+    .hint = CORE_TEXT("bob-weights",
+                      "Along the crankshaft, from a point of your choice: of both planes, of "
+                      "readings and bearings alike."),
+    .placeholder = CORE_TEXT("V8", "needed")};
+inline constexpr Field plane_radius{
+    .key = "radius_mm",
+    .unit = units::mm,
+    .range = Range::between(1, 2000),
+    .label = CORE_TEXT("bob-weights", "Radius"),
+    .hint = CORE_TEXT("bob-weights",
+                      "Of the rim that is drilled; grams at a radius are given for it too."),
+    .placeholder = CORE_TEXT("V8", "needed")};
+inline constexpr Field from_angle{
+    .key = "from_deg",
+    .unit = units::degree,
+    .range = Range::between(-360, 360),
+    .label = CORE_TEXT("bob-weights", "Drill from"),
+    .hint = CORE_TEXT("bob-weights",
+                      "The sector of the counterweight that may be drilled begins here. Empty: all "
+                      "round."),
+    .placeholder = CORE_TEXT("bob-weights", "all round")};
+inline constexpr Field to_angle{
+    .key = "to_deg",
+    .unit = units::degree,
+    .range = Range::between(-360, 360),
+    .label = CORE_TEXT("bob-weights", "Drill to"),
+    .hint = CORE_TEXT("bob-weights", "The sector ends here, in the sense of growing angles."),
+    .placeholder = CORE_TEXT("bob-weights", "all round")};
+inline constexpr Field readings{
+    .key = "readings",
+    .hint = CORE_TEXT("bob-weights", "What the machine reads, the bob weights on the crankpins.")};
+inline constexpr Field reading_position{
+    .key = "position_mm",
+    .unit = units::mm,
+    .range = plane_position.range,
+    .label = CORE_TEXT("bob-weights", "Read at"),
+    .hint =
+        CORE_TEXT("bob-weights", "Where the machine reads. Empty: in the correction plane itself."),
+    .placeholder = CORE_TEXT("bob-weights", "the plane")};
+inline constexpr Field unbalance{.key = "unbalance_g_mm",
+                                 .unit = units::gram_mm,
+                                 .range = Range::between(0, 1e9),
+                                 .label = CORE_TEXT("bob-weights", "Unbalance"),
+                                 .hint = CORE_TEXT("bob-weights", "Reading of the machine."),
+                                 .placeholder = CORE_TEXT("V8", "needed")};
+inline constexpr Field angle{
+    .key = "angle_deg",
+    .unit = units::degree,
+    .range = Range::between(-360, 360),
+    .label = CORE_TEXT("bob-weights", "Heavy spot at"),
+    .hint = CORE_TEXT("bob-weights",
+                      "Angle of the heavy spot from the machine's zero mark; a machine that shows "
+                      "the light spot shows it 180° from here."),
+    .placeholder = CORE_TEXT("V8", "needed")};
+inline constexpr Field drill{.key = "drill", .hint = CORE_TEXT("bob-weights", "Drills at hand.")};
+inline constexpr Field diameters{
+    .key = "diameters_mm",
+    .unit = units::mm,
+    .range = Range::greater_than(0, 100),
+    .label = CORE_TEXT("bob-weights", "&Drills"),
+    .hint = CORE_TEXT("bob-weights", "Diameters of the drills at hand.")};
+inline constexpr Field density{
+    .key = "density_kg_m3",
+    .unit = units::kg_m3,
+    .range = Range::between(1000, 25'000),
+    .label = CORE_TEXT("bob-weights", "De&nsity"),
+    .hint = CORE_TEXT("bob-weights", "Of the crankshaft: steel 7850, cast iron 7200 kg/m³.")};
+inline constexpr Field maximum_depth{
+    .key = "maximum_depth_mm",
+    .unit = units::mm,
+    .range = Range::greater_than(0, 500),
+    .label = CORE_TEXT("bob-weights", "&Deepest hole"),
+    .hint = CORE_TEXT("bob-weights", "Of the full diameter; the point of the drill lies beyond."),
+    .placeholder = CORE_TEXT("V8", "needed")};
+inline constexpr Field point_angle{
+    .key = "point_angle_deg",
+    .unit = units::degree,
+    .range = Range::between(60, 180),
+    .label = CORE_TEXT("bob-weights", "&Point angle"),
+    .hint = CORE_TEXT("bob-weights", "Of the drill's point: 118°, 135°; 180° for a flat end.")};
+inline constexpr Field depth_step{
+    .key = "depth_step_mm",
+    .unit = units::mm,
+    .range = Range::between(0, 10),
+    .label = CORE_TEXT("bob-weights", "Depth &step"),
+    .hint = CORE_TEXT("bob-weights", "Depths are rounded to it. 0: they are not.")};
+inline constexpr Field minimum_wall{
+    .key = "minimum_wall_mm",
+    .unit = units::mm,
+    .range = Range::between(0, 100),
+    .label = CORE_TEXT("bob-weights", "&Wall between holes"),
+    .hint = CORE_TEXT("bob-weights", "The least that stays between two holes at their bottoms.")};
+inline constexpr Field maximum_holes{.key = "maximum_holes",
+                                     .range = Range::between(1, 15),
+                                     .label = CORE_TEXT("bob-weights", "&Most holes"),
+                                     .hint = CORE_TEXT("bob-weights", "In one plane.")};
+inline constexpr Field maximum_angle{
+    .key = "maximum_angle_deg",
+    .unit = units::degree,
+    .range = Range::between(0, 85),
+    .label = CORE_TEXT("bob-weights", "&Farthest hole"),
+    .hint = CORE_TEXT("bob-weights", "From the heavy spot to the last hole on either side.")};
+inline constexpr Field slug{
+    .key = "slug",
+    .hint = CORE_TEXT("bob-weights", "Heavy metal pressed in opposite the heavy spot.")};
+inline constexpr Field slug_diameter{.key = "diameter_mm",
+                                     .unit = units::mm,
+                                     .range = Range::greater_than(0, 100),
+                                     .label = CORE_TEXT("bob-weights", "Slug diame&ter"),
+                                     .hint = CORE_TEXT("bob-weights", "Of the slugs at hand."),
+                                     .placeholder = CORE_TEXT("bob-weights", "no slugs")};
+inline constexpr Field slug_density{
+    .key = "density_kg_m3",
+    .unit = units::kg_m3,
+    .range = Range::between(1000, 25'000),
+    .label = CORE_TEXT("bob-weights", "Sl&ug density"),
+    .hint = CORE_TEXT("bob-weights", "Tungsten heavy metal 17 000 to 18 500 kg/m³."),
+    .placeholder = CORE_TEXT("V8", "needed")};
+
+// ------------------------------------------------------------------------------ tolerance
+inline constexpr Field tolerance{
+    .key = "tolerance", .hint = CORE_TEXT("bob-weights", "What may remain in each plane.")};
+inline constexpr Field plane_tolerance{
+    .key = "g_mm",
+    .unit = units::gram_mm,
+    .range = Range::between(0, 1e9),
+    .label = CORE_TEXT("bob-weights", "&Limit of a plane"),
+    .hint = CORE_TEXT("bob-weights", "Unbalance that may remain in each plane."),
+    .placeholder = CORE_TEXT("V8", "needed")};
+inline constexpr Field centre_of_mass{
+    .key = "centre_of_mass_mm",
+    .unit = units::mm,
+    .range = plane_position.range,
+    .label = CORE_TEXT("bob-weights", "Centre of mass"),
+    .hint = CORE_TEXT("bob-weights", "Along the crankshaft. Empty: midway."),
+    .placeholder = CORE_TEXT("bob-weights", "midway")};
+inline constexpr Field front_bearing{
+    .key = "front_bearing_mm",
+    .unit = units::mm,
+    .range = plane_position.range,
+    .label = CORE_TEXT("bob-weights", "Front bearing"),
+    .hint = CORE_TEXT("bob-weights",
+                      "With both end bearings the standard's limits hold there, and the planes' "
+                      "follow from the distances."),
+    .placeholder = CORE_TEXT("bob-weights", "not given")};
+inline constexpr Field rear_bearing{.key = "rear_bearing_mm",
+                                    .unit = units::mm,
+                                    .range = plane_position.range,
+                                    .label = CORE_TEXT("bob-weights", "Rear bearing"),
+                                    .hint = front_bearing.hint,
+                                    .placeholder = front_bearing.placeholder};
+
+}  // namespace field
+}  // namespace ravnoves::bob_weights

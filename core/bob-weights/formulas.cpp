@@ -1,0 +1,83 @@
+#include "bob-weights/formulas.h"
+
+#include <array>
+
+#include "bob-weights/factor_theory.h"
+
+namespace ravnoves::bob_weights {
+
+std::vector<Formula> formulas(const Input& input) {
+    const bool pair = is_pair(input.engine);
+    std::vector<Formula> list;
+    list.push_back({CORE_TEXT("bob-weights", "Masses of one cylinder"),
+                    "m<sub>j</sub> = rings + piston + pin + locks + small end, "
+                    "m<sub>r</sub> = big end + shells",
+                    "", "", CORE_TEXT("bob-weights", "mⱼ reciprocating, mᵣ rotating mass")});
+    list.push_back({CORE_TEXT("bob-weights", "First-order force of a piston"),
+                    "m<sub>j</sub> r ω<sup>2</sup> cos(ψ − β) e<sup>iβ</sup> = ½ m<sub>j</sub> r "
+                    "ω<sup>2</sup> (e<sup>iψ</sup> + e<sup>2iβ</sup> e<sup>−iψ</sup>)",
+                    "chainov-vallejo-maldonado", "",
+                    CORE_TEXT("bob-weights",
+                              "β direction of the cylinder, ψ of its crankpin: one half turns with "
+                              "the crank, one against it")});
+    list.push_back(
+        {CORE_TEXT("bob-weights", "What the counterweights leave"),
+         pair ? "m<sub>j</sub> r ω<sup>2</sup> [(1 − 2F) cos(δ/2) e<sup>iφ</sup> + cos(γ + δ/2) "
+                "e<sup>−iφ</sup>]"
+              : "½ m<sub>j</sub> r ω<sup>2</sup> [(1 − 2F) e<sup>iφ</sup> + e<sup>−iφ</sup>]",
+         "", "",
+         CORE_TEXT("bob-weights",
+                   "of the cylinders of a throw; F factor in all, γ bank angle, δ split of the "
+                   "crankpins, φ direction of the throw from the middle of the banks")});
+    list.push_back(
+        {CORE_TEXT("bob-weights", "Factor by theory"),
+         input.engine.pin_split == 0.0 ? "F = ½" : "F = ½ [1 − |cos(γ + δ/2)| / cos(δ/2)]",
+         "",
+         "",
+         {}});
+    list.push_back({CORE_TEXT("bob-weights", "Bob weight"),
+                    "B = oil + n [m<sub>r</sub> + F m<sub>j</sub>]", "", "",
+                    CORE_TEXT("bob-weights", "n rods on it")});
+    if (input.correction) {
+        list.push_back({CORE_TEXT("bob-weights", "Readings taken to the planes"),
+                        "U<sub>1</sub> + U<sub>2</sub> = A + B, z<sub>1</sub>U<sub>1</sub> + "
+                        "z<sub>2</sub>U<sub>2</sub> = aA + bB",
+                        "", "",
+                        CORE_TEXT("bob-weights",
+                                  "A, B vectors read at a, b; U₁, U₂ in the planes at z₁, z₂: same "
+                                  "force, same moment")});
+        list.push_back(
+            {CORE_TEXT("bob-weights", "Unbalance that a hole takes off"),
+             "u = ρ (πd<sup>2</sup>/4) [h (R − h/2) + (c/3) (R − h − c/4)], c = (d/2) / tan(σ/2)",
+             "", "",
+             CORE_TEXT("bob-weights",
+                       "R radius of the rim, d diameter, h depth of the full diameter, σ angle of "
+                       "the point, ρ density; of a slug the difference of the densities")});
+    }
+    if (input.tolerance && input.tolerance->by_grade) {
+        list.push_back({CORE_TEXT("v8-plugs", "Permissible residual unbalance"), "U = 1000 m G / ω",
+                        "iso-21940-11", "",
+                        CORE_TEXT("v8-plugs",
+                                  "g·mm with the mass m in kg, the grade G in mm/s and "
+                                  "the service speed ω in rad/s")});
+    }
+    return list;
+}
+
+std::span<const Text> left_out() {
+    static constexpr std::array texts{
+        CORE_TEXT("bob-weights", "The crankshaft is rigid."),
+        CORE_TEXT("bob-weights",
+                  "The factor follows from the first order alone; higher orders no bob weight "
+                  "reaches."),
+        CORE_TEXT("bob-weights",
+                  "Where couples of the crankpins add up along the crankshaft, the factor of one "
+                  "throw does not tell their sum: see inertia moments."),
+        CORE_TEXT("bob-weights",
+                  "The rim of a counterweight is taken as flat where a hole begins."),
+        CORE_TEXT("bob-weights", "All bob weights are alike, with the means of the weighed parts."),
+    };
+    return texts;
+}
+
+}  // namespace ravnoves::bob_weights

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "bibliography/formula.h"
+#include "bob-weights/input.h"
+
+namespace ravnoves::bob_weights {
+
+/// The formulas that the result of this input rests on, in the order of the computation.
+std::vector<Formula> formulas(const Input& input);
+
+/// What the model leaves out, a sentence each.
+std::span<const Text> left_out();
+
+}  // namespace ravnoves::bob_weights

@@ -1,0 +1,180 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "case-file/field.h"
+#include "workshop/job_header.h"
+#include "workshop/weigh_in.h"
+
+namespace ravnoves {
+class FieldVisitor;
+}
+
+/// Bob weights for the crankpins of any engine, and the correction of its crankshaft in two planes.
+///
+/// Angles of the balancing machine count from its zero mark, in one sense for readings and holes.
+namespace ravnoves::bob_weights {
+
+inline constexpr int most_cylinders = 64;
+
+enum class EngineType { v, in_line, boxer };
+
+struct Engine {
+    EngineType type = EngineType::v;
+    int cylinders = 8;
+    std::optional<double> bank_angle;  ///< γ, rad; of a V
+    int rods_per_pin = 2;
+    /// δ, rad: by so much the crankpins of a throw are split, positive where the firing interval of
+    /// its two cylinders grows from γ to γ + δ.
+    double pin_split = 0.0;
+
+    int crankpins() const { return cylinders / rods_per_pin; }
+    friend bool operator==(const Engine&, const Engine&) = default;
+};
+
+/// Which part of the reciprocating mass the bob weight holds.
+struct Factor {
+    std::optional<double> reciprocating;  ///< 1 for 100 %; empty: what theory gives
+    double overbalance = 0.0;             ///< added to it
+
+    friend bool operator==(const Factor&, const Factor&) = default;
+};
+
+/// Masses of one cylinder's parts, kg.
+struct Parts {
+    std::optional<double> piston;
+    std::optional<double> pin;
+    std::optional<double> rings;
+    std::optional<double> locks;
+    std::optional<double> small_end;
+    std::optional<double> big_end;
+    std::optional<double> shells;  ///< of one rod
+    std::optional<double> oil;     ///< in one crankpin
+
+    friend bool operator==(const Parts&, const Parts&) = default;
+};
+
+/// How a part counts in the bob weight.
+enum class PartKind { reciprocating, rotating, crankpin };
+
+/// One part: its description, where its mass is kept, and its column of the weigh-in sheet.
+struct PartField {
+    Field field;
+    std::optional<double> Parts::*member;
+    PartKind kind;
+    std::optional<workshop::Part> column;
+};
+/// In the order of a trade card: what reciprocates, what rotates, the oil.
+std::span<const PartField> part_fields();
+
+using WeighIn = workshop::WeighIn<std::vector<workshop::Weighed>>;
+
+/// One plane in which the crankshaft is corrected.
+struct Plane {
+    std::optional<double> position;    ///< along the crankshaft, m
+    std::optional<double> radius;      ///< R, m: the rim that is drilled
+    std::optional<double> from_angle;  ///< rad; the sector in which it may be drilled
+    std::optional<double> to_angle;    ///< rad
+
+    friend bool operator==(const Plane&, const Plane&) = default;
+};
+
+/// What the machine reads: the heavy spot.
+struct Reading {
+    std::optional<double> position;   ///< m; the plane's where empty
+    std::optional<double> unbalance;  ///< kg·m
+    std::optional<double> angle;      ///< rad
+
+    friend bool operator==(const Reading&, const Reading&) = default;
+};
+
+/// The drills at hand, and what limits the holes.
+struct Drill {
+    std::vector<double> diameters_mm;
+    double density = 7850.0;               ///< of the crankshaft, kg/m³
+    std::optional<double> maximum_depth;   ///< of the full diameter, m
+    double point_angle = 118.0 * degree;   ///< 180°: a flat end
+    double depth_step = 0.1e-3;            ///< depths are rounded to it, m; 0: not rounded
+    double minimum_wall = 3e-3;            ///< between holes, m
+    int maximum_holes = 5;                 ///< in a plane
+    double maximum_angle = 60.0 * degree;  ///< from the heavy spot to the last hole
+
+    friend bool operator==(const Drill&, const Drill&) = default;
+};
+
+/// Heavy metal that is pressed into the counterweight.
+struct Slug {
+    std::optional<double> diameter;  ///< m
+    std::optional<double> density;   ///< kg/m³
+
+    friend bool operator==(const Slug&, const Slug&) = default;
+};
+
+struct Correction {
+    std::vector<Plane> planes = std::vector<Plane>(2);
+    std::vector<Reading> readings = std::vector<Reading>(2);
+    Drill drill;
+    std::optional<Slug> slug;
+
+    friend bool operator==(const Correction&, const Correction&) = default;
+};
+
+/// What may remain: a grade, or an unbalance for each plane.
+struct Tolerance {
+    bool by_grade = true;
+    std::optional<double> grade;          ///< G, m/s
+    std::optional<double> rotor_mass;     ///< with the bob weights, kg
+    std::optional<double> service_speed;  ///< rad/s
+    std::optional<double> plane;          ///< kg·m
+    // Where they are known, the share of each plane follows from them.
+    std::optional<double> centre_of_mass;  ///< along the crankshaft, m
+    std::optional<double> front_bearing;   ///< m
+    std::optional<double> rear_bearing;    ///< m
+
+    friend bool operator==(const Tolerance&, const Tolerance&) = default;
+};
+
+/// Whether damper and flywheel carry a part of the counterweights.
+enum class Balance { internal, external };
+
+/// The input of the scene.
+struct Input {
+    Engine engine;
+    Factor factor;
+    Parts parts;
+    std::optional<WeighIn> weigh_in;
+    Balance balance = Balance::internal;
+    std::optional<Correction> correction;
+    std::optional<Tolerance> tolerance;
+    workshop::JobHeader job;
+
+    friend bool operator==(const Input&, const Input&) = default;
+};
+
+void visit_fields(FieldVisitor& visitor, Engine& engine);
+void visit_fields(FieldVisitor& visitor, Factor& factor);
+void visit_fields(FieldVisitor& visitor, Parts& parts);
+void visit_fields(FieldVisitor& visitor, Plane& plane);
+void visit_fields(FieldVisitor& visitor, Reading& reading);
+void visit_fields(FieldVisitor& visitor, Drill& drill);
+void visit_fields(FieldVisitor& visitor, Slug& slug);
+void visit_fields(FieldVisitor& visitor, Correction& correction);
+void visit_fields(FieldVisitor& visitor, Tolerance& tolerance);
+void visit_fields(FieldVisitor& visitor, Input& input);
+
+/// Gives the weigh-in sheet as many rows as the engine has cylinders: where their number changes
+/// the sheet keeps what was weighed, and what is written and solved follows the engine.
+void fit_weigh_in(Input& input);
+
+/// The mass of a part that counts: the mean of its column where all of it is weighed, else what is
+/// typed.
+std::optional<double> mass_of(const Input& input, const PartField& part);
+
+/// Checks the ranges, that nothing which a result needs is missing, and the rules that join fields.
+/// @throws InputError
+void check_input(const Input& input);
+
+}  // namespace ravnoves::bob_weights

@@ -1,0 +1,21 @@
+#include "bob-weights/presets.h"
+
+namespace ravnoves::bob_weights {
+
+std::span<const Preset> presets() {
+    static constexpr Preset list[] = {
+        {CORE_TEXT("bob-weights", "V-6, 90°, even firing (crankpins split by 30°)"),
+         {EngineType::v, 6, 90 * degree, 2, 30 * degree}},
+        {CORE_TEXT("bob-weights", "V-6, 60°, even firing (crankpins split by 60°)"),
+         {EngineType::v, 6, 60 * degree, 2, 60 * degree}},
+        {CORE_TEXT("bob-weights", "V-6, 90°, odd firing"), {EngineType::v, 6, 90 * degree, 2, 0.0}},
+        {CORE_TEXT("bob-weights", "V-10, 72°"), {EngineType::v, 10, 72 * degree, 2, 0.0}},
+        {CORE_TEXT("bob-weights", "V-12, 60°"), {EngineType::v, 12, 60 * degree, 2, 0.0}},
+        {CORE_TEXT("bob-weights", "V-twin, 45°"), {EngineType::v, 2, 45 * degree, 2, 0.0}},
+        {CORE_TEXT("bob-weights", "Flat twin, a crankpin for each rod"),
+         {EngineType::boxer, 2, std::nullopt, 1, 0.0}},
+        {CORE_TEXT("bob-weights", "One cylinder"), {EngineType::in_line, 1, std::nullopt, 1, 0.0}}};
+    return list;
+}
+
+}  // namespace ravnoves::bob_weights

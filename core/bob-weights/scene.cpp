@@ -1,0 +1,119 @@
+#include "bob-weights/scene.h"
+
+#include "bob-weights/fields.h"
+#include "bob-weights/solver.h"
+#include "case-file/json.h"
+
+namespace ravnoves::bob_weights {
+
+namespace {
+
+Json holes_json(const std::vector<Hole>& holes, bool added) {
+    Json list = Json::array();
+    for (const Hole& hole : holes) {
+        const double mass = hole.mass / units::gram;
+        const double unbalance = hole.unbalance / units::gram_mm;
+        // A slug takes off less than nothing: so every line counts in the same sense.
+        Json line{{"diameter_mm", hole.diameter / units::mm},
+                  {"depth_mm", hole.depth / units::mm},
+                  {"angle_deg", hole.angle / units::degree},
+                  {"removed_g", added ? -mass : mass},
+                  {"removed_g_mm", added ? -unbalance : unbalance}};
+        if (added) {
+            line["added_g"] = mass;
+            line["added_g_mm"] = unbalance;
+        }
+        list.push_back(std::move(line));
+    }
+    return list;
+}
+
+Json plane_json(const PlaneResult& plane) {
+    Json json{{"unbalance_g_mm", plane.unbalance / units::gram_mm},
+              {"angle_deg", plane.angle / units::degree},
+              {"grams_at_radius", plane.grams_at_radius / units::gram},
+              {"holes", holes_json(plane.holes, false)},
+              {"slugs", holes_json(plane.slugs, true)},
+              {"remaining_g_mm", plane.remaining / units::gram_mm},
+              {"remaining_angle_deg", plane.remaining_angle / units::degree},
+              {"within_tolerance", plane.within_tolerance ? Json(*plane.within_tolerance) : Json()},
+              {"feasible", plane.reason.empty()}};
+    if (!plane.reason.empty()) {
+        json["reason"] = plane.reason.english();
+    }
+    return json;
+}
+
+Json weigh_in_json(const Result& result) {
+    Json json = Json::object();
+    for (const Matching& each : result.matching) {
+        Json take_off = Json::array();
+        for (const workshop::Weighed& mass : each.take_off) {
+            take_off.push_back(mass ? Json(*mass / units::gram) : Json());
+        }
+        json[std::string(workshop::part_word(*each.part->column).word)] = {
+            {"mean_g", each.statistics.mean / units::gram},
+            {"spread_g", each.statistics.spread / units::gram},
+            {"heaviest_cylinder", each.statistics.heaviest + 1},
+            {"lightest_cylinder", each.statistics.lightest + 1},
+            {"within_permitted_spread", each.statistics.within_permitted},
+            {"take_off_g", std::move(take_off)}};
+    }
+    Json pins = Json::array();
+    for (const double mass : result.crankpins) {
+        pins.push_back(mass / units::gram);
+    }
+    json["crankpins_g"] = std::move(pins);
+    return json;
+}
+
+}  // namespace
+
+Json write_result(const Input& input, const Result& result) {
+    const double factor = result.factor + input.factor.overbalance;
+    const FirstOrder& left = result.first_order.value();
+    Json lines = Json::array();
+    for (const Line& line : result.lines) {
+        lines.push_back({{"part", line.part->field.key},
+                         {"factor", line.factor},
+                         {"mass_g", line.mass / units::gram},
+                         {"product_g", line.product() / units::gram}});
+    }
+    Json json{{"reciprocating_g", result.reciprocating.value() / units::gram},
+              {"rotating_g", result.rotating.value() / units::gram},
+              {"reciprocating_percent", result.factor / units::percent},
+              {"bobweight_g", result.bob_weight.value() / units::gram},
+              {"bobweights", input.engine.crankpins()},
+              {"lines", std::move(lines)},
+              {"theory",
+               {{"reciprocating_percent", result.theory_factor / units::percent},
+                {"reason", factor_reason(input.engine).english()},
+                {"effect", factor_effect(input.engine, factor).english()},
+                {"cylinders", is_pair(input.engine) ? 2 : 1},
+                {"forward_g", left.forward / units::gram},
+                {"backward_g", left.backward / units::gram},
+                {"upright_g", left.upright() / units::gram},
+                {"across_g", left.across() / units::gram}}}};
+    if (input.weigh_in) {
+        json["weigh_in"] = weigh_in_json(result);
+    }
+    if (result.permissible) {
+        json["permissible_g_mm"] = {(*result.permissible)[0] / units::gram_mm,
+                                    (*result.permissible)[1] / units::gram_mm};
+    }
+    if (result.permissible_whole) {
+        json["permissible_rotor_g_mm"] = *result.permissible_whole / units::gram_mm;
+    }
+    if (result.correction) {
+        json["correction"] = {
+            {"planes", {plane_json((*result.correction)[0]), plane_json((*result.correction)[1])}}};
+    }
+    return json;
+}
+
+Json solve_scene(const Json& json, const CaseContext& /*context*/, const Wanted& /*wanted*/) {
+    const Input input = read_input(json);
+    return write_result(input, solve(input));
+}
+
+}  // namespace ravnoves::bob_weights

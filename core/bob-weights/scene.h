@@ -1,0 +1,26 @@
+#pragma once
+
+#include "bob-weights/input.h"
+#include "bob-weights/result.h"
+#include "case-file/case_context.h"
+#include "case-file/field_reader.h"
+#include "case-file/json_fwd.h"
+#include "case-file/wanted.h"
+
+namespace ravnoves::bob_weights {
+
+/// Reads the case's "input" object. As it is, rules that join values are left to the page.
+/// @throws InputError
+Input read_input(const Json& input, Completeness completeness = Completeness::required);
+/// Writes an "input" object that read_input() turns into the same Input.
+Json write_input(const Input& input);
+
+/// The "result" object of the contract.
+/// @param result  solve(input) of an input that holds all that a result needs
+Json write_result(const Input& input, const Result& result);
+
+/// The scene as the case file sees it.
+/// @throws InputError
+Json solve_scene(const Json& input, const CaseContext& context, const Wanted& wanted = {});
+
+}  // namespace ravnoves::bob_weights

@@ -1,0 +1,339 @@
+#include "bob-weights/solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "bob-weights/fields.h"
+#include "workshop/tolerance.h"
+
+namespace ravnoves::bob_weights {
+
+namespace {
+
+using Vector = std::complex<double>;
+
+std::optional<double> permissible_of_rotor(const Tolerance& tolerance) {
+    if (!tolerance.grade || !tolerance.rotor_mass || !tolerance.service_speed) {
+        return std::nullopt;
+    }
+    return workshop::permissible_unbalance(*tolerance.rotor_mass, *tolerance.grade,
+                                           *tolerance.service_speed);
+}
+
+/// Shares of two places in what acts at `centre`, as the standard keeps them.
+std::array<double, 2> shares(const std::array<double, 2>& places, double centre) {
+    const double first = std::clamp((places[1] - centre) / (places[1] - places[0]), 0.3, 0.7);
+    return {first, 1.0 - first};
+}
+
+/// How many times the part counts.
+double factor_of(const PartField& part, const Engine& engine, double factor) {
+    switch (part.kind) {
+        case PartKind::reciprocating:
+            return engine.rods_per_pin * factor;
+        case PartKind::rotating:
+            return engine.rods_per_pin;
+        case PartKind::crankpin:
+            return 1.0;
+    }
+    return 0.0;
+}
+
+void solve_bob_weight(const Input& input, double factor, Result& result) {
+    const bool known = missing_for_bob_weight(input).empty();
+    double reciprocating = 0.0;
+    double rotating = 0.0;
+    double sum = 0.0;
+    for (const PartField& part : part_fields()) {
+        const auto mass = mass_of(input, part);
+        if (!mass) {
+            continue;
+        }
+        const Line line{&part, factor_of(part, input.engine, factor), *mass};
+        result.lines.push_back(line);
+        sum += line.product();
+        reciprocating += part.kind == PartKind::reciprocating ? *mass : 0.0;
+        rotating += part.kind == PartKind::rotating ? *mass : 0.0;
+    }
+    if (known) {
+        result.reciprocating = reciprocating;
+        result.rotating = rotating;
+        result.bob_weight = sum;
+        result.first_order = first_order(input.engine, factor, reciprocating);
+    }
+}
+
+/// Of one rod on a crankpin: the cylinder alone; of two by the numbering of the sheet.
+std::array<std::size_t, 2> cylinders_of(const Input& input, std::size_t pin) {
+    if (input.weigh_in->numbering == workshop::CylinderNumbering::alternating) {
+        return {2 * pin, 2 * pin + 1};
+    }
+    return {pin, pin + static_cast<std::size_t>(input.engine.crankpins())};
+}
+
+void solve_weigh_in(const Input& input, double factor, Result& result) {
+    if (!input.weigh_in) {
+        return;
+    }
+    for (const PartField& part : part_fields()) {
+        if (!part.column) {
+            continue;
+        }
+        const auto& column = (*input.weigh_in)[*part.column];
+        const auto found = workshop::statistics(column);
+        if (!found) {
+            continue;
+        }
+        Matching matching{&part, *found, {}};
+        const double lightest = *column.mass[static_cast<std::size_t>(found->lightest)];
+        for (const workshop::Weighed& mass : column.mass) {
+            matching.take_off.push_back(mass ? workshop::Weighed(*mass - lightest) : std::nullopt);
+        }
+        result.matching.push_back(std::move(matching));
+    }
+    if (!result.bob_weight || result.matching.empty() ||
+        input.engine.cylinders % input.engine.rods_per_pin != 0) {
+        return;
+    }
+    for (int pin = 0; pin < input.engine.crankpins(); ++pin) {
+        const auto cylinders = cylinders_of(input, static_cast<std::size_t>(pin));
+        double sum = 0.0;
+        for (const Line& line : result.lines) {
+            const auto& column = line.part->column;
+            if (!column || !(*input.weigh_in)[*column].is_weighed()) {
+                sum += line.product();
+                continue;
+            }
+            const auto& masses = (*input.weigh_in)[*column].mass;
+            const double each =
+                factor_of(*line.part, input.engine, factor) / input.engine.rods_per_pin;
+            for (int rod = 0; rod < input.engine.rods_per_pin; ++rod) {
+                const std::size_t cylinder = input.engine.rods_per_pin == 1
+                                                 ? static_cast<std::size_t>(pin)
+                                                 : cylinders[static_cast<std::size_t>(rod)];
+                sum += each * *masses.at(cylinder);
+            }
+        }
+        result.crankpins.push_back(sum);
+    }
+}
+
+/// The planes with all that a correction needs; nothing while something is missing or cannot be.
+bool is_complete(const Correction& correction) {
+    const auto has_plane = [](const Plane& plane) { return plane.position && plane.radius; };
+    const auto has_reading = [](const Reading& reading) {
+        return reading.unbalance && reading.angle;
+    };
+    return correction.planes.size() == 2 && correction.readings.size() == 2 &&
+           std::all_of(correction.planes.begin(), correction.planes.end(), has_plane) &&
+           std::all_of(correction.readings.begin(), correction.readings.end(), has_reading) &&
+           *correction.planes[0].position != *correction.planes[1].position &&
+           !correction.drill.diameters_mm.empty() && correction.drill.maximum_depth;
+}
+
+Message describe(Shortfall shortfall, double left, double angle, const Plane& plane,
+                 bool has_slugs) {
+    const Number grams{std::abs(left) / *plane.radius / units::gram, units::gram, -2};
+    const Number at{turn_of(angle) / degree, units::degree, -1};
+    switch (shortfall) {
+        case Shortfall::none:
+            return {};
+        case Shortfall::nothing_fits:
+            return CORE_TEXT("bob-weights",
+                             "The smallest hole takes off more than is to go: use a thinner drill "
+                             "or one with a flatter point.");
+        case Shortfall::rounding:
+            return CORE_TEXT("bob-weights",
+                             "The rounding of the depths leaves more than the limit: take a finer "
+                             "step or a thinner drill.");
+        case Shortfall::outside_sector:
+            return {has_slugs ? CORE_TEXT("bob-weights",
+                                          "The heavy spot lies outside the sector that may be "
+                                          "drilled, and slugs opposite it leave %1 at the radius "
+                                          "at %2. As a last resort weld that much on opposite.")
+                              : CORE_TEXT("bob-weights",
+                                          "The heavy spot lies outside the sector that may be "
+                                          "drilled: %1 at the radius are too much at %2. Press "
+                                          "heavy metal in opposite, or as a last resort weld that "
+                                          "much on there."),
+                    grams, at};
+        case Shortfall::too_little_room:
+            return {has_slugs
+                        ? CORE_TEXT("bob-weights",
+                                    "Holes and slugs have too little room: %1 at the radius remain "
+                                    "at %2. As a last resort weld that much on opposite.")
+                        : CORE_TEXT("bob-weights",
+                                    "The holes have too little room: %1 at the radius remain at "
+                                    "%2. Deeper or wider holes, heavy metal pressed in opposite, "
+                                    "or as a last resort as much welded on there."),
+                    grams, at};
+    }
+    return {};
+}
+
+PlaneResult correct(Vector unbalance, const Plane& plane, const Correction& correction,
+                    const std::optional<double>& permissible) {
+    const Drill& drill = correction.drill;
+    PlaneResult result{};
+    result.unbalance = std::abs(unbalance);
+    result.angle = turn_of(std::arg(unbalance));
+    result.grams_at_radius = result.unbalance / *plane.radius;
+
+    HoleLimits limits{*drill.maximum_depth, drill.depth_step,    drill.minimum_wall,
+                      drill.maximum_holes,  drill.maximum_angle, std::nullopt};
+    if (plane.from_angle && plane.to_angle) {
+        limits.sector = {*plane.from_angle, *plane.to_angle};
+    }
+    std::vector<double> diameters;
+    for (const double diameter : drill.diameters_mm) {
+        diameters.push_back(diameter * units::mm);
+    }
+    const double tolerance = permissible.value_or(-1.0);
+    HolePlan plan =
+        plan_holes(result.unbalance, result.angle,
+                   {*plane.radius, drill.density, drill.point_angle}, diameters, limits, tolerance);
+    result.holes = std::move(plan.holes);
+    const auto is_left = [&] {
+        return plan.left > std::max(tolerance, 0.0) &&
+               (plan.shortfall == Shortfall::too_little_room ||
+                plan.shortfall == Shortfall::outside_sector);
+    };
+    const auto& slug = correction.slug;
+    const bool has_slugs = slug && slug->diameter && slug->density;
+    if (has_slugs && is_left()) {
+        const double size[] = {*slug->diameter};
+        HolePlan slugs = plan_holes(plan.left, turn_of(result.angle + pi),
+                                    {*plane.radius, *slug->density - drill.density, pi}, size,
+                                    limits, tolerance);
+        result.slugs = std::move(slugs.holes);
+        plan.left = slugs.left;
+        // Where no slug has room there is still what the holes left.
+        plan.shortfall = slugs.shortfall == Shortfall::outside_sector ? Shortfall::too_little_room
+                                                                      : slugs.shortfall;
+    }
+    Vector left = unbalance;
+    for (const Hole& hole : result.holes) {
+        left -= std::polar(hole.unbalance, hole.angle);
+    }
+    for (const Hole& added : result.slugs) {
+        left += std::polar(added.unbalance, added.angle);
+    }
+    result.remaining = std::abs(left);
+    result.remaining_angle = turn_of(std::arg(left));
+    if (permissible) {
+        constexpr double rounding = 1e-9;
+        result.within_tolerance = result.remaining <= *permissible * (1.0 + rounding);
+    }
+    if (result.within_tolerance != true) {
+        result.reason =
+            describe(plan.shortfall, result.remaining, result.remaining_angle, plane, has_slugs);
+    }
+    return result;
+}
+
+void solve_correction(const Input& input, Result& result) {
+    if (!input.correction || !is_complete(*input.correction)) {
+        return;
+    }
+    const Correction& correction = *input.correction;
+    std::array<Vector, 2> read;
+    std::array<double, 2> from{};
+    std::array<double, 2> to{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Reading& reading = correction.readings[i];
+        to[i] = *correction.planes[i].position;
+        from[i] = reading.position.value_or(to[i]);
+        read[i] = std::polar(*reading.unbalance, *reading.angle);
+    }
+    if (from[0] == from[1]) {
+        return;
+    }
+    const auto there = carried_over(read, from, to);
+    const auto in_plane = [&](std::size_t i) {
+        return correct(there[i], correction.planes[i], correction,
+                       result.permissible ? std::optional((*result.permissible)[i]) : std::nullopt);
+    };
+    result.correction = {in_plane(0), in_plane(1)};
+}
+
+}  // namespace
+
+std::vector<const Field*> missing_for_bob_weight(const Input& input) {
+    std::vector<const Field*> missing;
+    if (input.engine.type == EngineType::v && !input.engine.bank_angle) {
+        missing.push_back(&field::bank_angle);
+    }
+    for (const PartField& part : part_fields()) {
+        const bool needed = part.member == &Parts::piston || part.member == &Parts::big_end;
+        if (needed && !mass_of(input, part)) {
+            missing.push_back(&part.field);
+        }
+    }
+    return missing;
+}
+
+std::optional<std::array<double, 2>> plane_limits(
+    const Tolerance& tolerance, const std::optional<std::array<double, 2>>& positions) {
+    if (!tolerance.by_grade) {
+        return tolerance.plane ? std::optional(std::array{*tolerance.plane, *tolerance.plane})
+                               : std::nullopt;
+    }
+    const auto whole = permissible_of_rotor(tolerance);
+    if (!whole) {
+        return std::nullopt;
+    }
+    if (!positions || (*positions)[0] == (*positions)[1]) {
+        return std::array{0.5 * *whole, 0.5 * *whole};
+    }
+    const auto& [first, second] = *positions;
+    const bool has_bearings = tolerance.front_bearing && tolerance.rear_bearing &&
+                              *tolerance.front_bearing != *tolerance.rear_bearing;
+    const std::array<double, 2> bearings{tolerance.front_bearing.value_or(first),
+                                         tolerance.rear_bearing.value_or(second)};
+    const double centre = tolerance.centre_of_mass.value_or(
+        has_bearings ? 0.5 * (bearings[0] + bearings[1]) : 0.5 * (first + second));
+    const std::array<double, 2> share = shares(*positions, centre);
+    if (!has_bearings) {
+        return std::array{*whole * share[0], *whole * share[1]};
+    }
+    const std::array<double, 2> at_bearing = shares(bearings, centre);
+    double scale = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < 2; ++i) {
+        // What a unit in each plane is at this bearing, at the worst phase.
+        double worst = 0.0;
+        for (std::size_t k = 0; k < 2; ++k) {
+            const double far = ((*positions)[k] - bearings[0]) / (bearings[1] - bearings[0]);
+            worst += share[k] * std::abs(i == 0 ? 1.0 - far : far);
+        }
+        scale = std::min(scale, at_bearing[i] / worst);
+    }
+    return std::array{*whole * share[0] * scale, *whole * share[1] * scale};
+}
+
+Result solve(const Input& given) {
+    Input input = given;
+    fit_weigh_in(input);
+    Result result;
+    result.theory_factor = theory_factor(input.engine);
+    result.factor = input.factor.reciprocating.value_or(result.theory_factor);
+    const double factor = result.factor + input.factor.overbalance;
+    solve_bob_weight(input, factor, result);
+    solve_weigh_in(input, factor, result);
+    if (input.tolerance) {
+        std::optional<std::array<double, 2>> positions;
+        if (input.correction && input.correction->planes.size() == 2 &&
+            input.correction->planes[0].position && input.correction->planes[1].position) {
+            positions = {*input.correction->planes[0].position,
+                         *input.correction->planes[1].position};
+        }
+        if (input.tolerance->by_grade) {
+            result.permissible_whole = permissible_of_rotor(*input.tolerance);
+        }
+        result.permissible = plane_limits(*input.tolerance, positions);
+    }
+    solve_correction(input, result);
+    return result;
+}
+
+}  // namespace ravnoves::bob_weights

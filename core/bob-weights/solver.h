@@ -1,0 +1,20 @@
+#pragma once
+
+#include "bob-weights/input.h"
+#include "bob-weights/result.h"
+
+namespace ravnoves::bob_weights {
+
+/// Computes whatever the input allows.
+Result solve(const Input& given);
+
+/// The limits of the two planes.
+///
+/// By grade U_per = m G / ω is shared as the centre of mass lies between the planes, each share
+/// from 0.3 to 0.7. With the end bearings the shares hold at them, and the planes' limits are the
+/// largest in the ratio of their own shares for which no phase of what remains exceeds a bearing's.
+/// @param positions  of the planes, m; nothing where they are not known: halves
+std::optional<std::array<double, 2>> plane_limits(
+    const Tolerance& tolerance, const std::optional<std::array<double, 2>>& positions);
+
+}  // namespace ravnoves::bob_weights

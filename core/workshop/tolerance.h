@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "case-file/field.h"
+
+namespace ravnoves::workshop {
+
+/// Balance quality grades G of [iso-21940-11], mm/s (the products e·ω).
+inline constexpr std::array<double, 11> balance_grades_mm_s{0.4, 1,   2.5, 6.3,  16,  40,
+                                                            100, 250, 630, 1600, 4000};
+
+/// What a grade is for, by [iso-21940-11] as far as it concerns engines.
+struct BalanceGrade {
+    double mm_per_s;
+    Text use;
+};
+/// The grades from the coarsest to the finest.
+std::span<const BalanceGrade> balance_grades();
+
+/// U_per = m G / ω of the whole rotor, kg·m.
+constexpr double permissible_unbalance(double rotor_mass, double grade, double service_speed) {
+    return rotor_mass * grade / service_speed;
+}
+
+namespace field {
+
+inline constexpr Field grade{
+    .key = "grade_mm_s",
+    .unit = units::mm_per_s,
+    .range = Range::between(0.1, 10'000),
+    .label = CORE_TEXT("V8", "&Grade G"),
+    .hint = CORE_TEXT(
+        "V8",
+        "Balance quality grade. The standard's table has 0.4, 1, 2.5, 6.3, 16, 40, 100, 250, "
+        "630, 1600, 4000 mm/s; crankshaft drives of car, truck and locomotive engines G 100, "
+        "inherently balanced crankshafts better.")};
+inline constexpr Field rotor_mass{
+    .key = "rotor_mass_kg",
+    .unit = units::kg,
+    .range = Range::between(0.1, 100'000),
+    .label = CORE_TEXT("V8", "&Mass of the crankshaft"),
+    .hint = CORE_TEXT("V8", "As it lies on the machine, with the bob weights.")};
+inline constexpr Field service_speed{
+    .key = "service_speed_rpm",
+    .unit = units::rpm,
+    .range = Range::between(1, 100'000),
+    .label = CORE_TEXT("V8", "Service s&peed"),
+    .hint = CORE_TEXT("V8", "The highest speed in service, not that of the machine.")};
+
+}  // namespace field
+}  // namespace ravnoves::workshop

@@ -1,0 +1,185 @@
+// Holes against their volume integral, vectors against a search, patterns against their limits.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <random>
+
+#include "bob-weights/drilling.h"
+#include "numerics/constants.h"
+
+namespace ravnoves::bob_weights {
+namespace {
+
+constexpr double mm = 1e-3;
+constexpr double gram_mm = 1e-6;
+
+/// ∫ over the volume of the hole by the midpoint rule: along the depth, across cylinder and cone.
+Removed by_quadrature(const Cut& cut, double diameter, double depth) {
+    const double point = cut.cone(diameter);
+    Removed sum{0.0, 0.0};
+    const auto add = [&](double from, double length, const auto& radius) {
+        constexpr int steps = 4000;
+        for (int i = 0; i < steps; ++i) {
+            const double share = (i + 0.5) / steps;
+            const double r = radius(share);
+            const double mass = cut.density * pi * r * r * length / steps;
+            sum.mass += mass;
+            sum.unbalance += mass * (cut.radius - from - share * length);
+        }
+    };
+    add(0.0, depth, [&](double) { return 0.5 * diameter; });
+    add(depth, point, [&](double share) { return 0.5 * diameter * (1.0 - share); });
+    return sum;
+}
+
+TEST(Hole, TakesOffItsVolumeIntegral) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    for (int i = 0; i < 40; ++i) {
+        const Cut cut{(60 + 60 * unit(random)) * mm, 7000 + 1000 * unit(random),
+                      (90 + 90 * unit(random)) * degree};
+        const double diameter = (4 + 20 * unit(random)) * mm;
+        const double depth = 30 * unit(random) * mm;
+        const Removed exact = cut.removed(diameter, depth);
+        const Removed sum = by_quadrature(cut, diameter, depth);
+        EXPECT_NEAR(exact.mass, sum.mass, 1e-7 * exact.mass);
+        EXPECT_NEAR(exact.unbalance, sum.unbalance, 1e-7 * exact.unbalance);
+    }
+    EXPECT_EQ((Cut{0.1, 7850, pi}.cone(0.01)), 0.0);
+}
+
+TEST(Vectors, AreCarriedOverWithForceAndMoment) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    for (int i = 0; i < 50; ++i) {
+        const std::array<std::complex<double>, 2> read{
+            std::complex<double>(unit(random), unit(random)),
+            std::complex<double>(unit(random), unit(random))};
+        const std::array<double, 2> from{unit(random), 2.0 + unit(random)};
+        const std::array<double, 2> to{-2.0 + unit(random), 4.0 + unit(random)};
+        const auto there = carried_over(read, from, to);
+        for (const double z : {-3.0, 0.0, 5.0}) {  // the moment about any point
+            const auto before = read[0] * (from[0] - z) + read[1] * (from[1] - z);
+            const auto after = there[0] * (to[0] - z) + there[1] * (to[1] - z);
+            EXPECT_LT(std::abs(before - after), 1e-13);
+        }
+        EXPECT_LT(std::abs(read[0] + read[1] - there[0] - there[1]), 1e-13);
+    }
+}
+
+/// Least distance between two holes at `angle` from each other, by points on their outlines in the
+/// plane of both axes.
+double wall_between(const Cut& cut, double diameter, double depth, double angle) {
+    const auto outline = [&](double turn, double side) {
+        std::vector<std::complex<double>> points;
+        const double point = cut.cone(diameter);
+        for (int i = 0; i <= 400; ++i) {
+            const double x = (depth + point) * i / 400.0;
+            const double half =
+                x <= depth ? 0.5 * diameter : 0.5 * diameter * (1.0 - (x - depth) / point);
+            points.push_back(std::complex<double>(cut.radius - x, side * half) *
+                             std::polar(1.0, turn));
+        }
+        return points;
+    };
+    double least = 1.0;
+    const auto other = outline(angle, -1.0);
+    for (const auto& a : outline(0.0, 1.0)) {
+        for (const auto& b : other) {
+            least = std::min(least, std::abs(a - b));
+        }
+    }
+    return least;
+}
+
+TEST(Spacing, LeavesTheWallAndNoMore) {
+    for (const double point_deg : {90.0, 118.0, 180.0}) {
+        const Cut cut{80 * mm, 7850, point_deg * degree};
+        for (const double depth : {0.0, 10 * mm, 30 * mm}) {
+            const auto angle = hole_spacing(cut, 12 * mm, depth, 3 * mm);
+            ASSERT_TRUE(angle);
+            EXPECT_NEAR(wall_between(cut, 12 * mm, depth, *angle), 3 * mm, 0.05 * mm);
+        }
+    }
+    EXPECT_FALSE(hole_spacing({20 * mm, 7850, pi}, 12 * mm, 19 * mm, 3 * mm));
+}
+
+const HoleLimits usual{35 * mm, 0.0, 3 * mm, 5, 60 * degree, std::nullopt};
+const Cut rim{80 * mm, 7850, 118 * degree};
+const double drills[] = {8 * mm, 12 * mm, 16 * mm};
+
+std::complex<double> sum_of(const HolePlan& plan) {
+    std::complex<double> sum;
+    for (const Hole& hole : plan.holes) {
+        sum += std::polar(hole.unbalance, hole.angle);
+    }
+    return sum;
+}
+
+TEST(Plan, TakesOffTheVectorWithAsFewHolesAsCanBe) {
+    for (const double target : {300.0, 1000.0, 3500.0, 6000.0, 9000.0}) {
+        const HolePlan plan = plan_holes(target * gram_mm, 0.7, rim, drills, usual, -1.0);
+        EXPECT_EQ(plan.shortfall, Shortfall::none) << target;
+        EXPECT_LT(std::abs(sum_of(plan) - std::polar(target * gram_mm, 0.7)), 1e-6 * gram_mm);
+        // By brute force: no drill does it with one hole less, though they lay all in one place.
+        double most = 0.0;
+        for (const double diameter : drills) {
+            most = std::max(most, rim.removed(diameter, usual.maximum_depth).unbalance);
+        }
+        EXPECT_GE(most * static_cast<double>(plan.holes.size()), target * gram_mm);
+        if (plan.holes.size() == 1) {
+            EXPECT_NEAR(plan.holes[0].angle, 0.7, 1e-12);
+        }
+    }
+}
+
+TEST(Plan, KeepsItsLimits) {
+    HoleLimits limits = usual;
+    limits.depth_step = 0.5 * mm;
+    for (double target = 200.0; target < 12'000.0; target *= 1.17) {
+        const HolePlan plan = plan_holes(target * gram_mm, -2.0, rim, drills, limits, -1.0);
+        ASSERT_LE(plan.holes.size(), 5u);
+        for (std::size_t i = 0; i < plan.holes.size(); ++i) {
+            const Hole& hole = plan.holes[i];
+            EXPECT_LE(hole.depth, limits.maximum_depth + 1e-12);
+            EXPECT_NEAR(std::remainder(hole.depth, limits.depth_step), 0.0, 1e-12);
+            EXPECT_LE(std::abs(std::remainder(hole.angle + 2.0, 2.0 * pi)), 60 * degree + 1e-12);
+            if (i > 0) {
+                EXPECT_GE(wall_between(rim, hole.diameter, hole.depth,
+                                       turn_of(hole.angle - plan.holes[i - 1].angle)),
+                          3 * mm - 1e-9);
+            }
+        }
+        EXPECT_NEAR(plan.left, target * gram_mm - std::abs(sum_of(plan)), 1e-12);
+    }
+}
+
+TEST(Plan, SaysWhyItFallsShort) {
+    // Within the limit nothing is drilled; what the point alone exceeds cannot be.
+    EXPECT_TRUE(plan_holes(90 * gram_mm, 0, rim, drills, usual, 100 * gram_mm).holes.empty());
+    const double thick[] = {16 * mm};
+    const HolePlan small = plan_holes(50 * gram_mm, 0, rim, thick, usual, -1.0);
+    EXPECT_EQ(small.shortfall, Shortfall::nothing_fits);
+    EXPECT_TRUE(small.holes.empty());
+    const HolePlan great = plan_holes(50'000 * gram_mm, 0, rim, drills, usual, -1.0);
+    EXPECT_EQ(great.shortfall, Shortfall::too_little_room);
+    EXPECT_GT(great.left, 0.0);
+    EXPECT_FALSE(great.holes.empty());
+    HoleLimits limits = usual;
+    limits.sector = {90 * degree, 200 * degree};
+    EXPECT_EQ(plan_holes(500 * gram_mm, 1.0, rim, drills, limits, -1.0).shortfall,
+              Shortfall::outside_sector);
+    EXPECT_EQ(plan_holes(500 * gram_mm, 2.0, rim, drills, limits, -1.0).shortfall, Shortfall::none);
+    // A sector over the zero mark.
+    limits.sector = {300 * degree, 40 * degree};
+    EXPECT_EQ(plan_holes(500 * gram_mm, 0.1, rim, drills, limits, -1.0).shortfall, Shortfall::none);
+    limits = usual;
+    limits.depth_step = 5 * mm;
+    EXPECT_EQ(plan_holes(1000 * gram_mm, 0, rim, thick, limits, 1 * gram_mm).shortfall,
+              Shortfall::rounding);
+}
+
+}  // namespace
+}  // namespace ravnoves::bob_weights

@@ -1,0 +1,268 @@
+// The scene as case files see it: the shop card, the result's keys, bad input, limits of planes.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+
+#include "bob-weights/scene.h"
+#include "bob-weights/solver.h"
+#include "case-file/case_file.h"
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "example_check.h"
+#include "workshop/tolerance.h"
+
+namespace ravnoves::bob_weights {
+namespace {
+
+Json shop_card() {
+    return parse_json(R"({
+        "engine": {"type": "v", "cylinders": 8, "bank_angle_deg": 90, "rods_per_pin": 2},
+        "parts_g": {"rings": 69.5, "piston": 583.9, "pin": 173.6, "locks": 4.8, "small_end": 162.4,
+                    "big_end": 229.8, "shells": 23.7, "oil": 4}})");
+}
+
+Json with_correction() {
+    Json input = shop_card();
+    input["correction"] = parse_json(R"({
+        "planes": [{"position_mm": 60, "radius_mm": 85}, {"position_mm": 480, "radius_mm": 80}],
+        "readings": [{"unbalance_g_mm": 2500, "angle_deg": 40},
+                     {"unbalance_g_mm": 1200, "angle_deg": -70}],
+        "drill": {"diameters_mm": [10, 16], "maximum_depth_mm": 30}})");
+    return input;
+}
+
+Json solved(const Json& input) {
+    return solve_scene(input, {});
+}
+
+std::string error_of(const Json& input) {
+    try {
+        solved(input);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(Example, ShopCard) {
+    const Json document = ravnoves::test::check_example("bob-weights-v8");
+    EXPECT_NEAR(document.at("result").at("bobweight_g").get<double>(), 1505.2, 1e-9);
+}
+
+TEST(BobWeight, FollowsFactorAndOverbalance) {
+    Json input = shop_card();
+    input["factor"] = {{"reciprocating_percent", 46}, {"overbalance_percent", 2}};
+    const Json result = solved(input);
+    EXPECT_NEAR(result.at("bobweight_g").get<double>(), 4 + 2 * (253.5 + 0.48 * 994.2), 1e-9);
+    EXPECT_NEAR(result.at("reciprocating_percent").get<double>(), 46, 1e-12);
+    double sum = 0.0;
+    for (const Json& line : result.at("lines")) {
+        sum += line.at("product_g").get<double>();
+    }
+    EXPECT_NEAR(sum, result.at("bobweight_g").get<double>(), 1e-9);
+    // What is not given weighs nothing.
+    input = shop_card();
+    input["parts_g"] = {{"piston", 600}, {"big_end", 500}};
+    EXPECT_NEAR(solved(input).at("bobweight_g").get<double>(), 1600, 1e-9);
+    // One rod on a crankpin.
+    input["engine"] = {{"type", "inline"}, {"cylinders", 1}, {"rods_per_pin", 1}};
+    EXPECT_NEAR(solved(input).at("bobweight_g").get<double>(), 800, 1e-9);
+}
+
+TEST(BobWeight, OfWeighedPartsTakesTheirMeans) {
+    Json input = shop_card();
+    input["engine"]["cylinders"] = 4;
+    input["weigh_in"] = parse_json(R"({"cylinder_numbering": "alternating",
+        "piston": {"permitted_spread_g": 2, "mass_g": [580, 582, 584, 590]},
+        "rod_big_end": {"nominal_g": 230, "mass_g": [230, 231, 232, 233]}})");
+    Json result = solved(input);
+    EXPECT_NEAR(result.at("bobweight_g").get<double>(),
+                1505.2 + (584 - 583.9) + 2 * (231.5 - 229.8), 1e-9);
+    const Json& piston = result.at("weigh_in").at("piston");
+    EXPECT_FALSE(piston.at("within_permitted_spread").get<bool>());
+    const double more[] = {0, 2, 4, 10};
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_NEAR(piston.at("take_off_g")[i].get<double>(), more[i], 1e-9);
+    }
+    // Each crankpin with its own two cylinders; their mean is the bob weight.
+    const Json& pins = result.at("weigh_in").at("crankpins_g");
+    ASSERT_EQ(pins.size(), 2u);
+    EXPECT_NEAR(pins[0].get<double>(), 1505.2 - 583.9 - 459.6 + 0.5 * (580 + 582) + 230 + 231,
+                1e-9);
+    EXPECT_NEAR(0.5 * (pins[0].get<double>() + pins[1].get<double>()),
+                result.at("bobweight_g").get<double>(), 1e-9);
+    input["weigh_in"]["cylinder_numbering"] = "bank-by-bank";
+    result = solved(input);
+    EXPECT_NEAR(result.at("weigh_in").at("crankpins_g")[0].get<double>(),
+                1505.2 - 583.9 - 459.6 + 0.5 * (580 + 584) + 230 + 232, 1e-9);
+    // The sheet may stand for the parts that it weighs.
+    input["parts_g"].erase("piston");
+    input["parts_g"].erase("big_end");
+    EXPECT_EQ(solved(input).at("bobweight_g"), result.at("bobweight_g"));
+    // An engine of more cylinders keeps what was weighed, and what counts follows it.
+    Input larger = read_input(input);
+    larger.engine.cylinders = 6;
+    EXPECT_FALSE(solve(larger).bob_weight);
+    EXPECT_EQ(write_input(larger).at("weigh_in").at("piston").at("mass_g").size(), 6u);
+    larger.engine.cylinders = 4;
+    EXPECT_NEAR(*solve(larger).bob_weight, result.at("bobweight_g").get<double>() * 1e-3, 1e-12);
+    input["weigh_in"]["piston"]["mass_g"].push_back(590);
+    EXPECT_NE(error_of(input).find("must be a list of 4 masses"), std::string::npos);
+}
+
+/// What holes and slugs leave, added up from the result alone.
+double left_of(const Json& plane) {
+    const auto at = [](const Json& json, const char* size) {
+        return std::polar(json.at(size).get<double>(), json.at("angle_deg").get<double>() * degree);
+    };
+    std::complex<double> left = at(plane, "unbalance_g_mm");
+    for (const char* list : {"holes", "slugs"}) {
+        for (const Json& hole : plane.at(list)) {
+            left -= at(hole, "removed_g_mm");
+        }
+    }
+    return std::abs(left);
+}
+
+TEST(Correction, LeavesWhatItSays) {
+    Json input = with_correction();
+    for (const double unbalance : {150.0, 900.0, 4000.0, 20'000.0}) {
+        input["correction"]["readings"][0]["unbalance_g_mm"] = unbalance;
+        for (const bool slugs : {false, true}) {
+            input["correction"].erase("slug");
+            if (slugs) {
+                input["correction"]["slug"] = {{"diameter_mm", 20}, {"density_kg_m3", 17'500}};
+            }
+            for (const Json& plane : solved(input).at("correction").at("planes")) {
+                EXPECT_NEAR(left_of(plane), plane.at("remaining_g_mm").get<double>(), 1e-6);
+                EXPECT_TRUE(plane.at("within_tolerance").is_null());
+            }
+        }
+    }
+}
+
+TEST(Correction, PressesInSlugsWhereHolesHaveNoRoom) {
+    Json input = with_correction();
+    input["tolerance"] = {{"g_mm", 100}};
+    input["correction"]["readings"][0]["unbalance_g_mm"] = 20'000;
+    Json plane = solved(input).at("correction").at("planes")[0];
+    EXPECT_FALSE(plane.at("within_tolerance").get<bool>());
+    EXPECT_FALSE(plane.at("feasible").get<bool>());
+    EXPECT_NE(plane.at("reason").get<std::string>().find("weld"), std::string::npos);
+    input["correction"]["slug"] = {{"diameter_mm", 25}, {"density_kg_m3", 18'000}};
+    plane = solved(input).at("correction").at("planes")[0];
+    EXPECT_TRUE(plane.at("within_tolerance").get<bool>()) << plane.dump(1);
+    EXPECT_FALSE(plane.contains("reason"));
+    ASSERT_FALSE(plane.at("slugs").empty());
+    const Json& slug = plane.at("slugs").front();
+    // Heavier than the steel that gives way to it, by quadrature of a flat hole.
+    const double d = slug.at("diameter_mm");
+    const double h = slug.at("depth_mm");
+    EXPECT_NEAR(slug.at("added_g_mm").get<double>(),
+                (18'000 - 7850) * 1e-6 * pi * d * d / 4 * h * (85 - h / 2), 1e-6);
+    EXPECT_EQ(slug.at("removed_g_mm").get<double>(), -slug.at("added_g_mm").get<double>());
+    // Half a turn from the heavy spot, and outside the sector that may be drilled slugs alone.
+    input["correction"]["readings"][0]["unbalance_g_mm"] = 2000;
+    input["correction"]["planes"][0]["from_deg"] = 150;
+    input["correction"]["planes"][0]["to_deg"] = 290;
+    plane = solved(input).at("correction").at("planes")[0];
+    EXPECT_TRUE(plane.at("holes").empty());
+    ASSERT_EQ(plane.at("slugs").size(), 1u);
+    EXPECT_NEAR(plane.at("slugs")[0].at("angle_deg").get<double>(), 220, 1e-9);
+}
+
+TEST(Tolerance, IsSharedByTheDistances) {
+    Tolerance tolerance;
+    tolerance.grade = 16e-3;
+    tolerance.rotor_mass = 30.0;
+    tolerance.service_speed = 3200 * rpm;
+    const double whole = 30.0 * 16e-3 / (3200 * rpm);
+    EXPECT_NEAR(whole / 1e-6, 1432.394, 1e-3);  // by hand, g·mm
+    const std::array<double, 2> planes{0.1, 0.5};
+    const auto limits = [&] { return plane_limits(tolerance, planes).value(); };
+    EXPECT_NEAR(limits()[0], 0.5 * whole, 1e-15);
+    tolerance.centre_of_mass = 0.2;  // 3/4 of it towards the first plane; the standard stops at 0.7
+    EXPECT_NEAR(limits()[0], 0.7 * whole, 1e-15);
+    tolerance.centre_of_mass = 0.28;
+    EXPECT_NEAR(limits()[0], 0.55 * whole, 1e-15);
+    // Bearings in the planes change nothing; planes outboard may keep less.
+    tolerance.front_bearing = 0.1;
+    tolerance.rear_bearing = 0.5;
+    EXPECT_NEAR(limits()[0], 0.55 * whole, 1e-15);
+    tolerance.front_bearing = 0.2;
+    tolerance.rear_bearing = 0.4;
+    const auto outboard = limits();
+    EXPECT_LT(outboard[0] + outboard[1], whole);
+    // By brute force over phases no bearing gets more than its share, and one gets all of it.
+    double most = 0.0;
+    const double share = (0.4 - 0.28) / 0.2;
+    for (int i = 0; i < 360; ++i) {
+        const std::array<std::complex<double>, 2> left{outboard[0],
+                                                       std::polar(outboard[1], i * degree)};
+        const auto there = carried_over(left, planes, {0.2, 0.4});
+        most = std::max({most, std::abs(there[0]) / (share * whole),
+                         std::abs(there[1]) / ((1 - share) * whole)});
+    }
+    EXPECT_NEAR(most, 1.0, 1e-12);
+    for (const auto& grade : workshop::balance_grades()) {
+        EXPECT_FALSE(grade.use.empty());
+    }
+}
+
+TEST(BadInput, IsNamed) {
+    const auto wrong = [](const char* pointer, const Json& value) {
+        Json input = with_correction();
+        input["correction"]["slug"] = {{"diameter_mm", 25}, {"density_kg_m3", 18'000}};
+        input[Json::json_pointer(pointer)] = value;
+        return error_of(input);
+    };
+    EXPECT_EQ(wrong("/engine/cylinders", 7),
+              "/input/engine/cylinders: must be even where two rods share a bob weight, got 7");
+    EXPECT_EQ(wrong("/engine/type", "w"),
+              "/input/engine/type: must be one of \"v\", \"inline\", \"boxer\", got \"w\"");
+    EXPECT_EQ(wrong("/engine/type", "inline"),
+              "/input/engine/rods_per_pin: must be 1 where the cylinders stand in line, got 2");
+    EXPECT_EQ(wrong("/parts_g/piston", -1),
+              "/input/parts_g/piston: must be from 0 to 1000000, got -1");
+    EXPECT_EQ(wrong("/correction/planes/1/position_mm", 60),
+              "/input/correction/planes/1/position_mm: must differ from that of the first, got 60");
+    EXPECT_EQ(wrong("/correction/planes/2", {{"position_mm", 1}, {"radius_mm", 2}}),
+              "/input/correction/planes: must be a list of two, got 3");
+    EXPECT_EQ(wrong("/correction/drill/diameters_mm", Json::array()),
+              "/input/correction/drill/diameters_mm: is required and missing");
+    EXPECT_EQ(wrong("/correction/slug/density_kg_m3", 7000),
+              "/input/correction/slug/density_kg_m3: must be greater than the crankshaft's 7850, "
+              "got 7000");
+    EXPECT_EQ(wrong("/tolerance", {{"rotor_mass_kg", 30}, {"g_mm", 2}}),
+              "/input/tolerance/rotor_mass_kg: is not a known key");
+    Json input = shop_card();
+    input["engine"].erase("bank_angle_deg");
+    EXPECT_EQ(error_of(input), "/input/engine/bank_angle_deg: is required and missing");
+    input = shop_card();
+    input["parts_g"].erase("big_end");
+    EXPECT_EQ(error_of(input), "/input/parts_g/big_end: is required and missing");
+}
+
+TEST(HalfFilled, FormsKeepWhatIsThere) {
+    Input input;
+    input.engine.cylinders = 6;
+    input.weigh_in.emplace();
+    fit_weigh_in(input);
+    (*input.weigh_in)[workshop::Part::pin].mass[3] = 0.15125;
+    input.correction.emplace();
+    input.correction->planes[1].radius = 0.08;
+    input.tolerance.emplace();
+    input.tolerance->grade = 0.016;
+    const Json written = write_input(input);
+    EXPECT_EQ(read_input(written, Completeness::as_is), input);
+    EXPECT_THROW(read_input(written), InputError);
+    const Result result = solve(input);
+    EXPECT_FALSE(result.bob_weight);
+    EXPECT_EQ(missing_for_bob_weight(input).size(), 3u);
+    EXPECT_FALSE(result.correction);
+}
+
+}  // namespace
+}  // namespace ravnoves::bob_weights
