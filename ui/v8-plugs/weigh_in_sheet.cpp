@@ -23,7 +23,7 @@ namespace {
 
 constexpr int cellHeight = 30;  // all of the sheet has to be seen on 800 lines
 constexpr int rows = WeighInTable::rows;
-constexpr int titleColumn = 70;
+constexpr int titleColumn = 73;  // the longest word of its titles, in Russian
 
 QVBoxLayout* columnOf(QWidget* sheet) {
     return static_cast<QVBoxLayout*>(sheet->layout());
