@@ -7,7 +7,7 @@ set -eu
 program=$1
 folder=$2
 shift 2
-[ $# -gt 0 ] || set -- balance-shaft elastic-hinge v8-plugs inertia-moments methods
+[ $# -gt 0 ] || set -- balance-shaft elastic-hinge v8-plugs bob-weights inertia-moments methods
 export QT_QPA_PLATFORM=offscreen
 mkdir -p "$folder/single"
 

@@ -10,12 +10,15 @@
 
 #include "balance-shaft/presets.h"
 #include "balance-shaft/scene.h"
+#include "bob-weights/presets.h"
+#include "bob-weights/scene.h"
 #include "case-file/json.h"
 #include "elastic-hinge/presets.h"
 #include "elastic-hinge/scene.h"
 #include "inertia-moments/presets.h"
 #include "inertia-moments/scene.h"
 #include "scenes/scenes.h"
+#include "text/message_text.h"
 #include "v8-plugs/presets.h"
 #include "v8-plugs/scene.h"
 
@@ -31,6 +34,7 @@ namespace {
     QT_TRANSLATE_NOOP("ravnoves::NewCases", "Zotov and Sviridov 2021: guide that keeps the energy"),
     QT_TRANSLATE_NOOP("ravnoves::NewCases", "V-8 of 4.25 litres: repair with oversize pistons"),
     QT_TRANSLATE_NOOP("ravnoves::NewCases", "V-8 of 6 litres: improved pistons and rods"),
+    QT_TRANSLATE_NOOP("ravnoves::NewCases", "V-8, 90°: bob weight and correction"),
     QT_TRANSLATE_NOOP("ravnoves::NewCases", "Volkswagen VR5 at 6200 min⁻¹"),
     QT_TRANSLATE_NOOP("ravnoves::NewCases", "Radial engine of nine cylinders"),
 };
@@ -78,6 +82,13 @@ std::vector<NewCase> presets() {
                        }
                        return v8_plugs::write_input(input);
                    }));
+    }
+    for (const bob_weights::Preset& engine : bob_weights::presets()) {
+        list.push_back(preset("bob-weights", shownText(engine.name), [engine] {
+            bob_weights::Input input;
+            input.engine = engine.engine;
+            return bob_weights::write_input(input);
+        }));
     }
     list.push_back(preset("inertia-moments", QStringLiteral("Volkswagen VR5"), [] {
         return inertia_moments::write_input(inertia_moments::preset_vw_vr5());

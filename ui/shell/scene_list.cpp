@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include "balance-shaft/balance_shaft_page.h"
+#include "bob-weights/bob_weights_page.h"
 #include "elastic-hinge/elastic_hinge_page.h"
 #include "inertia-moments/inertia_moments_page.h"
 #include "methods/methods_page.h"
@@ -43,6 +44,11 @@ std::vector<SceneInfo> sceneList() {
          translated(QT_TRANSLATE_NOOP("ravnoves::SceneList",
                                       "Crankpin plugs and bob weights of a V-8 under repair")),
          makePage<V8PlugsPage>},
+        {QStringLiteral("bob-weights"),
+         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Bob weights")),
+         translated(QT_TRANSLATE_NOOP("ravnoves::SceneList",
+                                      "Bob weights and the drilled crankshaft of any engine")),
+         makePage<BobWeightsPage>},
         {QStringLiteral("inertia-moments"),
          translated(QT_TRANSLATE_NOOP("ravnoves::SceneList", "Inertia moments")),
          translated(QT_TRANSLATE_NOOP("ravnoves::SceneList",

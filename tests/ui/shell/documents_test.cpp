@@ -157,7 +157,7 @@ TEST_F(DocumentsTest, TheNavigationFollowsAndBringsASceneSLastTab) {
     QTest::mouseClick(&bar(), Qt::LeftButton, {}, bar().tabRect(0).center());
     EXPECT_TRUE(checked(u"Balance shaft"_s));
     EXPECT_TRUE(window.windowTitle().contains(u"tmz-650d"_s));
-    press(Qt::Key_4);
+    press(Qt::Key_5);
     press(Qt::Key_1);
     EXPECT_TRUE(window.windowTitle().contains(u"tmz-650d"_s)) << "the one shown last";
     // A scene without a document gets its first.
@@ -172,7 +172,7 @@ TEST_F(DocumentsTest, TheNavigationFollowsAndBringsASceneSLastTab) {
 }
 
 TEST_F(DocumentsTest, BrowsingThroughTheScenesNeedsNoTabs) {
-    for (const Qt::Key key : {Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5, Qt::Key_1}) {
+    for (const Qt::Key key : {Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5, Qt::Key_6, Qt::Key_1}) {
         press(key);
         EXPECT_FALSE(bar().isVisible());
         EXPECT_FALSE(action(u"Next case"_s)->isEnabled());
@@ -193,7 +193,7 @@ TEST_F(DocumentsTest, NewBeginsATabOfTheScene) {
     ASSERT_EQ(bar().count(), 3);
     EXPECT_NE(bar().tabText(1), bar().tabText(2));
     EXPECT_EQ(window.currentScene(), u"balance-shaft"_s);
-    press(Qt::Key_5);
+    press(Qt::Key_6);
     EXPECT_FALSE(action(u"New case"_s)->isEnabled());
 }
 
@@ -304,13 +304,13 @@ TEST_F(DocumentsTest, MethodsFollowTheCaseShownLastAndStayOnePage) {
     open(u"honda"_s);
     press(Qt::Key_Tab);
     const QString title = model().title();
-    press(Qt::Key_5);
+    press(Qt::Key_6);
     auto* page = qobject_cast<MethodsPage*>(window.currentPage());
     ASSERT_NE(page, nullptr);
     set(u"kernel=best-angle"_s);
     EXPECT_EQ(page->viewModel()->caseTitle(), title);
     press(Qt::Key_1);
-    press(Qt::Key_5);
+    press(Qt::Key_6);
     EXPECT_EQ(window.currentPage(), page);
 }
 

@@ -134,11 +134,11 @@ TEST_F(StartPageTest, FitsSmallAndLargeWindows) {
 
 TEST_F(StartPageTest, AnExampleIsACaseWithoutAFile) {
     const auto examples = page.findChildren<QAbstractButton*>(u"start-example"_s);
-    EXPECT_EQ(examples.size(), 8);
+    EXPECT_EQ(examples.size(), 9);
     for (QAbstractButton* each : examples) {
         each->click();
     }
-    ASSERT_EQ(files.size(), 8U);
+    ASSERT_EQ(files.size(), 9U);
     EXPECT_TRUE(paths.isEmpty());
     for (const CaseFile& file : files) {
         EXPECT_FALSE(file.title.empty());
@@ -192,7 +192,7 @@ TEST(NewCaseDialogTest, OffersWhatTheSceneHas) {
     test::showAt(dialog, dialog.size());
     auto* scenes = test::named<QListWidget>(dialog, "new-scenes");
     auto* beginnings = test::named<QListWidget>(dialog, "new-beginnings");
-    EXPECT_EQ(scenes->count(), 4);
+    EXPECT_EQ(scenes->count(), 5);
     EXPECT_EQ(scenes->currentItem()->data(Qt::UserRole), u"v8-plugs"_s);
     EXPECT_EQ(dialog.chosen().scene, "v8-plugs");
     EXPECT_TRUE(dialog.chosen().title.empty());
@@ -286,8 +286,8 @@ TEST_F(StartInTheWindow, TheFileMenuHasTheExamples) {
     }
     ASSERT_NE(menu, nullptr);
     menu->popup(QPoint());
-    ASSERT_EQ(menu->actions().size(), 8);
-    for (int i = 0; i < 8; ++i) {
+    ASSERT_EQ(menu->actions().size(), 9);
+    for (int i = 0; i < 9; ++i) {
         menu->popup(QPoint());
         QAction* example = menu->actions().at(i);
         const QString title = example->text();
@@ -299,7 +299,7 @@ TEST_F(StartInTheWindow, TheFileMenuHasTheExamples) {
 }
 
 TEST_F(StartInTheWindow, TheNewButtonOffersBeginnings) {
-    QTest::keyClick(&window, Qt::Key_4, Qt::ControlModifier);
+    QTest::keyClick(&window, Qt::Key_5, Qt::ControlModifier);
     auto* bar = window.findChild<QToolBar*>(u"main-toolbar"_s);
     auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action(u"New case"_s)));
     ASSERT_NE(button, nullptr);

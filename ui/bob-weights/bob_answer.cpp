@@ -1,0 +1,141 @@
+#include "bob-weights/bob_answer.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "bob-weights/force_plot.h"
+#include "bob-weights/model/bob_weights_model.h"
+#include "bob-weights/plane_view.h"
+#include "theme/theme.h"
+#include "widgets/form_section.h"
+#include "widgets/page_columns.h"
+#include "widgets/panel.h"
+#include "widgets/result_table.h"
+#include "workshop/sheet_form.h"
+
+namespace ravnoves {
+
+namespace {
+
+constexpr int linesBesideForce = 560;  ///< designed pixels that both need
+
+QLabel* answerLabel(QWidget* parent, const char* name, int pixelSize, bool bold = false) {
+    QLabel* label = SheetForm::wrapped(parent, pixelSize, bold);
+    label->setObjectName(QLatin1String(name));
+    return label;
+}
+
+void sayOrHide(QLabel* label, const QString& text) {
+    label->setText(text);
+    label->setVisible(!text.isEmpty());
+}
+
+QVBoxLayout* columnIn(QWidget* panel) {
+    auto* column = new QVBoxLayout(panel);
+    column->setContentsMargins(Theme::margin, Theme::space, Theme::margin, Theme::space);
+    column->setSpacing(Theme::gap);
+    return column;
+}
+
+}  // namespace
+
+BobAnswer::BobAnswer(BobWeightsModel* model, QWidget* parent) : QWidget(parent), model_(model) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(Theme::space);
+    column->addWidget(buildHead());
+    column->addWidget(buildCorrection());
+    auto* row = new FoldingRow(linesBesideForce, this);
+    row->add(buildLines(), 4);
+    row->add(new ForcePlot(model_, row), 3);
+    column->addWidget(row, 1);
+    auto* pictures = new QWidget(this);
+    auto* beside = new QHBoxLayout(pictures);
+    beside->setContentsMargins(0, 0, 0, 0);
+    beside->setSpacing(Theme::space);
+    beside->addWidget(new PlaneView(model_, 0, pictures));
+    beside->addWidget(new PlaneView(model_, 1, pictures));
+    column->addWidget(pictures, 1);
+    connect(model_, &SceneModel::changed, this, &BobAnswer::showAnswer);
+    connect(&Theme::instance(), &Theme::changed, this, &BobAnswer::showAnswer);
+    showAnswer();
+}
+
+QWidget* BobAnswer::buildHead() {
+    auto* panel = new Panel(this);
+    QVBoxLayout* column = columnIn(panel);
+    headline_ = answerLabel(panel, "headline", Theme::displaySize, true);
+    hang_ = answerLabel(panel, "hang", Theme::titleSize);
+    factor_ = answerLabel(panel, "factor", Theme::baseSize);
+    limits_ = answerLabel(panel, "limits", Theme::baseSize);
+    troubles_ = answerLabel(panel, "troubles", Theme::baseSize, true);
+    for (QLabel* label : {headline_, hang_, factor_, limits_, troubles_}) {
+        column->addWidget(label);
+    }
+    return panel;
+}
+
+QWidget* BobAnswer::buildLines() {
+    auto* panel = new Panel(this);
+    QVBoxLayout* column = columnIn(panel);
+    column->addWidget(headingLabel(tr("Bob weight, line by line"), panel));
+    lines_ = new ResultTable(panel);
+    lines_->setAccessibleName(tr("Bob weight, line by line"));
+    lines_->setColumns(model_->lineColumns());
+    lines_->setTips(BobWeightsModel::lineTips());
+    column->addWidget(lines_);
+    column->addStretch();
+    return panel;
+}
+
+QWidget* BobAnswer::buildCorrection() {
+    auto* panel = new Panel(this);
+    QVBoxLayout* column = columnIn(panel);
+    column->addWidget(headingLabel(tr("Correction"), panel));
+    planes_ = new ResultTable(panel);
+    planes_->setAccessibleName(tr("The correction planes"));
+    planes_->setColumns(model_->planeColumns());
+    planes_->setTips(BobWeightsModel::planeTips());
+    column->addWidget(planes_);
+    holes_ = new ResultTable(panel);
+    holes_->setAccessibleName(tr("Holes and slugs"));
+    holes_->setColumns(model_->holeColumns());
+    holes_->setTips(BobWeightsModel::holeTips());
+    column->addWidget(holes_);
+    return panel;
+}
+
+void BobAnswer::showAnswer() {
+    const Theme& theme = Theme::instance();
+    const bool known = model_->solution().bob_weight.has_value();
+    sayOrHide(headline_, model_->headline());
+    // What is still missing is no sentence for the display size.
+    headline_->setFont(Theme::font(known ? Theme::displaySize : Theme::titleSize, true));
+    colourText(headline_, known ? theme.text() : theme.mutedText());
+    sayOrHide(hang_, model_->hangText());
+    sayOrHide(factor_, known ? model_->factorText() : QString());
+    sayOrHide(limits_, model_->limitText());
+    sayOrHide(troubles_, model_->troubles().join(QLatin1Char('\n')));
+    colourText(troubles_, theme.warning());
+    lines_->setRows(model_->lineRows());
+    planes_->setRows(model_->planeRows());
+    holes_->setRows(model_->holeRows());
+    holes_->setVisible(holes_->rowCount() > 0);
+    planes_->parentWidget()->setVisible(planes_->rowCount() > 0);
+}
+
+QString BobAnswer::asText() const {
+    QStringList said{headline_->text(), hang_->text(), factor_->text(), limits_->text(),
+                     troubles_->text()};
+    said.removeAll(QString());
+    return said.join(QLatin1Char('\n')) + QLatin1Char('\n') + lines_->asText() + QLatin1Char('\n') +
+           planes_->asText() + QLatin1Char('\n') + holes_->asText();
+}
+
+QString BobAnswer::asCsv() const {
+    return lines_->asCsv() + QLatin1Char('\n') + planes_->asCsv() + QLatin1Char('\n') +
+           holes_->asCsv();
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+
+namespace ravnoves {
+
+class BobWeightsModel;
+class Panel;
+class ResultTable;
+
+/// What follows from the job: the bob weight in large type, its lines as on a trade card, the two
+/// planes, the holes.
+class BobAnswer : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit BobAnswer(BobWeightsModel* model, QWidget* parent = nullptr);
+
+    QString asText() const;
+    QString asCsv() const;
+
+  private:
+    QWidget* buildHead();
+    QWidget* buildLines();
+    QWidget* buildCorrection();
+    void showAnswer();
+
+    BobWeightsModel* model_;
+    QLabel* headline_ = nullptr;
+    QLabel* hang_ = nullptr;
+    QLabel* factor_ = nullptr;
+    QLabel* limits_ = nullptr;
+    QLabel* troubles_ = nullptr;
+    ResultTable* lines_ = nullptr;
+    ResultTable* planes_ = nullptr;
+    ResultTable* holes_ = nullptr;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "bob-weights/solver.h"
+#include "workshop/job_card.h"
+
+namespace ravnoves {
+
+/// The job card of a bob weight: the head of the job, the bob weight line by line, readings, holes
+/// and what remains, room for the machine's last readings and for signatures.
+class BobCard : public JobCard {
+  public:
+    BobCard(bob_weights::Input input, Words words);
+
+  protected:
+    void draw(CardPage& page) const override;
+    QString title() const override;
+
+  private:
+    bob_weights::Input input_;
+    bob_weights::Result solution_;
+};
+
+}  // namespace ravnoves

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "workshop/workshop_page.h"
+
+namespace ravnoves {
+
+class BobAnswer;
+class BobWeightsModel;
+
+/// The page of bob weights for any engine.
+class BobWeightsPage : public WorkshopPage {
+    Q_OBJECT
+
+  public:
+    explicit BobWeightsPage(QWidget* parent = nullptr, SceneModel* kept = nullptr);
+    BobWeightsPage(const QString& journalPath, QWidget* parent, SceneModel* kept = nullptr);
+
+    SceneModel* model() override;
+    BobWeightsModel* viewModel() { return model_; }
+    QString resultsAsText() const override;
+    QString resultsAsCsv() const override;
+
+  protected:
+    JobDesk* desk() const override;
+    std::unique_ptr<JobCard> card() override;
+    QString engineNumber() const override;
+    void emptySheet() override;
+    ListedJob listed(const Words& words, const JournalJob& job) const override;
+
+  private:
+    BobWeightsModel* model_;
+    BobAnswer* answer_ = nullptr;
+};
+
+}  // namespace ravnoves

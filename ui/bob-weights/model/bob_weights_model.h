@@ -1,0 +1,111 @@
+#pragma once
+
+#include <QStringList>
+#include <QVector>
+
+#include "bob-weights/input.h"
+#include "bob-weights/solver.h"
+#include "model/case_model.h"
+#include "text/result_tips.h"
+#include "workshop/model/job_desk.h"
+
+namespace ravnoves {
+
+/// What CaseModel knows of the scene.
+struct BobWeightsScene {
+    using Input = bob_weights::Input;
+    using Solved = bob_weights::Result;
+    Input defaultInput() const;
+    static QString defaultTitle() { return {}; }
+    static Input read(const Json& input, const CaseContext& context);
+    static Json write(const Input& input);
+    /// Refuses nothing: what is missing or broken is named by the model.
+    static Solved solve(const Input& input) { return bob_weights::solve(input); }
+
+    bool dated;  ///< a new job is of today
+};
+
+/// The state of the page of bob weights: the job on the sheet, what follows from it, its history
+/// and its place in the journal. The sheet may be half filled: what is missing is named, what can
+/// be computed is computed.
+class BobWeightsModel : public CaseModel<BobWeightsScene> {
+    Q_OBJECT
+
+  public:
+    /// @param journalPath  the journal's file; empty: none is kept (pictures, tests)
+    explicit BobWeightsModel(const QString& journalPath, QObject* parent = nullptr);
+
+    QString sceneName() const override { return QStringLiteral("bob-weights"); }
+    Json resultJson() const override;
+    bool setViewOption(const QString& key, const QString& value) override;
+
+    const bob_weights::Result& solution() const { return solved(); }
+
+    // --------------------------------------------------------------------- beyond single fields
+    /// Chooses the type, with as many rods on a bob weight as are usual for it.
+    QString chooseType(int type);
+    /// Changes the correction; it comes into being with the first value and goes with the last.
+    QString editCorrection(const QString& name,
+                           const std::function<void(bob_weights::Correction&)>& mutate);
+    /// The same for the slug alone.
+    QString editSlug(const QString& name, const std::function<void(bob_weights::Slug&)>& mutate);
+    QString editTolerance(const QString& name,
+                          const std::function<void(bob_weights::Tolerance&)>& mutate);
+    /// Changes the weights, as many as the engine has cylinders; without any there is no sheet.
+    QString editWeights(const QString& name,
+                        const std::function<void(bob_weights::WeighIn&)>& mutate);
+    /// Mean and spread of a column of the weigh-in sheet, g.
+    struct ColumnNote {
+        QString mean;
+        QString spread;
+        bool counts = true;
+    };
+    ColumnNote columnNote(workshop::Part part) const;
+    /// Each crankpin's own bob weight, and what to take off the parts.
+    QString weighInText() const;
+    /// The drills at hand as one types them, "8 10 12.5"; nothing where they cannot be read.
+    static std::optional<std::vector<double>> readDrills(const QString& typed);
+    QString drillsText() const;
+
+    // -------------------------------------------------------------------- what the page shows
+    QString headline() const;  ///< the bob weight; what is missing where it is not known
+    QString hangText() const;  ///< on what it is hung
+    QString factorText() const;
+    QString reasonText() const;
+    QString limitText() const;
+    /// Rules broken and what falls short, a sentence each.
+    QStringList troubles() const;
+    /// True where all planes are within their limits, or no limit is given and all is taken off.
+    bool isDone() const;
+
+    QStringList lineColumns() const;
+    QVector<QStringList> lineRows() const;
+    QStringList planeColumns() const;
+    QVector<QStringList> planeRows() const;
+    QStringList holeColumns() const;
+    QVector<QStringList> holeRows() const;
+    static ResultTips lineTips();
+    static ResultTips planeTips();
+    static ResultTips holeTips();
+
+    // ------------------------------------------------------------------------------- journal
+    JobDesk* desk() { return &desk_; }
+    /// Empties the sheet for the next job; engine, factor, planes, drills and limits stay.
+    void newJob();
+
+  Q_SIGNALS:
+    /// Which sheet of the form to show: job, parts, weigh-in, machine, drills.
+    void sheetChosen(int sheet);
+
+  private:
+    void aboutToLoad() override { desk_.forgetJob(); }
+    JobDesk::Scene deskScene();
+    JournalJob journalEntry() const;
+    void takeJob(const CaseFile& file, bool isCopy);
+
+    JobDesk desk_;
+};
+
+extern template class CaseModel<BobWeightsScene>;
+
+}  // namespace ravnoves

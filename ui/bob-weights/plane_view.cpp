@@ -1,0 +1,179 @@
+#include "bob-weights/plane_view.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <cmath>
+
+#include "bob-weights/model/bob_text.h"
+#include "bob-weights/model/bob_weights_model.h"
+#include "widgets/figure.h"
+
+namespace ravnoves {
+
+using namespace bob_weights;
+
+namespace {
+
+/// A point at an angle of the machine: 0 above, clockwise.
+QPointF onCircle(double angle, double radius) {
+    return {radius * std::sin(angle), -radius * std::cos(angle)};
+}
+
+}  // namespace
+
+PlaneView::PlaneView(BobWeightsModel* model, std::size_t plane, QWidget* parent)
+    : QWidget(parent), model_(model), plane_(plane) {
+    setObjectName(QStringLiteral("plane_%1").arg(plane + 1));
+    setAccessibleName(bob_text::planeName(Words(), plane));
+    makeFigure(this);
+    const auto repaint = [this] {
+        setAccessibleDescription(caption());
+        update();
+    };
+    connect(model_, &SceneModel::changed, this, repaint);
+    connect(&Theme::instance(), &Theme::changed, this, repaint);
+    setToolTip(
+        tr("The arrow is the reading, the dashed circle the limit, the dot what remains; holes "
+           "in the rim, slugs opposite. 0° is above, angles grow clockwise."));
+    repaint();
+}
+
+QString PlaneView::caption() const {
+    const auto& correction = model_->solution().correction;
+    if (!correction) {
+        return tr("no readings yet");
+    }
+    const Words words;
+    return tr("%1 at %2")
+        .arg(words.number((*correction)[plane_].unbalance, units::gram_mm, 0),
+             words.number((*correction)[plane_].angle, units::degree, 1));
+}
+
+void PlaneView::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    const Theme& theme = Theme::instance();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(theme.border(), 1.0));
+    painter.setBrush(theme.panel());
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
+    painter.setBrush(Qt::NoBrush);
+
+    const Words words;
+    const QFont titleFont = Theme::font(Theme::baseSize, true);
+    painter.setFont(titleFont);
+    painter.setPen(theme.text());
+    const QFontMetrics metrics(titleFont);
+    const QRect title(Theme::margin, Theme::space, width() - 2 * Theme::margin, metrics.height());
+    painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter, bob_text::planeName(words, plane_));
+    const QFont small = Theme::font(Theme::smallSize);
+    painter.setFont(small);
+    const QFontMetrics smallMetrics(small);
+
+    const auto& correction = model_->solution().correction;
+    painter.setPen(theme.mutedText());
+    painter.drawText(QRect(Theme::margin, height() - Theme::space - smallMetrics.height(),
+                           width() - 2 * Theme::margin, smallMetrics.height()),
+                     Qt::AlignHCenter | Qt::AlignVCenter, caption());
+
+    const double top = title.bottom() + smallMetrics.height() + Theme::gap;
+    const double bottom = height() - Theme::space - 2.0 * smallMetrics.height() - Theme::gap;
+    const double side =
+        width() - 2.0 * (Theme::margin + smallMetrics.horizontalAdvance(QStringLiteral("270°")));
+    const double rim = 0.5 * std::min(bottom - top, side);
+    if (rim < 10.0) {
+        return;
+    }
+    painter.translate(0.5 * width(), 0.5 * (top + bottom));
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        const double angle = quarter * 0.5 * pi;
+        const QString text = QStringLiteral("%1°").arg(90 * quarter);
+        const QPointF at = onCircle(angle, rim);
+        const double w = smallMetrics.horizontalAdvance(text);
+        const double h = smallMetrics.height();
+        const QPointF corner = quarter == 0   ? QPointF(-0.5 * w, -rim - h)
+                               : quarter == 1 ? QPointF(rim + 3.0, -0.5 * h)
+                               : quarter == 2 ? QPointF(-0.5 * w, rim)
+                                              : QPointF(-rim - w - 3.0, -0.5 * h);
+        painter.setPen(QPen(theme.grid(), 1.0));
+        painter.drawLine(QPointF(0, 0), at);
+        painter.setPen(theme.mutedText());
+        painter.drawText(QRectF(corner, QSizeF(w + 1, h)), Qt::AlignCenter, text);
+    }
+    painter.setPen(QPen(theme.text(), 1.4));
+    painter.drawEllipse(QPointF(0, 0), rim, rim);
+    if (!correction) {
+        return;
+    }
+    drawHoles(painter, rim);
+    drawVectors(painter, rim);
+}
+
+void PlaneView::drawHoles(QPainter& painter, double rim) const {
+    const Theme& theme = Theme::instance();
+    const Correction& input = *model_->input().correction;
+    const Plane& plane = input.planes.at(plane_);
+    const PlaneResult& result = (*model_->solution().correction)[plane_];
+    const double scale = rim / *plane.radius;
+    if (plane.from_angle && plane.to_angle) {
+        const double span = turn_of(*plane.to_angle - *plane.from_angle);
+        painter.setPen(QPen(theme.mutedText(), 4.0, Qt::SolidLine, Qt::FlatCap));
+        // Qt counts from the right, anticlockwise, in sixteenths of a degree.
+        painter.drawArc(QRectF(-rim - 3.0, -rim - 3.0, 2.0 * rim + 6.0, 2.0 * rim + 6.0),
+                        static_cast<int>(16.0 * (90.0 - *plane.from_angle / degree)),
+                        static_cast<int>(-16.0 * span / degree));
+    }
+    const auto draw = [&](const Hole& hole, double cone, const QColor& colour) {
+        const double half = 0.5 * hole.diameter * scale;
+        const double depth = hole.depth * scale;
+        QPainterPath path(QPointF(-half, -rim));
+        path.lineTo(half, -rim);
+        path.lineTo(half, -rim + depth);
+        path.lineTo(0.0, -rim + depth + cone * scale);
+        path.lineTo(-half, -rim + depth);
+        path.closeSubpath();
+        painter.save();
+        painter.rotate(hole.angle / degree);
+        painter.setPen(QPen(colour, 1.2));
+        QColor fill = colour;
+        fill.setAlpha(70);
+        painter.setBrush(fill);
+        painter.drawPath(path);
+        painter.restore();
+    };
+    for (const Hole& hole : result.holes) {
+        draw(hole, Cut{*plane.radius, 1.0, input.drill.point_angle}.cone(hole.diameter),
+             theme.warning());
+    }
+    for (const Hole& slug : result.slugs) {
+        draw(slug, 0.0, theme.curve(4));
+    }
+}
+
+void PlaneView::drawVectors(QPainter& painter, double rim) const {
+    const Theme& theme = Theme::instance();
+    const PlaneResult& result = (*model_->solution().correction)[plane_];
+    const auto& permissible = model_->solution().permissible;
+    const double limit = permissible ? (*permissible)[plane_] : 0.0;
+    const double most = std::max({result.unbalance, limit, 1e-12});
+    const double scale = 0.86 * rim / most;
+    if (permissible) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(theme.good(), 1.6, Qt::DashLine));
+        painter.drawEllipse(QPointF(0, 0), limit * scale, limit * scale);
+    }
+    const QPointF tip = onCircle(result.angle, result.unbalance * scale);
+    painter.setPen(QPen(theme.accent(), 2.2));
+    painter.drawLine(QPointF(0, 0), tip);
+    painter.save();
+    painter.translate(tip);
+    painter.rotate(result.angle / degree);
+    painter.setBrush(theme.accent());
+    painter.setPen(Qt::NoPen);
+    painter.drawPolygon(QPolygonF({{0.0, -2.0}, {4.5, 8.0}, {-4.5, 8.0}}));
+    painter.restore();
+    painter.setPen(QPen(theme.panel(), 1.0));
+    painter.setBrush(result.within_tolerance == false ? theme.error() : theme.good());
+    painter.drawEllipse(onCircle(result.remaining_angle, result.remaining * scale), 4.0, 4.0);
+}
+
+}  // namespace ravnoves

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QWidget>
+
+#include "theme/theme.h"
+
+class QPainter;
+
+namespace ravnoves {
+
+class BobWeightsModel;
+
+/// A correction plane as the machine sees it: the reading as an arrow to the heavy spot, the limit
+/// as a circle, the holes in the rim, slugs opposite, what remains as a dot. 0° is above, angles
+/// grow clockwise.
+class PlaneView : public QWidget {
+    Q_OBJECT
+
+  public:
+    PlaneView(BobWeightsModel* model, std::size_t plane, QWidget* parent = nullptr);
+
+    QSize sizeHint() const override { return {Theme::withText(240), Theme::withText(250)}; }
+    QSize minimumSizeHint() const override { return {Theme::withText(170), Theme::withText(190)}; }
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    /// "2885 g·mm at 73.1°"
+    QString caption() const;
+    void drawHoles(QPainter& painter, double rim) const;
+    void drawVectors(QPainter& painter, double rim) const;
+
+    BobWeightsModel* model_;
+    std::size_t plane_;
+};
+
+}  // namespace ravnoves
