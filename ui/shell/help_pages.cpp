@@ -81,7 +81,8 @@ QStringList helpTopics() {
     for (const SceneInfo& info : sceneList()) {
         topics << info.name;
     }
-    topics << QStringLiteral("case-files") << QStringLiteral("variants") << QStringLiteral("keys");
+    topics << QStringLiteral("case-files") << QStringLiteral("variants")
+           << QStringLiteral("tolerances") << QStringLiteral("keys");
     return topics;
 }
 

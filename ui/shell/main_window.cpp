@@ -285,7 +285,7 @@ void MainWindow::buildMenus() {
     edit->addSeparator();
     variants_ = new VariantMenu(this);
     edit->addMenu(variants_);
-    QAction* tolerances = add(edit, QStringLiteral("tolerances"), tr("&Tolerances…"),
+    QAction* tolerances = add(edit, QStringLiteral("tolerances"), tr("T&olerances…"),
                               QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T), [this] {
                                   auto* window = new ToleranceWindow(currentPage(), this);
                                   window->setAttribute(Qt::WA_DeleteOnClose);
@@ -360,6 +360,8 @@ void MainWindow::buildMenus() {
         [this] { showHelp(QStringLiteral("case-files")); });
     add(help, {}, tr("&Variants: one design against another"), {},
         [this] { showHelp(QStringLiteral("variants")); });
+    add(help, {}, tr("&Tolerances: how sure a result is"), {},
+        [this] { showHelp(QStringLiteral("tolerances")); });
     add(help, {}, tr("&Keys and mouse"), {}, [this] { showHelp(QStringLiteral("keys")); });
     whatsThis_ = new WhatsThis(this);
     help->addAction(whatsThis_->action());
