@@ -2,6 +2,226 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ru_RU">
 <context>
+    <name>BobWeights</name>
+    <message>
+        <source>Job card: bob weights and correction</source>
+        <translation>Карта работы: балансировочные грузы и коррекция</translation>
+    </message>
+    <message>
+        <source>Balanced</source>
+        <translation>Балансировка</translation>
+    </message>
+    <message>
+        <source>Bob weight, line by line</source>
+        <translation>Балансировочный груз по строкам</translation>
+    </message>
+    <message>
+        <source>Correction planes</source>
+        <translation>Плоскости коррекции</translation>
+    </message>
+    <message>
+        <source>Holes and slugs</source>
+        <translation>Отверстия и вставки</translation>
+    </message>
+    <message>
+        <source>First run</source>
+        <translation>Первый пуск</translation>
+    </message>
+    <message>
+        <source>Second run</source>
+        <translation>Второй пуск</translation>
+    </message>
+    <message>
+        <source>Last run</source>
+        <translation>Последний пуск</translation>
+    </message>
+    <message>
+        <source>Balancing machine, by hand</source>
+        <translation>Балансировочный станок, от руки</translation>
+    </message>
+    <message>
+        <source>front, %1</source>
+        <translation>перед, %1</translation>
+    </message>
+    <message>
+        <source>front, °</source>
+        <translation>перед, °</translation>
+    </message>
+    <message>
+        <source>rear, %1</source>
+        <translation>зад, %1</translation>
+    </message>
+    <message>
+        <source>rear, °</source>
+        <translation>зад, °</translation>
+    </message>
+    <message>
+        <source>Ravnoves %1 · ISO 21940-11 · depths of the full diameter, the point of the drill beyond · angles from the machine&apos;s zero mark</source>
+        <translation>Ravnoves %1 · ИСО 21940-11 · глубины по полному диаметру, конус сверла глубже · углы от нулевой метки станка</translation>
+    </message>
+    <message>
+        <source>Front plane</source>
+        <translation>Передняя плоскость</translation>
+    </message>
+    <message>
+        <source>Rear plane</source>
+        <translation>Задняя плоскость</translation>
+    </message>
+    <message>
+        <source>Bob weight %1</source>
+        <translation>Балансировочный груз %1</translation>
+    </message>
+    <message>
+        <source>V-%1, %2</source>
+        <translation>V-%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 in line</source>
+        <translation>Рядный, %1</translation>
+    </message>
+    <message>
+        <source>Boxer, %1</source>
+        <translation>Оппозитный, %1</translation>
+    </message>
+    <message>
+        <source>Still needed: %1</source>
+        <translation>Ещё нужно: %1</translation>
+    </message>
+    <message>
+        <source>For each of the %1 pairs of split crankpins, half of it on either.</source>
+        <translation>На каждую пару разведённых шеек (пар: %1), по половине на шейку.</translation>
+    </message>
+    <message>
+        <source>On each of the %1 crankpins.</source>
+        <translation>На каждую шатунную шейку (всего %1).</translation>
+    </message>
+    <message>
+        <source>Factor %1 (theory: %2)</source>
+        <translation>Доля %1 (по теории %2)</translation>
+    </message>
+    <message>
+        <source>Factor %1, by theory</source>
+        <translation>Доля %1, по теории</translation>
+    </message>
+    <message>
+        <source> + %1 overbalance</source>
+        <comment>after the factor; negative numbers have their sign</comment>
+        <translation> + перебалансировка %1</translation>
+    </message>
+    <message>
+        <source>%1 in each plane</source>
+        <translation>%1 в каждой плоскости</translation>
+    </message>
+    <message>
+        <source>%1 in the front plane, %2 in the rear one</source>
+        <translation>%1 в передней плоскости, %2 в задней</translation>
+    </message>
+    <message>
+        <source>May remain: %1, of %2 for the crankshaft.</source>
+        <translation>Может остаться: %1, из %2 для всего вала.</translation>
+    </message>
+    <message>
+        <source>May remain: %1.</source>
+        <translation>Может остаться: %1.</translation>
+    </message>
+    <message>
+        <source>Bob weights of the crankpins by themselves, %1: %2.</source>
+        <translation>Грузы шеек по их собственным деталям, %1: %2.</translation>
+    </message>
+    <message>
+        <source>%1 off no. %2</source>
+        <translation>%1 с № %2</translation>
+    </message>
+    <message>
+        <source>%1, to match the lightest, %2: %3.</source>
+        <translation>%1, до самой лёгкой, %2: %3.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Деталь</translation>
+    </message>
+    <message>
+        <source>One weighs</source>
+        <translation>Масса одной</translation>
+    </message>
+    <message>
+        <source>Counts</source>
+        <translation>Считается</translation>
+    </message>
+    <message>
+        <source>In the bob weight</source>
+        <translation>В грузе</translation>
+    </message>
+    <message>
+        <source>Bob weight</source>
+        <translation>Балансировочный груз</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Плоскость</translation>
+    </message>
+    <message>
+        <source>Unbalance</source>
+        <translation>Дисбаланс</translation>
+    </message>
+    <message>
+        <source>Heavy at</source>
+        <translation>Тяжёлое место</translation>
+    </message>
+    <message>
+        <source>At the radius</source>
+        <translation>На радиусе</translation>
+    </message>
+    <message>
+        <source>Remains</source>
+        <translation>Остаётся</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Заключение</translation>
+    </message>
+    <message>
+        <source>too much</source>
+        <translation>слишком много</translation>
+    </message>
+    <message>
+        <source>good as it is</source>
+        <translation>в допуске</translation>
+    </message>
+    <message>
+        <source>good then</source>
+        <translation>будет в допуске</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Действие</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Диаметр</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Глубина</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Угол</translation>
+    </message>
+    <message>
+        <source>Takes off</source>
+        <translation>Снимает</translation>
+    </message>
+    <message>
+        <source>drill</source>
+        <translation>сверлить</translation>
+    </message>
+    <message>
+        <source>press in a slug</source>
+        <translation>запрессовать вставку</translation>
+    </message>
+</context>
+<context>
     <name>JobCard</name>
     <message>
         <source>custom</source>
@@ -232,10 +452,6 @@
         <translation>Компенсируется: постоянная + kᵤ × снятая с одной пробки масса, kᵤ = %1 (угол %2°); «снять» и «можно» — с одной пробки.</translation>
     </message>
     <message>
-        <source>ISO 21940-11, G %1, %2 kg at %3 min⁻¹: Uₚₑᵣ = %4 in all.</source>
-        <translation>ИСО 21940-11, G %1, %2 кг при %3 мин⁻¹: Uдоп = %4 всего.</translation>
-    </message>
-    <message>
         <source>(!) By the method alone: %1</source>
         <translation>(!) Только по методу: %1</translation>
     </message>
@@ -246,6 +462,10 @@
     <message>
         <source>by the method alone</source>
         <translation>лишь по методу</translation>
+    </message>
+    <message>
+        <source>ISO 21940-11, G %1, %2 at %3: Uₚₑᵣ = %4 in all.</source>
+        <translation>ИСО 21940-11, G %1, %2 при %3: Uдоп = %4 всего.</translation>
     </message>
 </context>
 <context>
@@ -414,10 +634,6 @@
     <message>
         <source>%1 plug: a plug of these dimensions weighs %2, but %3 was typed. Weigh it.</source>
         <translation>%1: пробка таких размеров весит %2, а введено %3. Взвесьте её.</translation>
-    </message>
-    <message>
-        <source>Neglected by the method: the plug&apos;s centre of mass moves by 0.8 to 1.2 mm when it is bored, which is worth %1 to %2 beside the %3 allowed.</source>
-        <translation>Метод пренебрегает смещением центра масс пробки на 0,8–1,2 мм при расточке: это %1–%2 при допустимых %3.</translation>
     </message>
     <message>
         <source>After equals nominal: balanced.</source>
@@ -639,10 +855,6 @@
     <message>
         <source>Residual unbalance &amp;allowed</source>
         <translation>Допустимый дис&amp;баланс</translation>
-    </message>
-    <message>
-        <source>In each correction plane. The paper accepts 5 g·mm.</source>
-        <translation>В каждой плоскости коррекции. В статье 5 г·мм.</translation>
     </message>
     <message>
         <source>C&amp;ylinders of a crankpin</source>
@@ -877,10 +1089,6 @@
         <translation>Заголовок карты.</translation>
     </message>
     <message>
-        <source>The method neglects that the centre of mass of a machined plug moves, by 0.8 to 1.2 mm in the paper: with it up to %1 would be left, beyond the %2 allowed. Give the plug&apos;s sizes and the cutter, or take off %3 to %4 each instead.</source>
-        <translation>Метод пренебрегает смещением центра масс обработанной пробки, в статье 0,8–1,2 мм: с ним осталось бы до %1 при допустимых %2. Задайте размеры пробки и фрезу или снимите с каждой от %3 до %4.</translation>
-    </message>
-    <message>
         <source>The method neglects that the plug&apos;s centre of mass moves: bored like this %1 would be left, beyond the %2 allowed. Take off %3 each instead.</source>
         <translation>Метод пренебрегает смещением центра масс пробки: после такого фрезерования осталось бы %1 при допустимых %2. Снимите вместо этого с каждой %3.</translation>
     </message>
@@ -1039,6 +1247,78 @@
     <message>
         <source>(!) After equals nominal by the method alone.</source>
         <translation>(!) После равно номиналу лишь по методу.</translation>
+    </message>
+    <message>
+        <source>must be the numbers 1 to 8, each once</source>
+        <translation>должны быть числа от 1 до 8, каждое один раз</translation>
+    </message>
+    <message>
+        <source>In each correction plane. 5 g·mm is what Nazarov&apos;s experiments left; a repair manual may allow much more (2 oz·in is 1440 g·mm).</source>
+        <translation>В каждой плоскости коррекции. 5 г·мм оставалось в опытах Назарова; руководство по ремонту может допускать намного больше (2 унции·дюйма — 1440 г·мм).</translation>
+    </message>
+    <message>
+        <source>Number of the piston set in each cylinder, where it is not that of the cylinder: it was weighed there.</source>
+        <translation>Номер поршневого комплекта в каждом цилиндре, если он не равен номеру цилиндра: там он был взвешен.</translation>
+    </message>
+    <message>
+        <source>Number of the rod in each cylinder, where it is not that of the cylinder: it was weighed there.</source>
+        <translation>Номер шатуна в каждом цилиндре, если он не равен номеру цилиндра: там он был взвешен.</translation>
+    </message>
+    <message>
+        <source>The method neglects that the centre of mass of a machined plug moves, by %5 to %6 in the paper: with it up to %1 would be left, beyond the %2 allowed. Give the plug&apos;s sizes and the cutter, or take off %3 to %4 each instead.</source>
+        <translation>Метод пренебрегает смещением центра масс обработанной пробки, в статье от %5 до %6: с ним осталось бы до %1 при допустимых %2. Задайте размеры пробки и фрезу или снимите с каждой от %3 до %4.</translation>
+    </message>
+    <message>
+        <source>%1: %2 looks like kilograms; masses are in grams.</source>
+        <translation>%1: %2 похоже на килограммы; массы вводятся в граммах.</translation>
+    </message>
+    <message>
+        <source>%1: %2 typed, but the nominal parts give %3.</source>
+        <translation>%1: введено %2, а номинальные детали дают %3.</translation>
+    </message>
+    <message>
+        <source>Neglected by the method: the plug&apos;s centre of mass moves by %4 to %5 when it is bored, which is worth %1 to %2 beside the %3 allowed.</source>
+        <translation>Метод пренебрегает смещением центра масс пробки при расточке, от %4 до %5: это %1–%2 при допустимых %3.</translation>
+    </message>
+    <message>
+        <source>The plugs are out of the shaft then; while they are in it hang %1.</source>
+        <translation>Пробки при этом вывернуты; с пробками в валу груз %1.</translation>
+    </message>
+    <message>
+        <source>Big end × %1: 2 for two rods as usual, kᵣ = %2 by the method, worth %3 here.</source>
+        <translation>Головка × %1: 2 за два шатуна, как обычно, kᵣ = %2 по методу, здесь это %3.</translation>
+    </message>
+    <message>
+        <source>%1 in each plane is what Nazarov&apos;s experiments left: the limit of this method.</source>
+        <translation>%1 в каждой плоскости оставалось в опытах Назарова: это предел метода.</translation>
+    </message>
+    <message>
+        <source>%1 in each plane is the shop&apos;s own limit.</source>
+        <translation>%1 в каждой плоскости — предел, принятый в мастерской.</translation>
+    </message>
+    <message>
+        <source>Readings are judged by it while ISO 21940-11 lacks grade, mass or speed.</source>
+        <translation>Показания сравниваются с ним, пока для ИСО 21940-11 не заданы класс, масса и частота вращения.</translation>
+    </message>
+    <message>
+        <source>It says how exactly the plugs compensate; ISO 21940-11 says what the crankshaft may have in service, in front %1 times as much. Readings are judged by ISO.</source>
+        <translation>Он говорит, насколько точно компенсируют пробки; ИСО 21940-11 — сколько валу допустимо в работе: спереди в %1 раз больше. Показания сравниваются с ИСО.</translation>
+    </message>
+    <message>
+        <source>Assemble by the numbers of the sets: placed so, the crankpins differ by %1.</source>
+        <translation>Собирать по номерам комплектов: так разница между шейками %1.</translation>
+    </message>
+    <message>
+        <source>Weighed to %1, the bob weight is sure to ±%2 and the unbalance of a crankpin to ±%3 (19 times of 20).</source>
+        <translation>При взвешивании до %1 масса балансировочного груза известна до ±%2, а дисбаланс шейки — до ±%3 (в 19 случаях из 20).</translation>
+    </message>
+    <message>
+        <source>That is enough for the tolerance of %1.</source>
+        <translation>Для допуска %1 этого достаточно.</translation>
+    </message>
+    <message>
+        <source>That is too coarse for the tolerance of %1: take a scale that shows %2.</source>
+        <translation>Для допуска %1 это слишком грубо: возьмите весы, которые показывают %2.</translation>
     </message>
 </context>
 <context>
@@ -1486,18 +1766,6 @@
     <message>
         <source>The tipping moment has no first order, so the RMS is the same at every angle of the shaft.</source>
         <translation>В опрокидывающем моменте нет первого порядка, поэтому СКЗ одинаково при любом угле вала.</translation>
-    </message>
-    <message>
-        <source>No angle of the shaft makes the range smaller than without a shaft: at best %1 N·m against %2 N·m.</source>
-        <translation>Ни при каком угле вала размах не меньше, чем без вала: в лучшем случае %1 Н·м против %2 Н·м.</translation>
-    </message>
-    <message>
-        <source>No angle of the shaft makes the RMS smaller than without a shaft: at best %1 N·m against %2 N·m.</source>
-        <translation>Ни при каком угле вала СКЗ не меньше, чем без вала: в лучшем случае %1 Н·м против %2 Н·м.</translation>
-    </message>
-    <message>
-        <source>The counterweight given balances %1 % of the first-order inertia force; equation (1) asks for %2 kg.</source>
-        <translation>Заданный противовес уравновешивает %1 % силы инерции первого порядка; по формуле (1) нужно %2 кг.</translation>
     </message>
     <message>
         <source>The torque does not belong to the masses and the speed entered, so it cannot be taken to other speeds. %1</source>
@@ -2004,10 +2272,6 @@
         <translation>Диапазон д&amp;о</translation>
     </message>
     <message>
-        <source>The torque on the gas-exchange stroke holds an inertia torque of mⱼ r² ω² = %1 N·m (r/L = %2); the masses and the speed entered give %3 N·m. They belong together.</source>
-        <translation>На такте газообмена в моменте содержится инерционный момент mⱼ r² ω² = %1 Н·м (r/L = %2); введённые массы и частота дают %3 Н·м. Они соответствуют друг другу.</translation>
-    </message>
-    <message>
         <source>must be at most the mass of the whole rod, %1</source>
         <translation>должно быть не больше массы всего шатуна, %1</translation>
     </message>
@@ -2304,10 +2568,6 @@
         <translation>Между центрами головок шатуна. От неё зависит, что можно построить, r/L при проверке момента и рассчитанный момент. Пусто: r / 0,3.</translation>
     </message>
     <message>
-        <source>The torque on the gas-exchange stroke holds an inertia torque of mⱼ r² ω² = %1 N·m (r/L = %2); the masses and the speed entered give %3 N·m. They do not belong together: the torque fits these masses at %4 min⁻¹, or %5 kg at this speed. The best angles found are those of no real engine until they agree.</source>
-        <translation>На такте газообмена в моменте содержится инерционный момент mⱼ r² ω² = %1 Н·м (r/L = %2); введённые массы и частота дают %3 Н·м. Они не соответствуют друг другу: момент подходит этим массам при %4 мин⁻¹ или массе %5 кг при этой частоте. Пока это не согласовано, найденные лучшие углы не относятся ни к одному настоящему двигателю.</translation>
-    </message>
-    <message>
         <source>of the exact s″: −r₁ cos(θ − δ) is its first order; ω angular speed, θ − φ the same at every angle</source>
         <translation>из точной s″: −r₁ cos(θ − δ) — её первый порядок; ω — угловая скорость, θ − φ одинакова при всех углах</translation>
     </message>
@@ -2322,6 +2582,629 @@
     <message>
         <source>Of the relieved shaft: notches, loads of its gear, and the resonance between half and 0.71 of the whirling speed that its own weight excites, because it bends more easily one way.</source>
         <translation>Для вала с лыской: концентраторы, силы в его зацеплении и резонанс между половиной и 0,71 критической скорости, который вызывает собственный вес, потому что в одну сторону вал гнётся легче.</translation>
+    </message>
+    <message>
+        <source>The torque on the gas-exchange stroke holds an inertia torque of mⱼ r² ω² = %1 (r/L = %2); the masses and the speed entered give %3. They belong together.</source>
+        <translation>На такте газообмена в моменте содержится инерционный момент mⱼ r² ω² = %1 (r/L = %2); введённые массы и частота дают %3. Они соответствуют друг другу.</translation>
+    </message>
+    <message>
+        <source>The torque on the gas-exchange stroke holds an inertia torque of mⱼ r² ω² = %1 (r/L = %2); the masses and the speed entered give %3. They do not belong together: the torque fits these masses at %4, or %5 at this speed. The best angles found are those of no real engine until they agree.</source>
+        <translation>На такте газообмена в моменте содержится инерционный момент mⱼ r² ω² = %1 (r/L = %2); введённые массы и частота дают %3. Они не соответствуют друг другу: момент подходит этим массам при %4 или массе %5 при этой частоте. Пока это не согласовано, найденные лучшие углы не относятся ни к одному настоящему двигателю.</translation>
+    </message>
+    <message>
+        <source>No angle of the shaft makes the range smaller than without a shaft: at best %1 against %2.</source>
+        <translation>Ни при каком угле вала размах не меньше, чем без вала: в лучшем случае %1 против %2.</translation>
+    </message>
+    <message>
+        <source>No angle of the shaft makes the RMS smaller than without a shaft: at best %1 against %2.</source>
+        <translation>Ни при каком угле вала СКЗ не меньше, чем без вала: в лучшем случае %1 против %2.</translation>
+    </message>
+    <message>
+        <source>The counterweight given balances %1 % of the first-order inertia force; equation (1) asks for %2.</source>
+        <translation>Заданный противовес уравновешивает %1 % силы инерции первого порядка; по формуле (1) нужно %2.</translation>
+    </message>
+</context>
+<context>
+    <name>bob-weights</name>
+    <message>
+        <source>Banks at %1 with crankpins split by %2: the parts of the first-order force that turn against the crank cancel, and 50 % takes up the rest. Nothing remains.</source>
+        <translation>Развал %1, шейки разведены на %2: части силы первого порядка, что вращаются против вала, взаимно уничтожаются, а 50 % снимают остальное. Не остаётся ничего.</translation>
+    </message>
+    <message>
+        <source>Split crankpins: banks at %1 and a split of %2 leave a part of %3 of the reciprocating mass that turns against the crank. At %4 the part that turns with it is as large, and both make a motion to and fro in one direction, which mounts bear best. With a balance shaft that turns against the crank it is 50 %.</source>
+        <translation>Разведённые шейки: при развале %1 и разведении %2 часть, равная %3 возвратно-поступательной массы, вращается против вала. При доле %4 часть, что вращается с валом, так же велика, и вместе они движутся туда и обратно в одном направлении, что опоры переносят легче всего. С уравновешивающим валом, вращающимся против коленчатого, — 50 %.</translation>
+    </message>
+    <message>
+        <source>Two cylinders at 90° on one crankpin: their first-order forces add up to one of constant size that turns with the crank, as a mass of half of both on the crankpin would. 50 % takes up all of it.</source>
+        <translation>Два цилиндра под 90° на одной шейке: их силы первого порядка складываются в силу постоянной величины, вращающуюся с валом, — как масса в половину обеих на шейке. 50 % снимают её всю.</translation>
+    </message>
+    <message>
+        <source>Banks at %1: with 50 % the part of the first-order force that turns with the crank is taken up; a part of %2 of the reciprocating mass turns against it and no counterweight reaches it. The crankpins together may cancel it.</source>
+        <translation>Развал %1: при 50 % снята часть силы первого порядка, что вращается с валом; часть, равная %2 возвратно-поступательной массы, вращается против него, и противовес её не достаёт. Шейки вместе могут её уничтожить.</translation>
+    </message>
+    <message>
+        <source>Boxer: opposite pistons cancel each other&apos;s force. The factor concerns what is left of their couple and the load of the main bearings; 50 % makes its largest value smallest.</source>
+        <translation>Оппозитный: противолежащие поршни уничтожают силу друг друга. Доля касается остатка их момента и нагрузки коренных подшипников; при 50 % наибольшее значение наименьшее.</translation>
+    </message>
+    <message>
+        <source>In line: 50 % turns the to and fro of each piston into a circle of half the size. Where the crankpins balance one another (four, six in line) the factor changes the load of the main bearings alone, and no bob weights are needed where all would weigh the same.</source>
+        <translation>Рядный: 50 % превращают движение туда и обратно каждого поршня в круг половинной величины. Где шейки уравновешивают друг друга (четыре, шесть в ряд), доля меняет только нагрузку коренных подшипников, и грузы не нужны, если все весили бы одинаково.</translation>
+    </message>
+    <message>
+        <source>Each rod on a crankpin of its own: 50 % turns the to and fro of each piston into a circle of half the size that turns against the crank.</source>
+        <translation>У каждого шатуна своя шейка: 50 % превращают движение туда и обратно каждого поршня в круг половинной величины, вращающийся против вала.</translation>
+    </message>
+    <message>
+        <source>Of the first-order force nothing remains.</source>
+        <translation>От силы первого порядка не остаётся ничего.</translation>
+    </message>
+    <message>
+        <source>A circle remains that turns against the crank: %1 of the reciprocating mass of a cylinder.</source>
+        <translation>Остаётся круг, вращающийся против вала: %1 возвратно-поступательной массы цилиндра.</translation>
+    </message>
+    <message>
+        <source>A circle remains that turns with the crank: %1 of the reciprocating mass of a cylinder.</source>
+        <translation>Остаётся круг, вращающийся с валом: %1 возвратно-поступательной массы цилиндра.</translation>
+    </message>
+    <message>
+        <source>A motion straight up and down remains: %1 of the reciprocating mass of a cylinder.</source>
+        <translation>Остаётся движение прямо вверх и вниз: %1 возвратно-поступательной массы цилиндра.</translation>
+    </message>
+    <message>
+        <source>A motion straight across remains: %1 of the reciprocating mass of a cylinder.</source>
+        <translation>Остаётся движение прямо поперёк: %1 возвратно-поступательной массы цилиндра.</translation>
+    </message>
+    <message>
+        <source>An ellipse remains: %1 of the reciprocating mass of a cylinder upright, %2 across.</source>
+        <translation>Остаётся эллипс: %1 возвратно-поступательной массы цилиндра по высоте, %2 поперёк.</translation>
+    </message>
+    <message>
+        <source>Rin&amp;gs</source>
+        <translation>&amp;Кольца</translation>
+    </message>
+    <message>
+        <source>All rings of one piston.</source>
+        <translation>Все кольца одного поршня.</translation>
+    </message>
+    <message>
+        <source>&amp;Piston</source>
+        <translation>Порше&amp;нь</translation>
+    </message>
+    <message>
+        <source>One piston without pin and rings.</source>
+        <translation>Один поршень без пальца и колец.</translation>
+    </message>
+    <message>
+        <source>P&amp;in</source>
+        <translation>П&amp;алец</translation>
+    </message>
+    <message>
+        <source>One piston pin.</source>
+        <translation>Один поршневой палец.</translation>
+    </message>
+    <message>
+        <source>Loc&amp;ks</source>
+        <translation>&amp;Замки</translation>
+    </message>
+    <message>
+        <source>The locks of one pin; 0 where it is pressed in.</source>
+        <translation>Замки одного пальца; 0, если палец запрессован.</translation>
+    </message>
+    <message>
+        <source>S&amp;mall end</source>
+        <translation>&amp;Верхняя головка</translation>
+    </message>
+    <message>
+        <source>Small end of one rod, the big end hung up level.</source>
+        <translation>Верхняя головка одного шатуна, нижняя подвешена на том же уровне.</translation>
+    </message>
+    <message>
+        <source>&amp;Big end</source>
+        <translation>&amp;Нижняя головка</translation>
+    </message>
+    <message>
+        <source>Big end of one rod with its bolts, without shells.</source>
+        <translation>Нижняя головка одного шатуна с болтами, без вкладышей.</translation>
+    </message>
+    <message>
+        <source>S&amp;hells</source>
+        <translation>Вклады&amp;ши</translation>
+    </message>
+    <message>
+        <source>The two shells of one rod.</source>
+        <translation>Два вкладыша одного шатуна.</translation>
+    </message>
+    <message>
+        <source>&amp;Oil</source>
+        <translation>&amp;Масло</translation>
+    </message>
+    <message>
+        <source>Oil in one crankpin and about it: usually 4 g.</source>
+        <translation>Масло в одной шейке и около неё: обычно 4 г.</translation>
+    </message>
+    <message>
+        <source>must be even where two rods share a bob weight</source>
+        <translation>должно быть чётным, если на грузе два шатуна</translation>
+    </message>
+    <message>
+        <source>must be 1 where the cylinders stand in line</source>
+        <translation>должно быть 1, если цилиндры в ряд</translation>
+    </message>
+    <message>
+        <source>must be 0 but for a V</source>
+        <translation>должно быть 0, если двигатель не V-образный</translation>
+    </message>
+    <message>
+        <source>must be a list of two</source>
+        <translation>должен быть списком из двух</translation>
+    </message>
+    <message>
+        <source>must differ from that of the first</source>
+        <translation>должно отличаться от первого</translation>
+    </message>
+    <message>
+        <source>must be greater than the crankshaft&apos;s %1</source>
+        <translation>должно быть больше, чем у вала (%1)</translation>
+    </message>
+    <message>
+        <source>V</source>
+        <translation>V-образный</translation>
+    </message>
+    <message>
+        <source>In line</source>
+        <translation>Рядный</translation>
+    </message>
+    <message>
+        <source>Boxer</source>
+        <translation>Оппозитный</translation>
+    </message>
+    <message>
+        <source>One</source>
+        <translation>Один</translation>
+    </message>
+    <message>
+        <source>Two</source>
+        <translation>Два</translation>
+    </message>
+    <message>
+        <source>Bank by bank</source>
+        <translation>Ряд за рядом</translation>
+    </message>
+    <message>
+        <source>1 and 2, 3 and 4, …</source>
+        <translation>1 и 2, 3 и 4, …</translation>
+    </message>
+    <message>
+        <source>Internal: in the crankshaft alone</source>
+        <translation>Внутренняя: только вал</translation>
+    </message>
+    <message>
+        <source>External: damper and flywheel too</source>
+        <translation>Внешняя: ещё гаситель и маховик</translation>
+    </message>
+    <message>
+        <source>Which engine it is.</source>
+        <translation>Какой это двигатель.</translation>
+    </message>
+    <message>
+        <source>&amp;Engine</source>
+        <translation>Дви&amp;гатель</translation>
+    </message>
+    <message>
+        <source>How the cylinders stand.</source>
+        <translation>Как стоят цилиндры.</translation>
+    </message>
+    <message>
+        <source>&amp;Cylinders</source>
+        <translation>&amp;Цилиндров</translation>
+    </message>
+    <message>
+        <source>How many the engine has.</source>
+        <translation>Сколько их у двигателя.</translation>
+    </message>
+    <message>
+        <source>&amp;Bank angle γ</source>
+        <translation>Ра&amp;звал γ</translation>
+    </message>
+    <message>
+        <source>Between the two banks of a V.</source>
+        <translation>Между двумя рядами V-образного двигателя.</translation>
+    </message>
+    <message>
+        <source>&amp;Rods on a bob weight</source>
+        <translation>&amp;Шатунов на грузе</translation>
+    </message>
+    <message>
+        <source>Two where a crankpin, or a pair of split crankpins, carries two rods.</source>
+        <translation>Два, если на шейке или на паре разведённых шеек два шатуна.</translation>
+    </message>
+    <message>
+        <source>Crankpin &amp;split δ</source>
+        <translation>Разве&amp;дение шеек δ</translation>
+    </message>
+    <message>
+        <source>By how much the two crankpins of a throw are turned apart, positive where the firing interval becomes γ + δ: 30° makes a 90° V-6 fire evenly.</source>
+        <translation>Насколько развёрнуты две шейки колена, положительно, если интервал между вспышками становится γ + δ: при 30° вспышки V-6 90° равномерны.</translation>
+    </message>
+    <message>
+        <source>Part of the reciprocating mass in the bob weight.</source>
+        <translation>Часть возвратно-поступательной массы в грузе.</translation>
+    </message>
+    <message>
+        <source>Reciprocating &amp;factor</source>
+        <translation>&amp;Доля возвратно-поступательной</translation>
+    </message>
+    <message>
+        <source>Part of the reciprocating mass that the counterweights take up. Empty: what theory gives for the engine; the maker&apos;s figure goes before it.</source>
+        <translation>Часть возвратно-поступательной массы, которую снимают противовесы. Пусто: по теории для этого двигателя; данные изготовителя важнее.</translation>
+    </message>
+    <message>
+        <source>by theory</source>
+        <translation>по теории</translation>
+    </message>
+    <message>
+        <source>&amp;Overbalance</source>
+        <translation>Переб&amp;алансировка</translation>
+    </message>
+    <message>
+        <source>Added to the factor; negative for underbalance. Usual for high speeds: 1 to 3 %.</source>
+        <translation>Прибавляется к доле; отрицательна при недобалансировке. Для высоких оборотов обычно 1–3 %.</translation>
+    </message>
+    <message>
+        <source>Masses of one cylinder&apos;s parts.</source>
+        <translation>Массы деталей одного цилиндра.</translation>
+    </message>
+    <message>
+        <source>C&amp;ylinders of a crankpin</source>
+        <translation>&amp;Цилиндры шейки</translation>
+    </message>
+    <message>
+        <source>Masses by cylinder.</source>
+        <translation>Массы по цилиндрам.</translation>
+    </message>
+    <message>
+        <source>B&amp;alanced</source>
+        <translation>&amp;Балансировка</translation>
+    </message>
+    <message>
+        <source>An externally balanced crankshaft is balanced with its damper and its flywheel in place.</source>
+        <translation>Вал с внешней балансировкой балансируют вместе с гасителем колебаний и маховиком.</translation>
+    </message>
+    <message>
+        <source>Readings of the machine, and how they are corrected.</source>
+        <translation>Показания станка и как их исправить.</translation>
+    </message>
+    <message>
+        <source>The two correction planes.</source>
+        <translation>Две плоскости коррекции.</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Положение</translation>
+    </message>
+    <message>
+        <source>Along the crankshaft, from a point of your choice: of both planes, of readings and bearings alike.</source>
+        <translation>Вдоль вала, от любой выбранной точки: одной для плоскостей, показаний и подшипников.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Радиус</translation>
+    </message>
+    <message>
+        <source>Of the rim that is drilled; grams at a radius are given for it too.</source>
+        <translation>Обода, который сверлят; для него же даны граммы на радиусе.</translation>
+    </message>
+    <message>
+        <source>Drill from</source>
+        <translation>Сверлить от</translation>
+    </message>
+    <message>
+        <source>The sector of the counterweight that may be drilled begins here. Empty: all round.</source>
+        <translation>Здесь начинается сектор противовеса, который можно сверлить. Пусто: весь круг.</translation>
+    </message>
+    <message>
+        <source>all round</source>
+        <translation>весь круг</translation>
+    </message>
+    <message>
+        <source>Drill to</source>
+        <translation>Сверлить до</translation>
+    </message>
+    <message>
+        <source>The sector ends here, in the sense of growing angles.</source>
+        <translation>Здесь сектор кончается, в сторону роста углов.</translation>
+    </message>
+    <message>
+        <source>What the machine reads, the bob weights on the crankpins.</source>
+        <translation>Что показывает станок, грузы на шейках.</translation>
+    </message>
+    <message>
+        <source>Read at</source>
+        <translation>Измерено в</translation>
+    </message>
+    <message>
+        <source>Where the machine reads. Empty: in the correction plane itself.</source>
+        <translation>Где измеряет станок. Пусто: в самой плоскости коррекции.</translation>
+    </message>
+    <message>
+        <source>the plane</source>
+        <translation>плоскость</translation>
+    </message>
+    <message>
+        <source>Unbalance</source>
+        <translation>Дисбаланс</translation>
+    </message>
+    <message>
+        <source>Reading of the machine.</source>
+        <translation>Показание станка.</translation>
+    </message>
+    <message>
+        <source>Heavy spot at</source>
+        <translation>Тяжёлое место</translation>
+    </message>
+    <message>
+        <source>Angle of the heavy spot from the machine&apos;s zero mark; a machine that shows the light spot shows it 180° from here.</source>
+        <translation>Угол тяжёлого места от нулевой метки станка; станок, показывающий лёгкое место, показывает его на 180° дальше.</translation>
+    </message>
+    <message>
+        <source>Drills at hand.</source>
+        <translation>Имеющиеся свёрла.</translation>
+    </message>
+    <message>
+        <source>&amp;Drills</source>
+        <translation>&amp;Свёрла</translation>
+    </message>
+    <message>
+        <source>Diameters of the drills at hand.</source>
+        <translation>Диаметры имеющихся свёрл.</translation>
+    </message>
+    <message>
+        <source>De&amp;nsity</source>
+        <translation>&amp;Плотность</translation>
+    </message>
+    <message>
+        <source>Of the crankshaft: steel 7850, cast iron 7200 kg/m³.</source>
+        <translation>Вала: сталь 7850, чугун 7200 кг/м³.</translation>
+    </message>
+    <message>
+        <source>&amp;Deepest hole</source>
+        <translation>&amp;Наибольшая глубина</translation>
+    </message>
+    <message>
+        <source>Of the full diameter; the point of the drill lies beyond.</source>
+        <translation>По полному диаметру; конус сверла глубже.</translation>
+    </message>
+    <message>
+        <source>&amp;Point angle</source>
+        <translation>&amp;Угол при вершине</translation>
+    </message>
+    <message>
+        <source>Of the drill&apos;s point: 118°, 135°; 180° for a flat end.</source>
+        <translation>Сверла: 118°, 135°; 180° — плоский торец.</translation>
+    </message>
+    <message>
+        <source>Depth &amp;step</source>
+        <translation>&amp;Шаг глубины</translation>
+    </message>
+    <message>
+        <source>Depths are rounded to it. 0: they are not.</source>
+        <translation>До него округляются глубины. 0: не округляются.</translation>
+    </message>
+    <message>
+        <source>&amp;Wall between holes</source>
+        <translation>С&amp;тенка между отверстиями</translation>
+    </message>
+    <message>
+        <source>The least that stays between two holes at their bottoms.</source>
+        <translation>Наименьшая, что остаётся между отверстиями у дна.</translation>
+    </message>
+    <message>
+        <source>&amp;Most holes</source>
+        <translation>&amp;Отверстий не больше</translation>
+    </message>
+    <message>
+        <source>In one plane.</source>
+        <translation>В одной плоскости.</translation>
+    </message>
+    <message>
+        <source>&amp;Farthest hole</source>
+        <translation>&amp;Дальнее отверстие</translation>
+    </message>
+    <message>
+        <source>From the heavy spot to the last hole on either side.</source>
+        <translation>От тяжёлого места до крайнего отверстия с каждой стороны.</translation>
+    </message>
+    <message>
+        <source>Heavy metal pressed in opposite the heavy spot.</source>
+        <translation>Тяжёлый металл, запрессованный напротив тяжёлого места.</translation>
+    </message>
+    <message>
+        <source>Slug diame&amp;ter</source>
+        <translation>&amp;Диаметр вставки</translation>
+    </message>
+    <message>
+        <source>Of the slugs at hand.</source>
+        <translation>Имеющихся вставок.</translation>
+    </message>
+    <message>
+        <source>no slugs</source>
+        <translation>без вставок</translation>
+    </message>
+    <message>
+        <source>Sl&amp;ug density</source>
+        <translation>П&amp;лотность вставки</translation>
+    </message>
+    <message>
+        <source>Tungsten heavy metal 17 000 to 18 500 kg/m³.</source>
+        <translation>Тяжёлый сплав вольфрама 17 000–18 500 кг/м³.</translation>
+    </message>
+    <message>
+        <source>What may remain in each plane.</source>
+        <translation>Что может остаться в каждой плоскости.</translation>
+    </message>
+    <message>
+        <source>&amp;Limit of a plane</source>
+        <translation>&amp;Допуск плоскости</translation>
+    </message>
+    <message>
+        <source>Unbalance that may remain in each plane.</source>
+        <translation>Дисбаланс, который может остаться в каждой плоскости.</translation>
+    </message>
+    <message>
+        <source>Centre of mass</source>
+        <translation>Центр масс</translation>
+    </message>
+    <message>
+        <source>Along the crankshaft. Empty: midway.</source>
+        <translation>Вдоль вала. Пусто: посередине.</translation>
+    </message>
+    <message>
+        <source>midway</source>
+        <translation>посередине</translation>
+    </message>
+    <message>
+        <source>Front bearing</source>
+        <translation>Передний подшипник</translation>
+    </message>
+    <message>
+        <source>With both end bearings the standard&apos;s limits hold there, and the planes&apos; follow from the distances.</source>
+        <translation>Если заданы оба крайних подшипника, допуски стандарта действуют в них, а допуски плоскостей следуют из расстояний.</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>не задан</translation>
+    </message>
+    <message>
+        <source>Rear bearing</source>
+        <translation>Задний подшипник</translation>
+    </message>
+    <message>
+        <source>Masses of one cylinder</source>
+        <translation>Массы одного цилиндра</translation>
+    </message>
+    <message>
+        <source>mⱼ reciprocating, mᵣ rotating mass</source>
+        <translation>mⱼ — возвратно-поступательная, mᵣ — вращающаяся масса</translation>
+    </message>
+    <message>
+        <source>First-order force of a piston</source>
+        <translation>Сила поршня первого порядка</translation>
+    </message>
+    <message>
+        <source>β direction of the cylinder, ψ of its crankpin: one half turns with the crank, one against it</source>
+        <translation>β — направление цилиндра, ψ — его шейки: одна половина вращается с валом, другая против него</translation>
+    </message>
+    <message>
+        <source>What the counterweights leave</source>
+        <translation>Что оставляют противовесы</translation>
+    </message>
+    <message>
+        <source>of the cylinders of a throw; F factor in all, γ bank angle, δ split of the crankpins, φ direction of the throw from the middle of the banks</source>
+        <translation>цилиндров одного колена; F — доля с перебалансировкой, γ — развал, δ — разведение шеек, φ — направление колена от середины развала</translation>
+    </message>
+    <message>
+        <source>Factor by theory</source>
+        <translation>Доля по теории</translation>
+    </message>
+    <message>
+        <source>Bob weight</source>
+        <translation>Балансировочный груз</translation>
+    </message>
+    <message>
+        <source>n rods on it</source>
+        <translation>n — шатунов на нём</translation>
+    </message>
+    <message>
+        <source>Readings taken to the planes</source>
+        <translation>Показания, перенесённые в плоскости</translation>
+    </message>
+    <message>
+        <source>A, B vectors read at a, b; U₁, U₂ in the planes at z₁, z₂: same force, same moment</source>
+        <translation>A, B — векторы, измеренные в a, b; U₁, U₂ — в плоскостях z₁, z₂: та же сила, тот же момент</translation>
+    </message>
+    <message>
+        <source>Unbalance that a hole takes off</source>
+        <translation>Дисбаланс, снимаемый отверстием</translation>
+    </message>
+    <message>
+        <source>R radius of the rim, d diameter, h depth of the full diameter, σ angle of the point, ρ density; of a slug the difference of the densities</source>
+        <translation>R — радиус обода, d — диаметр, h — глубина по полному диаметру, σ — угол при вершине, ρ — плотность; у вставки — разность плотностей</translation>
+    </message>
+    <message>
+        <source>The crankshaft is rigid.</source>
+        <translation>Коленчатый вал жёсткий.</translation>
+    </message>
+    <message>
+        <source>The factor follows from the first order alone; higher orders no bob weight reaches.</source>
+        <translation>Доля следует только из первого порядка; до высших порядков груз не достаёт.</translation>
+    </message>
+    <message>
+        <source>Where couples of the crankpins add up along the crankshaft, the factor of one throw does not tell their sum: see inertia moments.</source>
+        <translation>Если моменты колен складываются вдоль вала, доля одного колена не говорит об их сумме: см. моменты сил инерции.</translation>
+    </message>
+    <message>
+        <source>The rim of a counterweight is taken as flat where a hole begins.</source>
+        <translation>Обод противовеса в месте отверстия считается плоским.</translation>
+    </message>
+    <message>
+        <source>All bob weights are alike, with the means of the weighed parts.</source>
+        <translation>Все грузы одинаковы, со средними взвешенных деталей.</translation>
+    </message>
+    <message>
+        <source>V-6, 90°, even firing (crankpins split by 30°)</source>
+        <translation>V-6, 90°, вспышки равномерны (шейки разведены на 30°)</translation>
+    </message>
+    <message>
+        <source>V-6, 60°, even firing (crankpins split by 60°)</source>
+        <translation>V-6, 60°, вспышки равномерны (шейки разведены на 60°)</translation>
+    </message>
+    <message>
+        <source>V-6, 90°, odd firing</source>
+        <translation>V-6, 90°, вспышки неравномерны</translation>
+    </message>
+    <message>
+        <source>V-10, 72°</source>
+        <translation>V-10, 72°</translation>
+    </message>
+    <message>
+        <source>V-12, 60°</source>
+        <translation>V-12, 60°</translation>
+    </message>
+    <message>
+        <source>V-twin, 45°</source>
+        <translation>V-2, 45°</translation>
+    </message>
+    <message>
+        <source>Flat twin, a crankpin for each rod</source>
+        <translation>Оппозитный двухцилиндровый, шейка на каждый шатун</translation>
+    </message>
+    <message>
+        <source>One cylinder</source>
+        <translation>Один цилиндр</translation>
+    </message>
+    <message>
+        <source>The smallest hole takes off more than is to go: use a thinner drill or one with a flatter point.</source>
+        <translation>Самое малое отверстие снимает больше, чем нужно: возьмите сверло тоньше или с более плоским концом.</translation>
+    </message>
+    <message>
+        <source>The rounding of the depths leaves more than the limit: take a finer step or a thinner drill.</source>
+        <translation>Округление глубин оставляет больше допуска: возьмите шаг мельче или сверло тоньше.</translation>
+    </message>
+    <message>
+        <source>The heavy spot lies outside the sector that may be drilled, and slugs opposite it leave %1 at the radius at %2. As a last resort weld that much on opposite.</source>
+        <translation>Тяжёлое место вне сектора, где можно сверлить, и вставки напротив оставляют %1 на радиусе под углом %2. Последнее средство — наварить столько же напротив.</translation>
+    </message>
+    <message>
+        <source>The heavy spot lies outside the sector that may be drilled: %1 at the radius are too much at %2. Press heavy metal in opposite, or as a last resort weld that much on there.</source>
+        <translation>Тяжёлое место вне сектора, где можно сверлить: %1 на радиусе лишние под углом %2. Запрессуйте напротив тяжёлый металл или, в последнюю очередь, наварите там столько же.</translation>
+    </message>
+    <message>
+        <source>Holes and slugs have too little room: %1 at the radius remain at %2. As a last resort weld that much on opposite.</source>
+        <translation>Отверстиям и вставкам мало места: остаётся %1 на радиусе под углом %2. Последнее средство — наварить столько же напротив.</translation>
+    </message>
+    <message>
+        <source>The holes have too little room: %1 at the radius remain at %2. Deeper or wider holes, heavy metal pressed in opposite, or as a last resort as much welded on there.</source>
+        <translation>Отверстиям мало места: остаётся %1 на радиусе под углом %2. Глубже или шире отверстия, тяжёлый металл напротив или, в последнюю очередь, столько же наварить там.</translation>
     </message>
 </context>
 <context>
@@ -2794,6 +3677,26 @@
         <source>is a pipe that nobody reads</source>
         <translation>это канал, который никто не читает</translation>
     </message>
+    <message>
+        <source>No engine turns at %1: is the speed right?</source>
+        <translation>Ни один двигатель не вращается с частотой %1: верна ли частота?</translation>
+    </message>
+    <message>
+        <source>No engine has a crank radius of %1: is it right?</source>
+        <translation>Ни у одного двигателя нет радиуса кривошипа %1: верен ли он?</translation>
+    </message>
+    <message>
+        <source>No engine has a rod of %1: is its length right?</source>
+        <translation>Ни у одного двигателя нет шатуна в %1: верна ли его длина?</translation>
+    </message>
+    <message>
+        <source>mrad</source>
+        <translation>мрад</translation>
+    </message>
+    <message>
+        <source>lb/ft³</source>
+        <translation>фунт/фут³</translation>
+    </message>
 </context>
 <context>
     <name>elastic-hinge</name>
@@ -3250,10 +4153,6 @@
         <translation>Знак направляющей — как напечатан в статье: такая направляющая уводит скорость кривошипа от расчётной; знак, сохраняющий энергию, её держит.</translation>
     </message>
     <message>
-        <source>Equation (9) as printed has the wrong sign at the counterweight&apos;s inertia: the slider would still bear up to %1 N. Newton–Euler makes the side force zero.</source>
-        <translation>В напечатанной формуле (9) неверен знак инерции противовеса: ползун нёс бы ещё до %1 Н. По Ньютону–Эйлеру боковая сила равна нулю.</translation>
-    </message>
-    <message>
         <source>The crank&apos;s guide has a relief of only %1: a profile error of %2 changes its moment by up to %3; a softer spring gives more relief.</source>
         <translation>Перепад направляющей кривошипа всего %1: погрешность профиля %2 меняет её момент на величину до %3; более мягкая пружина даёт больший перепад.</translation>
     </message>
@@ -3404,6 +4303,10 @@
     <message>
         <source>Gas forces on the slider.</source>
         <translation>Силы газов на ползун.</translation>
+    </message>
+    <message>
+        <source>Equation (9) as printed has the wrong sign at the counterweight&apos;s inertia: the slider would still bear up to %1. Newton–Euler makes the side force zero.</source>
+        <translation>В напечатанной формуле (9) неверен знак инерции противовеса: ползун нёс бы ещё до %1. По Ньютону–Эйлеру боковая сила равна нулю.</translation>
     </message>
 </context>
 <context>
@@ -4207,6 +5110,22 @@
     <message>
         <source>must be at most %1, 1e9 times the crank radius</source>
         <translation>должно быть не больше %1, 1e9 радиусов кривошипа</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Компоновка</translation>
+    </message>
+    <message>
+        <source>VR engine</source>
+        <translation>двигатель VR</translation>
+    </message>
+    <message>
+        <source>of the library</source>
+        <translation>из библиотеки</translation>
+    </message>
+    <message>
+        <source>Kind of layout</source>
+        <translation>Вид компоновки</translation>
     </message>
 </context>
 <context>
@@ -5869,10 +6788,6 @@
         <translation>Частота вращения</translation>
     </message>
     <message>
-        <source>N·m</source>
-        <translation>Н·м</translation>
-    </message>
-    <message>
         <source>Mᵤₚ</source>
         <translation>Mᵤₚ</translation>
     </message>
@@ -5925,24 +6840,12 @@
         <translation>Ед.</translation>
     </message>
     <message>
-        <source>N</source>
-        <translation>Н</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>мм</translation>
-    </message>
-    <message>
         <source>Inertia force Pⱼ₁, max</source>
         <translation>Сила инерции Pⱼ₁, макс.</translation>
     </message>
     <message>
         <source>Counterweight m₁</source>
         <translation>Противовес m₁</translation>
-    </message>
-    <message>
-        <source>kg</source>
-        <translation>кг</translation>
     </message>
     <message>
         <source>Counterweight force P₁</source>
@@ -6001,10 +6904,6 @@
         <translation>Рабочий объём</translation>
     </message>
     <message>
-        <source>cm³</source>
-        <translation>см³</translation>
-    </message>
-    <message>
         <source>Clearance volume</source>
         <translation>Объём камеры сгорания</translation>
     </message>
@@ -6015,14 +6914,6 @@
     <message>
         <source>Every α is as good as any other.</source>
         <translation>Все α одинаково хороши.</translation>
-    </message>
-    <message>
-        <source>Least range %2 N·m at %1°</source>
-        <translation>Наименьший размах %2 Н·м при %1°</translation>
-    </message>
-    <message>
-        <source>Least RMS %2 N·m at %1°</source>
-        <translation>Наименьшее СКЗ %2 Н·м при %1°</translation>
     </message>
     <message>
         <source>cannot be built</source>
@@ -6041,16 +6932,8 @@
         <translation>Момент инерции J</translation>
     </message>
     <message>
-        <source>kg·m²</source>
-        <translation>кг·м²</translation>
-    </message>
-    <message>
         <source>Speed swings by ±</source>
         <translation>Частота колеблется на ±</translation>
-    </message>
-    <message>
-        <source>min⁻¹</source>
-        <translation>мин⁻¹</translation>
     </message>
     <message>
         <source>Fastest at crank angle</source>
@@ -6067,12 +6950,6 @@ but nothing can be built</source>
 но построить нельзя ничего</translation>
     </message>
     <message>
-        <source>
-%2 N·m less at %1° cannot be built</source>
-        <translation>
-на %2 Н·м меньше при %1° — построить нельзя</translation>
-    </message>
-    <message>
         <source>Load</source>
         <translation>Нагрузка</translation>
     </message>
@@ -6087,18 +6964,6 @@ but nothing can be built</source>
     <message>
         <source>%1 worse</source>
         <translation>%1 хуже</translation>
-    </message>
-    <message>
-        <source>Tipping moment on the engine without a shaft, −Mᵢ, N·m</source>
-        <translation>Опрокидывающий момент двигателя без вала, −Mᵢ, Н·м</translation>
-    </message>
-    <message>
-        <source>Moment of the shaft, P₁ l sin(α + φ), N·m</source>
-        <translation>Момент вала, P₁ l sin(α + φ), Н·м</translation>
-    </message>
-    <message>
-        <source>Moment on the mounts with the shaft, Mᵤₚ + Mₛ, N·m</source>
-        <translation>Момент на опорах с валом, Mᵤₚ + Mₛ, Н·м</translation>
     </message>
     <message>
         <source>Mᵤₚₛ against Mᵤₚ, as a share of Mᵤₚ. Better: less range, RMS and maximum, a minimum nearer to zero.</source>
@@ -6215,6 +7080,32 @@ but nothing can be built</source>
     <message>
         <source>Rebuild torque</source>
         <translation>Пересобрать</translation>
+    </message>
+    <message>
+        <source>
+%2 less at %1° cannot be built</source>
+        <translation>
+на %2 меньше при %1° — построить нельзя</translation>
+    </message>
+    <message>
+        <source>Least range %2 at %1°</source>
+        <translation>Наименьший размах %2 при %1°</translation>
+    </message>
+    <message>
+        <source>Least RMS %2 at %1°</source>
+        <translation>Наименьшее СКЗ %2 при %1°</translation>
+    </message>
+    <message>
+        <source>Tipping moment on the engine without a shaft, −Mᵢ</source>
+        <translation>Опрокидывающий момент двигателя без вала, −Mᵢ</translation>
+    </message>
+    <message>
+        <source>Moment of the shaft, P₁ l sin(α + φ)</source>
+        <translation>Момент вала, P₁ l sin(α + φ)</translation>
+    </message>
+    <message>
+        <source>Moment on the mounts with the shaft, Mᵤₚ + Mₛ</source>
+        <translation>Момент на опорах с валом, Mᵤₚ + Mₛ</translation>
     </message>
 </context>
 <context>
@@ -6452,18 +7343,6 @@ but nothing can be built</source>
         <translation>Силы, массы и размеры</translation>
     </message>
     <message>
-        <source> kg</source>
-        <translation> кг</translation>
-    </message>
-    <message>
-        <source>%1 kg of it are not listed above.</source>
-        <translation>Из них %1 кг выше не перечислены.</translation>
-    </message>
-    <message>
-        <source> rad/s</source>
-        <translation> рад/с</translation>
-    </message>
-    <message>
         <source>Forces</source>
         <translation>Силы</translation>
     </message>
@@ -6495,16 +7374,16 @@ but nothing can be built</source>
         <source>Over all α that can be built, exact for the continuous cycle</source>
         <translation>По всем α, которые можно построить, точно для непрерывного цикла</translation>
     </message>
+    <message>
+        <source>%1 of it are not listed above.</source>
+        <translation>Из них %1 выше не перечислены.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BalancingForm</name>
     <message>
         <source>Balance shafts</source>
         <translation>Балансирные валы</translation>
-    </message>
-    <message>
-        <source>k order, L distance of the weights (mm), ρ their radius (mm), δ error of phase (°)</source>
-        <translation>k — порядок, L — расстояние между грузами (мм), ρ — их радиус (мм), δ — ошибка фазы (°)</translation>
     </message>
     <message>
         <source>&amp;Add shaft</source>
@@ -6521,6 +7400,214 @@ but nothing can be built</source>
     <message>
         <source>Counterweights</source>
         <translation>Противовесы</translation>
+    </message>
+    <message>
+        <source>k order, L distance of the weights (%1), ρ their radius (%1), δ error of phase (°)</source>
+        <translation>k — порядок, L — расстояние между грузами (%1), ρ — их радиус (%1), δ — ошибка фазы (°)</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::BobAnswer</name>
+    <message>
+        <source>Bob weight, line by line</source>
+        <translation>Балансировочный груз по строкам</translation>
+    </message>
+    <message>
+        <source>Correction</source>
+        <translation>Коррекция</translation>
+    </message>
+    <message>
+        <source>The correction planes</source>
+        <translation>Плоскости коррекции</translation>
+    </message>
+    <message>
+        <source>Holes and slugs</source>
+        <translation>Отверстия и вставки</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::BobDrillsSheet</name>
+    <message>
+        <source>Drills at hand</source>
+        <translation>Имеющиеся свёрла</translation>
+    </message>
+    <message>
+        <source>Diameters in millimetres, one after the other: 8; 10; 12.5</source>
+        <translation>Диаметры в миллиметрах один за другим: 8; 10; 12,5</translation>
+    </message>
+    <message>
+        <source>Several holes</source>
+        <translation>Несколько отверстий</translation>
+    </message>
+    <message>
+        <source>Heavy metal</source>
+        <translation>Тяжёлый металл</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::BobJobSheet</name>
+    <message>
+        <source>Engine</source>
+        <translation>Двигатель</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Доля</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>Работа</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::BobMachineSheet</name>
+    <message>
+        <source>Planes and readings</source>
+        <translation>Плоскости и показания</translation>
+    </message>
+    <message>
+        <source>What may remain</source>
+        <translation>Что может остаться</translation>
+    </message>
+    <message>
+        <source>&amp;A limit of your own for each plane, no grade</source>
+        <translation>&amp;Свой допуск для каждой плоскости, без класса</translation>
+    </message>
+    <message>
+        <source>On: so many g·mm may remain in each plane. Off: by grade, mass and speed.</source>
+        <translation>Включено: столько г·мм может остаться в каждой плоскости. Выключено: по классу, массе и частоте вращения.</translation>
+    </message>
+    <message>
+        <source>Kind of limit</source>
+        <translation>Вид допуска</translation>
+    </message>
+    <message>
+        <source>grade of your own</source>
+        <translation>свой класс</translation>
+    </message>
+    <message>
+        <source>&amp;For</source>
+        <translation>&amp;Для чего</translation>
+    </message>
+    <message>
+        <source>Balance quality grades of ISO 21940-11, and what each is for.</source>
+        <translation>Классы точности балансировки ИСО 21940-11 и для чего каждый.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::BobPartsSheet</name>
+    <message>
+        <source>Parts of one cylinder</source>
+        <translation>Детали одного цилиндра</translation>
+    </message>
+    <message>
+        <source>Those in grey are the means of the weigh-in sheet.</source>
+        <translation>Серые — средние листа взвешивания.</translation>
+    </message>
+    <message>
+        <source>Crankshaft</source>
+        <translation>Коленвал</translation>
+    </message>
+    <message>
+        <source>Balance it with its damper and its flywheel in place, each in the position in which it stays.</source>
+        <translation>Балансируйте с гасителем и маховиком на месте, каждый в том положении, в котором останется.</translation>
+    </message>
+    <message>
+        <source>Notes on the job card</source>
+        <translation>Заметки на карте работы</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::BobWeighInSheet</name>
+    <message>
+        <source>mean, g</source>
+        <translation>среднее, г</translation>
+    </message>
+    <message>
+        <source>spread, g</source>
+        <translation>разброс, г</translation>
+    </message>
+    <message>
+        <source>Counts once every cylinder is weighed.</source>
+        <translation>Считается, когда взвешены все цилиндры.</translation>
+    </message>
+    <message>
+        <source>%1 of cylinder %2, g</source>
+        <translation>%1 цилиндра %2, г</translation>
+    </message>
+    <message>
+        <source>%1 of cylinder %2 as the scale says.</source>
+        <translation>%1 цилиндра %2 по весам.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::BobWeightsModel</name>
+    <message>
+        <source>How many times the mass is in the bob weight: rods on it, times the factor for what moves with the piston</source>
+        <translation>Сколько раз масса входит в груз: число шатунов, умноженное на долю для того, что движется с поршнем</translation>
+    </message>
+    <message>
+        <source>Mass × how often it counts</source>
+        <translation>Масса × сколько раз считается</translation>
+    </message>
+    <message>
+        <source>Sum of the lines: weigh it out so</source>
+        <translation>Сумма строк: столько отвесить</translation>
+    </message>
+    <message>
+        <source>Both readings taken to the correction planes: same force, same moment</source>
+        <translation>Оба показания, перенесённые в плоскости коррекции: та же сила, тот же момент</translation>
+    </message>
+    <message>
+        <source>Angle of the heavy spot from the machine&apos;s zero mark</source>
+        <translation>Угол тяжёлого места от нулевой метки станка</translation>
+    </message>
+    <message>
+        <source>Mass that makes this unbalance at the plane&apos;s radius</source>
+        <translation>Масса, дающая этот дисбаланс на радиусе плоскости</translation>
+    </message>
+    <message>
+        <source>What the holes below leave, added up as vectors</source>
+        <translation>Что оставляют отверстия ниже, сложенные векторно</translation>
+    </message>
+    <message>
+        <source>By the limit of the plane</source>
+        <translation>По допуску плоскости</translation>
+    </message>
+    <message>
+        <source>Of the full diameter; the point of the drill lies beyond</source>
+        <translation>По полному диаметру; конус сверла глубже</translation>
+    </message>
+    <message>
+        <source>From the machine&apos;s zero mark</source>
+        <translation>От нулевой метки станка</translation>
+    </message>
+    <message>
+        <source>Mass, the cone of the point included; negative: a slug adds so much more than the steel weighed</source>
+        <translation>Масса вместе с конусом; отрицательна: вставка тяжелее вынутой стали на столько</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::BobWeightsPage</name>
+    <message>
+        <source>&amp;1 Job</source>
+        <translation>&amp;1 Работа</translation>
+    </message>
+    <message>
+        <source>&amp;2 Parts</source>
+        <translation>&amp;2 Детали</translation>
+    </message>
+    <message>
+        <source>&amp;3 Weigh-in</source>
+        <translation>&amp;3 Взвешивание</translation>
+    </message>
+    <message>
+        <source>&amp;4 Machine</source>
+        <translation>&amp;4 Станок</translation>
+    </message>
+    <message>
+        <source>&amp;5 Drills</source>
+        <translation>&amp;5 Свёрла</translation>
     </message>
 </context>
 <context>
@@ -6614,14 +7701,6 @@ but nothing can be built</source>
         <translation>сила Σ e^{iκ} = %1 под углом %2; противоположно: %3 против вращения</translation>
     </message>
     <message>
-        <source>moment Σ z e^{iκ} = %1 mm at %2; opposite: %3 against the rotation</source>
-        <translation>момент Σ z e^{iκ} = %1 мм под углом %2; противоположно: %3 против вращения</translation>
-    </message>
-    <message>
-        <source>%1: %2 g at ρ %3 mm, %4</source>
-        <translation>%1: %2 г на ρ %3 мм, %4</translation>
-    </message>
-    <message>
         <source>front web</source>
         <translation>передняя щека</translation>
     </message>
@@ -6636,6 +7715,14 @@ but nothing can be built</source>
     <message>
         <source>No counterweights: switch them on under Balancing.</source>
         <translation>Противовесов нет: включите их на вкладке «Баланс».</translation>
+    </message>
+    <message>
+        <source>moment Σ z e^{iκ} = %1 at %2; opposite: %3 against the rotation</source>
+        <translation>момент Σ z e^{iκ} = %1 под углом %2; противоположно: %3 против вращения</translation>
+    </message>
+    <message>
+        <source>%1: %2 at ρ %3, %4</source>
+        <translation>%1: %2 на ρ %3, %4</translation>
     </message>
 </context>
 <context>
@@ -6805,10 +7892,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Вставка цилиндров</translation>
     </message>
     <message>
-        <source>Top dead centre %1° from its axis, stroke %2 mm</source>
-        <translation>Верхняя мёртвая точка в %1° от своей оси, ход %2 мм</translation>
-    </message>
-    <message>
         <source>stroke, mm</source>
         <translation>ход, мм</translation>
     </message>
@@ -6827,6 +7910,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>master</source>
         <translation>главный</translation>
+    </message>
+    <message>
+        <source>Top dead centre %1° from its axis, stroke %2</source>
+        <translation>Верхняя мёртвая точка в %1° от своей оси, ход %2</translation>
     </message>
 </context>
 <context>
@@ -6862,6 +7949,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>%1 was changed by another program.</source>
         <translation>Файл %1 изменён другой программой.</translation>
+    </message>
+    <message>
+        <source>Go on with the numbers that were read before. The case is opened with those of the file.</source>
+        <translation>Продолжить с числами, прочитанными раньше. При открытии расчёта берутся числа из файла.</translation>
+    </message>
+    <message>
+        <source>%1, which this case reads, is no longer there.</source>
+        <translation>Файла %1, который читает этот расчёт, больше нет.</translation>
+    </message>
+    <message>
+        <source>%1, which this case reads, was changed by another program.</source>
+        <translation>Файл %1, который читает этот расчёт, изменён другой программой.</translation>
     </message>
 </context>
 <context>
@@ -6946,10 +8045,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Нет: %1.</translation>
     </message>
     <message>
-        <source>c = %1 kN/m, ρ₀ = %2 mm: relief %3 mm within %4 mm; the spring is at least %5 mm long, bears up to %6 kN and stores up to %7 J.</source>
-        <translation>c = %1 кН/м, ρ₀ = %2 мм: перепад %3 мм в пределах %4 мм; пружина не короче %5 мм, несёт до %6 кН и запасает до %7 Дж.</translation>
-    </message>
-    <message>
         <source>Take over the guide found</source>
         <translation>Взята найденная направляющая</translation>
     </message>
@@ -6966,20 +8061,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Направляющей нет: %1.</translation>
     </message>
     <message>
-        <source>The roller of radius %1 mm undercuts the guide: at most %2 mm follow it.</source>
-        <translation>Ролик радиусом %1 мм подрезает направляющую: годится не больше %2 мм.</translation>
-    </message>
-    <message>
         <source>The guide exists, but with the printed sign it stores what the mechanism takes up: the crank does not keep its speed.</source>
         <translation>Направляющая существует, но с напечатанным знаком она запасает то, что поглощает механизм: кривошип не сохраняет скорость.</translation>
-    </message>
-    <message>
-        <source>The guide exists, but cannot be made: with a relief of %1 mm a profile error of %2 µm changes its moment by up to %3.</source>
-        <translation>Направляющая существует, но её нельзя изготовить: при перепаде %1 мм погрешность профиля %2 мкм меняет её момент до %3.</translation>
-    </message>
-    <message>
-        <source>The guide exists: relief %1 mm; a profile error of %2 µm changes its moment by up to %3.</source>
-        <translation>Направляющая существует: перепад %1 мм; погрешность профиля %2 мкм меняет её момент до %3.</translation>
     </message>
     <message>
         <source>Quantity</source>
@@ -6992,14 +8075,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Unit</source>
         <translation>Ед.</translation>
-    </message>
-    <message>
-        <source>N</source>
-        <translation>Н</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>мм</translation>
     </message>
     <message>
         <source>Relief of the guide</source>
@@ -7016,18 +8091,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Largest spring force</source>
         <translation>Сила пружины, макс.</translation>
-    </message>
-    <message>
-        <source>kN</source>
-        <translation>кН</translation>
-    </message>
-    <message>
-        <source>Moment error from %1 µm</source>
-        <translation>Погр. момента, %1 мкм</translation>
-    </message>
-    <message>
-        <source>N·m</source>
-        <translation>Н·м</translation>
     </message>
     <message>
         <source>Least curvature radius</source>
@@ -7062,10 +8125,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Противовес P₄</translation>
     </message>
     <message>
-        <source>kg</source>
-        <translation>кг</translation>
-    </message>
-    <message>
         <source>reverses</source>
         <translation>реверс</translation>
     </message>
@@ -7078,14 +8137,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Неравном. с шарниром</translation>
     </message>
     <message>
-        <source>Ripple from %1 rad/s</source>
-        <translation>Неравном. от %1 рад/с</translation>
-    </message>
-    <message>
-        <source>%1: %2…%3 rad/s, drift %4</source>
-        <translation>%1: %2…%3 рад/с, уход %4</translation>
-    </message>
-    <message>
         <source>without hinge</source>
         <translation>без шарнира</translation>
     </message>
@@ -7096,10 +8147,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>both hinges</source>
         <translation>оба шарнира</translation>
-    </message>
-    <message>
-        <source>from %1 rad/s</source>
-        <translation>от %1 рад/с</translation>
     </message>
     <message>
         <source>Largest less smallest radius of the guide</source>
@@ -7156,6 +8203,38 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The same when the crank starts at another speed than the hinge is made for</source>
         <translation>То же, если кривошип начинает с другой скорости, чем та, на которую сделан шарнир</translation>
+    </message>
+    <message>
+        <source>c = %1, ρ₀ = %2: relief %3 within %4; the spring is at least %5 long, bears up to %6 and stores up to %7 J.</source>
+        <translation>c = %1, ρ₀ = %2: перепад %3 в пределах %4; пружина не короче %5, несёт до %6 и запасает до %7 Дж.</translation>
+    </message>
+    <message>
+        <source>The roller of radius %1 undercuts the guide: at most %2 follow it.</source>
+        <translation>Ролик радиусом %1 подрезает направляющую: годится не больше %2.</translation>
+    </message>
+    <message>
+        <source>The guide exists, but cannot be made: with a relief of %1 a profile error of %2 changes its moment by up to %3.</source>
+        <translation>Направляющая существует, но её нельзя изготовить: при перепаде %1 погрешность профиля %2 меняет её момент до %3.</translation>
+    </message>
+    <message>
+        <source>The guide exists: relief %1; a profile error of %2 changes its moment by up to %3.</source>
+        <translation>Направляющая существует: перепад %1; погрешность профиля %2 меняет её момент до %3.</translation>
+    </message>
+    <message>
+        <source>Moment error from %1</source>
+        <translation>Погр. момента, %1</translation>
+    </message>
+    <message>
+        <source>Ripple from %1</source>
+        <translation>Неравном. от %1</translation>
+    </message>
+    <message>
+        <source>%1: %2…%3, drift %4</source>
+        <translation>%1: %2…%3, уход %4</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>от %1</translation>
     </message>
 </context>
 <context>
@@ -7386,6 +8465,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Their options count where a crankshaft made for them is fitted.</source>
         <translation>Их варианты учитываются, если установлен изготовленный под них коленчатый вал.</translation>
     </message>
+    <message>
+        <source>&amp;Fill from the nominal parts</source>
+        <translation>&amp;Заполнить по номинальным деталям</translation>
+    </message>
+    <message>
+        <source>Reciprocating: piston, pin, rings, small end; rotating: big end and shells, by the nominal masses of the weigh-in sheet.</source>
+        <translation>Поступательная: поршень, палец, кольца, верхняя головка; вращающаяся: нижняя головка и вкладыши, по номинальным массам листа «Взвешивание».</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::EngineView</name>
@@ -7571,11 +8658,42 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
-    <name>ravnoves::ForcesModel</name>
+    <name>ravnoves::ForcePlot</name>
     <message>
-        <source>N</source>
-        <translation>Н</translation>
+        <source>First-order force</source>
+        <translation>Сила первого порядка</translation>
     </message>
+    <message>
+        <source>First-order force of the cylinders on a bob weight, over a turn</source>
+        <translation>Сила первого порядка цилиндров одного груза за оборот</translation>
+    </message>
+    <message>
+        <source>upright, %1</source>
+        <translation>по высоте, %1</translation>
+    </message>
+    <message>
+        <source>without counterweights</source>
+        <translation>без противовесов</translation>
+    </message>
+    <message>
+        <source>Of the reciprocating parts alone, as a mass at the crank radius</source>
+        <translation>Одних возвратно-поступательных частей, как масса на радиусе кривошипа</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>остаётся</translation>
+    </message>
+    <message>
+        <source>What is left by counterweights that hold the bob weight</source>
+        <translation>Что оставляют противовесы, уравновешивающие груз</translation>
+    </message>
+    <message>
+        <source>across, %1</source>
+        <translation>поперёк, %1</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ForcesModel</name>
     <message>
         <source>1st order, P</source>
         <translation>1-й порядок, P</translation>
@@ -7601,10 +8719,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>на валу, κ mⱼ r</translation>
     </message>
     <message>
-        <source>g·mm</source>
-        <translation>г·мм</translation>
-    </message>
-    <message>
         <source>First-order inertia force, mⱼ r ω²</source>
         <translation>Сила инерции первого порядка, mⱼ r ω²</translation>
     </message>
@@ -7627,10 +8741,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Static moment of the counterweight on the crank</source>
         <translation>Статический момент противовеса на коленчатом валу</translation>
-    </message>
-    <message>
-        <source>N·m</source>
-        <translation>Н·м</translation>
     </message>
     <message>
         <source>phase error</source>
@@ -7996,20 +9106,20 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Семейства кривых</translation>
     </message>
     <message>
-        <source>Crank speeds that the plots compare, rad/s. Paper: 100, 300, 500.</source>
-        <translation>Угловые скорости, которые сравнивают графики, рад/с. В статье 100, 300, 500.</translation>
-    </message>
-    <message>
-        <source>Speeds ω, rad/s&amp;;</source>
-        <translation>Скорости ω, рад/с&amp;;</translation>
-    </message>
-    <message>
         <source>λ that the side force is compared for. Paper: 0.3, 0.4, 0.6, 0.8, 1 (1 with the series only).</source>
         <translation>λ, для которых сравнивается боковая сила. В статье 0,3, 0,4, 0,6, 0,8, 1 (1 — только с рядом).</translation>
     </message>
     <message>
         <source>Ratios &amp;λ</source>
         <translation>Отношения &amp;λ</translation>
+    </message>
+    <message>
+        <source>Speeds ω, %1&amp;;</source>
+        <translation>Скорости ω, %1&amp;;</translation>
+    </message>
+    <message>
+        <source>Crank speeds that the plots compare. Paper: 100, 300 and 500 rad/s.</source>
+        <translation>Угловые скорости, которые сравнивают графики. В статье 100, 300 и 500 рад/с.</translation>
     </message>
 </context>
 <context>
@@ -8027,16 +9137,16 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>φ = %1°</translation>
     </message>
     <message>
-        <source>ω = %1 rad/s</source>
-        <translation>ω = %1 рад/с</translation>
-    </message>
-    <message>
         <source>relief × %1</source>
         <translation>перепад × %1</translation>
     </message>
     <message>
         <source>%1 times slower</source>
         <translation>замедлено в %1 раз</translation>
+    </message>
+    <message>
+        <source>ω = %1</source>
+        <translation>ω = %1</translation>
     </message>
 </context>
 <context>
@@ -8308,10 +9418,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>exact</source>
         <translation>точно</translation>
-    </message>
-    <message>
-        <source>%1 rad/s</source>
-        <translation>%1 рад/с</translation>
     </message>
     <message>
         <source>M₁*</source>
@@ -8623,6 +9729,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Forces and moments of all orders over two turns</source>
         <translation>Силы и моменты всех порядков за два оборота</translation>
     </message>
+    <message>
+        <source>Roll moment on the engine, of the engine alone</source>
+        <translation>Опрокидывающий момент на двигатель, от самого двигателя</translation>
+    </message>
+    <message>
+        <source>Mz left</source>
+        <translation>Mz остаток</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::InertiaMomentsModel</name>
@@ -8691,10 +9805,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>M</translation>
     </message>
     <message>
-        <source>N; N·m</source>
-        <translation>Н; Н·м</translation>
-    </message>
-    <message>
         <source>exact</source>
         <translation>точно</translation>
     </message>
@@ -8721,10 +9831,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>−kω</source>
         <translation>−kω</translation>
-    </message>
-    <message>
-        <source>Shaft</source>
-        <translation>Вал</translation>
     </message>
     <message>
         <source>cancels</source>
@@ -8815,10 +9921,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Двух членов мало: порядок %1.</translation>
     </message>
     <message>
-        <source>%1 kg, rods: %2</source>
-        <translation>%1 кг, шатунов: %2</translation>
-    </message>
-    <message>
         <source>On a throw, rods: %1, g</source>
         <translation>Колено, ×%1, г</translation>
     </message>
@@ -8833,26 +9935,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Radial %1</source>
         <translation>Звезда %1</translation>
-    </message>
-    <message>
-        <source>Force to the right, N; the number is its order</source>
-        <translation>Сила вправо, Н; число — её порядок</translation>
-    </message>
-    <message>
-        <source>Force upwards, N; the number is its order</source>
-        <translation>Сила вверх, Н; число — её порядок</translation>
-    </message>
-    <message>
-        <source>Moment in the horizontal plane, Σ Fx (z − z_ref), N·m</source>
-        <translation>Момент в горизонтальной плоскости, Σ Fx (z − z₀), Н·м</translation>
-    </message>
-    <message>
-        <source>Moment in the vertical plane, Σ Fy (z − z_ref), N·m</source>
-        <translation>Момент в вертикальной плоскости, Σ Fy (z − z₀), Н·м</translation>
-    </message>
-    <message>
-        <source>Roll moment on the engine, of offsets, rods and the reaction of the torque, N·m</source>
-        <translation>Момент крена двигателя: от дезаксажей, шатунов и реакции крутящего момента, Н·м</translation>
     </message>
     <message>
         <source>Amplitude of the order in the exact motion of the pistons</source>
@@ -8871,14 +9953,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Двучленная против точной, в долях точной</translation>
     </message>
     <message>
-        <source>Force of the order k = the number, N</source>
-        <translation>Сила порядка k, равного числу, Н</translation>
-    </message>
-    <message>
-        <source>Moment of the order k = the number, N·m</source>
-        <translation>Момент порядка k, равного числу, Н·м</translation>
-    </message>
-    <message>
         <source>Part A that turns with the crank: x + iy = A e^{ikφ} + B e^{−ikφ}</source>
         <translation>Часть A, вращающаяся с валом: x + iy = A e^{ikφ} + B e^{−ikφ}</translation>
     </message>
@@ -8895,20 +9969,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Порядок, задача и направление; закрашенная точка — включён</translation>
     </message>
     <message>
-        <source>The part of the order that the shaft cancels, N or N·m</source>
-        <translation>Часть порядка, которую вал уравновешивает, Н или Н·м</translation>
-    </message>
-    <message>
         <source>Weight times radius: m ρ (kω)² is the force, m ρ L (kω)² the moment cancelled</source>
         <translation>Масса на радиус: m ρ (kω)² — сила, m ρ L (kω)² — момент, которые он уравновешивает</translation>
     </message>
     <message>
         <source>Direction of its weight (of that towards cylinder 1) at φ = 0, counter-clockwise from x</source>
         <translation>Направление его груза (того, что к цилиндру 1) при φ = 0, против часовой стрелки от x</translation>
-    </message>
-    <message>
-        <source>Largest value of the order with this shaft alone, N or N·m</source>
-        <translation>Наибольшее значение порядка с одним этим валом, Н или Н·м</translation>
     </message>
     <message>
         <source>Of the rotating masses, m R ω² |Σ e^{iκ}|</source>
@@ -8965,6 +10031,46 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>What is left as a share of what was there before</source>
         <translation>Сколько осталось в долях того, что было</translation>
+    </message>
+    <message>
+        <source>%1, rods: %2</source>
+        <translation>%1, шатунов: %2</translation>
+    </message>
+    <message>
+        <source>Force to the right; the number is its order</source>
+        <translation>Сила вправо; число — её порядок</translation>
+    </message>
+    <message>
+        <source>Force upwards; the number is its order</source>
+        <translation>Сила вверх; число — её порядок</translation>
+    </message>
+    <message>
+        <source>Moment in the horizontal plane, Σ Fx (z − z_ref)</source>
+        <translation>Момент в горизонтальной плоскости, Σ Fx (z − z₀)</translation>
+    </message>
+    <message>
+        <source>Moment in the vertical plane, Σ Fy (z − z_ref)</source>
+        <translation>Момент в вертикальной плоскости, Σ Fy (z − z₀)</translation>
+    </message>
+    <message>
+        <source>Roll moment on the engine, of offsets, rods and the reaction of the torque</source>
+        <translation>Момент крена двигателя: от дезаксажей, шатунов и реакции крутящего момента</translation>
+    </message>
+    <message>
+        <source>Force of the order k = the number</source>
+        <translation>Сила порядка k, равного числу</translation>
+    </message>
+    <message>
+        <source>Moment of the order k = the number</source>
+        <translation>Момент порядка k, равного числу</translation>
+    </message>
+    <message>
+        <source>The part of the order that the shaft cancels</source>
+        <translation>Часть порядка, которую вал уравновешивает</translation>
+    </message>
+    <message>
+        <source>Largest value of the order with this shaft alone</source>
+        <translation>Наибольшее значение порядка с одним этим валом</translation>
     </message>
 </context>
 <context>
@@ -9046,6 +10152,49 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::JobDesk</name>
+    <message>
+        <source>The journal is backed up: %1</source>
+        <translation>Резервная копия журнала: %1</translation>
+    </message>
+    <message>
+        <source>Jobs brought back: %1; already in the journal: %2.</source>
+        <translation>Возвращено работ: %1; уже есть в журнале: %2.</translation>
+    </message>
+    <message>
+        <source>Jobs that could not be read: %1.</source>
+        <translation>Не удалось прочитать работ: %1.</translation>
+    </message>
+    <message>
+        <source>The sheet is empty: nothing is saved.</source>
+        <translation>Лист пуст: ничего не сохранено.</translation>
+    </message>
+    <message>
+        <source>There is no journal.</source>
+        <translation>Журнала нет.</translation>
+    </message>
+    <message>
+        <source>without an engine number</source>
+        <translation>без номера двигателя</translation>
+    </message>
+    <message>
+        <source>Job %1 had been changed elsewhere meanwhile: saved as a new job.</source>
+        <translation>Работу %1 тем временем изменили в другом месте: сохранено как новая работа.</translation>
+    </message>
+    <message>
+        <source>Job %1 saved in the journal.</source>
+        <translation>Работа %1 сохранена в журнале.</translation>
+    </message>
+    <message>
+        <source>Job %1 put aside in the journal, unfinished.</source>
+        <translation>Работа %1 отложена в журнал незаконченной.</translation>
+    </message>
+    <message>
+        <source>The job&apos;s sheet cannot be read: %1</source>
+        <translation>Лист работы не читается: %1</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::JobSheet</name>
     <message>
         <source>Job</source>
@@ -9063,6 +10212,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Those in grey are taken from the weigh-in sheet.</source>
         <translation>Серые взяты с листа взвешивания.</translation>
     </message>
+    <message>
+        <source>&amp;Make it the shop&apos;s own</source>
+        <translation>&amp;Принять в мастерской</translation>
+    </message>
+    <message>
+        <source>New jobs begin with this limit.</source>
+        <translation>С этим пределом начинаются новые работы.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::Journal</name>
@@ -9073,10 +10230,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The journal %1 cannot be opened: its folder cannot be written, or another program is busy with it.</source>
         <translation>Журнал %1 не открывается: в папку нельзя писать или журнал занят другой программой.</translation>
-    </message>
-    <message>
-        <source>The journal was damaged. The damaged file was kept as %1, and a new journal was begun. Jobs taken over from it: %2.</source>
-        <translation>Журнал был повреждён. Повреждённый файл сохранён как %1, начат новый журнал. Перенесено работ: %2.</translation>
     </message>
     <message>
         <source>The journal is not open.</source>
@@ -9158,6 +10311,26 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>it is no longer kept</source>
         <translation>его больше нет в журнале</translation>
     </message>
+    <message>
+        <source>The journal was damaged. The damaged file was kept as %1, and a new journal was begun.</source>
+        <translation>Журнал был повреждён. Повреждённый файл сохранён как %1, начат новый журнал.</translation>
+    </message>
+    <message>
+        <source>Jobs taken over from it: %1.</source>
+        <translation>Перенесено из него работ: %1.</translation>
+    </message>
+    <message>
+        <source>Jobs that could not be read: %1.</source>
+        <translation>Не удалось прочитать работ: %1.</translation>
+    </message>
+    <message>
+        <source>The backup %1 could not be written.</source>
+        <translation>Не удалось записать резервную копию %1.</translation>
+    </message>
+    <message>
+        <source>%1 is no backup of a journal.</source>
+        <translation>%1 — не резервная копия журнала.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::JournalBanner</name>
@@ -9185,16 +10358,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>«%1» — не дата; пишите так: 2024-05-31.</translation>
     </message>
     <message>
-        <source>nothing needed</source>
-        <translation>ничего не требуется</translation>
-    </message>
-    <message>
         <source>Journal of jobs</source>
         <translation>Журнал работ</translation>
-    </message>
-    <message>
-        <source>engine number, customer, technician</source>
-        <translation>номер двигателя, заказчик, исполнитель</translation>
     </message>
     <message>
         <source>&amp;Search</source>
@@ -9287,6 +10452,38 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The newest %1 jobs; more match. The export has them all.</source>
         <translation>Последние работы: %1; найдено больше. В выгрузке будут все.</translation>
+    </message>
+    <message>
+        <source>Crankshaft</source>
+        <translation>Коленвал</translation>
+    </message>
+    <message>
+        <source>Bob weight, g</source>
+        <translation>Груз, г</translation>
+    </message>
+    <message>
+        <source>Machine, g·mm</source>
+        <translation>Станок, г·мм</translation>
+    </message>
+    <message>
+        <source>engine or crankshaft number, customer, technician</source>
+        <translation>номер двигателя или вала, заказчик, исполнитель</translation>
+    </message>
+    <message>
+        <source>&amp;unfinished only</source>
+        <translation>&amp;незаконченные</translation>
+    </message>
+    <message>
+        <source>passes</source>
+        <translation>годен</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>не годен</translation>
+    </message>
+    <message>
+        <source>unfinished</source>
+        <translation>не закончена</translation>
     </message>
 </context>
 <context>
@@ -9530,6 +10727,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Report written: %1</source>
         <translation>Отчёт записан: %1</translation>
     </message>
+    <message>
+        <source>T&amp;olerances…</source>
+        <translation>&amp;Допуски…</translation>
+    </message>
+    <message>
+        <source>Sca&amp;le…</source>
+        <translation>&amp;Весы…</translation>
+    </message>
+    <message>
+        <source>&amp;Tolerances: how sure a result is</source>
+        <translation>&amp;Допуски: насколько надёжен результат</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::MechanismView</name>
@@ -9544,10 +10753,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>φ = %1°</source>
         <translation>φ = %1°</translation>
-    </message>
-    <message>
-        <source>%1 × %2 mm</source>
-        <translation>%1 × %2 мм</translation>
     </message>
     <message>
         <source>Pⱼ₁</source>
@@ -9913,38 +11118,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
 <context>
     <name>ravnoves::NewCases</name>
     <message>
-        <source>TMZ-650D, balance shaft at 45 deg</source>
-        <translation>ТМЗ-650Д, балансирный вал под 45°</translation>
-    </message>
-    <message>
-        <source>Zotov and Sviridov 2021, formulas as printed</source>
-        <translation>Зотов и Свиридов 2021, формулы как напечатаны</translation>
-    </message>
-    <message>
-        <source>counterweight on the rod, solved</source>
-        <translation>противовес на шатуне, подобран</translation>
-    </message>
-    <message>
-        <source>the same mechanism, exact kinematics, guide that keeps the energy constant</source>
-        <translation>тот же механизм, точная кинематика, направляющая сохраняет энергию</translation>
-    </message>
-    <message>
-        <source>4.25 l V-8, oversize pistons and bearings (part masses are examples)</source>
-        <translation>V-8 4,25 л, ремонтные поршни и вкладыши (массы деталей условные)</translation>
-    </message>
-    <message>
-        <source>6 l V-8, improved piston and rod (part masses are examples)</source>
-        <translation>V-8 6 л, усовершенствованные поршень и шатун (массы деталей условные)</translation>
-    </message>
-    <message>
-        <source>Volkswagen VR5 at 6200 rpm</source>
-        <translation>Volkswagen VR5 при 6200 мин⁻¹</translation>
-    </message>
-    <message>
-        <source>Nine-cylinder radial with articulated rods</source>
-        <translation>Девятицилиндровая звезда с прицепными шатунами</translation>
-    </message>
-    <message>
         <source>Zotov and Sviridov 2021</source>
         <translation>Зотов и Свиридов 2021</translation>
     </message>
@@ -9968,6 +11141,42 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Empty: round numbers to replace</source>
         <translation>С чистого листа: круглые числа на замену</translation>
     </message>
+    <message>
+        <source>TMZ-650D: balance shaft at 45°</source>
+        <translation>ТМЗ-650Д: балансирный вал под 45°</translation>
+    </message>
+    <message>
+        <source>Zotov and Sviridov 2021: formulas as printed</source>
+        <translation>Зотов и Свиридов 2021: формулы как напечатаны</translation>
+    </message>
+    <message>
+        <source>Zotov and Sviridov 2021: counterweight on the rod</source>
+        <translation>Зотов и Свиридов 2021: противовес на шатуне</translation>
+    </message>
+    <message>
+        <source>Zotov and Sviridov 2021: guide that keeps the energy</source>
+        <translation>Зотов и Свиридов 2021: направляющая, хранящая энергию</translation>
+    </message>
+    <message>
+        <source>V-8 of 4.25 litres: repair with oversize pistons</source>
+        <translation>V-8, 4,25 л: ремонт с увеличенными поршнями</translation>
+    </message>
+    <message>
+        <source>V-8 of 6 litres: improved pistons and rods</source>
+        <translation>V-8, 6 л: улучшенные поршни и шатуны</translation>
+    </message>
+    <message>
+        <source>V-8, 90°: bob weight and correction</source>
+        <translation>V-8, 90°: груз и коррекция</translation>
+    </message>
+    <message>
+        <source>Volkswagen VR5 at 6200 min⁻¹</source>
+        <translation>Volkswagen VR5 при 6200 мин⁻¹</translation>
+    </message>
+    <message>
+        <source>Radial engine of nine cylinders</source>
+        <translation>Звезда из девяти цилиндров</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::NumberField</name>
@@ -9990,6 +11199,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The value must be a whole number.</source>
         <translation>Значение должно быть целым числом.</translation>
+    </message>
+    <message>
+        <source>“%1” is a unit, and this value has none.</source>
+        <translation>«%1» — единица, а у этого значения её нет.</translation>
+    </message>
+    <message>
+        <source>“%1” is no unit of this value, which is in %2.</source>
+        <translation>«%1» — не единица этого значения: оно в %2.</translation>
     </message>
 </context>
 <context>
@@ -10056,6 +11273,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Order %1: exact %2, two-term %3, left over %4</source>
         <translation>Порядок %1: точно %2, два члена %3, остаток %4</translation>
+    </message>
+    <message>
+        <source>Largest: force %1 in order %2, moment %3 in order %4, roll moment %5 in order %6.</source>
+        <translation>Наибольшие: сила %1 в порядке %2, момент %3 в порядке %4, опрокидывающий момент %5 в порядке %6.</translation>
     </message>
 </context>
 <context>
@@ -10179,6 +11400,21 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::PlaneView</name>
+    <message>
+        <source>The arrow is the reading, the dashed circle the limit, the dot what remains; holes in the rim, slugs opposite. 0° is above, angles grow clockwise.</source>
+        <translation>Стрелка — показание, штриховой круг — допуск, точка — остаток; отверстия в ободе, вставки напротив. 0° вверху, углы растут по часовой стрелке.</translation>
+    </message>
+    <message>
+        <source>no readings yet</source>
+        <translation>показаний ещё нет</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 под углом %2</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::PlotSentence</name>
     <message>
         <source>%1 at %2</source>
@@ -10297,6 +11533,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>not to scale: sizes on the sheet “Plug”</source>
         <translation>без масштаба: размеры — на листе «Пробка»</translation>
     </message>
+    <message>
+        <source>The plug of sheet 4 to scale, in section, with its sizes; those without a unit are in millimetres.</source>
+        <translation>Пробка с листа 4 в масштабе, в разрезе, с размерами; без единицы — в миллиметрах.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::Recovery</name>
@@ -10359,6 +11599,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Ask again at the next start</source>
         <translation>Спросить при следующем запуске</translation>
     </message>
+    <message>
+        <source>A newer version of Ravnoves has kept a case that was not saved: only that can read it. It stays as %1.</source>
+        <translation>Несохранённый расчёт оставила более новая версия Ravnoves: прочесть его может только она. Он остаётся в файле %1.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::RefusedEntries</name>
@@ -10385,6 +11629,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>No shaft of these sizes</source>
         <translation>Вала таких размеров нет</translation>
     </message>
+    <message>
+        <source>Bar of %1, its middle cut %2 deep over %3; bearings %4 apart.</source>
+        <translation>Пруток %1, середина срезана на глубину %2 по длине %3; между опорами %4.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::RelievedShaftModel</name>
@@ -10393,16 +11641,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Искомый размер</translation>
     </message>
     <message>
-        <source>mm</source>
-        <translation>мм</translation>
-    </message>
-    <message>
         <source>unbalance needed, m₁ ρ₁</source>
         <translation>нужен дисбаланс</translation>
-    </message>
-    <message>
-        <source>g·mm</source>
-        <translation>г·мм</translation>
     </message>
     <message>
         <source>unbalance of the shaft</source>
@@ -10415,10 +11655,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>mass of the relieved part</source>
         <translation>масса части</translation>
-    </message>
-    <message>
-        <source>kg</source>
-        <translation>кг</translation>
     </message>
     <message>
         <source>mass milled away</source>
@@ -10445,10 +11681,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>напр. изгиба</translation>
     </message>
     <message>
-        <source>MPa</source>
-        <translation>МПа</translation>
-    </message>
-    <message>
         <source>Feasible.</source>
         <translation>Осуществимо.</translation>
     </message>
@@ -10461,20 +11693,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>критическая частота</translation>
     </message>
     <message>
-        <source>min⁻¹</source>
-        <translation>мин⁻¹</translation>
-    </message>
-    <message>
         <source>over the speed</source>
         <translation>к рабочей частоте</translation>
     </message>
     <message>
         <source>load of a bearing</source>
         <translation>нагрузка подшипника</translation>
-    </message>
-    <message>
-        <source>N</source>
-        <translation>Н</translation>
     </message>
     <message>
         <source>permitted sag</source>
@@ -10487,10 +11711,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>tilt of the journals</source>
         <translation>наклон шеек</translation>
-    </message>
-    <message>
-        <source>mrad</source>
-        <translation>мрад</translation>
     </message>
     <message>
         <source>stress with shear</source>
@@ -10823,6 +12043,225 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::ScaleButton</name>
+    <message>
+        <source>%1 again at once: it is taken once. A scale that sends all the time can be set so.</source>
+        <translation>%1 сразу ещё раз: берётся один раз. Если весы посылают вес постоянно, это можно указать в их настройках.</translation>
+    </message>
+    <message>
+        <source>Scale: ready</source>
+        <translation>Весы: готовы</translation>
+    </message>
+    <message>
+        <source>Scale: not connected</source>
+        <translation>Весы: не подключены</translation>
+    </message>
+    <message>
+        <source>Weights go into the field with the focus. Click for the settings.</source>
+        <translation>Вес попадает в поле, где стоит курсор. Щелчок — настройки.</translation>
+    </message>
+    <message>
+        <source>Scale: %1</source>
+        <translation>Весы: %1</translation>
+    </message>
+    <message>
+        <source>Scale: %1, not settled</source>
+        <translation>Весы: %1, не установились</translation>
+    </message>
+    <message>
+        <source>Scale: out of its range</source>
+        <translation>Весы: вне диапазона</translation>
+    </message>
+    <message>
+        <source>Scale: not understood</source>
+        <translation>Весы: непонятная строка</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ScaleDialog</name>
+    <message>
+        <source>Scale</source>
+        <translation>Весы</translation>
+    </message>
+    <message>
+        <source>What the scale &amp;sends</source>
+        <translation>Что весы &amp;посылают</translation>
+    </message>
+    <message>
+        <source>What the scale sends</source>
+        <translation>Что весы посылают</translation>
+    </message>
+    <message>
+        <source>Press Print on the scale: its lines stand here with what is made of them.</source>
+        <translation>Нажмите «Печать» на весах: здесь появятся их строки и то, что из них понято.</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>Пор&amp;т</translation>
+    </message>
+    <message>
+        <source>Where the scale is plugged in; a path such as /dev/ttyUSB0 can be typed.</source>
+        <translation>Куда подключены весы; можно набрать путь, например /dev/ttyUSB0.</translation>
+    </message>
+    <message>
+        <source>&amp;Baud rate</source>
+        <translation>&amp;Скорость, бод</translation>
+    </message>
+    <message>
+        <source>As in the scale&apos;s own menu.</source>
+        <translation>Как в меню самих весов.</translation>
+    </message>
+    <message>
+        <source>P&amp;arity</source>
+        <translation>&amp;Чётность</translation>
+    </message>
+    <message>
+        <source>none, 8 bits</source>
+        <translation>нет, 8 бит</translation>
+    </message>
+    <message>
+        <source>even, 7 bits</source>
+        <translation>чётная, 7 бит</translation>
+    </message>
+    <message>
+        <source>odd, 7 bits</source>
+        <translation>нечётная, 7 бит</translation>
+    </message>
+    <message>
+        <source>even, 8 bits</source>
+        <translation>чётная, 8 бит</translation>
+    </message>
+    <message>
+        <source>odd, 8 bits</source>
+        <translation>нечётная, 8 бит</translation>
+    </message>
+    <message>
+        <source>Without a &amp;unit it is</source>
+        <translation>Число без &amp;единицы — в</translation>
+    </message>
+    <message>
+        <source>What a line is in that is only a number.</source>
+        <translation>В чём строка, где только число.</translation>
+    </message>
+    <message>
+        <source>&amp;Take a weight</source>
+        <translation>&amp;Брать вес</translation>
+    </message>
+    <message>
+        <source>Only stable weights are taken. They go into the field with the focus, and the next one has it then.</source>
+        <translation>Берётся только установившийся вес. Он попадает в поле, где стоит курсор, и курсор переходит в следующее.</translation>
+    </message>
+    <message>
+        <source>at each line: the scale sends on Print</source>
+        <translation>с каждой строки: весы посылают по клавише «Печать»</translation>
+    </message>
+    <message>
+        <source>once for each part: the scale sends all the time</source>
+        <translation>один раз с детали: весы посылают постоянно</translation>
+    </message>
+    <message>
+        <source>Smallest step of its display; pages say with it how sure a weight is. Of a keyboard scale too, or of one that you read yourself.</source>
+        <translation>Наименьший шаг дисплея; по нему страницы говорят, насколько точен вес. И для весов-клавиатуры, и для тех, с которых вы читаете сами.</translation>
+    </message>
+    <message>
+        <source>&amp;Last digit d, %1</source>
+        <translation>Последний &amp;знак d, %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>нет</translation>
+    </message>
+    <message>
+        <source>No scale is connected. A scale that types as a keyboard needs none of this: its numbers go where the focus is.</source>
+        <translation>Весы не подключены. Весам-клавиатуре это и не нужно: их числа попадают туда, где стоит курсор.</translation>
+    </message>
+    <message>
+        <source>Connected to %1.</source>
+        <translation>Подключены: %1.</translation>
+    </message>
+    <message>
+        <source>%1, stable</source>
+        <translation>%1, установились</translation>
+    </message>
+    <message>
+        <source>%1, not settled</source>
+        <translation>%1, не установились</translation>
+    </message>
+    <message>
+        <source>too much on the pan</source>
+        <translation>перегрузка</translation>
+    </message>
+    <message>
+        <source>too little on the pan</source>
+        <translation>недогрузка</translation>
+    </message>
+    <message>
+        <source>no weight</source>
+        <translation>не вес</translation>
+    </message>
+    <message>
+        <source>not understood</source>
+        <translation>непонятно</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ScaleInput</name>
+    <message>
+        <source>%1 from the scale is refused. %2</source>
+        <translation>%1 с весов не принято. %2</translation>
+    </message>
+    <message>
+        <source>%1 from the scale: %2</source>
+        <translation>%1 с весов: %2</translation>
+    </message>
+    <message>
+        <source>%1 from the scale</source>
+        <translation>%1 с весов</translation>
+    </message>
+    <message>
+        <source>%1 from the scale goes nowhere: no field for a mass has the focus.</source>
+        <translation>%1 с весов некуда записать: курсор не в поле массы.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ScaleReader</name>
+    <message>
+        <source>The scale has been unplugged. It is taken up again when it is back.</source>
+        <translation>Весы отключились. Как только они вернутся, работа с ними продолжится.</translation>
+    </message>
+    <message>
+        <source>%1 is not there: is the scale plugged in?</source>
+        <translation>%1 нет: подключены ли весы?</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: another program has it, or you are not in the group dialout.</source>
+        <translation>%1 не открывается: порт занят другой программой, или вас нет в группе dialout.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: %2</source>
+        <translation>%1 не открывается: %2</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ScatterTable</name>
+    <message>
+        <source>0.02: anywhere within ± 0.02, as likely here as there. 1 %: within ± 1 % of the value. σ 0.01: normal, with this standard deviation.</source>
+        <translation>0,02: где угодно в пределах ± 0,02, равновероятно. 1 %: в пределах ± 1 % от значения. σ 0,01: нормально с этим стандартным отклонением.</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Вход</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Значение</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Единица</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::SceneList</name>
     <message>
         <source>Balance shaft</source>
@@ -10863,6 +12302,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Speed against accuracy, and where methods fail</source>
         <translation>Скорость против точности и где методы отказывают</translation>
+    </message>
+    <message>
+        <source>Bob weights</source>
+        <translation>Грузы</translation>
+    </message>
+    <message>
+        <source>Bob weights and the drilled crankshaft of any engine</source>
+        <translation>Балансировочные грузы и высверленный вал любого двигателя</translation>
     </message>
 </context>
 <context>
@@ -10998,6 +12445,54 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Automatic: each number has the digits that its use needs. Copies and exports have them too.</source>
         <translation>Автоматически: у каждого числа столько цифр, сколько нужно там, где оно стоит. То же в копиях и выгрузках.</translation>
     </message>
+    <message>
+        <source>Of all that is shown, typed, printed and exported. Case files stay as they are, and drawings for the machine shop are in millimetres.</source>
+        <translation>Всего, что показано, вводится, печатается и экспортируется. Файлы расчётов остаются как есть, чертежи для цеха — в миллиметрах.</translation>
+    </message>
+    <message>
+        <source>L&amp;engths</source>
+        <translation>&amp;Длины</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>миллиметры</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>дюймы</translation>
+    </message>
+    <message>
+        <source>&amp;Masses</source>
+        <translation>&amp;Массы</translation>
+    </message>
+    <message>
+        <source>kilograms and grams</source>
+        <translation>килограммы и граммы</translation>
+    </message>
+    <message>
+        <source>grams</source>
+        <translation>граммы</translation>
+    </message>
+    <message>
+        <source>pounds and ounces</source>
+        <translation>фунты и унции</translation>
+    </message>
+    <message>
+        <source>T&amp;orques</source>
+        <translation>Мом&amp;енты сил</translation>
+    </message>
+    <message>
+        <source>&amp;Forces</source>
+        <translation>&amp;Силы</translation>
+    </message>
+    <message>
+        <source>&amp;Speeds</source>
+        <translation>&amp;Частоты вращения</translation>
+    </message>
+    <message>
+        <source>as each page has them</source>
+        <translation>как принято в разделе</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::ShaftMapModel</name>
@@ -11046,32 +12541,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Карта вычисляется…</translation>
     </message>
     <message>
-        <source>l %1 mm, α %2°</source>
-        <translation>l %1 мм, α %2°</translation>
-    </message>
-    <message>
-        <source>%1 N·m (%2)</source>
-        <translation>%1 Н·м (%2)</translation>
-    </message>
-    <message>
         <source>Best place by the %1: %2 at %3.</source>
         <translation>Лучшее место (%1): %2 при %3.</translation>
     </message>
     <message>
         <source>%1 at %2 cannot be built.</source>
         <translation>%1 при %2 построить нельзя.</translation>
-    </message>
-    <message>
-        <source>range %1 N·m</source>
-        <translation>размах %1 Н·м</translation>
-    </message>
-    <message>
-        <source>RMS %1 N·m</source>
-        <translation>СКЗ %1 Н·м</translation>
-    </message>
-    <message>
-        <source>box %1 cm²</source>
-        <translation>габарит %1 см²</translation>
     </message>
     <message>
         <source>Least bad over the band of speeds: %1 at the worst one. Here: %2</source>
@@ -11104,6 +12579,22 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>It is worse than without a shaft.</source>
         <translation>Это хуже, чем без вала.</translation>
+    </message>
+    <message>
+        <source>l %1, α %2°</source>
+        <translation>l %1, α %2°</translation>
+    </message>
+    <message>
+        <source>range %1</source>
+        <translation>размах %1</translation>
+    </message>
+    <message>
+        <source>RMS %1</source>
+        <translation>СКЗ %1</translation>
+    </message>
+    <message>
+        <source>box %1</source>
+        <translation>габарит %1</translation>
     </message>
 </context>
 <context>
@@ -11264,10 +12755,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Ширина × высота габарита, правая ось</translation>
     </message>
     <message>
-        <source>Places that can be built and that no other beats in range, RMS and size at once. Click to go to one.</source>
-        <translation>Места, которые можно построить и которых ни одно другое не лучше сразу по размаху, СКЗ и габариту. Щелчок переносит вал туда.</translation>
-    </message>
-    <message>
         <source>nothing better</source>
         <translation>лучше нет</translation>
     </message>
@@ -11323,6 +12810,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>nothing can be built</source>
         <translation>ничего нельзя построить</translation>
     </message>
+    <message>
+        <source>Places that can be built and that no other beats in range, RMS and size at once, each to one part in a million. Click to go to one.</source>
+        <translation>Места, которые можно построить и которых ни одно другое не лучше сразу по размаху, СКЗ и габариту; каждое с точностью до миллионной доли. Щелчок переносит вал туда.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::ShaftRow</name>
@@ -11370,28 +12861,16 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>выкл.</translation>
     </message>
     <message>
-        <source>N·m</source>
-        <translation>Н·м</translation>
-    </message>
-    <message>
-        <source>N</source>
-        <translation>Н</translation>
-    </message>
-    <message>
-        <source>mρ %1 g·mm</source>
-        <translation>mρ %1 г·мм</translation>
-    </message>
-    <message>
-        <source>m %1 g</source>
-        <translation>m %1 г</translation>
-    </message>
-    <message>
-        <source>%1 → %2 %3</source>
-        <translation>%1 → %2 %3</translation>
-    </message>
-    <message>
         <source>nothing to cancel</source>
         <translation>гасить нечего</translation>
+    </message>
+    <message>
+        <source>mρ %1</source>
+        <translation>mρ %1</translation>
+    </message>
+    <message>
+        <source>m %1</source>
+        <translation>m %1</translation>
     </message>
 </context>
 <context>
@@ -11426,6 +12905,49 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::ShopDialog</name>
+    <message>
+        <source>Shop on the job card</source>
+        <translation>Мастерская на карте</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the shop</source>
+        <translation>&amp;Название мастерской</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>&amp;Выбрать…</translation>
+    </message>
+    <message>
+        <source>N&amp;one</source>
+        <translation>&amp;Нет</translation>
+    </message>
+    <message>
+        <source>Logo</source>
+        <translation>Логотип</translation>
+    </message>
+    <message>
+        <source>Logo of the shop</source>
+        <translation>Логотип мастерской</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.svg)</source>
+        <translation>Изображения (*.png *.jpg *.jpeg *.svg)</translation>
+    </message>
+    <message>
+        <source>%1 is no picture.</source>
+        <translation>%1 — не изображение.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>нет</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read</source>
+        <translation>%1 не читается</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::SpeedMapPlot</name>
     <message>
         <source>Map over α and speed</source>
@@ -11440,16 +12962,16 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>n, мин⁻¹</translation>
     </message>
     <message>
-        <source>α %1°, n %2 min⁻¹: %3 of that without a shaft, %4</source>
-        <translation>α %1°, n %2 мин⁻¹: %3 от значения без вала, %4</translation>
-    </message>
-    <message>
         <source>%1 % worse</source>
         <translation>на %1 % хуже</translation>
     </message>
     <message>
         <source>%1 % better</source>
         <translation>на %1 % лучше</translation>
+    </message>
+    <message>
+        <source>α %1°, n %2: %3 of that without a shaft, %4</source>
+        <translation>α %1°, n %2: %3 от значения без вала, %4</translation>
     </message>
 </context>
 <context>
@@ -11469,10 +12991,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source> %1° would gain %2 % more but cannot be built.</source>
         <translation> %1° дал бы ещё %2 %, но его построить нельзя.</translation>
-    </message>
-    <message>
-        <source>Least bad α over the band, by the %1 against the engine without a shaft: %2°. At its worst speed, %3 min⁻¹, the %1 is %4 % %5.</source>
-        <translation>Наименее плохой α в диапазоне (%1 против двигателя без вала): %2°. При худшей частоте, %3 мин⁻¹, %1 на %4 % %5.</translation>
     </message>
     <message>
         <source>range</source>
@@ -11497,6 +13015,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Choose a pressure trace or a computed cycle on the Torque tab.</source>
         <translation>Возьмите давление или расчётный цикл на вкладке «Момент».</translation>
+    </message>
+    <message>
+        <source>Least bad α over the band, by the %1 against the engine without a shaft: %2°. At its worst speed, %3, the %1 is %4 % %5.</source>
+        <translation>Наименее плохой α в диапазоне (%1 против двигателя без вала): %2°. При худшей частоте, %3, %1 на %4 % %5.</translation>
     </message>
 </context>
 <context>
@@ -11630,6 +13152,41 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::StudyModel</name>
+    <message>
+        <source>Tolerance</source>
+        <translation>Допуск</translation>
+    </message>
+    <message>
+        <source>A tolerance is a number greater than 0: 0.02, 1 %, or σ 0.01 for a standard deviation; %1 is none.</source>
+        <translation>Допуск — число больше 0: 0,02, 1 % или σ 0,01 для стандартного отклонения; %1 не подходит.</translation>
+    </message>
+    <message>
+        <source>Tolerances</source>
+        <translation>Допуски</translation>
+    </message>
+    <message>
+        <source>Watch a result</source>
+        <translation>Наблюдать результат</translation>
+    </message>
+    <message>
+        <source>The lower limit is above the upper one.</source>
+        <translation>Нижний предел выше верхнего.</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Пределы</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Метод</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Выборка</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::TableEditor</name>
     <message>
         <source>Copy (Ctrl+C)</source>
@@ -11638,6 +13195,176 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The clipboard holds no numbers.</source>
         <translation>В буфере обмена нет чисел.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ToleranceWindow</name>
+    <message>
+        <source>Tolerances</source>
+        <translation>Допуски</translation>
+    </message>
+    <message>
+        <source>Inputs and their tolerances</source>
+        <translation>Входы и их допуски</translation>
+    </message>
+    <message>
+        <source>&amp;Usual ones</source>
+        <translation>&amp;Обычные</translation>
+    </message>
+    <message>
+        <source>&amp;Weighed parts: ± 0.5 g</source>
+        <translation>&amp;Взвешенные детали: ± 0,5 г</translation>
+    </message>
+    <message>
+        <source>&amp;Machined sizes: ± 0.05 mm</source>
+        <translation>&amp;Обработанные размеры: ± 0,05 мм</translation>
+    </message>
+    <message>
+        <source>&amp;All inputs: ± 1 %</source>
+        <translation>Вс&amp;е входы: ± 1 %</translation>
+    </message>
+    <message>
+        <source>The selected inputs do not scatter</source>
+        <translation>Выделенные входы без разброса</translation>
+    </message>
+    <message>
+        <source>Results to watch</source>
+        <translation>Наблюдаемые результаты</translation>
+    </message>
+    <message>
+        <source>Watch a result</source>
+        <translation>Наблюдать результат</translation>
+    </message>
+    <message>
+        <source>The selected results are watched no more</source>
+        <translation>Больше не наблюдать выделенные результаты</translation>
+    </message>
+    <message>
+        <source>M&amp;ethod</source>
+        <translation>&amp;Метод</translation>
+    </message>
+    <message>
+        <source>&amp;Samples</source>
+        <translation>&amp;Выборка</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Ход работы</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>&amp;Стоп</translation>
+    </message>
+    <message>
+        <source>What the tolerances do</source>
+        <translation>Что дают допуски</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Результат</translation>
+    </message>
+    <message>
+        <source>Nominal</source>
+        <translation>Номинал</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Среднее</translation>
+    </message>
+    <message>
+        <source>σ, linear</source>
+        <translation>σ, линейно</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>В пределах</translation>
+    </message>
+    <message>
+        <source>Without any scatter.</source>
+        <translation>Без разброса.</translation>
+    </message>
+    <message>
+        <source>Of all samples that could be solved.</source>
+        <translation>По всем решённым выборкам.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the samples.</source>
+        <translation>Стандартное отклонение выборки.</translation>
+    </message>
+    <message>
+        <source>Standard deviation by the slopes at the nominal values alone.</source>
+        <translation>Стандартное отклонение только по наклонам при номинальных значениях.</translation>
+    </message>
+    <message>
+        <source>One sample of twenty is less.</source>
+        <translation>Меньше — одна из двадцати.</translation>
+    </message>
+    <message>
+        <source>One sample of twenty is more.</source>
+        <translation>Больше — одна из двадцати.</translation>
+    </message>
+    <message>
+        <source>Share of the samples within the limits, with its 95 % interval.</source>
+        <translation>Доля выборки в пределах, с её 95-процентным интервалом.</translation>
+    </message>
+    <message>
+        <source>What matters most</source>
+        <translation>Что важнее всего</translation>
+    </message>
+    <message>
+        <source>share of the samples, %</source>
+        <translation>доля выборки, %</translation>
+    </message>
+    <message>
+        <source>Histogram</source>
+        <translation>Гистограмма</translation>
+    </message>
+    <message>
+        <source>Watch a result …</source>
+        <translation>Наблюдать результат …</translation>
+    </message>
+    <message>
+        <source>Give an input its tolerance: 0.02, 1 % or σ 0.01.</source>
+        <translation>Задайте входу допуск: 0,02, 1 % или σ 0,01.</translation>
+    </message>
+    <message>
+        <source>Choose a result to watch.</source>
+        <translation>Выберите результат для наблюдения.</translation>
+    </message>
+    <message>
+        <source>Computing …</source>
+        <translation>Вычисляется …</translation>
+    </message>
+    <message>
+        <source>Samples solved: %1</source>
+        <translation>Решено выборок: %1</translation>
+    </message>
+    <message>
+        <source>Refused: %1 × %2</source>
+        <translation>Отклонено: %1 × %2</translation>
+    </message>
+    <message>
+        <source>Shares of the variance of %1</source>
+        <translation>Доли дисперсии: %1</translation>
+    </message>
+    <message>
+        <source>nominal</source>
+        <translation>номинал</translation>
+    </message>
+    <message>
+        <source>at least</source>
+        <translation>не менее</translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation>не более</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::TornadoView</name>
+    <message>
+        <source>smaller ones: %1</source>
+        <translation>меньших: %1</translation>
     </message>
 </context>
 <context>
@@ -12004,26 +13731,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>%1: взвешено %2; тяжелее всех в цилиндре %3, легче всех в цилиндре %4.</translation>
     </message>
     <message>
-        <source>There is no journal.</source>
-        <translation>Журнала нет.</translation>
-    </message>
-    <message>
-        <source>without an engine number</source>
-        <translation>без номера двигателя</translation>
-    </message>
-    <message>
-        <source>Job %1 had been changed elsewhere meanwhile: saved as a new job.</source>
-        <translation>Работу %1 тем временем изменили в другом месте: сохранено как новая работа.</translation>
-    </message>
-    <message>
-        <source>Job %1 saved in the journal.</source>
-        <translation>Работа %1 сохранена в журнале.</translation>
-    </message>
-    <message>
-        <source>The job&apos;s sheet cannot be read: %1</source>
-        <translation>Лист работы не читается: %1</translation>
-    </message>
-    <message>
         <source>Excess Δmᵤ: not known yet</source>
         <translation>Δmᵤ: пока неизвестна</translation>
     </message>
@@ -12032,16 +13739,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Δmᵤ: %1, %2</translation>
     </message>
     <message>
-        <source>ISO 21940-11: Uₚₑᵣ = 1000 m G / ω = %1 for the whole crankshaft; the method&apos;s own limit is %2 in each plane.</source>
-        <translation>ИСО 21940-11: Uдоп = 1000 m G / ω = %1 на весь вал; предел самого метода — %2 в каждой плоскости.</translation>
-    </message>
-    <message>
         <source>At most %1 may come off a plug; slope kᵤ = %2, %3°.</source>
         <translation>С пробки можно снять не больше %1; наклон kᵤ = %2, %3°.</translation>
-    </message>
-    <message>
-        <source>The sheet is empty: nothing is saved.</source>
-        <translation>Лист пуст: ничего не сохранено.</translation>
     </message>
     <message>
         <source>By the method alone; the shift that it neglects leaves up to %1.</source>
@@ -12078,18 +13777,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Share of the part in the bob weight times its mass</source>
         <translation>Доля детали в грузе на её массу</translation>
-    </message>
-    <message>
-        <source>By the nominal masses, g</source>
-        <translation>По номинальным массам, г</translation>
-    </message>
-    <message>
-        <source>With the parts as they are, g</source>
-        <translation>С деталями, какие есть, г</translation>
-    </message>
-    <message>
-        <source>After the compensation, g</source>
-        <translation>После компенсации, г</translation>
     </message>
     <message>
         <source>Sum of the lines: what is hung on each crankpin</source>
@@ -12135,17 +13822,53 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Largest less smallest excess of the four crankpins</source>
         <translation>Наибольший минус наименьший избыток четырёх шеек</translation>
     </message>
+    <message>
+        <source>the engine&apos;s values</source>
+        <translation>данные двигателя</translation>
+    </message>
+    <message>
+        <source>the plug&apos;s sizes</source>
+        <translation>размеры пробки</translation>
+    </message>
+    <message>
+        <source>nominal masses and permitted spreads</source>
+        <translation>номинальные массы и допустимый разброс</translation>
+    </message>
+    <message>
+        <source>grade, mass and speed</source>
+        <translation>класс, масса и частота вращения</translation>
+    </message>
+    <message>
+        <source>From the job before: %1.</source>
+        <translation>Из предыдущей работы: %1.</translation>
+    </message>
+    <message>
+        <source>Masses of the nominal parts</source>
+        <translation>Массы номинальных деталей</translation>
+    </message>
+    <message>
+        <source>%1 in each plane is for this job alone.</source>
+        <translation>%1 в каждой плоскости — только для этой работы.</translation>
+    </message>
+    <message>
+        <source>ISO 21940-11: Uₚₑᵣ = 1000 m G / ω = %1 for the whole crankshaft.</source>
+        <translation>ИСО 21940-11: Uдоп = 1000 m G / ω = %1 на весь вал.</translation>
+    </message>
+    <message>
+        <source>By the nominal masses</source>
+        <translation>По номинальным массам</translation>
+    </message>
+    <message>
+        <source>With the parts as they are</source>
+        <translation>С деталями, какие есть</translation>
+    </message>
+    <message>
+        <source>After the compensation</source>
+        <translation>После компенсации</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::V8PlugsPage</name>
-    <message>
-        <source>The unfinished job is on the sheet again.</source>
-        <translation>Незаконченная работа снова на листе.</translation>
-    </message>
-    <message>
-        <source>Unfinished job</source>
-        <translation>Незаконченная работа</translation>
-    </message>
     <message>
         <source>&amp;3 Weigh-in</source>
         <translation>&amp;3 Взвешивание</translation>
@@ -12167,96 +13890,8 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>&amp;5 Станок</translation>
     </message>
     <message>
-        <source>&amp;Save job in the journal</source>
-        <translation>&amp;Сохранить работу в журнале</translation>
-    </message>
-    <message>
-        <source>Save the job in the journal</source>
-        <translation>Сохранить работу в журнале</translation>
-    </message>
-    <message>
-        <source>&amp;Next job</source>
-        <translation>С&amp;ледующая работа</translation>
-    </message>
-    <message>
-        <source>Next job: the engine&apos;s values stay, the rest is empty</source>
-        <translation>Следующая работа: данные двигателя остаются, остальное пусто</translation>
-    </message>
-    <message>
-        <source>&amp;Journal…</source>
-        <translation>&amp;Журнал…</translation>
-    </message>
-    <message>
-        <source>Find, open and copy jobs</source>
-        <translation>Найти, открыть, скопировать работы</translation>
-    </message>
-    <message>
-        <source>Job card, &amp;preview…</source>
-        <translation>&amp;Просмотр карты…</translation>
-    </message>
-    <message>
-        <source>Look at the job card</source>
-        <translation>Посмотреть карту</translation>
-    </message>
-    <message>
-        <source>&amp;Print job card…</source>
-        <translation>П&amp;ечать карты…</translation>
-    </message>
-    <message>
-        <source>Print the job card</source>
-        <translation>Напечатать карту</translation>
-    </message>
-    <message>
-        <source>Job card as P&amp;DF…</source>
-        <translation>Карта в P&amp;DF…</translation>
-    </message>
-    <message>
-        <source>Write the job card as PDF</source>
-        <translation>Записать карту в PDF</translation>
-    </message>
-    <message>
-        <source>&amp;Language of the job card</source>
-        <translation>&amp;Язык карты</translation>
-    </message>
-    <message>
-        <source>As the program</source>
-        <translation>Как в программе</translation>
-    </message>
-    <message>
-        <source>Unsaved job</source>
-        <translation>Несохранённая работа</translation>
-    </message>
-    <message>
-        <source>Save the job on the sheet in the journal?</source>
-        <translation>Сохранить работу с листа в журнале?</translation>
-    </message>
-    <message>
-        <source>Journal</source>
-        <translation>Журнал</translation>
-    </message>
-    <message>
-        <source>Job card</source>
-        <translation>Карта</translation>
-    </message>
-    <message>
-        <source>The printer cannot be used.</source>
-        <translation>Принтер недоступен.</translation>
-    </message>
-    <message>
-        <source>Job card as PDF</source>
-        <translation>Карта в PDF</translation>
-    </message>
-    <message>
-        <source>Written: %1</source>
-        <translation>Записано: %1</translation>
-    </message>
-    <message>
-        <source>Refused entries</source>
-        <translation>Непринятые значения</translation>
-    </message>
-    <message>
-        <source>Do&amp;n’t save</source>
-        <translation>&amp;Не сохранять</translation>
+        <source>nothing needed</source>
+        <translation>ничего не требуется</translation>
     </message>
 </context>
 <context>
@@ -12464,6 +14099,25 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::WatchTable</name>
+    <message>
+        <source>Result</source>
+        <translation>Результат</translation>
+    </message>
+    <message>
+        <source>At least</source>
+        <translation>Не менее</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Не более</translation>
+    </message>
+    <message>
+        <source>A limit is a number, or nothing; %1 is none.</source>
+        <translation>Предел — число или пусто; %1 не подходит.</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::WeighInSheet</name>
     <message>
         <source>Take the mass changes &amp;from this sheet</source>
@@ -12553,12 +14207,12 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>Ничего не вставлено: блок не помещается на листе с этого места.</translation>
     </message>
     <message>
-        <source>Nothing is pasted: “%1” is no mass in grams.</source>
-        <translation>Ничего не вставлено: «%1» — не масса в граммах.</translation>
-    </message>
-    <message>
         <source>Paste weights</source>
         <translation>Вставка масс</translation>
+    </message>
+    <message>
+        <source>Nothing is pasted: “%1” is no mass in %2.</source>
+        <translation>Ничего не вставлено: «%1» — не масса в %2.</translation>
     </message>
 </context>
 <context>
@@ -12566,6 +14220,268 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>&amp;What’s this?</source>
         <translation>Что &amp;это?</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::WorkshopPage</name>
+    <message>
+        <source>Another program is writing to the journal; waiting for it…</source>
+        <translation>В журнал пишет другая программа; ожидание…</translation>
+    </message>
+    <message>
+        <source>&amp;Save job in the journal</source>
+        <translation>&amp;Сохранить работу в журнале</translation>
+    </message>
+    <message>
+        <source>Save the job in the journal</source>
+        <translation>Сохранить работу в журнале</translation>
+    </message>
+    <message>
+        <source>Put job &amp;aside unfinished</source>
+        <translation>О&amp;тложить незаконченную работу</translation>
+    </message>
+    <message>
+        <source>Keep the job in the journal to go on with it another day</source>
+        <translation>Сохранить работу в журнале, чтобы продолжить в другой день</translation>
+    </message>
+    <message>
+        <source>&amp;Next job</source>
+        <translation>С&amp;ледующая работа</translation>
+    </message>
+    <message>
+        <source>Next job: the engine&apos;s values stay, the rest is empty</source>
+        <translation>Следующая работа: данные двигателя остаются, остальное пусто</translation>
+    </message>
+    <message>
+        <source>&amp;Journal…</source>
+        <translation>&amp;Журнал…</translation>
+    </message>
+    <message>
+        <source>Find, open and copy jobs</source>
+        <translation>Найти, открыть, скопировать работы</translation>
+    </message>
+    <message>
+        <source>Job card, &amp;preview…</source>
+        <translation>&amp;Просмотр карты…</translation>
+    </message>
+    <message>
+        <source>Look at the job card</source>
+        <translation>Посмотреть карту</translation>
+    </message>
+    <message>
+        <source>&amp;Print job card…</source>
+        <translation>П&amp;ечать карты…</translation>
+    </message>
+    <message>
+        <source>Print the job card</source>
+        <translation>Напечатать карту</translation>
+    </message>
+    <message>
+        <source>Job card as P&amp;DF…</source>
+        <translation>Карта в P&amp;DF…</translation>
+    </message>
+    <message>
+        <source>Write the job card as PDF</source>
+        <translation>Записать карту в PDF</translation>
+    </message>
+    <message>
+        <source>S&amp;hop on the job card…</source>
+        <translation>&amp;Мастерская на карте…</translation>
+    </message>
+    <message>
+        <source>&amp;Back up the journal…</source>
+        <translation>&amp;Резервная копия журнала…</translation>
+    </message>
+    <message>
+        <source>&amp;Restore from a backup…</source>
+        <translation>&amp;Восстановить из копии…</translation>
+    </message>
+    <message>
+        <source>&amp;Language of the job card</source>
+        <translation>&amp;Язык карты</translation>
+    </message>
+    <message>
+        <source>As the program</source>
+        <translation>Как в программе</translation>
+    </message>
+    <message>
+        <source>The unfinished job is on the sheet again.</source>
+        <translation>Незаконченная работа снова на листе.</translation>
+    </message>
+    <message>
+        <source>Unfinished job</source>
+        <translation>Незаконченная работа</translation>
+    </message>
+    <message>
+        <source>Refused entries</source>
+        <translation>Непринятые значения</translation>
+    </message>
+    <message>
+        <source>Unsaved job</source>
+        <translation>Несохранённая работа</translation>
+    </message>
+    <message>
+        <source>Save the job on the sheet in the journal?</source>
+        <translation>Сохранить работу с листа в журнале?</translation>
+    </message>
+    <message>
+        <source>Do&amp;n’t save</source>
+        <translation>&amp;Не сохранять</translation>
+    </message>
+    <message>
+        <source>Journal</source>
+        <translation>Журнал</translation>
+    </message>
+    <message>
+        <source>Back up the journal</source>
+        <translation>Резервная копия журнала</translation>
+    </message>
+    <message>
+        <source>Restore from a backup</source>
+        <translation>Восстановление из копии</translation>
+    </message>
+    <message>
+        <source>Journal (*.sqlite)</source>
+        <translation>Журнал (*.sqlite)</translation>
+    </message>
+    <message>
+        <source>Job card</source>
+        <translation>Карта</translation>
+    </message>
+    <message>
+        <source>The printer cannot be used.</source>
+        <translation>Принтер недоступен.</translation>
+    </message>
+    <message>
+        <source>Job card as PDF</source>
+        <translation>Карта в PDF</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Записано: %1</translation>
+    </message>
+</context>
+<context>
+    <name>studies</name>
+    <message>
+        <source>must lead to a number of the input</source>
+        <translation>должно указывать на число во входных данных</translation>
+    </message>
+    <message>
+        <source>must lead to a number of the result</source>
+        <translation>должно указывать на число в результате</translation>
+    </message>
+    <message>
+        <source>is not a sum of this program</source>
+        <translation>не сумма, записанная этой программой</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Линейный</translation>
+    </message>
+    <message>
+        <source>Second order</source>
+        <translation>Второго порядка</translation>
+    </message>
+    <message>
+        <source>Monte Carlo</source>
+        <translation>Монте-Карло</translation>
+    </message>
+    <message>
+        <source>Latin hypercube</source>
+        <translation>Латинский гиперкуб</translation>
+    </message>
+    <message>
+        <source>Sobol points</source>
+        <translation>Точки Соболя</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Сетка</translation>
+    </message>
+    <message>
+        <source>must be a JSON pointer, such as /crank_radius_mm</source>
+        <translation>должно быть указателем JSON, например /crank_radius_mm</translation>
+    </message>
+    <message>
+        <source>must hold one of: plus_minus, plus_minus_percent, normal_sd, from with to, values</source>
+        <translation>должно содержать одно из: plus_minus, plus_minus_percent, normal_sd, from с to, values</translation>
+    </message>
+    <message>
+        <source>must hold from 1 to %1 pointers</source>
+        <translation>должно содержать от 1 до %1 указателей</translation>
+    </message>
+    <message>
+        <source>must be a grid like the others, or none of them</source>
+        <translation>должно быть сеткой, как и остальные, или никакое из них</translation>
+    </message>
+    <message>
+        <source>must be &quot;grid&quot; where values are listed</source>
+        <translation>должно быть &quot;grid&quot;, если перечислены значения</translation>
+    </message>
+    <message>
+        <source>must not be &quot;grid&quot; where none is given</source>
+        <translation>не может быть &quot;grid&quot;, если сетка не задана</translation>
+    </message>
+    <message>
+        <source>must make at most %1 points</source>
+        <translation>должно давать не больше %1 точек</translation>
+    </message>
+    <message>
+        <source>the inputs act on it together</source>
+        <translation>входные данные действуют на неё совместно</translation>
+    </message>
+    <message>
+        <source>it jumps by %1 where %2 is %3</source>
+        <translation>она скачет на %1 там, где %2 равно %3</translation>
+    </message>
+    <message>
+        <source>it has a corner where %1 is %2</source>
+        <translation>у неё излом там, где %1 равно %2</translation>
+    </message>
+    <message>
+        <source>it does not exist where %1 is %2</source>
+        <translation>её нет там, где %1 равно %2</translation>
+    </message>
+    <message>
+        <source>it is curved along %1</source>
+        <translation>она искривлена вдоль %1</translation>
+    </message>
+    <message>
+        <source>%1 has no linear answer: a derivative does not exist at the inputs&apos; means.</source>
+        <translation>Для %1 линейного ответа нет: при средних значениях входных данных нет производной.</translation>
+    </message>
+    <message>
+        <source>The linear answer fails for %1: mean %2 and standard deviation %3 against %4 and %5 of the samples; %6.</source>
+        <translation>Линейный ответ для %1 неверен: среднее %2 и стандартное отклонение %3 против %4 и %5 по пробам; %6.</translation>
+    </message>
+    <message>
+        <source>is not what this program writes</source>
+        <translation>не то, что записывает эта программа</translation>
+    </message>
+    <message>
+        <source>is a part of another case than %1</source>
+        <translation>часть другой задачи, чем %1</translation>
+    </message>
+    <message>
+        <source>is one of %1 parts, but %2 is one of %3</source>
+        <translation>одна из %1 частей, а %2 — одна из %3</translation>
+    </message>
+    <message>
+        <source>was computed by another program or machine than %1: it began with other numbers</source>
+        <translation>посчитано другой программой или машиной, чем %1: исходные числа иные</translation>
+    </message>
+    <message>
+        <source>is not finished (%1 of %2 samples); run it again: --shard %3</source>
+        <translation>не закончено (%1 из %2 проб); запустите ещё раз: --shard %3</translation>
+    </message>
+    <message>
+        <source>is the same part as %1: %2</source>
+        <translation>та же часть, что и %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts are missing; run them again: --shard %3</source>
+        <translation>не хватает %1 из %2 частей; запустите их ещё раз: --shard %3</translation>
     </message>
 </context>
 <context>
@@ -12653,6 +14569,57 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Drilling in the webs, flywheel and damper are the balancing machine&apos;s business.</source>
         <translation>Сверление щёк, маховик и демпфер — дело балансировочного станка.</translation>
+    </message>
+</context>
+<context>
+    <name>workshop</name>
+    <message>
+        <source>Large slow marine diesels whose crank drive is inherently unbalanced</source>
+        <translation>Большие тихоходные судовые дизели с неуравновешенным по своей природе кривошипно-шатунным механизмом</translation>
+    </message>
+    <message>
+        <source>Large slow marine diesels whose crank drive is inherently balanced</source>
+        <translation>Большие тихоходные судовые дизели с уравновешенным по своей природе кривошипно-шатунным механизмом</translation>
+    </message>
+    <message>
+        <source>Crank drives inherently unbalanced, on elastic mounts</source>
+        <translation>Неуравновешенные по своей природе кривошипные механизмы на упругих опорах</translation>
+    </message>
+    <message>
+        <source>Crank drives inherently unbalanced, rigidly mounted</source>
+        <translation>Неуравновешенные по своей природе кривошипные механизмы на жёстких опорах</translation>
+    </message>
+    <message>
+        <source>Complete engines of cars, trucks and locomotives</source>
+        <translation>Двигатели легковых, грузовых автомобилей и локомотивов в сборе</translation>
+    </message>
+    <message>
+        <source>Crank drives inherently balanced, on elastic mounts; wheels and drive shafts of cars</source>
+        <translation>Уравновешенные кривошипные механизмы на упругих опорах; колёса и валы автомобилей</translation>
+    </message>
+    <message>
+        <source>Crank drives inherently balanced, rigidly mounted; cardan shafts</source>
+        <translation>Уравновешенные кривошипные механизмы на жёстких опорах; карданные валы</translation>
+    </message>
+    <message>
+        <source>Machinery in general: flywheels, pumps, fans, turbochargers</source>
+        <translation>Машины вообще: маховики, насосы, вентиляторы, турбокомпрессоры</translation>
+    </message>
+    <message>
+        <source>Gas and steam turbines, machine-tool drives</source>
+        <translation>Газовые и паровые турбины, приводы станков</translation>
+    </message>
+    <message>
+        <source>Grinding machine drives</source>
+        <translation>Приводы шлифовальных станков</translation>
+    </message>
+    <message>
+        <source>Spindles of high-precision machines, gyroscopes</source>
+        <translation>Шпиндели прецизионных станков, гироскопы</translation>
+    </message>
+    <message>
+        <source>must be a list of %1 masses, one for each cylinder</source>
+        <translation>должен быть списком масс по числу цилиндров (%1)</translation>
     </message>
 </context>
 </TS>
