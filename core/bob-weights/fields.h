@@ -222,7 +222,7 @@ inline constexpr Field slug_density{
     .key = "density_kg_m3",
     .unit = units::kg_m3,
     .range = Range::between(1000, 25'000),
-    .label = CORE_TEXT("bob-weights", "Sl&ug density"),
+    .label = CORE_TEXT("bob-weights", "Slu&g density"),
     .hint = CORE_TEXT("bob-weights", "Tungsten heavy metal 17 000 to 18 500 kg/m³."),
     .placeholder = CORE_TEXT("V8", "needed")};
 

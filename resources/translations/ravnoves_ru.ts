@@ -3031,7 +3031,7 @@
         <translation>без вставок</translation>
     </message>
     <message>
-        <source>Sl&amp;ug density</source>
+        <source>Slu&amp;g density</source>
         <translation>П&amp;лотность вставки</translation>
     </message>
     <message>

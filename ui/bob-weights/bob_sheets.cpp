@@ -9,6 +9,7 @@
 #include "bob-weights/fields.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "workshop/journal_dialog.h"
 
@@ -100,7 +101,7 @@ BobWeighInSheet::BobWeighInSheet(BobWeightsModel* model, QWidget* parent)
     }
     int row = mostRows + 1;
     for (const QString& name : {tr("mean, g"), tr("spread, g")}) {
-        auto* label = new QLabel(name, holder);
+        auto* label = new QLabel(shownTitle(name).text, holder);
         label->setFont(Theme::font(Theme::smallSize));
         grid->addWidget(label, row++, 0);
     }
@@ -213,7 +214,7 @@ void BobMachineSheet::buildPlanes() {
     grid->setColumnStretch(2, 1);
     std::array<QList<NumberField*>, 2> fields;
     const auto row = [&](int at, const char* key, const Field& field, auto get) {
-        const QString unit = unitText(field.unit.name);
+        const QString unit = shownUnit(field.unit).name;
         label(at, 0, fieldName(field) + QStringLiteral(", ") + unit);
         for (std::size_t plane = 0; plane < 2; ++plane) {
             auto* cell = new NumberField(field, holder);

@@ -167,11 +167,14 @@ void compare(const QVector<QStringList>& own, const QVector<QStringList>& other,
         for (qsizetype column = 1; column < own[row].size(); ++column) {
             const auto was = readShownNumber(own[row][column]);
             const auto is = readShownNumber(other[row].value(column));
-            if (!was || !is || !was->unit.isEmpty()) {
+            if (!was || !is) {
                 continue;
             }
             bool isSame = false;
-            for (const QString& unit : unitsOf(own, row, column)) {
+            // A cell may carry its unit.
+            const QStringList units =
+                was->unit.isEmpty() ? unitsOf(own, row, column) : QStringList{was->unit};
+            for (const QString& unit : units) {
                 const double factor = shownUnit(unit).factor;
                 const double wanted = factor * was->value;
                 const double rounding = 0.51 * (factor * std::pow(10.0, -was->decimals) +
