@@ -103,7 +103,7 @@ check() {
     got=$(offered "$@")
     [ "$got" = "$expected" ] || fault "after '$*' bash offers '$got', not '$expected'"
 }
-check "balance-shaft" ravnoves --scene b
+check "balance-shaft" ravnoves --scene ba
 check "--scale --scene --screenshot --set --size" ravnoves --s
 check "a.case.json" ravnoves a
 check "dark" ravnoves --theme d

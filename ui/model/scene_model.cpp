@@ -54,7 +54,7 @@ CaseFile SceneModel::caseFile() const {
     CaseFile file{sceneName().toStdString(), title_.toStdString(), inputJson()};
     file.notes = notes_.toStdString();
     file.kept = keptJson();
-    file.study = study_.empty() ? Json() : parse_json(study_);
+    file.study = study_.empty() ? Json() : Json::parse(study_);
     for (const Variant& variant : variants_.list) {
         file.variants.push_back({variant.name.toStdString(), parse_json(variant.input)});
     }

@@ -86,12 +86,10 @@ double CardPainter::weighIn(double y) {
 
 /// What the technician should not overlook, and what the method neglects.
 double CardPainter::remarks(double y, double end) {
-    constexpr double points = 7.0;
     Input shown = input_;
     shown.weigh_in.reset();  // its table above marks what is too far apart or missing
     shown.changes_from_weigh_in = false;
     const QString doubts = v8_text::massTroubles(words_, input_).join(QLatin1Char(' '));
-    y += sheet_.paragraph(left, y, full, doubts, 6.8, 2, false, CardPage::amber);
     QStringList list = v8_text::troubles(words_, shown, solution_);
     for (const QString& each : v8_text::massTroubles(words_, shown)) {
         list.removeAll(each);
@@ -104,11 +102,19 @@ double CardPainter::remarks(double y, double end) {
         list << v8_text::shiftText(words_, input_, solution_,
                                    chosen ? *chosen : *solution_.option(OptionId::steel_machined));
     }
-    const int lines = static_cast<int>((end - y) / sheet_.lineHeight(points));
-    if (list.isEmpty() || lines < 1) {
-        return y;
+    // Smaller where there is much to say: nothing of it is cut.
+    const QString rest = list.join(QLatin1Char(' '));
+    double points = 7.0;
+    const auto height = [&] {
+        return sheet_.heightOf(doubts, points, full) + sheet_.heightOf(rest, points, full);
+    };
+    while (points > CardPage::smallestType && y + height() > end) {
+        points -= 0.25;
     }
-    return y + sheet_.paragraph(left, y, full, list.join(QLatin1Char(' ')), points, lines);
+    constexpr int any = 100;
+    y += sheet_.paragraph(left, y, full, doubts, points, any, false, CardPage::amber);
+    const int lines = static_cast<int>((end - y) / sheet_.lineHeight(points) + 0.01);
+    return lines < 1 ? y : y + sheet_.paragraph(left, y, full, rest, points, lines);
 }
 
 void CardPainter::machine(double y) {

@@ -10,7 +10,6 @@ namespace ravnoves {
 
 namespace {
 constexpr double millimetresPerPoint = 25.4 / 72.0;
-constexpr double smallestType = 6.0;  // points; less is not read in a workshop
 }  // namespace
 
 const QColor CardPage::ink(0x11, 0x11, 0x11);
@@ -98,6 +97,14 @@ std::vector<QString> CardPage::wrappedRows(const QString& text, const QFont& fac
     }
     layout.endLayout();
     return rows;
+}
+
+double CardPage::heightOf(const QString& text, double points, double w) const {
+    constexpr int any = 100;
+    return text.isEmpty()
+               ? 0.0
+               : static_cast<double>(wrappedRows(text, font(points, false), w, any).size()) *
+                     lineHeight(points);
 }
 
 double CardPage::paragraph(double x, double y, double w, const QString& text, double points,

@@ -43,6 +43,9 @@ class CardPage {
     /// One line; a text that is too wide is set smaller, as far as it can be read, then elided.
     void text(double x, double y, double w, const QString& text, double points = 8.5,
               Qt::Alignment align = Qt::AlignLeft, bool bold = false, const QColor& colour = ink);
+    static constexpr double smallestType = 6.0;  ///< points; less is not read in a workshop
+    /// Height of wrapped text with all its lines, mm.
+    double heightOf(const QString& text, double points, double w) const;
     /// Wrapped text of at most `lines` lines; the last is elided where there is more.
     /// @return its height, mm
     double paragraph(double x, double y, double w, const QString& text, double points, int lines,
