@@ -321,15 +321,6 @@ void visit_fields(FieldVisitor& visitor, BalancingSheet& sheet) {
     visitor.number(field::front_share, sheet.front_share, 0.5);
 }
 
-void visit_fields(FieldVisitor& visitor, JobHeader& job) {
-    visitor.optional_text(field::engine_number, job.engine_number);
-    visitor.optional_text(field::crankshaft_number, job.crankshaft_number);
-    visitor.optional_text(field::customer, job.customer);
-    visitor.optional_text(field::date, job.date);
-    visitor.optional_text(field::technician, job.technician);
-    visitor.optional_text(field::notes, job.notes);
-}
-
 void visit_fields(FieldVisitor& visitor, Input& input) {
     if (!visitor.is_reading()) {
         // Forms and checks see the engine's values, wherever they come from. The file may have its

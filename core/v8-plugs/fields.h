@@ -4,6 +4,8 @@
 
 #include "case-file/field.h"
 #include "v8-plugs/plug_geometry.h"
+#include "workshop/job_header.h"
+#include "workshop/tolerance.h"
 
 /// The inputs of the scene, each described once; those of the engine are engine_fields().
 namespace ravnoves::v8_plugs {
@@ -143,28 +145,9 @@ inline constexpr Field aluminium_density{
 // ------------------------------------------------------------------------------- machine
 inline constexpr Field balancing{
     .key = "balancing", .hint = CORE_TEXT("V8", "Limits and readings of the balancing machine.")};
-inline constexpr Field grade{
-    .key = "grade_mm_s",
-    .unit = units::mm_per_s,
-    .range = Range::between(0.1, 10'000),
-    .label = CORE_TEXT("V8", "&Grade G"),
-    .hint = CORE_TEXT(
-        "V8",
-        "Balance quality grade. The standard's table has 0.4, 1, 2.5, 6.3, 16, 40, 100, 250, "
-        "630, 1600, 4000 mm/s; crankshaft drives of car, truck and locomotive engines G 100, "
-        "inherently balanced crankshafts better.")};
-inline constexpr Field rotor_mass{
-    .key = "rotor_mass_kg",
-    .unit = units::kg,
-    .range = Range::between(0.1, 100'000),
-    .label = CORE_TEXT("V8", "&Mass of the crankshaft"),
-    .hint = CORE_TEXT("V8", "As it lies on the machine, with the bob weights.")};
-inline constexpr Field service_speed{
-    .key = "service_speed_rpm",
-    .unit = units::rpm,
-    .range = Range::between(1, 100'000),
-    .label = CORE_TEXT("V8", "Service s&peed"),
-    .hint = CORE_TEXT("V8", "The highest speed in service, not that of the machine.")};
+using workshop::field::grade;
+using workshop::field::rotor_mass;
+using workshop::field::service_speed;
 inline constexpr Field front_share{
     .key = "front_share",
     .range = Range::between(0.3, 0.7),
@@ -187,26 +170,13 @@ inline constexpr Field rear_reading{
     .hint = CORE_TEXT("V8", "Residual unbalance after correction.")};
 
 // ------------------------------------------------------------------------- head of the card
-inline constexpr Field job{.key = "job", .hint = CORE_TEXT("V8", "Head of the job card.")};
-inline constexpr Field engine_number{.key = "engine_number",
-                                     .label = CORE_TEXT("V8", "Engine &number"),
-                                     .hint = CORE_TEXT("V8", "The journal finds the job by it.")};
-inline constexpr Field crankshaft_number{.key = "crankshaft_number",
-                                         .label = CORE_TEXT("V8", "Crankshaft num&ber"),
-                                         .hint = CORE_TEXT("V8", "As stamped on the crankshaft.")};
-inline constexpr Field customer{
-    .key = "customer",
-    .label = CORE_TEXT("V8", "C&ustomer"),
-    .hint = CORE_TEXT("V8", "Who brought the engine; the journal finds the job by it.")};
-inline constexpr Field date{.key = "date",
-                            .label = CORE_TEXT("V8", "&Date"),
-                            .hint = CORE_TEXT("V8", "Year-month-day or day.month.year.")};
-inline constexpr Field technician{.key = "technician",
-                                  .label = CORE_TEXT("V8", "&Technician"),
-                                  .hint = CORE_TEXT("V8", "Who does the work.")};
-inline constexpr Field notes{.key = "notes",
-                             .label = CORE_TEXT("V8", "&Notes"),
-                             .hint = CORE_TEXT("V8", "Printed on the job card.")};
+using workshop::field::crankshaft_number;
+using workshop::field::customer;
+using workshop::field::date;
+using workshop::field::engine_number;
+using workshop::field::job;
+using workshop::field::notes;
+using workshop::field::technician;
 
 }  // namespace field
 }  // namespace ravnoves::v8_plugs

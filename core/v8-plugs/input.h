@@ -12,6 +12,7 @@
 #include "v8-plugs/plug_geometry.h"
 #include "v8-plugs/residual_unbalance.h"
 #include "v8-plugs/weigh_in.h"
+#include "workshop/job_header.h"
 
 namespace ravnoves {
 class FieldVisitor;
@@ -67,17 +68,7 @@ struct BalancingSheet {
     friend bool operator==(const BalancingSheet&, const BalancingSheet&) = default;
 };
 
-/// The head of the job card.
-struct JobHeader {
-    std::string engine_number;
-    std::string crankshaft_number;
-    std::string customer;
-    std::string date;  ///< ISO 8601, "2024-05-31"
-    std::string technician;
-    std::string notes;
-
-    friend bool operator==(const JobHeader&, const JobHeader&) = default;
-};
+using workshop::JobHeader;
 
 /// The input of the scene.
 struct Input {
@@ -112,7 +103,6 @@ void visit_fields(FieldVisitor& visitor, PartColumn& column);
 void visit_fields(FieldVisitor& visitor, WeighIn& sheet);
 void visit_fields(FieldVisitor& visitor, PlugSheet& sheet);
 void visit_fields(FieldVisitor& visitor, BalancingSheet& sheet);
-void visit_fields(FieldVisitor& visitor, JobHeader& job);
 void visit_fields(FieldVisitor& visitor, Input& input);
 
 /// Checks the ranges, that nothing which a result needs is missing, and the rules that join fields.

@@ -1,5 +1,7 @@
 #include "v8-plugs/residual_unbalance.h"
 
+#include "workshop/tolerance.h"
+
 namespace ravnoves::v8_plugs {
 
 PlaneVerdict judge(double limit, const std::optional<double>& reading) {
@@ -7,7 +9,8 @@ PlaneVerdict judge(double limit, const std::optional<double>& reading) {
 }
 
 BalancingVerdict judge(const BalancingCheck& check) {
-    const double permissible = check.rotor_mass * check.grade / check.service_speed;
+    const double permissible =
+        workshop::permissible_unbalance(check.rotor_mass, check.grade, check.service_speed);
     return {permissible, judge(permissible * check.front_share, check.front_reading),
             judge(permissible * (1.0 - check.front_share), check.rear_reading)};
 }

@@ -1,13 +1,8 @@
 #pragma once
 
-#include <array>
 #include <optional>
 
 namespace ravnoves::v8_plugs {
-
-/// Balance quality grades G of [iso-21940-11], mm/s (the products e·ω).
-inline constexpr std::array<double, 11> balance_grades_mm_s{0.4, 1,   2.5, 6.3,  16,  40,
-                                                            100, 250, 630, 1600, 4000};
 
 /// What the balancing machine has to reach, and what it reads.
 struct BalancingCheck {
