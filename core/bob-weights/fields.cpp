@@ -290,9 +290,19 @@ std::optional<double> mass_of(const Input& input, const PartField& part) {
     return input.parts.*part.member;
 }
 
+void check_bob_weight(const Input& input) {
+    check_engine(input.engine);
+    const double factor = input.factor.reciprocating.value_or(theory_factor(input.engine));
+    if (factor + input.factor.overbalance < 0.0) {
+        throw InputError("/input/factor/" + std::string(field::overbalance_percent.key),
+                         CORE_TEXT("bob-weights", "must leave a factor of 0 or more"),
+                         Number{from_si(field::overbalance_percent, input.factor.overbalance)});
+    }
+}
+
 void check_input(const Input& input) {
     check_fields(input);
-    check_engine(input.engine);
+    check_bob_weight(input);
     if (input.weigh_in) {
         Input fitted = input;
         fit_weigh_in(fitted);

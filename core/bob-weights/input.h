@@ -173,6 +173,10 @@ void fit_weigh_in(Input& input);
 /// typed.
 std::optional<double> mass_of(const Input& input, const PartField& part);
 
+/// Checks what joins the fields of engine and factor.
+/// @throws InputError
+void check_bob_weight(const Input& input);
+
 /// Checks the ranges, that nothing which a result needs is missing, and the rules that join fields.
 /// @throws InputError
 void check_input(const Input& input);

@@ -9,7 +9,10 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "model/case_model_json.h"
+#include "text/error_text.h"
+#include "text/message_text.h"
 #include "text/number_text.h"
+#include "workshop/weigh_in.h"
 
 namespace ravnoves {
 
@@ -30,6 +33,20 @@ Input BobWeightsScene::read(const Json& input, const CaseContext& /*context*/) {
 
 Json BobWeightsScene::write(const Input& input) {
     return write_input(input);
+}
+
+Result BobWeightsScene::solve(const Input& input) {
+    Result result = bob_weights::solve(input);
+    try {
+        check_bob_weight(input);
+    } catch (const InputError&) {
+        result.lines.clear();
+        result.bob_weight.reset();
+        result.first_order.reset();
+        result.crankpins.clear();
+        result.correction.reset();
+    }
+    return result;
 }
 
 template class CaseModel<BobWeightsScene>;
@@ -171,7 +188,44 @@ void BobWeightsModel::newJob() {
 
 // --------------------------------------------------------------------------- what the page shows
 
+QString BobWeightsModel::contradiction() const {
+    if (!missing_for_bob_weight(input()).empty()) {
+        return {};
+    }
+    try {
+        check_bob_weight(input());
+    } catch (const InputError& error) {
+        return shownError(error);
+    }
+    return {};
+}
+
+QString BobWeightsModel::shownError(const InputError& error) const {
+    // By the field's name, where it has one.
+    for (const FieldEntry& entry : fields()) {
+        if ("/input" + entry.pointer == error.where() && !entry.field.label.empty()) {
+            return errorText(InputError(fieldName(entry.field).toStdString(),
+                                        error.allowed_message(), error.found_message()));
+        }
+    }
+    const QStringList place =
+        QString::fromStdString(error.where()).split(QLatin1Char('/'), Qt::SkipEmptyParts);
+    if (place.value(1) == QLatin1String("weigh_in") && place.size() >= 5) {
+        for (const Word& word : workshop::part_words) {
+            if (place[2] == QLatin1String(word.word.data())) {
+                return tr("Weigh-in sheet: %1 of cylinder %2 is missing or no weight.")
+                    .arg(shownText(word.label))
+                    .arg(place[4].toInt() + 1);
+            }
+        }
+    }
+    return errorText(error);
+}
+
 QString BobWeightsModel::headline() const {
+    if (const QString why = contradiction(); !why.isEmpty()) {
+        return why;
+    }
     return bob_text::headline(Words(), input(), solution());
 }
 
@@ -199,15 +253,7 @@ QStringList BobWeightsModel::troubles() const {
         try {
             check_input(input());
         } catch (const InputError& error) {
-            // By the field's name, where it has one.
-            QString text = errorText(error);
-            for (const FieldEntry& entry : fields()) {
-                if ("/input" + entry.pointer == error.where() && !entry.field.label.empty()) {
-                    text = errorText(InputError(fieldName(entry.field).toStdString(),
-                                                error.allowed_message(), error.found_message()));
-                }
-            }
-            list << text;
+            list << shownError(error);
         }
     }
     return list + bob_text::shortfalls(Words(), solution());

@@ -11,6 +11,8 @@
 
 namespace ravnoves {
 
+class InputError;
+
 /// What CaseModel knows of the scene.
 struct BobWeightsScene {
     using Input = bob_weights::Input;
@@ -20,7 +22,8 @@ struct BobWeightsScene {
     static Input read(const Json& input, const CaseContext& context);
     static Json write(const Input& input);
     /// Refuses nothing: what is missing or broken is named by the model.
-    static Solved solve(const Input& input) { return bob_weights::solve(input); }
+    /// Where engine or factor contradict themselves there is no answer.
+    static Solved solve(const Input& input);
 
     bool dated;  ///< a new job is of today
 };
@@ -40,6 +43,8 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     bool setViewOption(const QString& key, const QString& value) override;
 
     const bob_weights::Result& solution() const { return solved(); }
+    /// Why engine and factor give no answer; empty where they do, or where something is missing.
+    QString contradiction() const;
 
     // --------------------------------------------------------------------- beyond single fields
     /// Chooses the type, with as many rods on a bob weight as are usual for it.
@@ -99,6 +104,7 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
 
   private:
     void aboutToLoad() override { desk_.forgetJob(); }
+    QString shownError(const InputError& error) const;
     JobDesk::Scene deskScene();
     JournalJob journalEntry() const;
     void takeJob(const CaseFile& file, bool isCopy);
