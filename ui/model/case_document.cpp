@@ -84,6 +84,10 @@ CaseDocument::CaseDocument(SceneModel* model, DocumentDialogs dialogs, QObject* 
     connect(model, &SceneModel::historyChanged, sourcesLater_, [this] { sourcesLater_->start(); });
     connect(model, &SceneModel::historyChanged, this, &CaseDocument::tellNeed);
     connect(model, &SceneModel::titleChanged, this, &CaseDocument::nameChanged);
+    connect(model, &SceneModel::begunAnew, this, [this] {
+        *rest_ = {};
+        setPath({}, {});
+    });
     connect(&disk_, &FileOnDisk::stateChanged, this, [this] {
         const FileOnDisk::State state = disk_.state();
         isLastCopy_ = state == FileOnDisk::State::Gone ||

@@ -160,6 +160,7 @@ class CaseModel : public SceneModel {
         history()->clear();
         finishDrag();
         apply(input);
+        Q_EMIT begunAnew();
     }
     /// True in an editing: the change of this name that follows is part of it, and settle() comes
     /// after it. Anything else that changes meanwhile is a step of its own.

@@ -15,6 +15,7 @@
 #include "bob-weights/model/bob_weights_model.h"
 #include "case-file/json.h"
 #include "events.h"
+#include "model/case_document.h"
 #include "widgets/number_field.h"
 #include "widgets/result_table.h"
 #include "workshop/model/job_desk.h"
@@ -117,7 +118,7 @@ TEST_F(BobPageTest, TheEngineBringsItsFactor) {
     EXPECT_EQ(model->input().engine.rods_per_pin, 2);
     // A rule between two fields is named on the page, not refused.
     type("cylinders", u"7"_s);
-    EXPECT_TRUE(label("troubles").contains(u"must be even"_s)) << label("troubles").toStdString();
+    EXPECT_TRUE(label("headline").contains(u"must be even"_s)) << label("headline").toStdString();
 }
 
 TEST_F(BobPageTest, ReadingsBecomeHoles) {
@@ -206,6 +207,35 @@ TEST_F(BobPageTest, JournalAndCard) {
     EXPECT_FALSE(model->input().correction->readings[0].unbalance);
     EXPECT_EQ(model->desk()->openJob(jobs[0].id), QString());
     EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s);
+}
+
+TEST_F(BobPageTest, WhatContradictsItselfHasNoAnswer) {
+    typeShopCard();
+    type("cylinders", u"7"_s);
+    EXPECT_TRUE(label("headline").contains(u"must be even"_s)) << label("headline").toStdString();
+    EXPECT_FALSE(model->solution().bob_weight);
+    // The journal keeps the sheet, not an answer that it does not have.
+    QTest::keyClick(&page, Qt::Key_F2);
+    JournalQuery query;
+    query.scene = u"bob-weights"_s;
+    const auto jobs = model->desk()->journal()->search(query);
+    ASSERT_EQ(jobs.size(), 1);
+    EXPECT_FALSE(jobs[0].bobWeight);
+    type("cylinders", u"8"_s);
+    EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s);
+    type("reciprocating_percent", u"10"_s);
+    type("overbalance_percent", u"-20"_s);
+    EXPECT_FALSE(model->solution().bob_weight);
+}
+
+TEST_F(BobPageTest, TheNextJobIsNotOfTheFileBeforeIt) {
+    CaseDocument document(model, {});
+    typeShopCard();
+    ASSERT_EQ(document.saveTo(QDir(folder.path()).filePath(u"a.case.json"_s)), QString());
+    EXPECT_FALSE(document.path().isEmpty());
+    QTest::keyClick(&page, Qt::Key_F2);
+    QTest::keyClick(&page, Qt::Key_F4);
+    EXPECT_TRUE(document.path().isEmpty());
 }
 
 TEST(BobWeightsModel, ReadsDrillsAsTheyAreTyped) {
