@@ -110,6 +110,8 @@ QWidget* ToleranceWindow::makeInputs() {
     add(tr("&Weighed parts: ± 0.5 g"), StudyModel::Preset::Weighed);
     add(tr("&Machined sizes: ± 0.05 mm"), StudyModel::Preset::Machined);
     add(tr("&All inputs: ± 1 %"), StudyModel::Preset::OnePercent);
+    menu->addSeparator();
+    menu->addAction(tr("&None"), model_, &StudyModel::clear);
     presets->setMenu(menu);
     top->addWidget(presets);
     column->addLayout(top);

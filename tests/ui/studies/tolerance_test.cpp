@@ -135,6 +135,23 @@ TEST_F(Tolerances, AreStepsOfTheHistoryAndStayInTheCase) {
     EXPECT_EQ(study().watch.at(0).max, 1100.0);
 }
 
+TEST_F(Tolerances, AStudyThatIsRefusedStaysUntilItIsCleared) {
+    CaseFile file = scene().caseFile();
+    file.study = {{"vary", {{"/crank_radius_mm", {{"plus", 1}}}}}, {"watch", Json::object()}};
+    scene().loadFile(file, scene().context(), false);
+    EXPECT_FALSE(tolerances->model()->trouble().isEmpty());
+    scatter("/crank_radius_mm", u"0.5"_s);
+    watch("/metrics/M_ups/range_Nm");
+    EXPECT_EQ(scene().caseFile().study, file.study);
+    tolerances->model()->clear();
+    EXPECT_TRUE(scene().caseFile().study.is_null());
+    scatter("/crank_radius_mm", u"0.5"_s);
+    EXPECT_EQ(study().vary.size(), 1U);
+    scene().undo();
+    scene().undo();
+    EXPECT_EQ(scene().caseFile().study, file.study);
+}
+
 TEST_F(Tolerances, TheCommandLineFindsTheSame) {
     scatter("/crank_radius_mm", u"0.02"_s);
     watch("/optimum/range/range_Nm");

@@ -153,6 +153,7 @@ void StudyModel::follow() {
 
 void StudyModel::readStudy() {
     trouble_.clear();
+    isRefused_ = false;
     study_ = freshStudy();
     if (scene_->study().empty()) {
         return;
@@ -161,6 +162,7 @@ void StudyModel::readStudy() {
         study_ = studies::read_study(parse_json(scene_->study()), true);
     } catch (const InputError& error) {
         trouble_ = errorText(error);
+        isRefused_ = true;
     }
 }
 
@@ -225,6 +227,9 @@ QString StudyModel::scatterText(const std::optional<Varied>& varied) {
 }
 
 QString StudyModel::setScatter(const std::string& pointer, const QString& text) {
+    if (isRefused_) {
+        return trouble_;
+    }
     Study next = study_;
     const auto there = std::find_if(next.vary.begin(), next.vary.end(), [&](const Varied& varied) {
         return varied.pointer == pointer;
@@ -241,7 +246,8 @@ QString StudyModel::setScatter(const std::string& pointer, const QString& text) 
     if (rest.endsWith(QLatin1Char('%'))) {
         varied.spread = Varied::Spread::plus_minus_percent;
         rest.chop(1);
-    } else if (rest.startsWith(QChar(0x03C3)) || rest.startsWith(QLatin1Char('s'), Qt::CaseInsensitive)) {
+    } else if (rest.startsWith(QChar(0x03C3)) ||
+               rest.startsWith(QLatin1Char('s'), Qt::CaseInsensitive)) {
         varied.spread = Varied::Spread::normal;
         rest.remove(0, 1);
     }
@@ -290,6 +296,11 @@ void StudyModel::take(Preset preset) {
     change(tr("Tolerances"), next);
 }
 
+void StudyModel::clear() {
+    scene_->changeStudy(tr("Tolerances"), {});
+    follow();
+}
+
 void StudyModel::watch(const std::string& pointer) {
     Study next = study_;
     if (std::none_of(next.watch.begin(), next.watch.end(),
@@ -307,6 +318,9 @@ void StudyModel::unwatch(const std::string& pointer) {
 
 QString StudyModel::setLimits(const std::string& pointer, std::optional<double> min,
                               std::optional<double> max) {
+    if (isRefused_) {
+        return trouble_;
+    }
     if (min && max && *min > *max) {
         return tr("The lower limit is above the upper one.");
     }
@@ -334,8 +348,8 @@ void StudyModel::setSamples(std::uint64_t samples) {
 }
 
 void StudyModel::change(const QString& name, const Study& next) {
-    if (next == study_) {
-        return;
+    if (next == study_ || isRefused_) {
+        return;  // nothing goes over what was not understood
     }
     const bool isEmpty = next.vary.empty() && next.watch.empty();
     scene_->changeStudy(name, isEmpty ? std::string() : studies::write_study(next).dump());

@@ -79,6 +79,8 @@ class StudyModel : public QObject {
     QString setScatter(const std::string& pointer, const QString& text);
     /// Gives every input of a kind its usual scatter: masses ± 0.5 g, lengths ± 0.05 mm, all ± 1 %.
     void take(Preset preset);
+    /// Nothing scatters and nothing is watched; what the case had is gone, one that is refused too.
+    void clear();
     void watch(const std::string& pointer);
     void unwatch(const std::string& pointer);
     /// @return an empty string, or why it cannot be
@@ -113,6 +115,7 @@ class StudyModel : public QObject {
     std::vector<Input> inputs_;
     std::optional<StudyAnswers> answers_;
     QString trouble_;
+    bool isRefused_ = false;  ///< the case's study cannot be read, and stays until it is cleared
     int run_ = 0;
     bool watched_ = false;
 };
