@@ -89,13 +89,16 @@ void JobSheet::buildChanges() {
     }
     number("/tolerance_g_mm");
     // Below the fields: they must not move while one types.
-    line(Theme::smallSize, [this] {
-        return model_->toleranceText();
-    })->setObjectName(QStringLiteral("tolerance_owner"));
+    QLabel* owner = line(Theme::smallSize, [this] { return model_->toleranceText(); });
+    owner->setObjectName(QStringLiteral("tolerance_owner"));
+    owner->setMinimumHeight(3 * owner->fontMetrics().height());  // a scroll bar would move them too
     auto* keep = new QPushButton(tr("&Make it the shop's own"), this);
     keep->setObjectName(QStringLiteral("keep_tolerance"));
     keep->setToolTip(tr("New jobs begin with this limit."));
     keep->setMinimumHeight(Theme::withText(fieldHeight));
+    QSizePolicy place = keep->sizePolicy();
+    place.setRetainSizeWhenHidden(true);
+    keep->setSizePolicy(place);
     current()->addWide(keep);
     connect(keep, &QPushButton::clicked, model_, &V8PlugsModel::keepTolerance);
     follow([this, keep] { keep->setVisible(!model_->isShopsTolerance()); });
