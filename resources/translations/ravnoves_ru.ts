@@ -3206,6 +3206,10 @@
         <source>The holes have too little room: %1 at the radius remain at %2. Deeper or wider holes, heavy metal pressed in opposite, or as a last resort as much welded on there.</source>
         <translation>Отверстиям мало места: остаётся %1 на радиусе под углом %2. Глубже или шире отверстия, тяжёлый металл напротив или, в последнюю очередь, столько же наварить там.</translation>
     </message>
+    <message>
+        <source>must leave a factor of 0 or more</source>
+        <translation>должно оставлять долю не меньше 0</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -7585,6 +7589,10 @@ but nothing can be built</source>
     <message>
         <source>Mass, the cone of the point included; negative: a slug adds so much more than the steel weighed</source>
         <translation>Масса вместе с конусом; отрицательна: вставка тяжелее вынутой стали на столько</translation>
+    </message>
+    <message>
+        <source>Weigh-in sheet: %1 of cylinder %2 is missing or no weight.</source>
+        <translation>Взвешивание: %1, цилиндр %2 — не введено или не масса.</translation>
     </message>
 </context>
 <context>
@@ -13358,6 +13366,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>at most</source>
         <translation>не более</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>&amp;Никаких</translation>
     </message>
 </context>
 <context>

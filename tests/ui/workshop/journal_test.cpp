@@ -543,7 +543,12 @@ TEST_F(JournalTest, NothingIsLostWhenKilledTwoHundredTimes) {
     }
     Journal journal(path());
     ASSERT_TRUE(journal.open());
-    EXPECT_LE(files(u"*.running"_s).size(), 1) << "what killed programs left goes";
+    // What killed programs left goes; one that was not yet written is left for a minute.
+    QStringList left = files(u"*.running"_s);
+    left.removeIf([&](const QString& name) {
+        return QFileInfo(QFileInfo(path()).dir().filePath(name)).size() == 0;
+    });
+    EXPECT_LE(left.size(), 1);
     std::map<qint64, QString> kept;
     for (const JournalJob& job : journal.search({{}, {}, {}, 1000000, {}, false})) {
         kept[job.id] = tagOf(job.form);
