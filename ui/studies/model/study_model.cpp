@@ -174,7 +174,7 @@ std::vector<StudyModel::Value> StudyModel::results() const {
 
 QString StudyModel::resultName(const std::string& pointer) {
     static const std::vector<std::pair<const char*, const char*>> units{
-        {"_N_m", "N·m"},   {"_Nm", "N·m"},      {"_g_mm", "g·mm"}, {"_kg_m2", "kg·m²"},
+        {"_N_m", "N/m"},   {"_Nm", "N·m"},      {"_g_mm", "g·mm"}, {"_kg_m2", "kg·m²"},
         {"_mm_s", "mm/s"}, {"_rad_s", "rad/s"}, {"_kg", "kg"},     {"_mm", "mm"},
         {"_deg", "°"},     {"_rpm", "min⁻¹"},   {"_MPa", "MPa"},   {"_cm2", "cm²"},
         {"_g", "g"},       {"_N", "N"},         {"_J", "J"},       {"_percent", "%"}};
@@ -182,7 +182,7 @@ QString StudyModel::resultName(const std::string& pointer) {
     QString unit;
     for (const auto& [suffix, name] : units) {
         if (path.ends_with(suffix)) {
-            path.resize(path.size() - std::string_view(suffix).size());
+            path.erase(path.size() - std::string_view(suffix).size());
             unit = unitText(name);
             break;
         }
@@ -298,7 +298,6 @@ void StudyModel::take(Preset preset) {
 
 void StudyModel::clear() {
     scene_->changeStudy(tr("Tolerances"), {});
-    follow();
 }
 
 void StudyModel::watch(const std::string& pointer) {
@@ -353,7 +352,6 @@ void StudyModel::change(const QString& name, const Study& next) {
     }
     const bool isEmpty = next.vary.empty() && next.watch.empty();
     scene_->changeStudy(name, isEmpty ? std::string() : studies::write_study(next).dump());
-    follow();  // of one that the model does not take
 }
 
 bool StudyModel::isBusy() const {
@@ -376,7 +374,7 @@ void StudyModel::start() {
     if (!watched_) {
         return;
     }
-    if (study_.vary.empty() || study_.watch.empty() || !trouble_.isEmpty()) {
+    if (study_.vary.empty() || study_.watch.empty() || isRefused_) {
         job_->cancel();
         show(std::nullopt, trouble_);
         return;
