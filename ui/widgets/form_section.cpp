@@ -44,6 +44,7 @@ class Scrolled final : public QScrollArea {
             painter.setPen(Theme::instance().accent());
             painter.drawRect(rect().adjusted(0, 0, -1, -1));
         } else if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize) {
+            giveRoom();
             setFocusPolicy(isOver() && !hasStop() ? Qt::StrongFocus : Qt::NoFocus);
             const auto* text = qobject_cast<QLabel*>(widget());
             text = text != nullptr ? text : widget()->findChild<QLabel*>();
@@ -54,6 +55,12 @@ class Scrolled final : public QScrollArea {
             }
         }
         return done;
+    }
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (watched == widget() && event->type() == QEvent::LayoutRequest) {
+            giveRoom();
+        }
+        return QScrollArea::eventFilter(watched, event);
     }
     void focusInEvent(QFocusEvent* event) override {
         QScrollArea::focusInEvent(event);
@@ -66,6 +73,18 @@ class Scrolled final : public QScrollArea {
 
   private:
     static constexpr int leastHeight = 60;
+
+    /// A scroll area knows nothing of texts that wrap: without their height it squeezes the rows.
+    void giveRoom() {
+        const QLayout* layout = widget()->layout();
+        if (layout == nullptr || !layout->hasHeightForWidth()) {
+            return;
+        }
+        const int needed = layout->minimumHeightForWidth(viewport()->width());
+        if (widget()->minimumHeight() != needed) {
+            widget()->setMinimumHeight(needed);
+        }
+    }
 
     bool isOver() const { return verticalScrollBar()->maximum() > 0; }
     bool hasStop() const {
