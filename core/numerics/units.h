@@ -59,6 +59,11 @@ inline constexpr Unit degree{"°", ravnoves::degree};
 inline constexpr Unit rad_per_s{CORE_TEXT("core", "rad/s").english, 1.0};
 inline constexpr Unit rpm{CORE_TEXT("core", "min⁻¹").english, ravnoves::rpm};
 inline constexpr Unit percent{"%", 1e-2};
+inline constexpr Unit milligram{"mg", 1e-6};
+inline constexpr Unit pound{CORE_TEXT("core", "lb").english, 0.45359237};
+inline constexpr Unit ounce{CORE_TEXT("core", "oz").english, pound.to_si / 16.0};
+inline constexpr Unit pound_force{CORE_TEXT("core", "lbf").english, pound.to_si * 9.80665};
+inline constexpr Unit inch{CORE_TEXT("core", "in").english, 0.0254};
 }  // namespace units
 
 }  // namespace ravnoves

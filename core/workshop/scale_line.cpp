@@ -31,10 +31,10 @@ struct UnitWord {
 };
 constexpr UnitWord unit_words[] = {{"G", units::gram},
                                    {"KG", units::kg},
-                                   {"MG", milligram},
-                                   {"OZ", ounce},
-                                   {"LB", pound},
-                                   {"LBS", pound},
+                                   {"MG", units::milligram},
+                                   {"OZ", units::ounce},
+                                   {"LB", units::pound},
+                                   {"LBS", units::pound},
                                    {"\xD0\xB3", units::gram},        // г in UTF-8
                                    {"\xD0\xBA\xD0\xB3", units::kg},  // кг
                                    {"\xE3", units::gram},            // in CP1251

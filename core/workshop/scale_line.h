@@ -9,10 +9,6 @@ namespace ravnoves::workshop {
 
 // The lines that weighing scales send, without the port that they come from.
 
-inline constexpr Unit milligram{"mg", 1e-6};
-inline constexpr Unit pound{CORE_TEXT("core", "lb").english, 0.45359237};
-inline constexpr Unit ounce{CORE_TEXT("core", "oz").english, 0.45359237 / 16.0};
-
 /// What one line says.
 struct ScaleLine {
     enum class Kind {

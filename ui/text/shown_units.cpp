@@ -24,10 +24,10 @@ struct Change {
     int decimals;  ///< that numbers in it need more
 };
 
-constexpr double inch = 0.0254;
-constexpr double pound = 0.45359237;
-constexpr double ounce = pound / 16.0;
-constexpr double pound_force = pound * 9.80665;
+constexpr double inch = units::inch.to_si;
+constexpr double pound = units::pound.to_si;
+constexpr double ounce = units::ounce.to_si;
+constexpr double pound_force = units::pound_force.to_si;
 constexpr double foot = 12.0 * inch;
 
 constexpr Unit unit(const char* name, double si) {
@@ -35,8 +35,7 @@ constexpr Unit unit(const char* name, double si) {
 }
 
 const std::array changes{
-    Change{Preferences::Length, System::Imperial, units::mm,
-           unit(QT_TRANSLATE_NOOP("core", "in"), inch), 2},
+    Change{Preferences::Length, System::Imperial, units::mm, units::inch, 2},
     Change{Preferences::Length, System::Imperial, units::micrometre,
            unit(QT_TRANSLATE_NOOP("core", "mil"), 1e-3 * inch), 2},
     Change{Preferences::Length, System::Imperial, units::metre,
@@ -46,10 +45,8 @@ const std::array changes{
     Change{Preferences::Length, System::Imperial, units::cm3,
            unit(QT_TRANSLATE_NOOP("core", "in³"), inch* inch* inch), 1},
     Change{Preferences::Mass, System::Gram, units::kg, units::gram, -3},
-    Change{Preferences::Mass, System::Imperial, units::kg,
-           unit(QT_TRANSLATE_NOOP("core", "lb"), pound), 0},
-    Change{Preferences::Mass, System::Imperial, units::gram,
-           unit(QT_TRANSLATE_NOOP("core", "oz"), ounce), 2},
+    Change{Preferences::Mass, System::Imperial, units::kg, units::pound, 0},
+    Change{Preferences::Mass, System::Imperial, units::gram, units::ounce, 2},
     Change{Preferences::Mass, System::Imperial, units::gram_mm,
            unit(QT_TRANSLATE_NOOP("core", "oz·in"), ounce* inch), 3},
     Change{Preferences::Mass, System::Imperial, units::kg_m3,
@@ -58,10 +55,8 @@ const std::array changes{
            unit(QT_TRANSLATE_NOOP("core", "lb·ft²"), pound* foot* foot), -1},
     Change{Preferences::Torque, System::Imperial, units::N_m,
            unit(QT_TRANSLATE_NOOP("core", "lb·ft"), pound_force* foot), 0},
-    Change{Preferences::Force, System::Imperial, units::newton,
-           unit(QT_TRANSLATE_NOOP("core", "lbf"), pound_force), 1},
-    Change{Preferences::Force, System::Imperial, units::kN,
-           unit(QT_TRANSLATE_NOOP("core", "lbf"), pound_force), -2},
+    Change{Preferences::Force, System::Imperial, units::newton, units::pound_force, 1},
+    Change{Preferences::Force, System::Imperial, units::kN, units::pound_force, -2},
     Change{Preferences::Force, System::Imperial, units::N_per_m,
            unit(QT_TRANSLATE_NOOP("core", "lbf/in"), pound_force / inch), 2},
     Change{Preferences::Force, System::Imperial, units::kN_per_m,

@@ -5,14 +5,12 @@
 #include <array>
 
 #include "case-file/range.h"
+#include "numerics/units.h"
 #include "text/number_text.h"
-#include "workshop/scale_line.h"
 
 namespace ravnoves {
 
 namespace {
-
-constexpr double inchInMetres = 0.0254;
 
 /// A unit that may be typed in the place of another of its quantity.
 struct TypedUnit {
@@ -27,22 +25,22 @@ constexpr std::array typedUnits{
     TypedUnit{TypedUnit::Mass, units::gram.to_si, "g", u"g", u"г"},
     TypedUnit{TypedUnit::Mass, units::gram.to_si, "g", u"gr", u"гр"},
     TypedUnit{TypedUnit::Mass, units::kg.to_si, "kg", u"kg", u"кг"},
-    TypedUnit{TypedUnit::Mass, workshop::milligram.to_si, "mg", u"mg", u"мг"},
-    TypedUnit{TypedUnit::Mass, workshop::ounce.to_si, "oz", u"oz", u"унц"},
-    TypedUnit{TypedUnit::Mass, workshop::pound.to_si, "lb", u"lb", u"фунт"},
-    TypedUnit{TypedUnit::Mass, workshop::pound.to_si, "lb", u"lbs", u"фунтов"},
+    TypedUnit{TypedUnit::Mass, units::milligram.to_si, "mg", u"mg", u"мг"},
+    TypedUnit{TypedUnit::Mass, units::ounce.to_si, "oz", u"oz", u"унц"},
+    TypedUnit{TypedUnit::Mass, units::pound.to_si, "lb", u"lb", u"фунт"},
+    TypedUnit{TypedUnit::Mass, units::pound.to_si, "lb", u"lbs", u"фунтов"},
     // A scale that is a keyboard, while the Russian layout is on: "568ю5п".
     TypedUnit{TypedUnit::Mass, units::gram.to_si, "g", u"п", u"п"},
     TypedUnit{TypedUnit::Mass, units::kg.to_si, "kg", u"лп", u"лп"},
-    TypedUnit{TypedUnit::Mass, workshop::ounce.to_si, "oz", u"щя", u"щя"},
-    TypedUnit{TypedUnit::Mass, workshop::pound.to_si, "lb", u"ди", u"ди"},
+    TypedUnit{TypedUnit::Mass, units::ounce.to_si, "oz", u"щя", u"щя"},
+    TypedUnit{TypedUnit::Mass, units::pound.to_si, "lb", u"ди", u"ди"},
     TypedUnit{TypedUnit::Length, units::mm.to_si, "mm", u"mm", u"мм"},
     TypedUnit{TypedUnit::Length, 1e-2, "cm", u"cm", u"см"},
     TypedUnit{TypedUnit::Length, units::metre.to_si, "m", u"m", u"м"},
     TypedUnit{TypedUnit::Length, units::micrometre.to_si, "µm", u"um", u"мкм"},
-    TypedUnit{TypedUnit::Length, inchInMetres, "in", u"in", u"\""},
-    TypedUnit{TypedUnit::Length, 1e-3 * inchInMetres, "mil", u"mil", u"мил"},
-    TypedUnit{TypedUnit::Length, 12.0 * inchInMetres, "ft", u"ft", u"фут"}};
+    TypedUnit{TypedUnit::Length, units::inch.to_si, "in", u"in", u"\""},
+    TypedUnit{TypedUnit::Length, 1e-3 * units::inch.to_si, "mil", u"mil", u"мил"},
+    TypedUnit{TypedUnit::Length, 12.0 * units::inch.to_si, "ft", u"ft", u"фут"}};
 
 const TypedUnit* typedUnit(const QString& word) {
     const QString small = word.toLower();

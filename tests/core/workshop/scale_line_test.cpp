@@ -50,7 +50,7 @@ TEST(ScaleLine, OfEveryCommonFormIsRead) {
         EXPECT_DOUBLE_EQ(read.mass(), each.mass) << each.line;
     }
     EXPECT_DOUBLE_EQ(parse_scale_line("S S 123.45 g").last_digit(), 1e-5);
-    EXPECT_DOUBLE_EQ(parse_scale_line("1.25", pound).mass(), 1.25 * 0.45359237);
+    EXPECT_DOUBLE_EQ(parse_scale_line("1.25", units::pound).mass(), 1.25 * 0.45359237);
 }
 
 TEST(ScaleLine, ThatIsGarbledOrHalfIsNoWeight) {

@@ -7,8 +7,7 @@
 namespace ravnoves {
 
 const Unit& ScaleSettings::unit() const {
-    static constexpr std::array<Unit, 4> list{units::gram, units::kg, workshop::ounce,
-                                              workshop::pound};
+    static constexpr std::array<Unit, 4> list{units::gram, units::kg, units::ounce, units::pound};
     return list.at(usualUnit);
 }
 
