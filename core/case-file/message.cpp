@@ -30,7 +30,7 @@ struct EnglishWriter {
         std::string text = number.digits < 0    ? fixed(number.value, -number.digits)
                            : number.digits == 0 ? format_number(number.value)
                                                 : format_number(number.value, number.digits);
-        if (!number.unit.name.empty()) {
+        if (!number.unit.name.empty() && !number.unit_follows) {
             text += number.unit == units::degree ? "" : " ";
             text += number.unit.name;
         }

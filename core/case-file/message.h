@@ -16,6 +16,7 @@ struct Number {
     double value = 0.0;  ///< in the unit
     Unit unit = units::none;
     int digits = 0;  ///< significant; 0: as many as read back to the same number; −2: two decimals
+    bool unit_follows = false;  ///< written without its unit: the number after it has the same
 };
 
 class Message;

@@ -36,17 +36,18 @@ std::string format_number(double value, int significant_digits) {
 
 Message Range::message(Unit unit) const {
     const auto number = [&](double value) { return Number{value, unit}; };
+    const Number low{min, unit, 0, true};
     const bool has_min = std::isfinite(min);
     const bool has_max = std::isfinite(max);
     if (has_min && has_max) {
         if (!min_open && !max_open) {
-            return {CORE_TEXT("core", "must be from %1 to %2"), min, number(max)};
+            return {CORE_TEXT("core", "must be from %1 to %2"), low, number(max)};
         }
         const Text text =
             min_open ? (max_open ? CORE_TEXT("core", "must be greater than %1 and less than %2")
                                  : CORE_TEXT("core", "must be greater than %1 and at most %2"))
                      : CORE_TEXT("core", "must be at least %1 and less than %2");
-        return {text, min, number(max)};
+        return {text, low, number(max)};
     }
     if (has_min) {
         return {min_open ? CORE_TEXT("core", "must be greater than %1")

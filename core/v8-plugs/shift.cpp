@@ -105,7 +105,7 @@ Message describe(const ShiftEffect& effect, double tolerance) {
                 allowed,
                 in_grams(effect.least_reduction),
                 in_grams(effect.greatest_reduction),
-                Number{smallest_shift / units::mm, units::mm},
+                Number{smallest_shift / units::mm, units::mm, 0, true},
                 Number{largest_shift / units::mm, units::mm}};
     }
     if (!effect.depth) {

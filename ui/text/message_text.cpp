@@ -3,7 +3,6 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
-#include <string_view>
 
 #include "case-file/range.h"
 #include "text/number_text.h"
@@ -18,10 +17,11 @@ struct Shown {
     QString operator()(const Message& message) const { return messageText(message); }
     QString operator()(const Number& number) const {
         const ShownUnit unit = shownUnit(number.unit);
+        const QString name = number.unit_follows ? QString() : unit.name;
         if (number.digits < 0) {
             return withUnit(fixedNumber(unit.factor * number.value,
                                         std::max(0, unit.decimals - number.digits), QLocale()),
-                            unit.name);
+                            name);
         }
         Number own{number.value, units::none, number.digits};
         if (unit.factor != 1.0) {
@@ -32,26 +32,9 @@ struct Shown {
         }
         const Message plain(own);
         QString digits = QString::fromStdString(plain.english());
-        return withUnit(digits.replace(QLatin1Char('.'), QLocale().decimalPoint()), unit.name);
+        return withUnit(digits.replace(QLatin1Char('.'), QLocale().decimalPoint()), name);
     }
 };
-
-/// The values of a message. Where a range names its unit once, behind its upper end, the lower one
-/// follows that into another unit.
-std::vector<Argument> inOneUnit(const Message& message) {
-    std::vector<Argument> values = message.arguments();
-    const std::string_view pattern = message.pattern().english;
-    if (values.size() == 2 && pattern.starts_with("must be ")) {
-        auto* low = std::get_if<Number>(&values[0]);
-        const auto* high = std::get_if<Number>(&values[1]);
-        const bool shares = low != nullptr && high != nullptr && low->unit == units::none;
-        if (const double factor = shares ? shownUnit(high->unit).factor : 1.0; factor != 1.0) {
-            constexpr int converted = 6;
-            low->value = rounded_to(factor * low->value, converted);
-        }
-    }
-    return values;
-}
 
 }  // namespace
 
@@ -65,7 +48,7 @@ QString messageText(const Message& message) {
         return QString::fromStdString(message.verbatim());
     }
     std::vector<std::string> values;
-    for (const Argument& argument : inOneUnit(message)) {
+    for (const Argument& argument : message.arguments()) {
         values.push_back(std::visit(Shown{}, argument).toStdString());
     }
     return QString::fromStdString(fill_pattern(shownText(pattern).toStdString(), values));

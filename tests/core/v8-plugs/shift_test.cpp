@@ -95,11 +95,10 @@ TEST(Shift, OfTheRangeOfThePaperIsCorrectedAtBothEnds) {
                 1e-15);
     EXPECT_NEAR(weight(effect.greatest_reduction, 0.8 * millimetre), counted * plugs.plug_radius,
                 1e-15);
-    EXPECT_EQ(
-        describe(effect, tolerance).english(),
-        "The method neglects that the centre of mass of a machined plug moves, by 0.8 mm to 1.2 "
-        "mm in the paper: with it up to 6.9 g·mm would be left, beyond the 5.0 g·mm allowed. "
-        "Give the plug's sizes and the cutter, or take off 1.10 g to 1.12 g each instead.");
+    EXPECT_EQ(describe(effect, tolerance).english(),
+              "The method neglects that the centre of mass of a machined plug moves, by 0.8 to 1.2 "
+              "mm in the paper: with it up to 6.9 g·mm would be left, beyond the 5.0 g·mm allowed. "
+              "Give the plug's sizes and the cutter, or take off 1.10 g to 1.12 g each instead.");
     // Of the smaller engine it stays within the tolerance.
     const PlugSet small = plug_set(*find_preset("4.25 l")).value();
     EXPECT_FALSE(shift_effect(option_of(small, 3.0 * gram), tolerance, std::nullopt)->matters);

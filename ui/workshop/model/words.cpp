@@ -52,7 +52,7 @@ QString Words::message(const Message& message) const {
             return withUnit(number.digits < 0
                                 ? words.number(value, std::max(0, shown.decimals - number.digits))
                                 : formNumber(value, words.locale(), digits),
-                            words.unit(number.unit));
+                            number.unit_follows ? QString() : words.unit(number.unit));
         }
     };
     std::vector<std::string> values;
