@@ -152,52 +152,6 @@ struct ThreadValue final : FieldVisitor::Custom {
     std::optional<Thread>& thread;
 };
 
-/// The weights of a column; null for what is not weighed yet.
-struct Weights final : FieldVisitor::Custom {
-    explicit Weights(PartColumn& it) : column(it) {}
-
-    void read(const Json& masses, const std::string& pointer) override {
-        if (!masses.is_array() || masses.size() != cylinder_count) {
-            throw InputError(pointer,
-                             CORE_TEXT("V8", "must be a list of 8 masses, one for each cylinder"),
-                             show(masses));
-        }
-        for (std::size_t i = 0; i < masses.size(); ++i) {
-            const Json& mass = masses.at(i);
-            if (!mass.is_null() && !mass.is_number()) {
-                throw InputError(pointer + "/" + std::to_string(i),
-                                 CORE_TEXT("core", "must be a number"), show(mass));
-            }
-            column.mass[i] = mass.is_null()
-                                 ? std::nullopt
-                                 : std::optional(mass.get<double>() * field::part_mass.unit);
-        }
-        check(pointer);
-    }
-    Json write() override {
-        if (column.is_empty()) {
-            return {};
-        }
-        Json masses = Json::array();
-        for (const auto& mass : column.mass) {
-            masses.push_back(mass ? Json(from_si(field::part_mass, *mass)) : Json());
-        }
-        return masses;
-    }
-    void check(const std::string& pointer) override {
-        for (std::size_t i = 0; i < column.mass.size(); ++i) {
-            const auto& mass = column.mass[i];
-            if (mass && !field::part_mass.range.contains(from_si(field::part_mass, *mass))) {
-                throw InputError(pointer + "/" + std::to_string(i),
-                                 field::part_mass.range.message(),
-                                 Number{from_si(field::part_mass, *mass)});
-            }
-        }
-    }
-
-    PartColumn& column;
-};
-
 /// The numbers of the sets: a permutation of 1 to 8, not written where nothing was moved.
 struct Sets final : FieldVisitor::Custom {
     explicit Sets(SetNumbers& it) : numbers(it) {}
@@ -278,13 +232,6 @@ void visit_fields(FieldVisitor& visitor, MassChanges& changes) {
     }
 }
 
-void visit_fields(FieldVisitor& visitor, PartColumn& column) {
-    visitor.required(field::nominal, column.nominal);
-    visitor.number(field::permitted_spread, column.permitted_spread);
-    Weights weights(column);
-    visitor.custom(field::part_mass, true, weights);
-}
-
 void visit_fields(FieldVisitor& visitor, WeighIn& sheet) {
     visitor.choice(field::numbering, sheet.numbering, CylinderNumbering::bank_by_bank,
                    FieldVisitor::Written::always);
@@ -292,11 +239,7 @@ void visit_fields(FieldVisitor& visitor, WeighIn& sheet) {
     visitor.custom(field::piston_sets, false, pistons);
     Sets rods(sheet.rod_sets);
     visitor.custom(field::rod_sets, false, rods);
-    for (const Part part : all_parts) {
-        PartColumn& column = sheet[part];
-        visitor.object_of({.key = part_word(part).word, .label = part_word(part).label}, false,
-                          column != PartColumn{}, [&] { visit_fields(visitor, column); });
-    }
+    workshop::visit_columns(visitor, sheet, field::part_mass, true);
 }
 
 void visit_fields(FieldVisitor& visitor, PlugSheet& sheet) {
@@ -362,17 +305,8 @@ void check_input(const Input& input) {
     check_fields(input);
     check_choices(input);
     check_engine(input);
-    for (const Part part : all_parts) {
-        if (!input.weigh_in || (*input.weigh_in)[part] == PartColumn{}) {
-            continue;
-        }
-        const auto& mass = (*input.weigh_in)[part].mass;
-        const auto gap = std::find(mass.begin(), mass.end(), std::nullopt);
-        if (gap != mass.end()) {
-            throw InputError("/input/weigh_in/" + std::string(part_word(part).word) + "/mass_g/" +
-                                 std::to_string(gap - mass.begin()),
-                             CORE_TEXT("core", "must be a number"), "null");
-        }
+    if (input.weigh_in) {
+        workshop::check_weighed(*input.weigh_in);
     }
     if (input.plug) {
         check_plug(*input.plug);

@@ -6,6 +6,7 @@
 #include "v8-plugs/plug_geometry.h"
 #include "workshop/job_header.h"
 #include "workshop/tolerance.h"
+#include "workshop/weigh_in.h"
 
 /// The inputs of the scene, each described once; those of the engine are engine_fields().
 namespace ravnoves::v8_plugs {
@@ -59,8 +60,9 @@ inline constexpr Field tolerance{
                       "repair manual may allow much more (2 oz·in is 1440 g·mm).")};
 
 // ------------------------------------------------------------------------- weigh-in sheet
-inline constexpr Field weigh_in{.key = "weigh_in",
-                                .hint = CORE_TEXT("V8", "Weights of the parts as the scale says.")};
+using workshop::field::nominal;
+using workshop::field::permitted_spread;
+using workshop::field::weigh_in;
 inline constexpr Field numbering{.key = "cylinder_numbering",
                                  .label = CORE_TEXT("V8", "C&ylinders of a crankpin"),
                                  .hint = CORE_TEXT("V8", "Which two cylinders share a crankpin."),
@@ -75,15 +77,6 @@ inline constexpr Field rod_sets{
     .hint = CORE_TEXT("V8",
                       "Number of the rod in each cylinder, where it is not that of the cylinder: "
                       "it was weighed there.")};
-inline constexpr Field nominal{.key = "nominal_g",
-                               .unit = units::gram,
-                               .range = Range::between(0.001, 100'000),
-                               .hint = CORE_TEXT("V8", "Nominal mass of the part.")};
-inline constexpr Field permitted_spread{
-    .key = "permitted_spread_g",
-    .unit = units::gram,
-    .range = Range::between(0, 100'000),
-    .hint = CORE_TEXT("V8", "By how much the parts may differ from one another.")};
 inline constexpr Field part_mass{.key = "mass_g",
                                  .unit = units::gram,
                                  .range = nominal.range,

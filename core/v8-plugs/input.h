@@ -99,7 +99,6 @@ struct Input {
 };
 
 void visit_fields(FieldVisitor& visitor, MassChanges& changes);
-void visit_fields(FieldVisitor& visitor, PartColumn& column);
 void visit_fields(FieldVisitor& visitor, WeighIn& sheet);
 void visit_fields(FieldVisitor& visitor, PlugSheet& sheet);
 void visit_fields(FieldVisitor& visitor, BalancingSheet& sheet);

@@ -134,23 +134,6 @@ double mean_deviation(const PartColumn& column) {
 
 }  // namespace
 
-bool PartColumn::is_empty() const {
-    return std::none_of(mass.begin(), mass.end(), [](const auto& m) { return m.has_value(); });
-}
-
-bool PartColumn::is_complete() const {
-    return nominal &&
-           std::all_of(mass.begin(), mass.end(), [](const auto& m) { return m.has_value(); });
-}
-
-bool WeighIn::is_empty() const {
-    return std::all_of(columns.begin(), columns.end(), std::mem_fn(&PartColumn::is_empty));
-}
-
-bool WeighIn::is_counted() const {
-    return std::any_of(columns.begin(), columns.end(), std::mem_fn(&PartColumn::is_complete));
-}
-
 namespace {
 
 std::optional<double> nominal_sum(const WeighIn& sheet, std::initializer_list<Part> parts) {
@@ -200,38 +183,6 @@ Crankpins crankpins(CylinderNumbering numbering) {
         return {{{0, 1}, {2, 3}, {4, 5}, {6, 7}}};
     }
     return {{{0, 4}, {1, 5}, {2, 6}, {3, 7}}};
-}
-
-std::optional<ColumnStatistics> statistics(const PartColumn& column) {
-    ColumnStatistics result{0, 0.0, 0.0, -1, -1, true};
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
-    for (std::size_t i = 0; i < column.mass.size(); ++i) {
-        if (!column.mass[i]) {
-            continue;
-        }
-        const double mass = *column.mass[i];
-        ++result.count;
-        result.mean += mass;
-        if (mass > most) {
-            most = mass;
-            result.heaviest = static_cast<int>(i);
-        }
-        if (mass < least) {
-            least = mass;
-            result.lightest = static_cast<int>(i);
-        }
-    }
-    if (result.count == 0) {
-        return std::nullopt;
-    }
-    result.mean /= result.count;
-    result.spread = most - least;
-    // A scale reads to hundredths of a gram: a microgram of rounding is no violation.
-    constexpr double rounding = 1e-9;
-    result.within_permitted =
-        !column.permitted_spread || result.spread <= *column.permitted_spread + rounding;
-    return result;
 }
 
 double MassChanges::*change_of(Part part, Process process) {

@@ -6,42 +6,23 @@
 #include <vector>
 
 #include "v8-plugs/compensation.h"
+#include "workshop/weigh_in.h"
 
 namespace ravnoves::v8_plugs {
 
 // The weigh-in sheet: every part of every cylinder on the scale. Masses in kg.
 
-enum class Part { piston, pin, rings, rod_big_end, rod_small_end, shells };
-inline constexpr std::array<Part, 6> all_parts{
-    Part::piston, Part::pin, Part::rings, Part::rod_big_end, Part::rod_small_end, Part::shells};
-/// Names of the parts, in the order of the enumeration.
-inline constexpr Word part_words[] = {{"piston", CORE_TEXT("V8", "Piston")},
-                                      {"pin", CORE_TEXT("V8", "Pin")},
-                                      {"rings", CORE_TEXT("V8", "Rings")},
-                                      {"rod_big_end", CORE_TEXT("V8", "Rod, big end")},
-                                      {"rod_small_end", CORE_TEXT("V8", "Rod, small end")},
-                                      {"shells", CORE_TEXT("V8", "Shells")}};
-constexpr const Word& part_word(Part part) {
-    return part_words[static_cast<std::size_t>(part)];
-}
+using workshop::all_parts;
+using workshop::ColumnStatistics;
+using workshop::CylinderNumbering;
+using workshop::Part;
+using workshop::part_word;
+using workshop::part_words;
 
-/// The column of one kind of part.
-struct PartColumn {
-    std::optional<double> nominal;                           ///< kg
-    std::optional<double> permitted_spread;                  ///< heaviest less lightest, kg
-    std::array<std::optional<double>, cylinder_count> mass;  ///< kg, by cylinder
+/// Masses by cylinder.
+using Masses = std::array<workshop::Weighed, cylinder_count>;
+using PartColumn = workshop::PartColumn<Masses>;
 
-    bool is_empty() const;     ///< nothing weighed
-    bool is_complete() const;  ///< all cylinders weighed and the nominal mass known
-
-    friend bool operator==(const PartColumn&, const PartColumn&) = default;
-};
-
-/// Which cylinders share a crankpin.
-enum class CylinderNumbering {
-    bank_by_bank,  ///< 1–4 in one bank, 5–8 in the other: crankpin k carries k and k + 4
-    alternating    ///< 1, 3, 5, 7 in one bank: crankpin k carries 2k − 1 and 2k
-};
 /// The two cylinders of each crankpin, counted from 0.
 using Crankpins = std::array<std::array<int, 2>, crankpin_count>;
 Crankpins crankpins(CylinderNumbering numbering);
@@ -50,19 +31,9 @@ Crankpins crankpins(CylinderNumbering numbering);
 using SetNumbers = std::array<int, cylinder_count>;
 inline constexpr SetNumbers as_weighed{1, 2, 3, 4, 5, 6, 7, 8};
 
-struct WeighIn {
-    std::array<PartColumn, 6> columns;  ///< in the order of all_parts
-    CylinderNumbering numbering = CylinderNumbering::bank_by_bank;
+struct WeighIn : workshop::WeighIn<Masses> {
     SetNumbers piston_sets = as_weighed;  ///< piston with its pin and rings
     SetNumbers rod_sets = as_weighed;     ///< rod with its shells
-
-    bool is_empty() const;    ///< nothing weighed
-    bool is_counted() const;  ///< a column is complete
-
-    PartColumn& operator[](Part part) { return columns[static_cast<std::size_t>(part)]; }
-    const PartColumn& operator[](Part part) const {
-        return columns[static_cast<std::size_t>(part)];
-    }
 
     friend bool operator==(const WeighIn&, const WeighIn&) = default;
 };
@@ -77,18 +48,6 @@ std::optional<double> nominal_rotating(const WeighIn& sheet);
 /// its nominal mass or less, or of which that is a hundredth, or less than any such part of a V-8
 /// weighs (a piston of 0.5 g is no piston). Nothing where there is none.
 std::optional<double> mass_in_kilograms(Part part, const PartColumn& column);
-
-/// Statistics of what has been weighed so far in a column.
-struct ColumnStatistics {
-    int count;
-    double mean;    ///< kg
-    double spread;  ///< heaviest less lightest, kg
-    int heaviest;   ///< cylinder, counted from 0
-    int lightest;
-    bool within_permitted;  ///< true where no permitted spread is given
-};
-/// Nothing where nothing has been weighed.
-std::optional<ColumnStatistics> statistics(const PartColumn& column);
 
 /// The mass changes of the method from the sheet: means over the cylinders against nominal.
 ///

@@ -167,7 +167,7 @@ void V8PlugsModel::newJob() {
         next.balancing->rear_reading.reset();
     }
     next.job.technician = input().job.technician;
-    desk_.replaceJob(0, 0, [&] {
+    desk_.beginJob([&] {
         setTitle({});
         // Undo must not bring another job's values under this job's number.
         carried_ = next;
