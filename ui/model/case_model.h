@@ -152,6 +152,18 @@ class CaseModel : public SceneModel {
         solved_ = solve(input_);
         Q_EMIT changed();
     }
+    /// Why an input is refused: the field by its label, where it has one.
+    QString explain(const InputError& error) const {
+        for (const auto& entries : {fields(), describedFields()}) {
+            for (const FieldEntry& entry : entries) {
+                if ("/input" + entry.pointer == error.where() && !entry.field.label.empty()) {
+                    return errorText(InputError(fieldName(entry.field).toStdString(),
+                                                error.allowed_message(), error.found_message()));
+                }
+            }
+        }
+        return errorText(error);
+    }
     /// Begins a history of its own with an input.
     void restart(const Input& input) {
         typed_.reset();
@@ -160,7 +172,6 @@ class CaseModel : public SceneModel {
         history()->clear();
         finishDrag();
         apply(input);
-        Q_EMIT begunAnew();
     }
     /// True in an editing: the change of this name that follows is part of it, and settle() comes
     /// after it. Anything else that changes meanwhile is a step of its own.
@@ -263,18 +274,6 @@ class CaseModel : public SceneModel {
             push(name, state(), std::move(next), merges ? stepOf(name) : -1);
         }
         return {};
-    }
-    /// Why an input is refused: the field by its label, where it has one.
-    QString explain(const InputError& error) const {
-        for (const auto& entries : {fields(), describedFields()}) {
-            for (const FieldEntry& entry : entries) {
-                if ("/input" + entry.pointer == error.where() && !entry.field.label.empty()) {
-                    return errorText(InputError(fieldName(entry.field).toStdString(),
-                                                error.allowed_message(), error.found_message()));
-                }
-            }
-        }
-        return errorText(error);
     }
     void load(const QString& name, State next) {
         auto solved = solve(next.input);  // throws before anything changes

@@ -150,7 +150,7 @@ class SceneModel : public QObject {
     void studyChanged();
     /// What the pictures show beside the input.
     void viewChanged();
-    /// It begins anew with a history of its own: what it holds is of no file.
+    /// Another job came onto the sheet: what it holds is of no file.
     void begunAnew();
     /// It holds another state as a whole: undone, redone, loaded, a preset, a variant. Unlike a
     /// change of one value, that ends what was typed and refused in any field.

@@ -267,7 +267,7 @@ QString WorkshopPage::draftName() const {
 void WorkshopPage::takeDraft(const QString& name) {
     openJournal();
     for (const JournalDraft& draft : desk()->crashedDrafts()) {
-        if (draft.session == name && desk()->restoreDraft(draft).isEmpty()) {
+        if (draft.session == name && desk()->restoreDraft(draft, true).isEmpty()) {
             banner_->keepOnly(desk()->crashedDrafts());
             return;
         }

@@ -19,6 +19,7 @@
 
 #include "case-file/json.h"
 #include "events.h"
+#include "model/case_document.h"
 #include "model/recovery.h"
 #include "shell/documents.h"
 #include "shell/main_window.h"
@@ -240,6 +241,22 @@ TEST_F(NothingIsLost, TheJobOfTheWorkshopComesBackOnce) {
     QTest::qWait(100);
     const auto* banner = test::named<QLabel>(*window->currentPage(), "banner");
     EXPECT_FALSE(banner->isVisible()) << banner->text().toStdString();
+}
+
+TEST_F(NothingIsLost, AJobOfTheWorkshopComesBackWithItsFile) {
+    const QString path = file("v8");
+    QFile::copy(u":/examples/v8-4.25-repair.case.json"_s, path);
+    ASSERT_EQ(window->openCase(path), QString());
+    QTest::qWait(100);
+    set(u"job/engine_number=A-78"_s);
+    crash();
+    start();
+    RecoveryDialog* dialog = offered();
+    ASSERT_NE(dialog, nullptr);
+    click(*dialog, "recovery_restore");
+    EXPECT_EQ(model().inputJson().at("job").at("engine_number"), "A-78");
+    EXPECT_EQ(window->documents().current().document->path(), path);
+    EXPECT_TRUE(window->isWindowModified());
 }
 
 TEST_F(NothingIsLost, ADamagedCopyIsSaid) {

@@ -104,6 +104,11 @@ void JobDesk::replaceJob(qint64 id, int revision, const std::function<void()>& t
     draftTimer_.stop();
 }
 
+void JobDesk::beginJob(const std::function<void()>& take) {
+    replaceJob(0, 0, take);
+    Q_EMIT model_->begunAnew();
+}
+
 QByteArray JobDesk::formText() const {
     return QByteArray::fromStdString(
         write_case(
@@ -202,7 +207,14 @@ QString JobDesk::takeJob(qint64 id, bool isCopy) {
         return journalTrouble_;
     }
     const auto job = journal_->job(id);
-    return job ? takeForm(job->form, job->id, job->revision, isCopy) : journal_->lastError();
+    if (!job) {
+        return journal_->lastError();
+    }
+    QString trouble = takeForm(job->form, job->id, job->revision, isCopy);
+    if (trouble.isEmpty()) {
+        Q_EMIT model_->begunAnew();
+    }
+    return trouble;
 }
 
 void JobDesk::flushDraft() {
@@ -234,10 +246,13 @@ QList<JournalDraft> JobDesk::crashedDrafts() {
     return isOpen() ? journal_->orphanedDrafts(model_->sceneName()) : QList<JournalDraft>();
 }
 
-QString JobDesk::restoreDraft(const JournalDraft& draft) {
+QString JobDesk::restoreDraft(const JournalDraft& draft, bool keepsFile) {
     QString trouble = takeForm(draft.form, draft.jobId, draft.jobRevision, false);
     if (!trouble.isEmpty()) {
         return trouble;
+    }
+    if (!keepsFile) {
+        Q_EMIT model_->begunAnew();
     }
     model_->history()->resetClean();  // not saved yet; the draft is this program's from now on
     draftStale_ = true;

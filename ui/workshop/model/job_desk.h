@@ -51,6 +51,8 @@ class JobDesk : public QObject {
     void forgetJob() { putJobId(0, 0); }
     /// `take` brings another job onto the sheet: it has no draft yet.
     void replaceJob(qint64 id, int revision, const std::function<void()>& take);
+    /// The same with a new job, which is of no file.
+    void beginJob(const std::function<void()>& take);
     /// Saves the job on the sheet, finished or to go on with another day.
     /// @return a sentence for the status bar; `ok` says whether it is saved
     QString saveJob(bool* ok = nullptr, bool isFinished = true);
@@ -66,7 +68,8 @@ class JobDesk : public QObject {
     void flushDraft();
     /// Drafts of the scene that a crash left.
     QList<JournalDraft> crashedDrafts();
-    QString restoreDraft(const JournalDraft& draft);
+    /// @param keepsFile  the sheet's file is that of the draft, too
+    QString restoreDraft(const JournalDraft& draft, bool keepsFile = false);
     void discardDraft(const QString& session);
 
     /// Who did the job that was saved last on this computer.
