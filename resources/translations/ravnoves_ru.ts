@@ -781,10 +781,6 @@
         <translation>допустимо, только если engine — имя образца</translation>
     </message>
     <message>
-        <source>must be a list of 8 masses, one for each cylinder</source>
-        <translation>должно быть списком из 8 масс, по одной на цилиндр</translation>
-    </message>
-    <message>
         <source>must be &quot;standard&quot; where the engine has no plug of the new design</source>
         <translation>должно быть &quot;standard&quot;, если у двигателя нет пробки новой конструкции</translation>
     </message>

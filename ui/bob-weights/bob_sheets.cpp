@@ -155,7 +155,7 @@ NumberField* BobWeighInSheet::addCell(const QString& name, workshop::Part part, 
         QStringLiteral("mass_%1_%2")
             .arg(QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size())))
             .arg(cylinder + 1));
-    const QString title = tr("%1 of cylinder %2, g").arg(name).arg(cylinder + 1);
+    const QString title = shownTitle(tr("%1 of cylinder %2, g").arg(name).arg(cylinder + 1)).text;
     cell->setAccessibleName(title);
     cell->setHint(tr("%1 of cylinder %2 as the scale says.").arg(name).arg(cylinder + 1));
     cell->setOptional(true);

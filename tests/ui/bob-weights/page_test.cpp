@@ -9,6 +9,7 @@
 #include <QDir>
 #include <QFile>
 #include <QLabel>
+#include <QSettings>
 #include <QTabWidget>
 #include <QTemporaryDir>
 
@@ -16,6 +17,7 @@
 #include "case-file/json.h"
 #include "events.h"
 #include "model/case_document.h"
+#include "text/preferences.h"
 #include "widgets/number_field.h"
 #include "widgets/result_table.h"
 #include "workshop/model/job_desk.h"
@@ -161,6 +163,21 @@ TEST_F(BobPageTest, WeighedPartsGoBeforeTypedOnes) {
         << model->weighInText().toStdString();
     type("cylinders", u"4"_s);
     EXPECT_EQ(label("headline"), u"Bob weight 1505.2 g"_s) << "two of four are weighed";
+}
+
+TEST_F(BobPageTest, WeighedPartsAreSaidInTheUnitsChosen) {
+    typeShopCard();
+    type("cylinders", u"2"_s);
+    type("mass_piston_1", u"566.99046"_s);  // 20 oz
+    type("mass_piston_2", u"595.33999"_s);  // 21 oz
+    Preferences::instance().setUnits(Preferences::Mass, Preferences::Units::Imperial);
+    const QString said = model->weighInText();
+    const auto note = model->columnNote(workshop::Part::piston);
+    QSettings().clear();
+    Preferences::instance().load();
+    EXPECT_TRUE(said.contains(u"oz: 1.0000 off no. 2"_s)) << said.toStdString();
+    EXPECT_TRUE(note.mean.startsWith(u"20.5000"_s)) << note.mean.toStdString();
+    EXPECT_TRUE(note.spread.startsWith(u"1.0000"_s)) << note.spread.toStdString();
 }
 
 TEST_F(BobPageTest, LimitsComeByGradeOrByHand) {

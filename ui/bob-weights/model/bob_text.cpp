@@ -118,7 +118,7 @@ QString weighIn(const Words& words, const Result& result) {
     if (!result.crankpins.empty()) {
         QStringList pins;
         for (const double mass : result.crankpins) {
-            pins << words.number(mass / units::gram, 1);
+            pins << words.digits(mass, units::gram, 1);
         }
         said << words.translate("BobWeights", "Bob weights of the crankpins by themselves, %1: %2.")
                     .arg(words.unit(units::gram), pins.join(QStringLiteral("; ")));
@@ -128,7 +128,7 @@ QString weighIn(const Words& words, const Result& result) {
         for (std::size_t i = 0; i < each.take_off.size(); ++i) {
             if (each.take_off[i] && *each.take_off[i] > 0.005 * units::gram) {
                 parts << words.translate("BobWeights", "%1 off no. %2")
-                             .arg(words.number(*each.take_off[i] / units::gram, 2))
+                             .arg(words.digits(*each.take_off[i], units::gram, 2))
                              .arg(i + 1);
             }
         }

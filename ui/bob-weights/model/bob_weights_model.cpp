@@ -18,6 +18,20 @@ namespace ravnoves {
 
 using namespace bob_weights;
 
+namespace {
+
+/// Those of the machine are of one shaft; where it reads stays.
+void forgetReadings(Input& input) {
+    if (input.correction) {
+        for (Reading& reading : input.correction->readings) {
+            reading.unbalance.reset();
+            reading.angle.reset();
+        }
+    }
+}
+
+}  // namespace
+
 Input BobWeightsScene::defaultInput() const {
     Input input;
     input.engine.bank_angle = 90.0 * degree;
@@ -130,8 +144,8 @@ BobWeightsModel::ColumnNote BobWeightsModel::columnNote(workshop::Part part) con
     for (const Matching& each : solution().matching) {
         if (each.part->column == part) {
             const Words words;
-            return {words.number(each.statistics.mean / units::gram, 2),
-                    words.number(each.statistics.spread / units::gram, 2),
+            return {words.digits(each.statistics.mean, units::gram, 2),
+                    words.digits(each.statistics.spread, units::gram, 2),
                     each.statistics.count == input().engine.cylinders};
         }
     }
@@ -171,15 +185,10 @@ void BobWeightsModel::newJob() {
     next.factor = input().factor;
     next.balance = input().balance;
     next.correction = input().correction;
-    if (next.correction) {
-        for (Reading& reading : next.correction->readings) {
-            reading.unbalance.reset();
-            reading.angle.reset();
-        }
-    }
+    forgetReadings(next);
     next.tolerance = input().tolerance;
     next.job.technician = input().job.technician;
-    desk_.replaceJob(0, 0, [&] {
+    desk_.beginJob([&] {
         setTitle({});
         // Undo must not bring another job's values under this job's number.
         restart(next);
@@ -201,13 +210,6 @@ QString BobWeightsModel::contradiction() const {
 }
 
 QString BobWeightsModel::shownError(const InputError& error) const {
-    // By the field's name, where it has one.
-    for (const FieldEntry& entry : fields()) {
-        if ("/input" + entry.pointer == error.where() && !entry.field.label.empty()) {
-            return errorText(InputError(fieldName(entry.field).toStdString(),
-                                        error.allowed_message(), error.found_message()));
-        }
-    }
     const QStringList place =
         QString::fromStdString(error.where()).split(QLatin1Char('/'), Qt::SkipEmptyParts);
     if (place.value(1) == QLatin1String("weigh_in") && place.size() >= 5) {
@@ -219,7 +221,7 @@ QString BobWeightsModel::shownError(const InputError& error) const {
             }
         }
     }
-    return errorText(error);
+    return explain(error);
 }
 
 QString BobWeightsModel::headline() const {
@@ -372,12 +374,7 @@ void BobWeightsModel::takeJob(const CaseFile& file, bool isCopy) {
         next.job.crankshaft_number.clear();
         next.job.notes.clear();
         next.job.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
-        if (next.correction) {
-            for (Reading& reading : next.correction->readings) {
-                reading.unbalance.reset();
-                reading.angle.reset();
-            }
-        }
+        forgetReadings(next);
     }
     setTitle(QString::fromStdString(file.title));
     // Undo must not bring another job's values under this job's number.
