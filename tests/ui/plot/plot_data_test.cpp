@@ -293,6 +293,11 @@ TEST(ThinPolyline, HandlesFewAndEqualPoints) {
     EXPECT_EQ(thinPolyline({{1, 1}, {1, 1}, {1, 1}}).size(), 2);
     // A closed curve keeps its far side.
     EXPECT_EQ(thinPolyline({{0, 0}, {10, 0}, {10, 10}, {0, 0}}).size(), 4);
+    // A line to and fro keeps both of its ends.
+    const QRectF ends =
+        thinPolyline({{0, 0}, {-5, 0}, {-10, 0}, {0, 0}, {10, 0}, {0, 0}}).boundingRect();
+    EXPECT_EQ(ends.left(), -10);
+    EXPECT_EQ(ends.right(), 10);
 }
 
 }  // namespace

@@ -24,9 +24,13 @@ QPolygonF thinPolyline(const std::vector<QPointF>& points, double tolerance) {
         std::size_t at = first;
         for (std::size_t i = first + 1; i < last; ++i) {
             const QPointF p = points[i] - a;
-            // A closed span has no direction: the distance to its end point counts.
-            const double distance = length > 0.0 ? std::abs(d.x() * p.y() - d.y() * p.x()) / length
-                                                 : std::hypot(p.x(), p.y());
+            // Beside the span or in a closed one, which has no direction, the distance to its end
+            // counts: a line that comes back on itself keeps its turning points.
+            const double along = QPointF::dotProduct(p, d);
+            const QPointF away = along > length * length ? p - d : p;
+            const double distance = along > 0.0 && along <= length * length
+                                        ? std::abs(d.x() * p.y() - d.y() * p.x()) / length
+                                        : std::hypot(away.x(), away.y());
             if (distance > farthest) {
                 farthest = distance;
                 at = i;
