@@ -41,10 +41,6 @@ QString percent(const std::optional<double>& share, int decimals = 1) {
                  : QStringLiteral("–");
 }
 
-QLabel* heading(const QString& text, QWidget* parent) {
-    return headingLabel(text, parent);
-}
-
 }  // namespace
 
 ToleranceWindow::ToleranceWindow(ScenePage* page, QWidget* parent)
@@ -63,7 +59,12 @@ ToleranceWindow::ToleranceWindow(ScenePage* page, QWidget* parent)
     row->addWidget(parts);
     connect(model_, &StudyModel::changed, this, &ToleranceWindow::showStudy);
     connect(model_, &StudyModel::answered, this, &ToleranceWindow::showAnswers);
-    connect(model_->scene(), &SceneModel::changed, this, &ToleranceWindow::fillWatchable);
+    // All results as JSON take longer than a frame: not at each step of a slider.
+    constexpr int restMs = 400;
+    rest_.setSingleShot(true);
+    rest_.setInterval(restMs);
+    connect(&rest_, &QTimer::timeout, this, &ToleranceWindow::fillWatchable);
+    connect(model_->scene(), &SceneModel::changed, &rest_, qOverload<>(&QTimer::start));
     connect(model_->job(), &BackgroundJob::progress, this,
             [this](double part) { progress_->setValue(static_cast<int>(100.0 * part)); });
     connect(model_->job(), &BackgroundJob::runningChanged, this, [this](bool running) {
@@ -97,7 +98,7 @@ QWidget* ToleranceWindow::makeInputs() {
         return editor;
     };
     auto* top = new QHBoxLayout;
-    top->addWidget(heading(tr("Inputs and their tolerances"), holder), 1);
+    top->addWidget(headingLabel(tr("Inputs and their tolerances"), holder), 1);
     auto* presets = new QToolButton(holder);
     presets->setText(tr("&Usual ones"));
     presets->setObjectName(QStringLiteral("presets"));
@@ -118,7 +119,7 @@ QWidget* ToleranceWindow::makeInputs() {
     inputs_ = edit(new ScatterTable(model_), tr("Inputs and their tolerances"),
                    tr("The selected inputs do not scatter"), {ScatterTable::Scatter});
     column->addWidget(inputs_, 3);
-    column->addWidget(heading(tr("Results to watch"), holder));
+    column->addWidget(headingLabel(tr("Results to watch"), holder));
     watchable_ = new QComboBox(holder);
     watchable_->setObjectName(QStringLiteral("watchable"));
     watchable_->setAccessibleName(tr("Watch a result"));

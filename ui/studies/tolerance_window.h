@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QTimer>
 
 class QComboBox;
 class QLabel;
@@ -44,6 +45,7 @@ class ToleranceWindow : public QDialog {
     void showChosen();
 
     StudyModel* model_;
+    QTimer rest_;
     TableEditor* inputs_ = nullptr;
     TableEditor* watched_ = nullptr;
     QComboBox* watchable_ = nullptr;

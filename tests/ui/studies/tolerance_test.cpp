@@ -114,6 +114,13 @@ TEST_F(Tolerances, WhatIsTypedIsComputedAndShown) {
     EXPECT_EQ(tolerances->table()->rowCount(), 1);
 }
 
+TEST_F(Tolerances, ResultsAreNamedWithTheUnitsOfTheirKeys) {
+    EXPECT_EQ(StudyModel::resultName("/metrics/M_ups/range_Nm"), u"metrics, M_ups, range, N·m"_s);
+    EXPECT_EQ(StudyModel::resultName("/guide/minimum_stiffness_N_m"),
+              u"guide, minimum stiffness, N/m"_s);
+    EXPECT_EQ(StudyModel::resultName("/bobweight_g"), u"bobweight, g"_s);
+}
+
 TEST_F(Tolerances, AreStepsOfTheHistoryAndStayInTheCase) {
     scatter("/crank_radius_mm", u"s 0.01"_s);
     watch("/metrics/M_ups/range_Nm");
