@@ -182,6 +182,10 @@ class StudyCommand final : public Command {
             ProgressLine line;
             const std::optional<StopNoted> noted =
                 keeps ? std::optional<StopNoted>(std::in_place) : std::nullopt;
+            if (part.shard == 1 && !part.robust_best && studies::asks_for_robust_best(problem)) {
+                part.robust_best =
+                    studies::find_robust_best(problem, threads_, [] { return stop_signal == 0; });
+            }
             studies::run_part(problem, part, threads_, [&](const Part& now) {
                 line.show(now);
                 constexpr auto often = std::chrono::seconds(5);

@@ -156,10 +156,13 @@ class QuickResponse final : public Response {
         }
         try {
             check_joined(input_);
-            if (!moments_ || !keeps_torque_ || !moments_->follow(input_)) {
+            if (!moves_shaft_alone(x) &&
+                (!moments_ || !keeps_torque_ || !moments_->follow(input_))) {
                 moments_.emplace(input_, needs_orders_);
             }
+            last_.assign(x.begin(), x.end());
         } catch (const InputError& error) {
+            last_.clear();
             reason_ = error.where() + ": " + error.allowed();
             return false;
         }
@@ -181,6 +184,15 @@ class QuickResponse final : public Response {
     }
 
   private:
+    /// The moments of the last inputs are these.
+    bool moves_shaft_alone(std::span<const double> x) const {
+        bool same = last_.size() == x.size();
+        for (std::size_t j = 0; same && j < x.size(); ++j) {
+            same = x[j] == last_[j] || varied_[j] == "/shaft_angle_deg";
+        }
+        return same;
+    }
+
     Input input_;
     std::vector<std::string> varied_;
     std::vector<NumberPlace> places_;
@@ -188,6 +200,7 @@ class QuickResponse final : public Response {
     bool keeps_torque_;
     bool needs_orders_;
     std::optional<Moments> moments_;
+    std::vector<double> last_;
 };
 
 /// Whether the fields give these numbers themselves, not copies.

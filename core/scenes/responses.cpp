@@ -17,4 +17,12 @@ std::unique_ptr<Response> quick_response(const CaseFile& file, const CaseContext
     return nullptr;
 }
 
+std::optional<BestChoice> best_choice(const CaseFile& file) {
+    if (file.scene == "balance-shaft") {
+        return BestChoice{"/shaft_angle_deg", "/metrics/M_ups/range_Nm",
+                          "/optimum/range/shaft_angle_deg", "/moment_amplitude_Nm"};
+    }
+    return std::nullopt;
+}
+
 }  // namespace ravnoves

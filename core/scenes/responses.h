@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -17,5 +18,14 @@ struct CaseFile;
 std::unique_ptr<Response> quick_response(const CaseFile& file, const CaseContext& context,
                                          std::span<const std::string> varied,
                                          std::span<const std::string> watched);
+
+/// An angle of a scene's input that is there to make one of its results least.
+struct BestChoice {
+    std::string input;      ///< pointer to the angle, degrees, below "input"
+    std::string value;      ///< to what it makes least, below "result"
+    std::string best;       ///< to the angle that does so
+    std::string amplitude;  ///< the value moves by no more than twice this per radian
+};
+std::optional<BestChoice> best_choice(const CaseFile& file);
 
 }  // namespace ravnoves

@@ -74,6 +74,9 @@ class CaseResponse final : public Response {
   public:
     CaseResponse(const SceneSolver& solver, Json input, CaseContext context, const Study& study)
         : solver_(solver), input_(std::move(input)), context_(std::move(context)) {
+        for (const Varied& varied : study.vary) {  // an angle to be chosen may have stood nowhere
+            input_[Pointer(varied.pointer)] = 0.0;
+        }
         for (const Varied& varied : study.vary) {
             slots_.push_back(&input_.at(Pointer(varied.pointer)));
         }
@@ -153,6 +156,21 @@ std::vector<std::optional<double>> nominal_result(const SceneSolver& solver, con
     return values;
 }
 
+/// Makes responses of the inputs that a study varies.
+MakeResponse responses_of(const SceneSolver& solver, const CaseFile& file,
+                          const CaseContext& context, const Study& study) {
+    return [&solver, file, context, study]() -> std::unique_ptr<Response> {
+        std::vector<std::string> varied;
+        for (const Varied& each : study.vary) {
+            varied.push_back(each.pointer);
+        }
+        if (auto quick = quick_response(file, context, varied, watched_pointers(study))) {
+            return quick;
+        }
+        return std::make_unique<CaseResponse>(solver, file.input, context, study);
+    };
+}
+
 }  // namespace
 
 Problem problem_of(const CaseFile& file, const CaseContext& context, std::string_view text) {
@@ -172,16 +190,20 @@ Problem problem_of(const CaseFile& file, const CaseContext& context, std::string
         problem.origin.files_sha256.emplace_back(path.filename().string(),
                                                  sha256(read_text_file(path)));
     }
-    problem.make = [&solver, file, context, study = problem.study]() -> std::unique_ptr<Response> {
-        std::vector<std::string> varied;
-        for (const Varied& each : study.vary) {
-            varied.push_back(each.pointer);
+    problem.make = responses_of(solver, file, context, problem.study);
+    if (const auto choice = best_choice(file)) {
+        Study tried{.vary = problem.study.vary,
+                    .watch = {{.pointer = choice->value}, {.pointer = choice->amplitude}}};
+        if (std::none_of(tried.vary.begin(), tried.vary.end(),
+                         [&](const Varied& each) { return each.pointer == choice->input; })) {
+            tried.vary.push_back({.pointer = choice->input});
         }
-        if (auto quick = quick_response(file, context, varied, watched_pointers(study))) {
-            return quick;
-        }
-        return std::make_unique<CaseResponse>(solver, file.input, context, study);
-    };
+        const Study best{.vary = {}, .watch = {{.pointer = choice->best}}};
+        problem.choice = {.input = choice->input,
+                          .value = choice->value,
+                          .nominal_best = nominal_result(solver, file, context, best).front(),
+                          .make = responses_of(solver, file, context, tried)};
+    }
     return problem;
 }
 

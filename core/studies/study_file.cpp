@@ -300,6 +300,9 @@ Json write_part(const Part& part) {
             json["rows"].push_back(write_row(part.rows[i]));
         }
     }
+    if (part.robust_best) {
+        json["robust_best"] = write_robust_best(*part.robust_best);
+    }
     return json;
 }
 
@@ -338,6 +341,9 @@ Part read_part(const Json& json) {
         if (grid) {
             part.rows =
                 read_rows(reader.raw("rows"), part.study.vary.size() + part.study.watch.size());
+        }
+        if (reader.has("robust_best")) {
+            part.robust_best = read_robust_best(reader.raw("robust_best"));
         }
     } catch (const Json::exception&) {
         throw InputError("/basis", CORE_TEXT("studies", "is not what this program writes"));
@@ -402,6 +408,9 @@ Json write_results(const Part& part) {
     json["watched"] = Json::object();
     for (std::size_t w = 0; w < study.watch.size(); ++w) {
         json["watched"][study.watch[w].pointer] = write_watched(part, w);
+    }
+    if (part.robust_best) {
+        json["robust_best"] = write_robust_best(*part.robust_best);
     }
     json["notes"] = Json::array();
     for (const Message& note : notes_of(part)) {

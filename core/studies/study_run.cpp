@@ -397,6 +397,9 @@ void PartMerger::add(Part part, const std::string& name) {
     rows_[part.shard - 1] = std::move(part.rows);
     if (whole_) {
         whole_->tally.add(part.tally);
+        if (part.robust_best) {
+            whole_->robust_best = std::move(part.robust_best);
+        }
         return;
     }
     whole_ = std::move(part);

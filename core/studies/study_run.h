@@ -12,6 +12,7 @@
 #include "case-file/message.h"
 #include "studies/law.h"
 #include "studies/response.h"
+#include "studies/robust_best.h"
 #include "studies/study.h"
 #include "studies/tally.h"
 #include "studies/taylor.h"
@@ -40,6 +41,17 @@ struct Problem {
     std::vector<double> nominal;                        ///< the inputs, in the units of their keys
     std::vector<std::optional<double>> nominal_result;  ///< the watched values there
     MakeResponse make;
+
+    /// An angle that the scene chooses to make a value least (scenes/responses.h).
+    struct Choice {
+        std::string input;  ///< pointers
+        std::string value;
+        std::optional<double> nominal_best;  ///< degrees, by the scene
+        /// The study's inputs and, unless it is one of them, the angle; the value and half its
+        /// steepest slope per radian.
+        MakeResponse make;
+    };
+    std::optional<Choice> choice{};
 };
 
 /// The study of a case.
@@ -78,6 +90,7 @@ struct Part {
     std::uint64_t to = 0;
     Tally tally;
     std::vector<Row> rows;
+    std::optional<RobustBest> robust_best{};      ///< of the first shard, where it was asked for
     std::shared_ptr<const FirstSamples> first{};  ///< not written
 
     bool finished() const { return done == to; }

@@ -65,6 +65,11 @@ TEST_F(StudyCommandLine, PrintsTheContract) {
     EXPECT_NEAR(slopes.at("/reciprocating_masses_kg/piston").at("value").get<double>() * 1.316 /
                     (slopes.at("/crank_radius_mm").at("value").get<double>() * 46.0),
                 1.0, 1e-9);
+    const Json& robust = result.at("robust_best");
+    EXPECT_EQ(robust.at("input"), "/shaft_angle_deg");
+    EXPECT_GE(robust.at("gain").get<double>(), 0.0);
+    EXPECT_LE(robust.at("best").at("value").get<double>(),
+              range.at("percentiles").at("95").get<double>());
 }
 
 TEST_F(StudyCommandLine, ShardsAreTheWholeToTheLastDigit) {

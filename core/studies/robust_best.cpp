@@ -1,0 +1,391 @@
+#include "studies/robust_best.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <numeric>
+#include <thread>
+
+#include "case-file/json.h"
+#include "numerics/angle.h"
+#include "numerics/constants.h"
+#include "studies/sampler.h"
+#include "studies/study_run.h"
+
+namespace ravnoves::studies {
+
+namespace {
+
+constexpr std::uint64_t robust_samples = 4096;
+constexpr std::uint64_t fewest_samples = 64;
+constexpr std::size_t left_out_groups = 16;
+constexpr double turn_deg = 360.0;
+
+/// The value of every sample at every angle that was tried.
+class AngleTable {
+  public:
+    AngleTable(const Problem& problem, int threads, const std::function<bool()>& goes_on)
+        : problem_(problem), goes_on_(goes_on) {
+        const Study& study = problem.study;
+        const bool sampled = is_sampled(study.method);
+        count_ = sampled ? std::min(study.samples, robust_samples) : robust_samples;
+        method_ = sampled ? study.method : Method::sobol;
+        refused_.resize(count_);
+        for (std::size_t j = 0; j < study.vary.size(); ++j) {
+            laws_.push_back(law_of(study.vary[j], problem.nominal[j]));
+            if (study.vary[j].pointer == problem.choice->input) {
+                place_ = j;
+            }
+        }
+        const auto cores =
+            threads > 0 ? static_cast<unsigned>(threads) : std::thread::hardware_concurrency();
+        responses_.resize(std::clamp<std::size_t>(cores, 1, count_ / 16 + 1));
+        for (auto& response : responses_) {
+            response = problem.choice->make();
+        }
+        steepest_.resize(responses_.size());
+    }
+
+    /// @return false where the work was stopped
+    bool add(std::vector<double> angles) {
+        for (double& angle : angles) {
+            angle = wrap(angle, turn_deg);
+        }
+        const std::size_t first = angles_.size();
+        angles_.insert(angles_.end(), angles.begin(), angles.end());
+        columns_.resize(angles_.size(), std::vector<double>(count_));
+        std::atomic<bool> stopped{false};
+        std::exception_ptr fault;
+        std::mutex guard;
+        const auto work = [&](std::size_t worker) {
+            try {
+                fill(worker, first, stopped);
+            } catch (...) {
+                const std::lock_guard lock(guard);
+                fault = std::current_exception();
+                stopped = true;
+            }
+        };
+        std::vector<std::thread> others;
+        for (std::size_t i = 1; i < responses_.size(); ++i) {
+            others.emplace_back(work, i);
+        }
+        work(0);
+        for (std::thread& other : others) {
+            other.join();
+        }
+        if (fault) {
+            std::rethrow_exception(fault);
+        }
+        return !stopped;
+    }
+
+    std::size_t size() const { return angles_.size(); }
+    double angle(std::size_t i) const { return angles_[i]; }
+    std::uint64_t samples() const { return count_; }
+    std::uint64_t refused() const {
+        return static_cast<std::uint64_t>(std::count(refused_.begin(), refused_.end(), 1));
+    }
+    /// Most that a percentile moves per degree.
+    double steepest() const { return *std::max_element(steepest_.begin(), steepest_.end()); }
+
+    /// The percentile at the i-th angle. @param group  that is left out; default: none
+    double percentile(std::size_t i, std::size_t group = left_out_groups) {
+        const std::uint64_t from = count_ * group / left_out_groups;
+        const std::uint64_t to = count_ * (group + 1) / left_out_groups;
+        kept_.clear();
+        for (std::uint64_t k = 0; k < count_; ++k) {
+            if (refused_[k] == 0 && (k < from || k >= to)) {
+                kept_.push_back(columns_[i][k]);
+            }
+        }
+        const double rank = static_cast<double>(kept_.size() - 1) * RobustBest::percent / 100.0;
+        const auto place = kept_.begin() + static_cast<std::ptrdiff_t>(rank);
+        std::nth_element(kept_.begin(), place, kept_.end());
+        const double low = *place;
+        const double high =
+            place + 1 == kept_.end() ? low : *std::min_element(place + 1, kept_.end());
+        return std::lerp(low, high, rank - std::floor(rank));
+    }
+
+    /// The value of the inputs as they are.
+    std::optional<double> nominal(double angle) {
+        std::vector<double> x = problem_.nominal;
+        x.resize(std::max(x.size(), place() + 1));
+        x[place()] = angle;
+        std::array<double, 2> y{};
+        return responses_.front()->evaluate(x, y) ? std::optional(y[0]) : std::nullopt;
+    }
+
+  private:
+    std::size_t place() const { return place_.value_or(laws_.size()); }
+
+    void fill(std::size_t worker, std::size_t first, std::atomic<bool>& stopped) {
+        Response& response = *responses_[worker];
+        Sampler sampler(method_,
+                        is_sampled(problem_.study.method) ? problem_.study.samples : count_,
+                        problem_.study.seed, laws_.size());
+        std::vector<double> u(laws_.size());
+        std::vector<double> x(std::max(laws_.size(), place() + 1));
+        std::array<double, 2> y{};
+        const std::uint64_t end = count_ * (worker + 1) / responses_.size();
+        for (std::uint64_t k = count_ * worker / responses_.size(); k < end; ++k) {
+            if (worker == 0 && k % 64 == 0 && goes_on_ && !goes_on_()) {
+                stopped = true;
+            }
+            if (stopped) {
+                return;
+            }
+            if (refused_[k] != 0) {
+                continue;
+            }
+            sampler.point(k, u);
+            for (std::size_t j = 0; j < laws_.size(); ++j) {
+                x[j] = laws_[j].at(u[j]);
+            }
+            // An angle that scatters does so about each that is tried.
+            const double off = place_ ? x[*place_] - laws_[*place_].mean : 0.0;
+            for (std::size_t i = first; i < angles_.size(); ++i) {
+                x[place()] = angles_[i] + off;
+                if (!response.evaluate(x, y)) {
+                    refused_[k] = 1;
+                    break;
+                }
+                columns_[i][k] = y[0];
+                steepest_[worker] = std::max(steepest_[worker], 2.0 * y[1] * degree);
+            }
+        }
+    }
+
+    const Problem& problem_;
+    const std::function<bool()>& goes_on_;
+    std::uint64_t count_ = 0;
+    Method method_ = Method::sobol;
+    std::vector<Law> laws_;
+    std::optional<std::size_t> place_;  ///< of the angle, where it is varied
+    std::vector<std::unique_ptr<Response>> responses_;
+    std::vector<double> steepest_;  ///< by worker
+    std::vector<double> angles_;
+    std::vector<std::vector<double>> columns_;
+    std::vector<char> refused_;
+    std::vector<double> kept_;
+};
+
+/// Of what sixteen samples with a group left out give.
+double jackknife_error(const std::array<double, left_out_groups>& found) {
+    constexpr auto n = static_cast<double>(left_out_groups);
+    const double mean = std::accumulate(found.begin(), found.end(), 0.0) / n;
+    double squares = 0.0;
+    for (const double each : found) {
+        squares += (each - mean) * (each - mean);
+    }
+    return std::sqrt(squares * (n - 1.0) / n);
+}
+
+double percentile_error(AngleTable& table, std::size_t i) {
+    std::array<double, left_out_groups> found{};
+    for (std::size_t g = 0; g < left_out_groups; ++g) {
+        found[g] = table.percentile(i, g);
+    }
+    return jackknife_error(found);
+}
+
+std::vector<double> percentiles(AngleTable& table, std::size_t group = left_out_groups) {
+    std::vector<double> found(table.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        found[i] = table.percentile(i, group);
+    }
+    return found;
+}
+
+std::size_t least(const std::vector<double>& values) {
+    return static_cast<std::size_t>(std::min_element(values.begin(), values.end()) -
+                                    values.begin());
+}
+
+bool is_flat(const std::vector<double>& values) {
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    constexpr double rounding = 1e-12;
+    return !(*high - *low > rounding * std::abs(*high));
+}
+
+bool has_enough(const AngleTable& table) {
+    return table.samples() - table.refused() >= fewest_samples;
+}
+
+/// The middles of the stretches that may hold less than the best does by the tolerance.
+std::vector<double> middles(const AngleTable& table, const std::vector<double>& values,
+                            double tolerance) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return table.angle(a) < table.angle(b); });
+    const double best = *std::min_element(values.begin(), values.end());
+    constexpr double narrowest = 0.1;
+    std::vector<double> found;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const std::size_t next = order[(i + 1) % order.size()];
+        const double from = table.angle(order[i]);
+        const double width = wrap(table.angle(next) - from, turn_deg);
+        const double bound = 0.5 * (values[order[i]] + values[next] - table.steepest() * width);
+        if (width > narrowest && bound < best - tolerance) {
+            found.push_back(from + 0.5 * width);
+        }
+    }
+    return found;
+}
+
+/// Tries angles until the best is found. @return false where the work was stopped
+bool search_angles(AngleTable& table) {
+    constexpr double first_step = 5.0;
+    std::vector<double> next;
+    for (double angle = 0.0; angle < turn_deg; angle += first_step) {
+        next.push_back(angle);
+    }
+    constexpr std::size_t most_angles = 600;
+    while (!next.empty() && table.size() < most_angles) {
+        if (!table.add(next)) {
+            return false;
+        }
+        if (!has_enough(table)) {
+            return true;
+        }
+        const auto values = percentiles(table);
+        const std::size_t best = least(values);
+        if (is_flat(values)) {
+            return true;
+        }
+        next = middles(table, values,
+                       0.05 * percentile_error(table, best) + 1e-9 * std::abs(values[best]));
+    }
+    for (double width = 0.1; width > 1e-3; width /= 4.0) {
+        const double best = table.angle(least(percentiles(table)));
+        std::vector<double> about;
+        for (const int k : {-3, -2, -1, 1, 2, 3}) {
+            about.push_back(best + 0.25 * k * width);
+        }
+        if (!table.add(about)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+RobustBest::Place place_at(AngleTable& table, std::size_t i) {
+    return {.angle = table.angle(i),
+            .percentile = table.percentile(i),
+            .percentile_error = percentile_error(table, i),
+            .nominal = table.nominal(table.angle(i))};
+}
+
+Json write_place(const std::optional<RobustBest::Place>& place) {
+    if (!place) {
+        return nullptr;
+    }
+    return {{"at", place->angle},
+            {"at_error", place->angle_error},
+            {"value", place->percentile},
+            {"error", place->percentile_error},
+            {"nominal", place->nominal ? Json(*place->nominal) : Json(nullptr)}};
+}
+
+std::optional<RobustBest::Place> read_place(const Json& json) {
+    if (json.is_null()) {
+        return std::nullopt;
+    }
+    const Json& nominal = json.at("nominal");
+    return RobustBest::Place{
+        json.at("at").get<double>(), json.at("at_error").get<double>(),
+        json.at("value").get<double>(), json.at("error").get<double>(),
+        nominal.is_null() ? std::nullopt : std::optional(nominal.get<double>())};
+}
+
+}  // namespace
+
+bool asks_for_robust_best(const Problem& problem) {
+    const std::vector<Watched>& watch = problem.study.watch;
+    return problem.choice && is_sampled(problem.study.method) &&
+           std::any_of(watch.begin(), watch.end(), [&](const Watched& watched) {
+               return watched.pointer == problem.choice->value;
+           });
+}
+
+std::optional<RobustBest> find_robust_best(const Problem& problem, int threads,
+                                           const std::function<bool()>& goes_on) {
+    if (!problem.choice || problem.study.method == Method::grid) {
+        return std::nullopt;
+    }
+    AngleTable table(problem, threads, goes_on);
+    std::size_t of_nominal = table.size();
+    if (const auto nominal = problem.choice->nominal_best) {
+        if (!table.add({*nominal})) {
+            return std::nullopt;
+        }
+    } else {
+        of_nominal = std::numeric_limits<std::size_t>::max();
+    }
+    if (!search_angles(table)) {
+        return std::nullopt;
+    }
+    RobustBest found{.input = problem.choice->input,
+                     .value = problem.choice->value,
+                     .samples = table.samples(),
+                     .refused = table.refused()};
+    if (!has_enough(table)) {
+        return found;
+    }
+    const auto values = percentiles(table);
+    const std::size_t best = least(values);
+    if (is_flat(values)) {
+        return found;
+    }
+    found.robust = place_at(table, best);
+    const bool both = of_nominal < table.size();
+    if (both) {
+        found.nominal = place_at(table, of_nominal);
+        found.gain = found.nominal->percentile - found.robust->percentile;
+    }
+    std::array<double, left_out_groups> angles{};
+    std::array<double, left_out_groups> gains{};
+    for (std::size_t g = 0; g < left_out_groups; ++g) {
+        const auto without = percentiles(table, g);
+        angles[g] = std::remainder(table.angle(least(without)) - found.robust->angle, turn_deg);
+        gains[g] = both ? without[of_nominal] - without[best] : 0.0;
+    }
+    found.robust->angle_error = jackknife_error(angles);
+    found.gain_error = jackknife_error(gains);
+    return found;
+}
+
+Json write_robust_best(const RobustBest& best) {
+    const bool both = best.robust && best.nominal;
+    return {{"input", best.input},
+            {"watched", best.value},
+            {"percentile", RobustBest::percent},
+            {"samples", best.samples},
+            {"refused", best.refused},
+            {"best", write_place(best.robust)},
+            {"nominal_best", write_place(best.nominal)},
+            {"gain", both ? Json(best.gain) : Json(nullptr)},
+            {"gain_error", both ? Json(best.gain_error) : Json(nullptr)}};
+}
+
+RobustBest read_robust_best(const Json& json) {
+    const auto number = [&](const char* key) {
+        return json.at(key).is_null() ? 0.0 : json.at(key).get<double>();
+    };
+    return {.input = json.at("input").get<std::string>(),
+            .value = json.at("watched").get<std::string>(),
+            .samples = json.at("samples").get<std::uint64_t>(),
+            .refused = json.at("refused").get<std::uint64_t>(),
+            .robust = read_place(json.at("best")),
+            .nominal = read_place(json.at("nominal_best")),
+            .gain = number("gain"),
+            .gain_error = number("gain_error")};
+}
+
+}  // namespace ravnoves::studies
