@@ -59,4 +59,8 @@ bool can_write_file(const std::string& path) {
     return true;
 }
 
+std::string names_a_file(const std::string& path) {
+    return path.empty() ? "must name a file" : "";
+}
+
 }  // namespace ravnoves::cli

@@ -26,4 +26,7 @@ int write_file(const std::string& path, const std::string& text);
 /// writing. Where not, this has been said.
 bool can_write_file(const std::string& path);
 
+/// For an option that is written to. @return empty, or what is wrong
+std::string names_a_file(const std::string& path);
+
 }  // namespace ravnoves::cli

@@ -77,7 +77,7 @@ class SolveCommand final : public Command {
         case_option->type_name("");
         CLI::Option* output_option =
             app_->add_option("-o,--output", result_path_, "Write the result to this file instead");
-        output_option->type_name("FILE");
+        output_option->type_name("FILE")->check(names_a_file);
         CLI::Option* batch_option =
             app_->add_flag("--batch", batch_,
                            "Read one case per line from standard input, print one result per line")

@@ -93,7 +93,8 @@ class StudyCommand final : public Command {
             app_->add_option("CASE", case_path_, "Case file (JSON) with a study");
         case_option->type_name("");
         app_->add_option("-o,--output", output_path_, "Write to this file instead")
-            ->type_name("FILE");
+            ->type_name("FILE")
+            ->check(names_a_file);
         CLI::Option* shard_option =
             app_->add_option("--shard", shard_text_,
                              "Take the K-th of N parts of the samples and print its counts")
@@ -169,7 +170,7 @@ class StudyCommand final : public Command {
             }
             return run_problem(studies::problem_of(file, context, text));
         } catch (const InputError& error) {
-            complain(case_path_, error.what());
+            complain(error.where() == unfinished_path() ? "" : case_path_, error.what());
             return exit_bad_input;
         }
     }
@@ -231,7 +232,9 @@ class StudyCommand final : public Command {
                     return part;
                 }
             } catch (const InputError&) {
-                // what another program left there
+                throw InputError(unfinished_path(),
+                                 "is not what an interrupted study leaves, and would be written "
+                                 "over; move it or choose another file");
             }
         }
         return studies::begin_part(problem, shard.number, shard.of, threads_);

@@ -12,6 +12,7 @@
 #include "case-file/wanted.h"
 #include "scenes/responses.h"
 #include "scenes/scenes.h"
+#include "studies/law.h"
 #include "studies/sha256.h"
 #include "studies/study_run.h"
 
@@ -130,6 +131,13 @@ std::vector<double> nominal_inputs(const Json& input, const Study& study) {
                              there ? show(input.at(place)) : Message());
         }
         nominal.push_back(input.at(place).get<double>());
+        const Law law = law_of(varied, nominal.back());
+        if (varied.spread != Varied::Spread::grid && !std::isfinite(law.fourth_moment)) {
+            throw InputError(vary_place(varied.pointer),
+                             CORE_TEXT("studies",
+                                       "must scatter less: its moments are no numbers "
+                                       "any more"));
+        }
     }
     return nominal;
 }

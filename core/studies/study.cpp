@@ -62,15 +62,6 @@ std::uint64_t whole(ObjectReader& reader, const char* key, std::uint64_t least, 
     return number;
 }
 
-std::vector<double> spaced(double from, double to, int steps) {
-    std::vector<double> values;
-    values.reserve(static_cast<std::size_t>(steps));
-    for (int i = 0; i < steps; ++i) {
-        values.push_back(i + 1 == steps ? to : from + (to - from) * i / (steps - 1));
-    }
-    return values;
-}
-
 Varied read_varied(const std::string& pointer, ObjectReader reader) {
     Varied varied{.pointer = pointer};
     using Spread = Varied::Spread;
@@ -98,6 +89,13 @@ Varied read_varied(const std::string& pointer, ObjectReader reader) {
         ++given;
         varied.from = reader.number("from", Range{});
         varied.to = reader.number("to", Range::greater_than(varied.from));
+        if (!std::isfinite(varied.to - varied.from)) {
+            throw InputError(reader.pointer_to("to"),
+                             CORE_TEXT("studies",
+                                       "must lie nearer to from: their difference is no "
+                                       "number any more"),
+                             Number{varied.to});
+        }
         varied.spread = Spread::uniform;
         if (reader.has("steps")) {
             varied.spread = Spread::grid;
@@ -168,6 +166,15 @@ void check_grid(const Study& study, bool method_is_given) {
 
 std::span<const Word> method_words() {
     return methods;
+}
+
+std::vector<double> spaced(double from, double to, int steps) {
+    std::vector<double> values;
+    values.reserve(static_cast<std::size_t>(steps));
+    for (int i = 0; i < steps; ++i) {
+        values.push_back(i + 1 == steps ? to : from + (to - from) * i / (steps - 1));
+    }
+    return values;
 }
 
 std::uint64_t Study::points() const {

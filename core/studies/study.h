@@ -76,6 +76,9 @@ inline constexpr std::uint64_t most_grid_points = 1'000'000;
 Study read_study(const Json& study, bool half_filled = false);
 Json write_study(const Study& study);
 
+/// So many values at equal distances, both ends among them.
+std::vector<double> spaced(double from, double to, int steps);
+
 /// The place of an input or a result in the case file: "/study/vary/~1crank_radius_mm".
 std::string vary_place(const std::string& pointer);
 std::string watch_place(const std::string& pointer);

@@ -32,7 +32,9 @@ Json write_files(const Origin& origin) {
 
 Json write_basis(const Basis& basis) {
     Json json = {{"evaluations", basis.evaluations},
-                 {"refused", basis.refused},
+                 {"refused", write_refusals(basis.refusals)},
+                 {"tried", basis.tried},
+                 {"tried_refused", basis.tried_refused},
                  {"laws", Json::array()},
                  {"values", Json::array()}};
     for (const Law& law : basis.laws) {
@@ -62,7 +64,11 @@ Json write_basis(const Basis& basis) {
                 {"kind", static_cast<int>(departure.kind)},
                 {"input", departure.input},
                 {"at", departure.at},
-                {"size", std::isfinite(departure.size) ? Json(departure.size) : Json(nullptr)}};
+                {"size", std::isfinite(departure.size) ? Json(departure.size) : Json(nullptr)},
+                {"reason", departure.reason}};
+        }
+        if (w < basis.distances.size()) {
+            value["distance"] = basis.distances[w];
         }
         if (w < basis.plan.size()) {
             value["low"] = basis.plan[w].low;
@@ -81,7 +87,9 @@ Basis read_basis(const Json& json, const Study& study) {
     };
     Basis basis;
     basis.evaluations = json.at("evaluations").get<std::uint64_t>();
-    basis.refused = json.at("refused").get<std::uint64_t>();
+    basis.refusals = read_refusals(json.at("refused"), "/basis/refused");
+    basis.tried = json.at("tried").get<std::uint64_t>();
+    basis.tried_refused = json.at("tried_refused").get<std::uint64_t>();
     for (const Json& each : json.at("laws")) {
         basis.laws.push_back({each.at("normal").get<bool>(), each.at("mean").get<double>(),
                               each.at("deviation").get<double>(),
@@ -115,7 +123,11 @@ Basis read_basis(const Json& json, const Study& study) {
                 {static_cast<Departure::Kind>(std::clamp(from.at("kind").get<int>(), 0, 3)),
                  std::min(from.at("input").get<std::size_t>(), study.vary.size() - 1),
                  from.at("at").get<double>(),
-                 size.value_or(std::numeric_limits<double>::infinity())});
+                 size.value_or(std::numeric_limits<double>::infinity()),
+                 from.at("reason").get<std::string>()});
+        }
+        if (value.contains("distance")) {
+            basis.distances.push_back(value.at("distance").get<double>());
         }
         if (value.contains("low")) {
             basis.plan.push_back({value.at("low").get<double>(), value.at("width").get<double>(),
@@ -193,7 +205,9 @@ Json write_watched(const Part& part, std::size_t w) {
     }
     const Statistics found = part.tally.statistics(w);
     json["mean"] = sampled ? found.mean : propagated->mean;
-    json["standard_deviation"] = sampled ? found.deviation : propagated->deviation;
+    json["standard_deviation"] = !sampled                   ? Json(propagated->deviation)
+                                 : part.tally.solved() >= 2 ? Json(found.deviation)
+                                                            : Json(nullptr);
     json["min"] = found.min;
     json["max"] = found.max;
     json["percentiles"] = write_percentiles(found);
@@ -210,8 +224,38 @@ Json write_watched(const Part& part, std::size_t w) {
     if (!total.empty()) {
         json["total"] = by_input(study, total);
     }
+    if (sampled && !first_order.empty()) {
+        json["first_order_error"] = by_input(study, found.first_order_error);
+    }
+    if (sampled && !total.empty()) {
+        json["total_error"] = by_input(study, found.total_error);
+    }
     return json;
 }
+
+/// The largest standard error of the indices where these can say too little: it is large, or an
+/// index is what none can be.
+std::optional<double> vague_sensitivities(const Statistics& found) {
+    constexpr double large = 0.1;
+    double most = 0.0;
+    bool impossible = false;
+    for (std::size_t j = 0; j < found.total.size(); ++j) {
+        const double error = found.total_error[j];
+        most = std::max(most, error);
+        impossible = impossible || found.total[j] > 1.0 + 2.0 * error;
+        if (j < found.first_order.size()) {
+            impossible = impossible || found.first_order[j] - found.total[j] >
+                                           2.0 * std::hypot(error, found.first_order_error[j]);
+        }
+    }
+    for (const double error : found.first_order_error) {
+        most = std::max(most, error);
+    }
+    return most > large || impossible ? std::optional(most) : std::nullopt;
+}
+
+constexpr Text no_derivative = CORE_TEXT(
+    "studies", "%1 has no linear answer: a derivative does not exist at the inputs' means.");
 
 Message reason_of(const Departure& departure, const Study& study, double deviation) {
     const std::string& input = study.vary[departure.input].pointer;
@@ -226,7 +270,11 @@ Message reason_of(const Departure& departure, const Study& study, double deviati
         case Departure::Kind::corner:
             return {CORE_TEXT("studies", "it has a corner where %1 is %2"), input, at};
         case Departure::Kind::refused:
-            return {CORE_TEXT("studies", "it does not exist where %1 is %2"), input, at};
+            if (departure.reason.empty()) {
+                return {CORE_TEXT("studies", "it does not exist where %1 is %2"), input, at};
+            }
+            return {CORE_TEXT("studies", "it does not exist where %1 is %2 (%3)"), input, at,
+                    departure.reason};
         case Departure::Kind::curved:
             break;
     }
@@ -239,21 +287,83 @@ bool same_basis(const Basis& one, const Basis& other) {
     return write_basis(one) == write_basis(other);
 }
 
+namespace {
+
+/// Of the means and slopes alone: what they do not know of.
+void add_notes_of_expansions(const Part& part, std::vector<Message>& notes) {
+    const Basis& basis = part.basis;
+    if (basis.tried_refused != 0) {
+        notes.push_back({CORE_TEXT("studies",
+                                   "%1 of %2 samples that were tried cannot be solved; an "
+                                   "expansion does not know of these."),
+                         std::to_string(basis.tried_refused), std::to_string(basis.tried)});
+    }
+    const bool second = part.study.method == Method::second_order;
+    for (std::size_t w = 0; w < part.study.watch.size(); ++w) {
+        const std::string& name = part.study.watch[w].pointer;
+        const auto found = basis.expansions[w].propagated(basis.laws, second);
+        if (!found) {
+            notes.push_back({no_derivative, name});
+            continue;
+        }
+        const Departure& departure = basis.departures[w];
+        // A tenth of the deviation moves a mean by some hundredths of it at most.
+        const double least = std::max(0.1 * found->deviation, 1e-9 * std::abs(found->mean)) +
+                             3.0 * found->deviation_error;
+        const bool refused = departure.kind == Departure::Kind::refused && departure.size > 0.0;
+        if (!refused && !(basis.distances[w] > least)) {
+            continue;
+        }
+        const Message why = reason_of(departure, part.study, basis.distances[w]);
+        if (refused) {
+            notes.push_back({second ? CORE_TEXT("studies",
+                                                "The second order fails for %1 within two standard "
+                                                "deviations of an input: %2.")
+                                    : CORE_TEXT("studies",
+                                                "The linear answer fails for %1 within two "
+                                                "standard deviations of an input: %2."),
+                             name, why});
+            continue;
+        }
+        notes.push_back(
+            {second ? CORE_TEXT("studies",
+                                "The second order fails for %1: samples lie %2 from it (root mean "
+                                "square), at a standard deviation of %3; %4.")
+                    : CORE_TEXT("studies",
+                                "The linear answer fails for %1: samples lie %2 from it (root mean "
+                                "square), at a standard deviation of %3; %4."),
+             name, Number{basis.distances[w], {}, 4}, Number{found->deviation, {}, 4}, why});
+    }
+}
+
+}  // namespace
+
 std::vector<Message> notes_of(const Part& part) {
     std::vector<Message> notes;
-    if (!is_sampled(part.study.method) || part.tally.solved() < 2) {
+    if (part.study.method == Method::grid) {
+        return notes;
+    }
+    if (!is_sampled(part.study.method)) {
+        add_notes_of_expansions(part, notes);
+        return notes;
+    }
+    if (part.tally.solved() < 2) {
+        notes.emplace_back(
+            CORE_TEXT("studies", "A standard deviation takes two samples that can be solved."));
         return notes;
     }
     for (std::size_t w = 0; w < part.study.watch.size(); ++w) {
         const std::string& name = part.study.watch[w].pointer;
         const auto linear = part.basis.expansions[w].propagated(part.basis.laws, false);
         const Statistics found = part.tally.statistics(w);
+        if (const auto most = vague_sensitivities(found)) {
+            notes.push_back({CORE_TEXT("studies",
+                                       "The samples are too few for the sensitivities of %1: "
+                                       "standard errors up to %2."),
+                             name, Number{*most, {}, 2}});
+        }
         if (!linear) {
-            notes.emplace_back(
-                CORE_TEXT("studies",
-                          "%1 has no linear answer: a derivative does not exist at the inputs' "
-                          "means."),
-                name);
+            notes.push_back({no_derivative, name});
             continue;
         }
         // What three standard errors, and a thousandth that nobody minds, do not explain.
@@ -352,7 +462,8 @@ Part read_part(const Json& json) {
     const std::size_t watched = grid ? 0 : part.study.watch.size();
     if (basis.laws.size() != (grid ? 0 : part.study.vary.size()) ||
         basis.expansions.size() != watched || basis.plan.size() != watched ||
-        (is_sampled(part.study.method) && basis.departures.size() != watched) ||
+        basis.departures.size() != watched ||
+        basis.distances.size() != (is_sampled(part.study.method) ? 0 : watched) ||
         part.rows.size() != (grid ? part.done - part.from : 0)) {
         throw InputError("/basis", CORE_TEXT("studies", "is not what this program writes"));
     }
@@ -365,7 +476,8 @@ Json write_results(const Part& part) {
     const Study& study = part.study;
     const bool sampled = is_sampled(study.method);
     const bool grid = study.method == Method::grid;
-    const std::uint64_t refused = sampled || grid ? part.tally.refused() : part.basis.refused;
+    const Refusals& all_refusals = sampled || grid ? part.tally.refusals() : part.basis.refusals;
+    const std::uint64_t refused = count_of(all_refusals);
     const std::uint64_t samples = sampled || grid ? part.done - part.from : part.basis.evaluations;
     Json json = {{"format", study_format},
                  {"version", study_version},
@@ -380,7 +492,7 @@ Json write_results(const Part& part) {
     json["solved"] = samples - refused;
     json["refused"] = Json::array();
     std::vector<const Refusal*> refusals;
-    for (const auto& [kind, refusal] : part.tally.refusals()) {
+    for (const auto& [kind, refusal] : all_refusals) {
         refusals.push_back(&refusal);
     }
     std::stable_sort(refusals.begin(), refusals.end(),

@@ -34,6 +34,33 @@ std::uint64_t points_of(const Study& study) {
                                                                     : expansion_points;
 }
 
+/// Samples that an expansion is tried by.
+constexpr std::uint64_t tried_samples = 64;
+
+/// Counts what is asked of another.
+class CountingResponse final : public Response {
+  public:
+    explicit CountingResponse(std::unique_ptr<Response> response)
+        : response_(std::move(response)) {}
+
+    bool evaluate(std::span<const double> x, std::span<double> y) override {
+        const bool there = response_->evaluate(x, y);
+        if (!there) {
+            reason_ = response_->reason();
+            tally_.refuse(count_, reason_);
+        }
+        ++count_;
+        return there;
+    }
+    std::uint64_t count() const { return count_; }
+    const Refusals& refusals() const { return tally_.refusals(); }
+
+  private:
+    std::unique_ptr<Response> response_;
+    Tally tally_;
+    std::uint64_t count_ = 0;
+};
+
 /// In the place of the scene once it is expanded.
 class ExpansionResponse final : public Response {
   public:
@@ -268,6 +295,39 @@ void plan_counting(Part& part, const FirstSamples& first) {
     }
 }
 
+/// How far true samples lie from the expansions that stand for them.
+void try_expansions(Response& response, const Study& study, Basis& basis) {
+    const std::size_t watched = study.watch.size();
+    basis.tried = tried_samples;
+    basis.distances.assign(watched, 0.0);
+    Sampler sampler(Method::sobol, tried_samples, study.seed, study.vary.size());
+    std::vector<double> u(study.vary.size());
+    std::vector<double> x(u.size());
+    std::vector<double> y(watched);
+    std::vector<double> expected(watched);
+    ExpansionResponse expansions(basis);
+    for (std::uint64_t i = 0; i < tried_samples; ++i) {
+        sampler.point(i, u);
+        for (std::size_t j = 0; j < x.size(); ++j) {
+            x[j] = basis.laws[j].at(u[j]);
+        }
+        if (!response.evaluate(x, y)) {
+            ++basis.tried_refused;
+            continue;
+        }
+        expansions.evaluate(x, expected);
+        for (std::size_t w = 0; w < watched; ++w) {
+            const double off = y[w] - expected[w];
+            const double period = basis.periods[w];
+            basis.distances[w] += std::pow(period == 0.0 ? off : std::remainder(off, period), 2);
+        }
+    }
+    const std::uint64_t solved = tried_samples - basis.tried_refused;
+    for (double& each : basis.distances) {
+        each = solved == 0 ? 0.0 : std::sqrt(each / static_cast<double>(solved));
+    }
+}
+
 }  // namespace
 
 std::pair<std::uint64_t, std::uint64_t> shard_range(const Study& study, std::uint64_t shard,
@@ -305,16 +365,19 @@ Part begin_part(const Problem& problem, std::uint64_t shard, std::uint64_t shard
         part.first = std::make_shared<FirstSamples>(take_first(problem, part, threads));
         plan_counting(part, *part.first);
     }
-    const auto response = problem.make();
-    Differences differences(*response, basis.laws, part.study.watch.size());
+    CountingResponse response(problem.make());
+    Differences differences(response, basis.laws, part.study.watch.size());
     basis.expansions = differences.expand(basis.periods, part.study.method == Method::second_order);
-    basis.evaluations = differences.evaluations();
-    basis.refused = differences.refused();
-    if (sampled) {
-        basis.departures = find_departures(*response, basis.laws, basis.expansions, basis.periods);
-    } else {
+    constexpr double sampled_reach = 3.0;
+    constexpr double expanded_reach = 2.0;
+    basis.departures = find_departures(response, basis.laws, basis.expansions, basis.periods,
+                                       sampled ? sampled_reach : expanded_reach);
+    if (!sampled) {
         plan_counting(part, take_first(problem, part, threads));
+        try_expansions(response, part.study, basis);
     }
+    basis.evaluations = response.count();
+    basis.refusals = response.refusals();
     part.tally = Tally(basis.plan, part.study.vary.size());
     return part;
 }

@@ -66,10 +66,14 @@ struct Basis {
     std::vector<std::optional<double>> nominal;  ///< the watched values
     std::vector<double> periods;                 ///< of angles; else 0
     std::vector<Taylor> expansions;
-    std::vector<Departure> departures;  ///< of sampled methods
+    std::vector<Departure> departures;
     std::vector<CountingPlan> plan;
-    std::uint64_t evaluations = 0;  ///< for the expansions
-    std::uint64_t refused = 0;      ///< of them
+    std::uint64_t evaluations = 0;  ///< for the expansions and what they are tried by
+    Refusals refusals;              ///< of them
+    // What an expansion that stands for the study is tried by.
+    std::uint64_t tried = 0;  ///< samples
+    std::uint64_t tried_refused = 0;
+    std::vector<double> distances;  ///< root mean square of the values' from their expansions
 };
 
 /// The watched values of a study's first samples, from which the basis was made.
@@ -137,7 +141,8 @@ Part read_part(const Json& json);
 /// Whether two parts of a study began with the same numbers.
 bool same_basis(const Basis& one, const Basis& other);
 
-/// Where the linear answer fails by more than its error bars, and why.
+/// Where the linear answer fails by more than its error bars, and why; what too few samples do not
+/// tell.
 std::vector<Message> notes_of(const Part& part);
 
 /// The "ravnoves-study" document; of a part that is not done yet, of its samples so far.

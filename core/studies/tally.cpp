@@ -41,6 +41,32 @@ std::vector<Integer> read_integers(const Json& json, std::size_t size, const std
     return values;
 }
 
+using Wide = Tally::Wide;
+
+/// High and low halves, one after the other.
+Json write_wide(const std::vector<Wide>& values) {
+    Json list = Json::array();
+    for (const Wide& each : values) {
+        list.push_back(static_cast<std::uint64_t>(each >> 64));
+        list.push_back(static_cast<std::uint64_t>(each));
+    }
+    return list;
+}
+
+std::vector<Wide> read_wide(const Json& json, std::size_t size, const std::string& where) {
+    if (!json.is_array() || json.size() != 2 * size) {
+        refuse_part(where);
+    }
+    std::vector<Wide> values(size);
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        if (!json[i].is_number_unsigned()) {
+            refuse_part(where);
+        }
+        values[i / 2] = (values[i / 2] << 64) | json[i].get<std::uint64_t>();
+    }
+    return values;
+}
+
 double read_number(const Json& json, const std::string& where) {
     if (!json.is_number()) {
         refuse_part(where);
@@ -126,6 +152,7 @@ Tally::Tally(std::vector<CountingPlan> plan, std::size_t inputs)
         value.bins.resize(bin_count);
         value.slices.resize(slice_counts_.size());
         value.pairs.resize(inputs);
+        value.pair_squares.resize(inputs);
     }
 }
 
@@ -201,6 +228,8 @@ void Tally::add_pair(std::size_t input, std::span<const double> y, std::span<con
         };
         const std::int64_t difference = place(two) - place(one);
         values_[w].pairs[input] += difference * difference;
+        values_[w].pair_squares[input] +=
+            Wide(difference * difference) * Wide(difference * difference);
     }
 }
 
@@ -222,6 +251,7 @@ void Tally::add(const Tally& other) {
         value.within += more.within;
         add_each(value.slices, more.slices);
         add_each(value.pairs, more.pairs);
+        add_each(value.pair_squares, more.pair_squares);
     }
     solved_ += other.solved_;
     add_each(slice_counts_, other.slice_counts_);
@@ -236,12 +266,38 @@ void Tally::add(const Tally& other) {
     }
 }
 
-std::uint64_t Tally::refused() const {
+std::uint64_t count_of(const Refusals& refusals) {
     std::uint64_t count = 0;
-    for (const auto& [kind, refusal] : refusals_) {
+    for (const auto& [kind, refusal] : refusals) {
         count += refusal.count;
     }
     return count;
+}
+
+Json write_refusals(const Refusals& refusals) {
+    Json list = Json::array();
+    for (const auto& [kind, refusal] : refusals) {
+        list.push_back(
+            {{"reason", refusal.text}, {"count", refusal.count}, {"first", refusal.first}});
+    }
+    return list;
+}
+
+Refusals read_refusals(const Json& json, const std::string& where) {
+    Refusals refusals;
+    const auto whole = [&](const Json& each, const char* key) {
+        return read_integers<std::uint64_t>(Json::array({member(each, key, where)}), 1, where)
+            .front();
+    };
+    for (const Json& each : json) {
+        const Json& reason = member(each, "reason", where);
+        if (!reason.is_string()) {
+            refuse_part(where + "/reason");
+        }
+        const auto text = reason.get<std::string>();
+        refusals[without_numbers(text)] = {whole(each, "count"), whole(each, "first"), text};
+    }
+    return refusals;
 }
 
 /// Within a bin the values are taken to lie evenly.
@@ -371,16 +427,24 @@ void Tally::set_sensitivities(std::size_t watched, Statistics& found) const {
             }
             const double noise = (groups - 1.0) * (second - between) / (n - groups);
             const double line = 1.0 - 1.0 / square(groups);
-            found.first_order.push_back(
-                std::clamp((between - std::max(noise, 0.0)) / second / line, 0.0, 1.0));
+            const double share =
+                std::clamp((between - std::max(noise, 0.0)) / second / line, 0.0, 1.0);
+            found.first_order.push_back(share);
+            found.first_order_error.push_back(std::sqrt(
+                (4.0 * share * (1.0 - share) + 2.0 * (groups - 1.0) * square(1.0 - share) / n) /
+                n));
         }
     }
     constexpr std::uint64_t least_pairs = 30;
     if (std::all_of(pair_counts_.begin(), pair_counts_.end(),
                     [](std::uint64_t count) { return count >= least_pairs; })) {
         for (std::size_t j = 0; j < inputs_; ++j) {
-            found.total.push_back(0.5 * static_cast<double>(value.pairs[j]) /
-                                  static_cast<double>(pair_counts_[j]) / variance);
+            const auto count = static_cast<double>(pair_counts_[j]);
+            const double mean_square = static_cast<double>(value.pairs[j]) / count;
+            const double spread = std::max(
+                0.0, static_cast<double>(value.pair_squares[j]) / count - square(mean_square));
+            found.total.push_back(0.5 * mean_square / variance);
+            found.total_error.push_back(0.5 * std::sqrt(spread / (count - 1.0)) / variance);
         }
     }
 }
@@ -400,11 +464,7 @@ std::vector<std::uint64_t> Tally::histogram(std::size_t watched, double from, do
 }
 
 Json Tally::write() const {
-    Json json = {{"solved", solved_}, {"refused", Json::array()}};
-    for (const auto& [kind, refusal] : refusals_) {
-        json["refused"].push_back(
-            {{"reason", refusal.text}, {"count", refusal.count}, {"first", refusal.first}});
-    }
+    Json json = {{"solved", solved_}, {"refused", write_refusals(refusals_)}};
     json["slice_counts"] = slice_counts_;
     json["pair_counts"] = pair_counts_;
     json["values"] = Json::array();
@@ -420,7 +480,8 @@ Json Tally::write() const {
                                   {"max", value.max},
                                   {"within", value.within},
                                   {"slices", value.slices},
-                                  {"pairs", value.pairs}});
+                                  {"pairs", value.pairs},
+                                  {"pair_squares", write_wide(value.pair_squares)}});
     }
     return json;
 }
@@ -432,16 +493,7 @@ Tally Tally::read(const Json& json, std::vector<CountingPlan> plan, std::size_t 
         return read_integers<std::uint64_t>(Json::array({value}), 1, where).front();
     };
     tally.solved_ = whole(member(json, "solved", root), root + "/solved");
-    for (const Json& each : member(json, "refused", root)) {
-        const std::string where = root + "/refused";
-        const Json& reason = member(each, "reason", where);
-        if (!reason.is_string()) {
-            refuse_part(where + "/reason");
-        }
-        const auto text = reason.get<std::string>();
-        tally.refusals_[without_numbers(text)] = {whole(member(each, "count", where), where),
-                                                  whole(member(each, "first", where), where), text};
-    }
+    tally.refusals_ = read_refusals(member(json, "refused", root), root + "/refused");
     tally.slice_counts_ = read_integers<std::uint64_t>(
         member(json, "slice_counts", root), tally.slice_counts_.size(), root + "/slice_counts");
     tally.pair_counts_ = read_integers<std::uint64_t>(member(json, "pair_counts", root), inputs,
@@ -471,6 +523,8 @@ Tally Tally::read(const Json& json, std::vector<CountingPlan> plan, std::size_t 
                                                    value.slices.size(), where + "/slices");
         value.pairs =
             read_integers<std::int64_t>(member(from, "pairs", where), inputs, where + "/pairs");
+        value.pair_squares =
+            read_wide(member(from, "pair_squares", where), inputs, where + "/pair_squares");
     }
     return tally;
 }

@@ -48,6 +48,10 @@ struct Statistics {
     double deviation_error = 0.0;     ///< standard error of the deviation, of independent samples
     std::vector<double> first_order;  ///< empty where the samples do not allow it
     std::vector<double> total;
+    // Standard errors of these: of the first as of a correlation ratio of normal values, of the
+    // total by its pairs, the variance being taken as known.
+    std::vector<double> first_order_error;
+    std::vector<double> total_error;
 };
 
 /// Why samples were refused, alike but for the numbers in the text.
@@ -57,11 +61,20 @@ struct Refusal {
     std::string text;
 };
 
+/// By the text without its numbers.
+using Refusals = std::map<std::string, Refusal>;
+std::uint64_t count_of(const Refusals& refusals);
+Json write_refusals(const Refusals& refusals);
+/// @throws InputError
+Refusals read_refusals(const Json& json, const std::string& where);
+
 /// Counts and exact sums of samples: no sample is kept, and neither order nor sharing out changes
 /// anything. 65536 bins of each watched value, laid out beforehand; their places serve the
 /// sensitivities too.
 class Tally {
   public:
+    __extension__ using Wide = unsigned __int128;
+
     Tally() = default;
     Tally(std::vector<CountingPlan> plan, std::size_t inputs);
 
@@ -74,8 +87,8 @@ class Tally {
     void add(const Tally& other);
 
     std::uint64_t solved() const { return solved_; }
-    std::uint64_t refused() const;
-    const std::map<std::string, Refusal>& refusals() const { return refusals_; }
+    std::uint64_t refused() const { return count_of(refusals_); }
+    const Refusals& refusals() const { return refusals_; }
     /// Of at least one solved sample.
     Statistics statistics(std::size_t watched) const;
     /// So many bars between the 0.1 % and 99.9 % points: for pictures.
@@ -100,6 +113,7 @@ class Tally {
         std::uint64_t within = 0;
         std::vector<std::int64_t> slices;  ///< sums of bin numbers, by input and its slice
         std::vector<std::int64_t> pairs;   ///< sums of squared differences, by input
+        std::vector<Wide> pair_squares;    ///< and of the squares of these
     };
 
     std::int64_t bin(std::size_t watched, double value) const;
@@ -112,7 +126,7 @@ class Tally {
     std::uint64_t solved_ = 0;
     std::vector<std::uint64_t> slice_counts_;
     std::vector<std::uint64_t> pair_counts_;
-    std::map<std::string, Refusal> refusals_;
+    Refusals refusals_;
 };
 
 /// The text with its numbers left out: refusals of one kind read the same.

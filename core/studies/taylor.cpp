@@ -114,12 +114,7 @@ Differences::Differences(Response& response, std::span<const Law> laws, std::siz
 
 Differences::Values Differences::at(std::span<const double> x) {
     std::vector<double> y(watched_);
-    ++evaluations_;
-    if (!response_.evaluate(x, y)) {
-        ++refused_;
-        return std::nullopt;
-    }
-    return y;
+    return response_.evaluate(x, y) ? Values(std::move(y)) : std::nullopt;
 }
 
 Differences::Values Differences::moved(std::size_t input, double step) {
@@ -272,14 +267,20 @@ struct Line {
     std::array<std::optional<double>, places> departure{};  ///< of one value from its expansion
 };
 
+/// The place of the means.
+constexpr std::size_t middle_place = places / 2;
+
 /// What stands out along the line; nothing where the value keeps to its expansion.
 std::optional<Departure> judge_line(const Line& line, std::size_t input) {
     double largest = 0.0;
     std::size_t where = 0;
     std::size_t missing = places;
+    const auto off_middle = [](std::size_t i) {
+        return i > middle_place ? i - middle_place : middle_place - i;
+    };
     for (std::size_t i = 0; i < places; ++i) {
         if (!line.departure[i]) {
-            missing = i;
+            missing = missing == places || off_middle(i) < off_middle(missing) ? i : missing;
         } else if (std::abs(*line.departure[i]) > largest) {
             largest = std::abs(*line.departure[i]);
             where = i;
@@ -317,6 +318,17 @@ std::optional<Departure> judge_line(const Line& line, std::size_t input) {
     return largest > 0.0 ? std::optional(found) : std::nullopt;
 }
 
+/// Closes in on the first place that is refused, from the one before it towards the means.
+/// @param evaluate  whether the input can be solved
+void close_in_on_refusal(const std::function<bool(double)>& evaluate, double width, double mean,
+                         Departure& found) {
+    double there = found.at + (found.at > mean ? -width : width);
+    for (int i = 0; i < 30; ++i) {
+        const double middle = 0.5 * there + 0.5 * found.at;
+        (evaluate(middle) ? there : found.at) = middle;
+    }
+}
+
 /// Closes in on a jump between two places. @return false where it is none
 bool close_in(const std::function<std::optional<double>(double)>& departure, double width,
               Departure& found) {
@@ -350,7 +362,7 @@ bool close_in(const std::function<std::optional<double>(double)>& departure, dou
 
 std::vector<Departure> find_departures(Response& response, std::span<const Law> laws,
                                        std::span<const Taylor> expansions,
-                                       std::span<const double> periods) {
+                                       std::span<const double> periods, double reach) {
     const std::size_t watched = expansions.size();
     std::vector<Departure> worst(watched);
     std::vector<double> x;
@@ -364,15 +376,23 @@ std::vector<Departure> find_departures(Response& response, std::span<const Law> 
         if (law.deviation == 0.0) {
             continue;
         }
-        const double width = (law.high - law.low) / static_cast<double>(places - 1);
+        const auto departure = [&](std::size_t w) {
+            const Taylor& expansion = expansions[w];
+            const double d = x[j] - law.mean;
+            const double curvature = expansion.curvatures.empty() ? 0.0 : expansion.curvatures[j];
+            return less(y[w], *expansion.value, periods[w]) -
+                   d * (expansion.slopes[j]->value + 0.5 * curvature * d);
+        };
+        const double low = std::max(law.low, law.mean - reach * law.deviation);
+        const double high = std::min(law.high, law.mean + reach * law.deviation);
+        const double width = (high - low) / static_cast<double>(places - 1);
         for (std::size_t i = 0; i < places; ++i) {
-            x[j] = law.low + width * static_cast<double>(i);
+            x[j] = i == middle_place ? law.mean : low + width * static_cast<double>(i);
             const bool there = response.evaluate(x, y);
             for (std::size_t w = 0; w < watched; ++w) {
                 lines[w].x[i] = x[j];
                 if (there && expansions[w].value && expansions[w].slopes[j]) {
-                    lines[w].departure[i] = less(y[w], *expansions[w].value, periods[w]) -
-                                            expansions[w].slopes[j]->value * (x[j] - law.mean);
+                    lines[w].departure[i] = departure(w);
                 }
             }
         }
@@ -382,17 +402,24 @@ std::vector<Departure> find_departures(Response& response, std::span<const Law> 
                 continue;
             }
             if (found->kind == Departure::Kind::jump) {
-                const auto departure = [&](double place) -> std::optional<double> {
+                const auto at = [&](double place) -> std::optional<double> {
                     x[j] = place;
-                    if (!response.evaluate(x, y)) {
-                        return std::nullopt;
-                    }
-                    return less(y[w], *expansions[w].value, periods[w]) -
-                           expansions[w].slopes[j]->value * (place - law.mean);
+                    return response.evaluate(x, y) ? std::optional(departure(w)) : std::nullopt;
                 };
-                if (!close_in(departure, width, *found)) {
+                if (!close_in(at, width, *found)) {
                     found->kind = Departure::Kind::corner;
                 }
+            } else if (found->kind == Departure::Kind::refused) {
+                const auto solves = [&](double place) {
+                    x[j] = place;
+                    const bool there = response.evaluate(x, y);
+                    found->reason = there ? found->reason : response.reason();
+                    return there;
+                };
+                if (found->at != law.mean) {
+                    close_in_on_refusal(solves, width, law.mean, *found);
+                }
+                solves(found->at);
             }
             worst[w] = *found;
         }

@@ -48,8 +48,6 @@ class Differences {
 
     /// @param periods  of the watched values that are angles; else 0
     std::vector<Taylor> expand(std::span<const double> periods, bool second);
-    std::uint64_t evaluations() const { return evaluations_; }
-    std::uint64_t refused() const { return refused_; }
 
   private:
     using Values = std::optional<std::vector<double>>;
@@ -64,24 +62,23 @@ class Differences {
     std::size_t watched_;
     std::vector<double> means_;
     Values middle_;
-    std::uint64_t evaluations_ = 0;
-    std::uint64_t refused_ = 0;
 };
 
-/// Where a watched value leaves its linear expansion most, along one input with the others at their
-/// means.
+/// Where a watched value leaves its expansion most, along one input with the others at their means.
 struct Departure {
     enum class Kind { curved, corner, jump, refused };
     Kind kind = Kind::curved;
     std::size_t input = 0;
-    double at = 0.0;    ///< the input there
-    double size = 0.0;  ///< of the jump, or largest distance from the line
+    double at = 0.0;       ///< the input there; of a refusal the first that is refused
+    double size = 0.0;     ///< of the jump, or largest distance from the expansion
+    std::string reason{};  ///< of a refusal
     friend bool operator==(const Departure&, const Departure&) = default;
 };
 
-/// Looks along every input, 33 places each, and finds places of jumps by bisection.
+/// Looks along every input, 33 places each, and finds places of jumps and refusals by bisection.
+/// @param reach  standard deviations to each side, no further than the law goes
 std::vector<Departure> find_departures(Response& response, std::span<const Law> laws,
                                        std::span<const Taylor> expansions,
-                                       std::span<const double> periods);
+                                       std::span<const double> periods, double reach);
 
 }  // namespace ravnoves::studies

@@ -108,6 +108,19 @@ TEST_F(StudyCommandLine, GoesOnWhereItWasInterrupted) {
     EXPECT_TRUE(read_all(folder / "r.json") == run("study case.json").out);
 }
 
+TEST_F(StudyCommandLine, LeavesWhatAnotherLeftThere) {
+    write("case.json", study_case().dump());
+    write("r.json.unfinished", "my notes");
+    expect_refused(run("study case.json -o r.json"),
+                   "r.json.unfinished: is not what an interrupted study leaves, and would be");
+    EXPECT_EQ(read_all(folder / "r.json.unfinished"), "my notes");
+    for (const char* command : {"study case.json -o ''", "solve case.json --output ''"}) {
+        const Outcome outcome = run(command);
+        EXPECT_EQ(outcome.status, 2) << command;
+        EXPECT_NE(outcome.err.find("--output: must name a file"), std::string::npos) << outcome.err;
+    }
+}
+
 TEST_F(StudyCommandLine, PrintsAGridAsATable) {
     Json document = study_case();
     document["study"] = {{"vary",
@@ -140,6 +153,8 @@ TEST_F(StudyCommandLine, BadStudiesAreOneLine) {
                    "case.json: /study/watch/~1metrics~1M_up: must lead to a number of the result");
     expect_refused(with("/study/watch/~1metric", Json::object()),
                    "case.json: /study/watch/~1metric: must be a value that the result has");
+    expect_refused(with("/study/vary/~1crank_radius_mm", {{"plus_minus", 1e200}}),
+                   "case.json: /study/vary/~1crank_radius_mm: must scatter less");
     expect_refused(with("/input/crank_radius_mm", -46), "case.json: /input/crank_radius_mm: must");
     EXPECT_EQ(run("study").status, 2);
     EXPECT_EQ(run("study case.json --shard 4/3").status, 2);

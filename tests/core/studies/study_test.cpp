@@ -9,6 +9,7 @@
 #include "case-file/input_error.h"
 #include "numerics/constants.h"
 #include "studies/sampler.h"
+#include "studies/sweep.h"
 #include "support.h"
 
 namespace ravnoves::studies {
@@ -54,6 +55,8 @@ TEST(Study, ReadsWhatItWritesAndRefusesTheRest) {
     EXPECT_EQ(with("/vary/a", {{"normal_sd", 1}}).substr(0, 13), "/study/vary/a");
     EXPECT_EQ(with("/vary", Json::object()).substr(0, 12), "/study/vary:");
     EXPECT_EQ(with("/watch/~1y/min", 4).substr(0, 21), "/study/watch/~1y/max:");
+    EXPECT_EQ(with("/vary/~1e", {{"from", -1.7e308}, {"to", 1.7e308}}).substr(0, 22),
+              "/study/vary/~1e/to: mu");
     EXPECT_EQ(with("/methd", "sobol").substr(0, 12), "/study/methd");
     EXPECT_EQ(with("/method", "grid").substr(0, 14), "/study/method:");
 }
@@ -236,6 +239,135 @@ TEST(Study, SaysWhyTheLinearAnswerFails) {
                   return true;
               }).find("it is curved along /x0."),
               std::string::npos);
+}
+
+std::string notes_text(const Part& part) {
+    std::string text;
+    for (const Message& note : notes_of(part)) {
+        text += note.english() + '\n';
+    }
+    return text;
+}
+
+TEST(Study, ExpansionsSayWhatTheyDoNotKnow) {
+    const auto notes = [](const char* method, const Function& function, double nominal = 0.0) {
+        return notes_text(whole(problem(normal_study(1, method, 1, 1), {nominal}, function)));
+    };
+    for (const char* method : {"linear", "second-order"}) {
+        EXPECT_EQ(notes(method,
+                        [](auto x, auto y) {
+                            y[0] = 5.0 - 2.0 * x[0] + 1e-3 * x[0] * x[0];
+                            return true;
+                        }),
+                  "")
+            << method;
+        // Never negative, and a slope that knows nothing of it.
+        const std::string corner = notes(
+            method,
+            [](auto x, auto y) {
+                y[0] = std::abs(x[0]);
+                return true;
+            },
+            0.5);
+        EXPECT_NE(corner.find("it has a corner where /x0 is 0"), std::string::npos) << corner;
+        const std::string refused = notes(method, [](auto x, auto y) {
+            y[0] = x[0];
+            return x[0] > -1.5;
+        });
+        EXPECT_NE(refused.find("it does not exist where /x0 is -1.5 (/x: must"), std::string::npos)
+            << refused;
+        EXPECT_NE(refused.find(" of 64 samples that were tried cannot be solved"),
+                  std::string::npos)
+            << refused;
+        EXPECT_NE(notes(method,
+                        [](auto x, auto y) {
+                            y[0] = x[0] + (x[0] > 1.25 ? 4.0 : 0.0);
+                            return true;
+                        })
+                      .find("it jumps by 4 where /x0 is 1.25."),
+                  std::string::npos);
+    }
+    const auto square = [](auto x, auto y) {
+        y[0] = x[0] * x[0];
+        return true;
+    };
+    EXPECT_NE(notes("linear", square).find("it is curved along /x0."), std::string::npos);
+    EXPECT_EQ(notes("second-order", square), "");
+    // Beyond two standard deviations it is another's business.
+    EXPECT_EQ(notes("linear",
+                    [](auto x, auto y) {
+                        y[0] = x[0];
+                        return x[0] > -4.0;
+                    }),
+              "");
+    const Part part = whole(problem(normal_study(1, "linear", 1, 1), {0.0}, [](auto x, auto y) {
+        y[0] = x[0];
+        return x[0] > -1.5;
+    }));
+    const Json results = write_results(part);
+    EXPECT_GT(results.at("refused")[0].at("count").get<int>(), 0);
+    EXPECT_TRUE(write_results(read_part(Json::parse(write_part(part).dump()))) == results);
+}
+
+TEST(Study, FewSamplesAreCalledFew) {
+    const auto function = [](auto x, auto y) {
+        y[0] = x[0] + 0.3 * x[1] + x[0] * x[1];
+        return true;
+    };
+    const Part one = whole(problem(normal_study(2, "sobol", 1, 1), {0, 0}, function));
+    EXPECT_TRUE(write_results(one).at("watched").at("/y").at("standard_deviation").is_null());
+    EXPECT_EQ(notes_text(one), "A standard deviation takes two samples that can be solved.\n");
+    const Part few = whole(problem(normal_study(2, "sobol", 320, 1), {0, 0}, function));
+    EXPECT_NE(notes_text(few).find("too few for the sensitivities of /y: standard errors up to"),
+              std::string::npos);
+    EXPECT_EQ(notes_text(whole(problem(normal_study(2, "sobol", 20'000, 1), {0, 0}, function)))
+                  .find("too few"),
+              std::string::npos);
+    // Their standard errors are what twenty seeds scatter by: V = 2.09, one of it by x0 alone.
+    double off_first = 0.0;
+    double off_total = 0.0;
+    double first_error = 0.0;
+    double total_error = 0.0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const Statistics found =
+            whole(problem(normal_study(2, "monte-carlo", 2000, seed), {0, 0}, function))
+                .tally.statistics(0);
+        off_first += std::pow(found.first_order[0] - 1.0 / 2.09, 2) / 20.0;
+        off_total += std::pow(found.total[0] - 2.0 / 2.09, 2) / 20.0;
+        first_error += found.first_order_error[0] / 20.0;
+        total_error += found.total_error[0] / 20.0;
+    }
+    EXPECT_NEAR(std::sqrt(off_first) / first_error, 1.0, 0.5);
+    EXPECT_NEAR(std::sqrt(off_total) / total_error, 1.0, 0.5);
+}
+
+TEST(Study, SweepsOneInputAndMapsTwo) {
+    const auto function = [](auto x, auto y) {
+        y[0] = x[0] + (x.size() > 1 ? 10.0 * x[1] : 0.0);
+        y[1] = -x[0];
+        if (x[0] > 2.5) {
+            y[0] = std::nan("");
+        }
+        return x[0] < 2.5;
+    };
+    const auto found = [&](const std::vector<SweptInput>& inputs) {
+        const Study study = sweep_study(inputs, {{.pointer = "/y"}, {.pointer = "/z"}});
+        EXPECT_EQ(read_study(write_study(study)), study);
+        return sweep_table(
+            whole(problem(write_study(study), std::vector<double>(inputs.size()), function)));
+    };
+    const SweepTable line = found({{"/a", 0.0, 3.0, 4}});
+    EXPECT_EQ(line.axes, (std::vector<std::vector<double>>{{0, 1, 2, 3}}));
+    EXPECT_EQ(line.at(1, 2), -2.0);
+    EXPECT_TRUE(std::isnan(line.at(0, 3)));
+    const SweepTable map = found({{"/a", 0.0, 2.0, 3}, {"/b", 1.0, 5.0, 5}});
+    ASSERT_EQ(map.values[0].size(), 15U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 5; ++j) {
+            EXPECT_EQ(map.at(0, i, j), map.axes[0][i] + 10.0 * map.axes[1][j]);
+        }
+    }
+    EXPECT_EQ(swept_range({.pointer = "/a", .size = 0.5}, 4.0), std::pair(3.5, 4.5));
 }
 
 TEST(Study, ShardsPrintWhatTheWholePrints) {
