@@ -63,6 +63,8 @@ void LegendItem::draw(QPainter& painter, const QRectF& rect) const {
         painter.setPen(hollow ? QPen(stroke, 1.6) : QPen(Qt::NoPen));
         painter.setBrush(hollow ? QBrush(Qt::NoBrush) : QBrush(stroke));
         painter.drawEllipse(QPointF(rect.left() + inset + strokeLength / 2.0, middle), 3.6, 3.6);
+    } else if (pen_ == Qt::NoPen) {
+        painter.fillRect(QRectF(rect.left() + inset, middle - 5.0, strokeLength, 10.0), stroke);
     } else {
         painter.setPen(samplePen(stroke, pen_));
         painter.drawLine(QPointF(rect.left() + inset, middle),

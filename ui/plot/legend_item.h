@@ -15,6 +15,7 @@ class LegendItem : public QAbstractButton {
   public:
     explicit LegendItem(QWidget* parent);
 
+    /// @param pen  none: a shade
     void setSwatch(const QColor& colour, Qt::PenStyle pen, plot::Shape shape);
     /// Draws the entry into a rectangle, for pictures that hold no widgets.
     void draw(QPainter& painter, const QRectF& rect) const;

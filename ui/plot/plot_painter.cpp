@@ -350,6 +350,16 @@ void PlotPainter::paintCurves(QPainter& painter) const {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.save();
     painter.setClipRect(data_.area);
+    painter.setPen(Qt::NoPen);
+    for (const PlotCurve& curve : data_.curves) {
+        if (data_.showsSpread(curve)) {
+            painter.setBrush(
+                veil(theme.curve(curve.style.colour), data_.spreadStale ? 0.12F : 0.26F));
+            for (const QPolygonF& shade : curve.shades) {
+                painter.drawPolygon(shade);
+            }
+        }
+    }
     painter.setBrush(Qt::NoBrush);
     for (const PlotCurve& curve : data_.curves) {
         if (curve.shown) {
@@ -373,9 +383,11 @@ void PlotPainter::paintCurves(QPainter& painter) const {
         paintErrorBars(painter, curve);
         if (curve.style.shape == Shape::Bars) {
             paintBars(painter, curve, Qt::NoPen, colour);
+            paintSpreads(painter, curve);
         } else if (curve.style.shape != Shape::Line) {
             const bool hollow = curve.style.shape == Shape::Rings;
             const QPen pen(hollow ? colour : theme.panel(), hollow ? 1.6 : 1.0);
+            paintSpreads(painter, curve);
             for (std::size_t i = 0; i < curve.x.size(); ++i) {
                 dot(painter, pixel(curve, i), 3.6, pen, hollow ? theme.panel() : colour);
             }
@@ -401,6 +413,30 @@ void PlotPainter::paintBars(QPainter& painter, const PlotCurve& curve, const QPe
         const QPointF left = data_.toPixel(middle - half, curve.y[i], side);
         const QPointF right = data_.toPixel(middle + half, curve.y[i], side);
         painter.drawRect(QRectF(corner(left.x(), left.y()), corner(right.x(), foot)).normalized());
+    }
+}
+
+void PlotPainter::paintSpreads(QPainter& painter, const PlotCurve& curve) const {
+    if (!data_.showsSpread(curve) || curve.isLine()) {
+        return;
+    }
+    const Theme& theme = Theme::instance();
+    const bool onBar = curve.style.shape == Shape::Bars;
+    painter.setPen(QPen(veil(onBar ? theme.text() : theme.curve(curve.style.colour),
+                             data_.spreadStale ? 0.45F : 1.0F),
+                        1.2));
+    const QPointF cap(3, 0);
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        const auto [low, high] = data_.spreadAt(curve, i);
+        const double middle = curve.x[i] + (onBar ? curve.style.barShift : 0.0);
+        const QPointF foot = data_.toPixel(middle, low, curve.style.side);
+        const QPointF tip = data_.toPixel(middle, high, curve.style.side);
+        if (foot.y() - tip.y() < 1.0) {
+            continue;  // nothing to be seen
+        }
+        painter.drawLine(foot, tip);
+        painter.drawLine(foot - cap, foot + cap);
+        painter.drawLine(tip - cap, tip + cap);
     }
 }
 
@@ -574,8 +610,12 @@ void PlotPainter::paintReadout(QPainter& painter) const {
         };
         const PlotCurve* ghost = data_.ghostOf(curve);
         const auto was = ghost != nullptr ? data_.valueAt(*ghost, at) : std::nullopt;
+        const auto spread = data_.spreadAt(curve, at);
         rows.push_back(
             {curve.style.name + equals + shown(*y) +
+                 (spread ? QStringLiteral("  [%1 … %2]")
+                               .arg(shown(spread->first), shown(spread->second))
+                         : QString()) +
                  (was ? QStringLiteral("  (%1: %2)").arg(data_.referenceName, shown(*was))
                       : QString()),
              colour});

@@ -48,6 +48,8 @@ class PlotPainter {
     void paintGhosts(QPainter& painter) const;
     void paintBars(QPainter& painter, const PlotCurve& curve, const QPen& pen,
                    const QBrush& brush) const;
+    /// What is no line has its spread as bars with caps.
+    void paintSpreads(QPainter& painter, const PlotCurve& curve) const;
     void paintErrorBars(QPainter& painter, const PlotCurve& curve) const;
     void paintLines(QPainter& painter) const;
     /// @param taken  where their labels must not stand

@@ -83,8 +83,10 @@ QList<LegendItem*> PlotView::shownLegend() const {
             items << item;
         }
     }
-    if (referenceItem_ != nullptr && !referenceItem_->isHidden()) {
-        items << referenceItem_;
+    for (LegendItem* item : {spreadItem_, referenceItem_}) {
+        if (item != nullptr && !item->isHidden()) {
+            items << item;
+        }
     }
     return items;
 }
@@ -221,6 +223,45 @@ void PlotView::setErrorBars(int number, std::vector<double> low, std::vector<dou
     curvesChanged();
 }
 
+void PlotView::setSpread(int number, std::vector<double> below, std::vector<double> above) {
+    PlotCurve& curve = data_.curve(number);
+    if (curve.below == below && curve.above == above) {
+        return;
+    }
+    curve.below = std::move(below);
+    curve.above = std::move(above);
+    curve.stale = true;
+    if (spreadItem_ == nullptr) {
+        spreadItem_ = new LegendItem(this);
+        spreadItem_->setText(tr("5…95 %"));
+        spreadItem_->setChecked(data_.spreadShown);
+        spreadItem_->setAccessibleName(tr("Show what the tolerances do"));
+        spreadItem_->setToolTip(
+            tr("Where the tolerances let the curves lie: 5 % below the band, 5 % above it"));
+        spreadItem_->setSwatch(ghostSwatch(), Qt::NoPen, Shape::Bars);
+        connect(spreadItem_, &LegendItem::toggled, this, [this](bool on) {
+            data_.spreadShown = on;
+            data_.makeStale();
+            chartChanged();
+        });
+        spreadItem_->hide();
+    }
+    if (spreadItem_->isHidden() == data_.hasSpread()) {
+        spreadItem_->setVisible(data_.hasSpread());
+        chartChanged();
+    }
+    curvesChanged();
+}
+
+void PlotView::setSpreadStale(bool stale) {
+    if (data_.spreadStale != stale) {
+        data_.spreadStale = stale;
+        if (data_.hasSpread()) {
+            curvesChanged();
+        }
+    }
+}
+
 void PlotView::setPointTexts(int number, QStringList texts) {
     data_.pointRead.reset();
     overlay(data_.curve(number).texts, std::move(texts));
@@ -294,6 +335,9 @@ void PlotView::showTheme() {
     }
     if (referenceItem_ != nullptr) {
         referenceItem_->setSwatch(ghostSwatch(), Qt::SolidLine, Shape::Line);
+    }
+    if (spreadItem_ != nullptr) {
+        spreadItem_->setSwatch(ghostSwatch(), Qt::NoPen, Shape::Bars);
     }
     chartChanged();
 }

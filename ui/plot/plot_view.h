@@ -73,6 +73,11 @@ class PlotView : public QWidget {
     /// (horizontal); empty lists remove them.
     void setErrorBars(int curve, std::vector<double> low, std::vector<double> high,
                       Qt::Orientation orientation = Qt::Vertical);
+    /// What scatter of the inputs makes of the curve, 5…95 %: so much below and above each of its
+    /// points, which goes with the curve where that moves; empty lists remove it.
+    void setSpread(int curve, std::vector<double> below, std::vector<double> above);
+    /// Pales the spreads, because newer ones are on the way.
+    void setSpreadStale(bool stale);
     /// What is read out of each point of the curve, as lines of text. In a plot with such texts the
     /// mouse and the arrow keys read points instead of the curves at an x.
     void setPointTexts(int curve, QStringList texts);
@@ -205,6 +210,7 @@ class PlotView : public QWidget {
     std::unique_ptr<PlotPainter> painter_;
     std::vector<LegendItem*> legend_;  ///< one for each curve, or null
     LegendItem* referenceItem_ = nullptr;
+    LegendItem* spreadItem_ = nullptr;
     PlotView* reference_ = nullptr;
     PlotView* referenceOf_ = nullptr;  ///< the plot that shows this one's curves
     int number_;

@@ -108,8 +108,7 @@ Table tableOf(const ResultTable& table) {
         shown.numbers << (column > 0 && table.rowCount() > 0 && table.item(0, column) != nullptr &&
                           (table.item(0, column)->textAlignment() & Qt::AlignRight) != 0);
     }
-    const bool inColumns =
-        !shown.headings.isEmpty() && shown.headings.last() == QStringLiteral("Δ, %");
+    const bool inColumns = table.hasColumnsBeside();
     for (int row = 0; row < table.rowCount(); ++row) {
         QStringList cells;
         for (int column = 0; column < table.columnCount(); ++column) {
@@ -121,6 +120,10 @@ Table tableOf(const ResultTable& table) {
             if (!parts.isEmpty()) {
                 cells.last() += QStringLiteral("<br/><small>Δ %1</small>")
                                     .arg(parts.join(QStringLiteral("; ")).toHtmlEscaped());
+            }
+            const QString spread = inColumns ? QString() : table.spreadAt(row, column);
+            if (!spread.isEmpty()) {
+                cells.last() += QStringLiteral("<br/><small>%1</small>").arg(spread);
             }
         }
         shown.rows << cells;

@@ -35,6 +35,7 @@
 #include "shell/start_page.h"
 #include "shell/variant_menu.h"
 #include "shell/whats_this.h"
+#include "studies/tolerance_switch.h"
 #include "studies/tolerance_window.h"
 #include "text/language.h"
 #include "text/preferences.h"
@@ -319,6 +320,14 @@ void MainWindow::buildMenus() {
     QAction* reset =
         add(view, QStringLiteral("reset-zoom"), tr("Reset &zoom of all plots"),
             QKeySequence(Qt::CTRL | Qt::Key_0), [this] { currentPage()->resetZoom(); });
+    QAction* bands = add(view, {}, tr("Tolerance &bands"), {}, [] {});
+    bands->setCheckable(true);
+    bands->setChecked(ToleranceSwitch::instance().isOn());
+    bands->setStatusTip(
+        tr("Bands about the curves and ± beside the numbers, where the case has "
+           "tolerances"));
+    connect(bands, &QAction::toggled, &ToleranceSwitch::instance(), &ToleranceSwitch::setOn);
+    connect(&ToleranceSwitch::instance(), &ToleranceSwitch::changed, bands, &QAction::setChecked);
     add(view, {}, tr("&Full screen"), QKeySequence(Qt::Key_F11),
         [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
     view->addSeparator();

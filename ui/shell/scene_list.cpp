@@ -8,6 +8,7 @@
 #include "inertia-moments/inertia_moments_page.h"
 #include "methods/methods_page.h"
 #include "shell/comparison.h"
+#include "studies/tolerance_bands.h"
 #include "v8-plugs/v8_plugs_page.h"
 
 namespace ravnoves {
@@ -18,6 +19,7 @@ template <typename Page>
 ScenePage* makePage(QWidget* parent, SceneModel* kept) {
     auto* page = new Page(parent, kept);
     new Comparison(page);
+    new ToleranceBands(page);
     return page;
 }
 

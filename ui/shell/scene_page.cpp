@@ -5,6 +5,7 @@
 
 #include "model/background_job.h"
 #include "plot/plot_view.h"
+#include "studies/tolerance_bands.h"
 #include "widgets/elided_tips.h"
 #include "widgets/mechanism_picture.h"
 #include "widgets/mnemonics.h"
@@ -63,6 +64,10 @@ void ScenePage::resetZoom() {
 }
 
 bool ScenePage::isBusy() const {
+    const auto* bands = findChild<ToleranceBands*>(QString(), Qt::FindDirectChildrenOnly);
+    if (bands != nullptr && bands->isBusy()) {
+        return true;
+    }
     const auto jobs = findChildren<BackgroundJob*>();
     return std::any_of(jobs.begin(), jobs.end(),
                        [](const BackgroundJob* job) { return job->isRunning(); });

@@ -4,12 +4,15 @@
 #include <cmath>
 
 #include "case-file/decimal.h"
+#include "text/all_digits.h"
 #include "text/message_text.h"
 #include "text/preferences.h"
 
 namespace ravnoves {
 
 namespace {
+
+constexpr int allDigits = 15;
 
 QLocale plain(QLocale locale) {
     locale.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
@@ -37,7 +40,7 @@ QString formNumber(double value, const QLocale& locale, int significant) {
         return QStringLiteral("0");
     }
     // 'g' switches to an exponent where the number is very large or very small, which is right.
-    return plain(locale).toString(value, 'g', significant);
+    return plain(locale).toString(value, 'g', AllDigits::areWanted() ? allDigits : significant);
 }
 
 std::optional<double> readFormNumber(const QString& text) {
@@ -58,6 +61,9 @@ QString fixedNumber(double value, int decimals, const QLocale& locale) {
 QString fixedDecimals(double value, int decimals, const QLocale& locale) {
     if (!std::isfinite(value)) {
         return QStringLiteral("–");
+    }
+    if (AllDigits::areWanted()) {
+        return formNumber(value, locale);
     }
     constexpr double longest = 1e9;  // beyond it digits say nothing
     if (std::abs(value) >= longest) {

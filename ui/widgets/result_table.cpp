@@ -10,10 +10,12 @@
 #include <QScrollBar>
 #include <QStyledItemDelegate>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "text/csv_format.h"
 #include "text/difference_text.h"
+#include "text/number_text.h"
 #include "theme/theme.h"
 
 namespace ravnoves {
@@ -22,6 +24,8 @@ namespace {
 
 /// Of a cell: its difference, absolute and percent.
 constexpr int differenceRole = Qt::UserRole + 1;
+/// Of a cell: its ±.
+constexpr int spreadRole = Qt::UserRole + 2;
 constexpr int cellPadding = 9;
 
 int plainRowHeight() {
@@ -39,6 +43,22 @@ int differenceHeight() {
 QStringList inOneLine(QStringList parts) {
     parts.removeAll(QString());
     return {parts.join(QStringLiteral("  "))};
+}
+
+QStringList besideOf(const QVariant& difference, const QVariant& spread) {
+    QStringList parts = difference.toStringList();
+    if (!spread.isNull()) {
+        parts << spread.toString();
+    }
+    return parts;
+}
+
+/// So many digits that two of them say something.
+QString spreadText(double half) {
+    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(half))), 0, 9);
+    return QStringLiteral("± ") + (half < 1e-9 || half >= 1e9
+                                       ? formNumber(half, QLocale(), 2)
+                                       : fixedDecimals(half, decimals, QLocale()));
 }
 
 /// A cell over the small lines of its difference.
@@ -73,7 +93,7 @@ class DifferenceDelegate final : public QStyledItemDelegate {
                           QFontMetrics(cell.font).elidedText(text, Qt::ElideRight, line.width()));
         painter->setFont(differenceFont());
         painter->setPen(isSelected ? colour : Theme::instance().mutedText());
-        const QStringList parts = index.data(differenceRole).toStringList();
+        const QStringList parts = besideOf(index.data(differenceRole), index.data(spreadRole));
         line.moveTop(line.top() + plainRowHeight() - 3);
         line.setHeight(differenceHeight());
         for (const QString& part : inLine ? inOneLine(parts) : parts) {
@@ -130,11 +150,59 @@ void ResultTable::setReference(ResultTable* table, const QString& name) {
     placedAt_ = -1;
     if (table != nullptr) {
         table->referenceOf_ = this;
-        if (dynamic_cast<DifferenceDelegate*>(itemDelegate()) == nullptr) {
-            setItemDelegate(new DifferenceDelegate(this));
-        }
     }
     showDifferences();
+}
+
+void ResultTable::setSpreads(std::vector<Spread> spreads) {
+    if (spreads.empty() && spreads_.empty()) {
+        return;
+    }
+    spreads_ = std::move(spreads);
+    placedAt_ = -1;
+    showSpreads();
+    placeBeside();
+}
+
+QString ResultTable::spreadAt(int row, int column) const {
+    const QTableWidgetItem* cell = item(row, column);
+    return cell != nullptr ? cell->data(spreadRole).toString() : QString();
+}
+
+QStringList ResultTable::besideAt(int row, int column) const {
+    const QTableWidgetItem* cell = item(row, column);
+    return cell != nullptr ? besideOf(cell->data(differenceRole), cell->data(spreadRole))
+                           : QStringList();
+}
+
+void ResultTable::showSpreads() {
+    spread_.clear();
+    std::vector<std::vector<QString>> shown(static_cast<std::size_t>(rowCount()));
+    for (const Spread& each : spreads_) {
+        const QTableWidgetItem* name = item(each.row, 0);
+        const QTableWidgetItem* cell = item(each.row, each.column);
+        if (name == nullptr || cell == nullptr || each.column >= columns_ ||
+            name->text() != each.name || !(each.half > 0.0) || !readShownNumber(cell->text())) {
+            continue;
+        }
+        auto& row = shown[static_cast<std::size_t>(each.row)];
+        row.resize(static_cast<std::size_t>(columns_));
+        row[static_cast<std::size_t>(each.column)] = spreadText(each.half);
+        if (!spread_.contains(each.column)) {
+            spread_ << each.column;
+        }
+    }
+    for (int row = 0; row < rowCount(); ++row) {
+        const auto& texts = shown[static_cast<std::size_t>(row)];
+        for (int column = 0; column < columns_; ++column) {
+            const QString text =
+                texts.empty() ? QString() : texts[static_cast<std::size_t>(column)];
+            if (QTableWidgetItem* cell = item(row, column);
+                cell != nullptr && cell->data(spreadRole).toString() != text) {
+                cell->setData(spreadRole, text.isEmpty() ? QVariant() : QVariant(text));
+            }
+        }
+    }
 }
 
 QStringList ResultTable::differenceAt(int row, int column) const {
@@ -188,7 +256,7 @@ void ResultTable::showDifferences() {
             }
         }
     }
-    placeDifferences();
+    placeBeside();
 }
 
 int ResultTable::widthOf(int row, int column, Place place) const {
@@ -198,7 +266,7 @@ int ResultTable::widthOf(int row, int column, Place place) const {
     }
     int width = QFontMetrics(font()).horizontalAdvance(cell->text());
     if (place != Place::Columns) {
-        const QStringList parts = differenceAt(row, column);
+        const QStringList parts = besideAt(row, column);
         const QFontMetrics small(differenceFont());
         for (const QString& part : place == Place::Line ? inOneLine(parts) : parts) {
             width = std::max(width, small.horizontalAdvance(part));
@@ -208,7 +276,8 @@ int ResultTable::widthOf(int row, int column, Place place) const {
 }
 
 int ResultTable::roomFor(Place place) const {
-    const int differenceColumns = Theme::withText(120);
+    const int differenceColumns =
+        Theme::withText((compared_.isEmpty() ? 0 : 120) + (spread_.isEmpty() ? 0 : 60));
     int sum = place == Place::Columns ? differenceColumns : 0;
     for (int column = 0; column < columns_; ++column) {
         int width = column > 0 ? QFontMetrics(horizontalHeader()->font())
@@ -223,25 +292,45 @@ int ResultTable::roomFor(Place place) const {
     return sum;
 }
 
-void ResultTable::placeDifferences() {
+void ResultTable::placeBeside() {
+    QList<int> beside = compared_;
+    for (const int column : spread_) {
+        if (!beside.contains(column)) {
+            beside << column;
+        }
+    }
+    if (beside.isEmpty() && columnCount() == columns_ && place_ == Place::Columns) {
+        fitColumns();
+        return;
+    }
+    if (dynamic_cast<DifferenceDelegate*>(itemDelegate()) == nullptr) {
+        setItemDelegate(new DifferenceDelegate(this));
+    }
     Place place = Place::Columns;
-    if (!compared_.isEmpty()) {
+    if (!beside.isEmpty()) {
         // At one width they only ever fall back: rows that grow bring a scroll bar, which takes of
         // the room, and values that change under a slider would lay the table out to and fro.
         if (std::exchange(placedAt_, width()) != width()) {
             leastPlace_ = Place::Columns;
         }
         const int room = viewport()->width();
-        if (compared_.size() > 1 || roomFor(Place::Columns) > room) {
+        if (beside.size() > 1 || roomFor(Place::Columns) > room) {
             leastPlace_ =
                 std::max(leastPlace_, roomFor(Place::Line) <= room ? Place::Line : Place::Lines);
         }
         place = leastPlace_;
     }
     const bool inColumns = place == Place::Columns;
-    const int wanted = columns_ + (inColumns && !compared_.isEmpty() ? 2 : 0);
-    const int height =
-        plainRowHeight() + (inColumns ? 0 : (place == Place::Line ? 1 : 2) * differenceHeight());
+    const QStringList headings =
+        QStringList(inColumns && !compared_.isEmpty()
+                        ? QStringList{QStringLiteral("Δ"), QStringLiteral("Δ, %")}
+                        : QStringList()) +
+        QStringList(inColumns && !spread_.isEmpty() ? QStringList{QStringLiteral("±")}
+                                                    : QStringList());
+    const int wanted = columns_ + static_cast<int>(headings.size());
+    const int lines = (compared_.isEmpty() ? 0 : 2) + (spread_.isEmpty() ? 0 : 1);
+    const int height = plainRowHeight() +
+                       (inColumns ? 0 : (place == Place::Line ? 1 : lines) * differenceHeight());
     if (columnCount() != wanted || place != place_) {
         fitted_ = false;
         place_ = place;
@@ -255,15 +344,18 @@ void ResultTable::placeDifferences() {
         verticalHeader()->setDefaultSectionSize(height);
         updateGeometry();
     }
-    const QStringList headings{QStringLiteral("Δ"), QStringLiteral("Δ, %")};
     for (int column = columns_; column < wanted; ++column) {
         const int part = column - columns_;
+        const bool isSpread = headings[part] == QStringLiteral("±");
         if (horizontalHeaderItem(column) == nullptr) {
-            auto* heading = new QTableWidgetItem(headings[part]);
+            auto* heading = new QTableWidgetItem;
             heading->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
             setHorizontalHeaderItem(column, heading);
         }
-        const QString tip = tr("Present value less that of the reference %1").arg(referenceName_);
+        horizontalHeaderItem(column)->setText(headings[part]);
+        const QString tip =
+            isSpread ? tr("What the tolerances make of it: half of the range from 5 % to 95 %")
+                     : tr("Present value less that of the reference %1").arg(referenceName_);
         horizontalHeaderItem(column)->setToolTip(tip);
         for (int row = 0; row < rowCount(); ++row) {
             QTableWidgetItem* cell = item(row, column);
@@ -272,7 +364,8 @@ void ResultTable::placeDifferences() {
                 cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
                 setItem(row, column, cell);
             }
-            const QString text = differenceAt(row, compared_.front()).value(part);
+            const QString text = isSpread ? spreadAt(row, spread_.front())
+                                          : differenceAt(row, compared_.front()).value(part);
             if (cell->text() != text) {
                 cell->setText(text);
             }
@@ -372,8 +465,8 @@ void ResultTable::fitStretched() {
 
 void ResultTable::resizeEvent(QResizeEvent* event) {
     QTableWidget::resizeEvent(event);
-    if (reference_ != nullptr) {
-        placeDifferences();
+    if (reference_ != nullptr || !spreads_.empty()) {
+        placeBeside();
     } else {
         fitStretched();
     }
@@ -399,7 +492,10 @@ void ResultTable::setRows(const QVector<QStringList>& rows) {
         }
     }
     showTips();
-    if (reference_ != nullptr) {
+    if (!spreads_.empty()) {
+        showSpreads();
+    }
+    if (reference_ != nullptr || !spreads_.empty()) {
         showDifferences();
     } else {
         fitColumns();
@@ -471,18 +567,21 @@ QString ResultTable::joined(QChar separator, bool selectionOnly) const {
     const auto written = [&](const QString& text) {
         return separator == QLatin1Char('\t') ? text : csv.field(text);
     };
-    // In the whole table, differences that stand below their numbers get columns behind them.
-    const auto isFollowed = [&](int column) {
-        return !selectionOnly && place_ != Place::Columns && compared_.contains(column);
+    // In the whole table, what stands below its numbers gets columns behind them.
+    const auto isBelow = [&](const QList<int>& columns, int column) {
+        return !selectionOnly && place_ != Place::Columns && columns.contains(column);
     };
     QString text;
     QStringList line;
     for (int column = 0; column < columnCount() && !selectionOnly; ++column) {
         const QString heading = horizontalHeaderItem(column)->text();
         line << written(heading);
-        if (isFollowed(column)) {
+        if (isBelow(compared_, column)) {
             const QString delta = QStringLiteral("Δ ") + heading;
             line << written(delta) << written(delta + QStringLiteral(", %"));
+        }
+        if (isBelow(spread_, column)) {
+            line << written(QStringLiteral("± ") + heading);
         }
     }
     if (!line.isEmpty()) {
@@ -494,9 +593,12 @@ QString ResultTable::joined(QChar separator, bool selectionOnly) const {
             const QTableWidgetItem* cell = item(row, column);
             if (cell != nullptr && (!selectionOnly || cell->isSelected())) {
                 line << written(cell->text());
-                if (isFollowed(column)) {
+                if (isBelow(compared_, column)) {
                     const QStringList parts = differenceAt(row, column);
                     line << written(parts.value(0)) << written(parts.value(1));
+                }
+                if (isBelow(spread_, column)) {
+                    line << written(spreadAt(row, column));
                 }
             }
         }

@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <QTableWidget>
 #include <QVector>
+#include <vector>
 
 #include "text/result_tips.h"
 
@@ -35,6 +36,19 @@ class ResultTable : public QTableWidget {
     const ResultTable* reference() const { return reference_; }
     /// Absolute and percent of a cell, as shown; empty where there is nothing to compare.
     QStringList differenceAt(int row, int column) const;
+    /// What scatter of the inputs makes of a cell.
+    struct Spread {
+        int row = 0;
+        int column = 0;
+        QString name;       ///< of the row, which is elsewhere where that is another
+        double half = 0.0;  ///< of 5…95 %, in the unit of the cell
+    };
+    /// Shows them beside the numbers, where differences stand. None removes them.
+    void setSpreads(std::vector<Spread> spreads);
+    /// "± 0.2" of a cell, as shown; empty where it has none.
+    QString spreadAt(int row, int column) const;
+    /// Differences and ± have columns of their own.
+    bool hasColumnsBeside() const { return columnCount() > columns_; }
     /// Tables made later have a greater number.
     int number() const { return number_; }
 
@@ -65,7 +79,11 @@ class ResultTable : public QTableWidget {
     /// Words never give way to numbers altogether: the table scrolls sideways instead.
     void fitStretched();
     void showDifferences();
-    void placeDifferences();
+    void showSpreads();
+    /// Differences and ±.
+    void placeBeside();
+    /// What stands beside a cell.
+    QStringList besideAt(int row, int column) const;
     int rowInReference(int row) const;
     /// Of a cell with its difference where that stands so.
     int widthOf(int row, int column, Place place) const;
@@ -84,7 +102,9 @@ class ResultTable : public QTableWidget {
     ResultTable* reference_ = nullptr;
     ResultTable* referenceOf_ = nullptr;  ///< the table that compares itself with this one
     QString referenceName_;
+    std::vector<Spread> spreads_;
     QList<int> compared_;  ///< columns with differences
+    QList<int> spread_;    ///< columns with ±
     Place place_ = Place::Columns;
     Place leastPlace_ = Place::Columns;  ///< at the width `placedAt_`
     int placedAt_ = -1;

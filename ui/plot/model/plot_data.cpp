@@ -98,6 +98,33 @@ bool PlotData::hasGhosts() const {
                        [](const PlotCurve& curve) { return !curve.x.empty(); });
 }
 
+bool PlotData::hasSpread() const {
+    return std::any_of(curves.begin(), curves.end(),
+                       [](const PlotCurve& curve) { return curve.hasSpread(); });
+}
+
+std::pair<double, double> PlotData::spreadAt(const PlotCurve& curve, std::size_t point) const {
+    const PlotScale& values = scale(curve.style.side);
+    const auto held = [&](double value) { return values.holds(value) ? value : values.low; };
+    return {held(curve.y[point] - curve.below[point]), held(curve.y[point] + curve.above[point])};
+}
+
+std::optional<std::pair<double, double>> PlotData::spreadAt(const PlotCurve& curve,
+                                                            double at) const {
+    const auto middle = valueAt(curve, at);
+    if (!middle || !showsSpread(curve) || curve.style.shape == Shape::Bars) {
+        return std::nullopt;
+    }
+    const auto upper = std::upper_bound(curve.x.begin(), curve.x.end(), at);
+    const auto next =
+        std::min(static_cast<std::size_t>(upper - curve.x.begin()), curve.x.size() - 1);
+    const std::size_t before = next > 0 ? next - 1 : 0;
+    const double stretch = curve.x[next] - curve.x[before];
+    const double part = stretch > 0.0 ? (at - curve.x[before]) / stretch : 0.0;
+    return std::pair(*middle - std::lerp(curve.below[before], curve.below[next], part),
+                     *middle + std::lerp(curve.above[before], curve.above[next], part));
+}
+
 namespace {
 
 /// Widens an axis that does not follow its data until it holds the reference's curves.
@@ -145,6 +172,12 @@ void PlotData::fitScales() {
                     least = std::min({least, *low, fromZero ? 0.0 : *low});
                     most = std::max({most, *high, fromZero ? 0.0 : *high});
                 }
+            }
+            for (std::size_t i = 0; showsSpread(curve) && i < curve.x.size(); ++i) {
+                const double low = curve.y[i] - curve.below[i];
+                const double high = curve.y[i] + curve.above[i];
+                least = follower.holds(low) ? std::min(least, low) : least;
+                most = follower.holds(high) ? std::max(most, high) : most;
             }
         }
         follower.fit(least, most);
@@ -201,10 +234,34 @@ void PlotData::thinCurves() {
         }
         curve.stale = false;
         curve.stretches.clear();
+        curve.shades.clear();
         if (curve.shown) {
             curve.stretches = stretchesOf(curve);
         }
+        if (showsSpread(curve)) {
+            curve.shades = shadesOf(curve);
+        }
     }
+}
+
+std::vector<QPolygonF> PlotData::shadesOf(const PlotCurve& curve) const {
+    std::vector<QPolygonF> shades;
+    std::size_t from = 0;
+    for (std::size_t next = 0; curve.isLine() && next <= curve.starts.size(); ++next) {
+        const std::size_t to = next < curve.starts.size() ? curve.starts[next] : curve.x.size();
+        std::vector<QPointF> low;
+        std::vector<QPointF> high;
+        for (; from < to; ++from) {
+            const auto [least, most] = spreadAt(curve, from);
+            low.push_back(toPixel(curve.x[from], least, curve.style.side));
+            high.push_back(toPixel(curve.x[from], most, curve.style.side));
+        }
+        QPolygonF shade = thinPolyline(high);
+        const QPolygonF foot = thinPolyline(low);
+        std::copy(foot.rbegin(), foot.rend(), std::back_inserter(shade));
+        shades.push_back(std::move(shade));
+    }
+    return shades;
 }
 
 std::vector<QPolygonF> PlotData::stretchesOf(const PlotCurve& curve) const {
@@ -330,15 +387,24 @@ QString PlotData::csv(const CsvFormat& format) const {
             }
         }
         const QString unit = unitOfTitle(y.spec.title);
-        columns.push_back({curve.style.name.isEmpty() ? y.spec.title
-                           : unit.isEmpty()           ? curve.style.name
-                                            : curve.style.name + QStringLiteral(", ") + unit,
-                           {}});
-        for (std::size_t i = 0; i < curve.y.size(); ++i) {
-            while (shares && common[columns.back().cells.size()] != curve.x[i]) {
-                columns.back().cells.emplace_back();
+        const auto add = [&](const QString& heading, const auto& value) {
+            columns.push_back({heading, {}});
+            for (std::size_t i = 0; i < curve.y.size(); ++i) {
+                while (shares && common[columns.back().cells.size()] != curve.x[i]) {
+                    columns.back().cells.emplace_back();
+                }
+                columns.back().cells.push_back(text(value(i), y));
             }
-            columns.back().cells.push_back(text(curve.y[i], y));
+        };
+        const QString heading = curve.style.name.isEmpty() ? y.spec.title
+                                : unit.isEmpty()           ? curve.style.name
+                                                 : curve.style.name + QStringLiteral(", ") + unit;
+        add(heading, [&](std::size_t i) { return curve.y[i]; });
+        if (showsSpread(curve)) {
+            add(heading + QStringLiteral(", 5 %"),
+                [&](std::size_t i) { return curve.y[i] - curve.below[i]; });
+            add(heading + QStringLiteral(", 95 %"),
+                [&](std::size_t i) { return curve.y[i] + curve.above[i]; });
         }
     }
     std::size_t rows = 0;

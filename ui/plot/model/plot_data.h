@@ -92,11 +92,14 @@ struct PlotCurve {
     std::vector<double> low = {};          ///< ends of the error bars
     std::vector<double> high = {};
     Qt::Orientation bars = Qt::Vertical;
+    std::vector<double> below = {};  ///< of the spread, from each point; or none
+    std::vector<double> above = {};
     QStringList texts = {};  ///< read out, one for each point; or none
     bool ascending = true;   ///< x never decreases, so the cursor may interpolate
     bool shown = true;
     bool stale = true;                      ///< `stretches` are of other data
     std::vector<QPolygonF> stretches = {};  ///< the line as drawn, thinned, in pixels
+    std::vector<QPolygonF> shades = {};     ///< its spread, likewise
 
     /// Takes the points that have a place on both axes.
     /// @return whether that changed anything
@@ -105,6 +108,7 @@ struct PlotCurve {
     bool isLine() const {
         return style.shape == plot::Shape::Line || style.shape == plot::Shape::LineAndPoints;
     }
+    bool hasSpread() const { return !below.empty() && below.size() == x.size(); }
     bool isReadable() const { return shown && texts.size() == static_cast<qsizetype>(x.size()); }
 };
 
@@ -135,6 +139,8 @@ struct PlotData {
     std::optional<double> cursorX = {};
     std::optional<Point> pointRead = {};
     bool faded = false;
+    bool spreadShown = true;
+    bool spreadStale = false;  ///< of other data than the curves
     QString fadedText = {};
     int readoutDecimals = -1;
     /// What the same plot shows of a reference; its curves rest under those of the same number.
@@ -150,6 +156,11 @@ struct PlotData {
     /// The reference's curve under a curve; null where there is none to be seen.
     const PlotCurve* ghostOf(const PlotCurve& curve) const;
     bool hasGhosts() const;
+    /// A curve that is shown with its spread.
+    bool showsSpread(const PlotCurve& curve) const {
+        return spreadShown && curve.shown && curve.hasSpread();
+    }
+    bool hasSpread() const;
 
     QPointF toPixel(double valueX, double valueY, Side side = Side::Left) const;
     double xAt(double pixelX) const;
@@ -167,6 +178,10 @@ struct PlotData {
     void thinCurves();
     /// The same of any curve, by this plot's scales.
     std::vector<QPolygonF> stretchesOf(const PlotCurve& curve) const;
+    /// The ends of a curve's spread at one of its points, within the scale.
+    std::pair<double, double> spreadAt(const PlotCurve& curve, std::size_t point) const;
+    /// The same at x, between points along straight lines.
+    std::optional<std::pair<double, double>> spreadAt(const PlotCurve& curve, double at) const;
 
     /// The value of a curve at x along the line drawn; nothing outside its data and in gaps.
     std::optional<double> valueAt(const PlotCurve& curve, double at) const;
@@ -179,6 +194,9 @@ struct PlotData {
     /// The data of the shown curves as a table: one x, then a column for each curve, empty where it
     /// has no point there. A curve that goes back and forth in x has its own x beside it.
     QString csv(const CsvFormat& format) const;
+
+  private:
+    std::vector<QPolygonF> shadesOf(const PlotCurve& curve) const;
 };
 
 }  // namespace ravnoves

@@ -1,0 +1,202 @@
+// What tolerances do to the curves and numbers of a page: bands, ±.
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QDir>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <cmath>
+
+#include "case-file/case_file.h"
+#include "case-file/json.h"
+#include "events.h"
+#include "model/case_document.h"
+#include "plot/plot_view.h"
+#include "scene_tests.h"
+#include "studies/tolerance_bands.h"
+#include "studies/tolerance_switch.h"
+#include "text/csv_format.h"
+#include "text/difference_text.h"
+#include "widgets/result_table.h"
+
+namespace ravnoves {
+namespace {
+
+using namespace Qt::StringLiterals;
+
+constexpr double point95 = 1.6448536269514722;
+
+class Bands : public ::testing::Test {
+  protected:
+    void open(const std::string& scene, const Json& vary) {
+        page = test::makePage(scene);
+        page->model()->loadDefault();
+        page->model()->changeStudy(u"tolerances"_s,
+                                   Json{{"vary", vary}, {"watch", Json::object()}}.dump());
+        test::showAt(*page, {1280, 800});
+        settle();
+    }
+    void settle() {
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !page->isBusy(); }, 60'000));
+    }
+    /// The first plot in front with so many curves at least.
+    PlotView* plot(int curves) {
+        for (PlotView* each : page->findChildren<PlotView*>()) {
+            if (each->isVisible() && each->curveCount() >= curves) {
+                return each;
+            }
+        }
+        return nullptr;
+    }
+    static const PlotCurve& curve(const PlotView* plot, std::size_t number) {
+        return plot->data().curves.at(number);
+    }
+
+    std::unique_ptr<ScenePage> page;
+};
+
+TEST_F(Bands, AreWhatTheSlopesMakeOfTheScatter) {
+    // Ms = P₁ l sin(α + φ): a percent of l is a percent of it; P₁ goes with the masses.
+    open("balance-shaft", {{"/centre_distance_mm", {{"normal_sd", 2.0}}}});
+    const PlotView* moments = plot(3);
+    ASSERT_NE(moments, nullptr);
+    EXPECT_FALSE(curve(moments, 0).hasSpread());  // the engine's own torque
+    const PlotCurve& shaft = curve(moments, 1);
+    ASSERT_TRUE(shaft.hasSpread());
+    const double distance = page->model()->inputJson()["centre_distance_mm"].get<double>();
+    for (std::size_t i = 0; i < shaft.x.size(); ++i) {
+        const double half = point95 * std::abs(shaft.y[i]) * 2.0 / distance;
+        ASSERT_NEAR(shaft.below[i], half, 1e-7) << shaft.x[i];
+        ASSERT_NEAR(shaft.above[i], half, 1e-7) << shaft.x[i];
+    }
+}
+
+TEST_F(Bands, OfSeveralInputsAddUpBySquares) {
+    open("balance-shaft", {{"/centre_distance_mm", {{"plus_minus_percent", 2.0}}},
+                           {"/counterweight_radius_mm", {{"plus_minus", 0.3}}},
+                           {"/reciprocating_masses_kg/piston", {{"normal_sd", 0.004}}}});
+    const Json input = page->model()->inputJson();
+    double mass = 0.0;
+    for (const auto& [name, value] : input["reciprocating_masses_kg"].items()) {
+        mass += value.get<double>();
+    }
+    // m₁ ρ₁ goes with the masses alone, whatever ρ₁ is.
+    const double relative = std::hypot(0.02 / std::sqrt(3.0), 0.004 / mass);
+    const PlotCurve& shaft = curve(plot(3), 1);
+    ASSERT_TRUE(shaft.hasSpread());
+    const auto top = static_cast<std::size_t>(std::max_element(shaft.y.begin(), shaft.y.end()) -
+                                              shaft.y.begin());
+    EXPECT_NEAR(shaft.above[top], point95 * relative * shaft.y[top], 1e-4 * shaft.above[top]);
+    // The same number in the table beside, with digits that its own text does not show.
+    bool found = false;
+    for (const ResultTable* table : page->findChildren<ResultTable*>()) {
+        for (int row = 0; row < table->rowCount(); ++row) {
+            if (table->item(row, 0)->text().startsWith(u"Amplitude of Mₛ"_s)) {
+                const auto half = readShownNumber(table->spreadAt(row, 1).mid(2));
+                ASSERT_TRUE(half);
+                EXPECT_NEAR(half->value, point95 * relative * shaft.y[top], 0.5);
+                EXPECT_TRUE(table->asText().contains(table->spreadAt(row, 1)));
+                found = true;
+            }
+        }
+    }
+    EXPECT_TRUE(found);
+}
+
+TEST_F(Bands, GoWithTheCurveWhileAHandMovesAndFollow) {
+    open("balance-shaft", {{"/centre_distance_mm", {{"plus_minus", 1.0}}}});
+    PlotView* moments = plot(3);
+    const std::vector<double> before = curve(moments, 1).above;
+    auto* slider = test::named<QSlider>(*page, "shaft_angle_slider");
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_PageUp);
+    EXPECT_TRUE(moments->data().spreadStale);
+    EXPECT_EQ(curve(moments, 1).above, before);
+    EXPECT_TRUE(page->isBusy());
+    settle();
+    EXPECT_FALSE(moments->data().spreadStale);
+    EXPECT_NE(curve(moments, 1).above, before);
+}
+
+TEST_F(Bands, AreSwitchedOffAndOn) {
+    open("balance-shaft", {{"/centre_distance_mm", {{"plus_minus", 1.0}}}});
+    ToleranceSwitch::instance().setOn(false);
+    EXPECT_FALSE(plot(3)->data().hasSpread());
+    EXPECT_FALSE(page->isBusy());
+    ToleranceSwitch::instance().setOn(true);
+    settle();
+    EXPECT_TRUE(plot(3)->data().hasSpread());
+    page->model()->undo();  // no tolerances any more
+    EXPECT_FALSE(plot(3)->data().hasSpread());
+}
+
+TEST_F(Bands, AreInPicturesAndTables) {
+    open("balance-shaft", {{"/centre_distance_mm", {{"plus_minus", 1.0}}}});
+    PlotView* moments = plot(3);
+    const QTemporaryDir folder;
+    const auto svg = [&] {
+        const QString path = folder.filePath(u"plot.svg"_s);
+        EXPECT_EQ(moments->exportTo(path), QString());
+        QFile file(path);
+        EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+        return QString::fromUtf8(file.readAll());
+    };
+    const QString with = svg();
+    EXPECT_TRUE(with.contains(u"5…95 %"_s));
+    EXPECT_TRUE(moments->csv(CsvFormat(QLocale::c())).contains(u"95 %"_s));
+    ToleranceSwitch::instance().setOn(false);
+    EXPECT_FALSE(svg().contains(u"5…95 %"_s));
+    EXPECT_LT(svg().count(u"fill-opacity=\"0.25"_s), with.count(u"fill-opacity=\"0.25"_s));
+    ToleranceSwitch::instance().setOn(true);
+}
+
+class EveryPagesBands : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(EveryPagesBands, StandAboutItsCurvesOrNumbers) {
+    const QDir examples(QString::fromUtf8(RAVNOVES_EXAMPLES));
+    for (const QString& name : examples.entryList({u"*.case.json"_s})) {
+        CaseFile file = CaseDocument::read(examples.filePath(name));
+        if (file.scene != GetParam()) {
+            continue;
+        }
+        SCOPED_TRACE(name.toStdString());
+        Json vary = Json::object();
+        const Json flat = file.input.flatten();
+        for (const auto& [key, value] : flat.items()) {
+            if (value.is_number_float() && vary.size() < 4 &&
+                key.find("torque") == std::string::npos) {
+                vary[key] = {{"plus_minus_percent", 1.0}};
+            }
+        }
+        file.study = {{"vary", vary}, {"watch", Json::object()}};
+        const auto page = test::makePage(GetParam());
+        page->model()->loadFile(file, {examples.path().toStdString()}, false);
+        test::showAt(*page, {1280, 800});
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !page->isBusy(); }, 60'000));
+        int found = 0;
+        for (const PlotView* plot : page->findChildren<PlotView*>()) {
+            for (const PlotCurve& curve : plot->data().curves) {
+                found += curve.hasSpread() ? 1 : 0;
+                for (std::size_t i = 0; curve.hasSpread() && i < curve.x.size(); ++i) {
+                    ASSERT_TRUE(std::isfinite(curve.below[i]) && std::isfinite(curve.above[i]));
+                }
+            }
+        }
+        for (const ResultTable* table : page->findChildren<ResultTable*>()) {
+            for (int row = 0; row < table->rowCount(); ++row) {
+                for (int column = 1; column < table->columnCount(); ++column) {
+                    found += table->spreadAt(row, column).isEmpty() ? 0 : 1;
+                }
+            }
+        }
+        EXPECT_GT(found, 0);
+        return;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryPagesBands, ::testing::ValuesIn(test::sceneNamesWithCases()),
+                         test::sceneOf<::testing::TestParamInfo<std::string>>);
+
+}  // namespace
+}  // namespace ravnoves
