@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "numerics/demand.h"
+#include "workshop/kilograms.h"
 
 namespace ravnoves::v8_plugs {
 
@@ -147,11 +148,6 @@ std::optional<double> nominal_sum(const WeighIn& sheet, std::initializer_list<Pa
     return sum;
 }
 
-/// No such part of a car or truck weighs less, kg; in kilograms each does.
-double least_mass(Part part) {
-    return (part == Part::rings || part == Part::shells ? 2.0 : 5.0) * units::gram;
-}
-
 }  // namespace
 
 std::optional<double> nominal_reciprocating(const WeighIn& sheet) {
@@ -163,19 +159,7 @@ std::optional<double> nominal_rotating(const WeighIn& sheet) {
 }
 
 std::optional<double> mass_in_kilograms(Part part, const PartColumn& column) {
-    const double least = least_mass(part);
-    if (column.nominal && *column.nominal < least) {
-        return column.nominal;
-    }
-    for (const auto& mass : column.mass) {
-        if (mass && (*mass < least || (column.nominal && *mass <= 0.01 * *column.nominal))) {
-            return mass;
-        }
-        if (mass && column.nominal && *column.nominal <= 0.01 * *mass) {
-            return column.nominal;
-        }
-    }
-    return std::nullopt;
+    return workshop::mass_in_kilograms(part, column.nominal, column.mass);
 }
 
 Crankpins crankpins(CylinderNumbering numbering) {

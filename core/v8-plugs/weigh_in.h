@@ -44,9 +44,7 @@ struct WeighIn : workshop::WeighIn<Masses> {
 std::optional<double> nominal_reciprocating(const WeighIn& sheet);
 std::optional<double> nominal_rotating(const WeighIn& sheet);
 
-/// A mass that was typed in kilograms, as it seems: the first in the column that is a hundredth of
-/// its nominal mass or less, or of which that is a hundredth, or less than any such part of a V-8
-/// weighs (a piston of 0.5 g is no piston). Nothing where there is none.
+/// A mass of the column that was typed in kilograms, as it seems: workshop/kilograms.h.
 std::optional<double> mass_in_kilograms(Part part, const PartColumn& column);
 
 /// The mass changes of the method from the sheet: means over the cylinders against nominal.
