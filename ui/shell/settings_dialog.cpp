@@ -144,6 +144,10 @@ void SettingsDialog::addUnits() {
         {{tr("inches"), Units::Imperial}});
     add(Preferences::Mass, "mass_unit", tr("&Masses"), tr("kilograms and grams"),
         {{tr("grams"), Units::Gram}, {tr("pounds and ounces"), Units::Imperial}});
+    add(Preferences::Unbalance, "unbalance_unit", tr("&Unbalances"), tr("as the masses"),
+        {{unitText(units::gram_mm.name), Units::GramMillimetre},
+         {unitText("g·in"), Units::GramInch},
+         {unitText("oz·in"), Units::OunceInch}});
     add(Preferences::Torque, "torque_unit", tr("T&orques"), unitText(units::N_m.name),
         {{unitText("lb·ft"), Units::Imperial}});
     add(Preferences::Force, "force_unit", tr("&Forces"), unitText(units::newton.name),

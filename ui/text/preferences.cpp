@@ -11,7 +11,7 @@ namespace {
 const QString digitsKey = QStringLiteral("view/digits");
 
 QString unitsKey(std::size_t quantity) {
-    static const std::array names{"length", "mass", "torque", "force", "speed"};
+    static const std::array names{"length", "mass", "torque", "force", "speed", "unbalance"};
     return QStringLiteral("units/") + QLatin1String(names.at(quantity));
 }
 
@@ -27,7 +27,7 @@ void Preferences::load() {
     digits_ = digits < fewestDigits ? 0 : std::min(digits, mostDigits);
     for (std::size_t i = 0; i < units_.size(); ++i) {
         const int chosen = QSettings().value(unitsKey(i), 0).toInt();
-        units_[i] = chosen >= 0 && chosen <= static_cast<int>(Units::RadPerSecond)
+        units_[i] = chosen >= 0 && chosen <= static_cast<int>(Units::OunceInch)
                         ? static_cast<Units>(chosen)
                         : Units::Own;
     }

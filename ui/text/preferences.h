@@ -25,10 +25,19 @@ class Preferences : public QObject {
     static constexpr int mostDigits = 8;
 
     /// What can be shown in other units than its own.
-    enum Quantity { Length, Mass, Torque, Force, Speed };
-    static constexpr int quantities = 5;
-    /// Own: mm, kg, N·m, N, and of speeds what each page has.
-    enum class Units { Own, Imperial, Gram, Rpm, RadPerSecond };
+    enum Quantity { Length, Mass, Torque, Force, Speed, Unbalance };
+    static constexpr int quantities = 6;
+    /// Own: mm, kg, N·m, N, of speeds what each page has, of unbalances what goes with the masses.
+    enum class Units {
+        Own,
+        Imperial,
+        Gram,
+        Rpm,
+        RadPerSecond,
+        GramMillimetre,
+        GramInch,
+        OunceInch
+    };
     Units units(Quantity quantity) const { return units_[static_cast<std::size_t>(quantity)]; }
     void setUnits(Quantity quantity, Units units);
 

@@ -35,6 +35,12 @@ constexpr Unit unit(const char* name, double si) {
 }
 
 const std::array changes{
+    // Before that of the masses.
+    Change{Preferences::Unbalance, System::GramMillimetre, units::gram_mm, units::gram_mm, 0},
+    Change{Preferences::Unbalance, System::GramInch, units::gram_mm,
+           unit(QT_TRANSLATE_NOOP("core", "g·in"), units::gram.to_si* inch), 1},
+    Change{Preferences::Unbalance, System::OunceInch, units::gram_mm,
+           unit(QT_TRANSLATE_NOOP("core", "oz·in"), ounce* inch), 3},
     Change{Preferences::Length, System::Imperial, units::mm, units::inch, 2},
     Change{Preferences::Length, System::Imperial, units::micrometre,
            unit(QT_TRANSLATE_NOOP("core", "mil"), 1e-3 * inch), 2},
