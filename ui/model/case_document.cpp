@@ -100,6 +100,12 @@ CaseDocument::~CaseDocument() {
     documents().removeOne(this);
 }
 
+bool CaseDocument::hasFile(const SceneModel& model) {
+    return std::any_of(documents().begin(), documents().end(), [&](const CaseDocument* document) {
+        return document->model() == &model && !document->path().isEmpty();
+    });
+}
+
 void CaseDocument::tellNeed() {
     const bool needs = needsSaving();
     if (std::exchange(neededSaving_, needs) != needs) {

@@ -56,6 +56,8 @@ class CaseDocument : public QObject {
     bool needsSaving() const { return model_->hasChanges() || isLastCopy_; }
     /// For other pages to refer to.
     OpenCase asOpenCase() const;
+    /// Whether the document of a model has a file.
+    static bool hasFile(const SceneModel& model);
     /// All that its file holds, as it stands now; files are named from the model's folder.
     CaseFile asFile() const;
     /// The text of asFile() for a path, from where files are named; empty: for none.

@@ -53,7 +53,17 @@ void JobCard::paint(QPainter& painter, const QRectF& page) const {
     CardPage sheet(painter, page);
     drawShop(sheet, shop_);
     draw(sheet);
+    constexpr double bottom = 290.0;
+    sheet.text(CardPage::left, bottom, CardPage::full, refusedText(), 8, Qt::AlignLeft, true,
+               CardPage::amber);
     painter.restore();
+}
+
+QString JobCard::refusedText() const {
+    return refused_.isEmpty()
+               ? QString()
+               : words_.translate("JobCard", "Not up to date, for these entries are refused: %1.")
+                     .arg(refused_.join(QStringLiteral("; ")));
 }
 
 void JobCard::setPage(QPagedPaintDevice& device) {

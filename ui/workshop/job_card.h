@@ -2,6 +2,7 @@
 
 #include <QRectF>
 #include <QString>
+#include <QStringList>
 
 #include "workshop/model/words.h"
 
@@ -45,15 +46,21 @@ class JobCard {
 
     const Words& words() const { return words_; }
     void setShop(const Shop& shop) { shop_ = shop; }
+    /// Entries that the form refuses: the card is of the values before them, and says so.
+    void setRefused(const QStringList& refused) { refused_ = refused; }
 
   protected:
     virtual void draw(CardPage& page) const = 0;
     /// Of the PDF.
     virtual QString title() const = 0;
 
+    /// Empty where nothing is refused.
+    QString refusedText() const;
+
   private:
     Words words_;
     Shop shop_;
+    QStringList refused_;
 };
 
 }  // namespace ravnoves

@@ -72,6 +72,7 @@ void WorkshopPage::addSheet(SheetForm* form, const QString& title) {
         const auto mark = [this, form, tab] {
             sheets_->tabBar()->setTabTextColor(
                 tab, form->refused().isEmpty() ? QColor() : Theme::instance().error());
+            showRefused(refusedEntries(this));
         };
         if (auto* entry = qobject_cast<EntryField*>(field)) {
             connect(entry, &EntryField::troubleChanged, this, mark);
@@ -284,7 +285,7 @@ bool WorkshopPage::leaveJob() {
     if (desk()->isWaiting()) {
         return false;  // the window is to close while a job is being saved
     }
-    if (!model()->hasChanges()) {
+    if (!model()->hasChanges() || desk()->isJournaled()) {
         return true;
     }
     QMessageBox box(QMessageBox::Question, tr("Unsaved job"),
@@ -294,8 +295,11 @@ bool WorkshopPage::leaveJob() {
     box.button(QMessageBox::Discard)->setText(tr("Do&n’t save"));
     const int answer = box.exec();
     if (answer == QMessageBox::Save) {
+        if (!isJobKnown()) {
+            return false;
+        }
         bool saved = false;
-        const QString text = desk()->saveJob(&saved);
+        const QString text = desk()->saveJob(&saved, refusedEntries(this).isEmpty());
         if (!saved) {
             QMessageBox::warning(this, tr("Journal"), text);
         }
@@ -326,11 +330,14 @@ void WorkshopPage::restore() {
 std::unique_ptr<JobCard> WorkshopPage::shopsCard() {
     auto made = card();
     made->setShop(Shop::kept());
+    made->setRefused(refusedEntries(this));
     return made;
 }
 
 void WorkshopPage::saveJob(bool isFinished) {
-    if (!refusedEntriesAreKnown()) {
+    // What is not what stands on the sheet is no finished job.
+    isFinished = isFinished && refusedEntries(this).isEmpty();
+    if (!refusedEntriesAreKnown() || !isJobKnown()) {
         return;
     }
     bool saved = false;
@@ -340,6 +347,26 @@ void WorkshopPage::saveJob(bool isFinished) {
     } else {
         QMessageBox::warning(this, tr("Journal"), text);
     }
+}
+
+bool WorkshopPage::isJobKnown() {
+    const QString there = desk()->otherEngine();
+    if (there.isEmpty()) {
+        return true;
+    }
+    QMessageBox box(QMessageBox::Question, tr("Journal"),
+                    tr("The job in the journal is that of %1, the sheet that of %2.")
+                        .arg(there, desk()->engineOnSheet()),
+                    QMessageBox::NoButton, this);
+    const auto* asNew = box.addButton(tr("Save as a &new job"), QMessageBox::AcceptRole);
+    const auto* change = box.addButton(tr("&Change that job"), QMessageBox::DestructiveRole);
+    box.addButton(QMessageBox::Cancel);
+    box.setDefaultButton(qobject_cast<QPushButton*>(box.buttons().constFirst()));
+    box.exec();
+    if (box.clickedButton() == asNew) {
+        desk()->forgetJob();
+    }
+    return box.clickedButton() == asNew || box.clickedButton() == change;
 }
 
 void WorkshopPage::newJob() {

@@ -54,6 +54,9 @@ class WorkshopPage : public ScenePage {
     /// Engine and result as the journal's list says them.
     virtual ListedJob listed(const Words& words, const JournalJob& job) const = 0;
 
+    /// What is typed and refused now, whenever that changes.
+    virtual void showRefused(const QStringList& /*refused*/) {}
+
     /// Puts banner, sheets and answer onto the page and makes the actions; called once, by the
     /// page's constructor.
     void build(const QList<std::pair<SheetForm*, QString>>& sheets, QWidget* answer);
@@ -72,6 +75,8 @@ class WorkshopPage : public ScenePage {
     /// Says which entries were refused. @return false where the user goes back to them
     bool refusedEntriesAreKnown();
     void saveJob(bool isFinished);
+    /// Where F2 would overwrite the job of another engine: asks. @return false to stay
+    bool isJobKnown();
     void backUp();
     void restore();
     std::unique_ptr<JobCard> shopsCard();

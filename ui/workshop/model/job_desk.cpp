@@ -6,6 +6,7 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "model/case_document.h"
 #include "scenes/scenes.h"
 #include "text/error_text.h"
 
@@ -32,11 +33,13 @@ JobDesk::JobDesk(SceneModel* model, const QString& journalPath, Scene scene)
     connect(&draftTimer_, &QTimer::timeout, this, &JobDesk::flushDraft);
     connect(model_, &SceneModel::changed, this, [this] {
         draftStale_ = true;
+        isJournaled_ = false;
         // Not restarted by further changes: the first waits no longer than the delay.
         if (journal_ && !draftTimer_.isActive()) {
             draftTimer_.start();
         }
     });
+    connect(model_->history(), &QUndoStack::indexChanged, this, [this] { isJournaled_ = false; });
     // A job that was saved as a case file, or undone to where it was, needs no draft.
     connect(model_, &SceneModel::historyChanged, this, [this] {
         if (!model_->hasChanges() && draftKept_ && isOpen()) {
@@ -141,6 +144,31 @@ QString JobDesk::restoreJournal(const QString& file) {
     return said;
 }
 
+QString JobDesk::numbersOf(const JournalJob& job) {
+    QStringList numbers{job.engineNumber, job.crankshaftNumber};
+    numbers.removeAll(QString());
+    return numbers.isEmpty() ? QStringLiteral("–") : numbers.join(QStringLiteral(" / "));
+}
+
+QString JobDesk::otherEngine() {
+    if (jobId_ == 0 || !isOpen()) {
+        return {};
+    }
+    const auto there = journal_->job(jobId_);
+    if (!there) {
+        return {};
+    }
+    const JournalJob here = scene_.entry();
+    // A number that comes later is of the same engine.
+    const auto isOther = [](const QString& before, const QString& now) {
+        return !before.isEmpty() && before != now;
+    };
+    return isOther(there->engineNumber, here.engineNumber) ||
+                   isOther(there->crankshaftNumber, here.crankshaftNumber)
+               ? numbersOf(*there)
+               : QString();
+}
+
 QString JobDesk::saveJob(bool* ok, bool isFinished) {
     if (ok != nullptr) {
         *ok = false;
@@ -171,7 +199,11 @@ QString JobDesk::saveJob(bool* ok, bool isFinished) {
     draftStale_ = false;
     journal_->discardDraft(journal_->session());
     draftKept_ = false;
-    model_->history()->setClean();
+    // A case file that the sheet belongs to does not have it yet.
+    if (!CaseDocument::hasFile(*model_)) {
+        model_->history()->setClean();
+    }
+    isJournaled_ = true;
     if (ok != nullptr) {
         *ok = true;
     }
@@ -223,7 +255,7 @@ void JobDesk::flushDraft() {
         draftTimer_.start();
         return;
     }
-    if (!draftStale_ || !isOpen() || !model_->hasChanges()) {
+    if (!draftStale_ || !isOpen() || !model_->hasChanges() || isJournaled_) {
         return;
     }
     JournalDraft draft;

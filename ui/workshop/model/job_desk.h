@@ -53,6 +53,12 @@ class JobDesk : public QObject {
     void replaceJob(qint64 id, int revision, const std::function<void()>& take);
     /// The same with a new job, which is of no file.
     void beginJob(const std::function<void()>& take);
+    /// The engine of the job in the journal that saving would overwrite, where the sheet has
+    /// another engine's or crankshaft's number; empty else.
+    QString otherEngine();
+    QString engineOnSheet() const { return numbersOf(scene_.entry()); }
+    /// True where the journal has the sheet as it stands, though a case file may not.
+    bool isJournaled() const { return isJournaled_; }
     /// Saves the job on the sheet, finished or to go on with another day.
     /// @return a sentence for the status bar; `ok` says whether it is saved
     QString saveJob(bool* ok = nullptr, bool isFinished = true);
@@ -87,6 +93,7 @@ class JobDesk : public QObject {
     void journalTroubleChanged(const QString& text);
 
   private:
+    static QString numbersOf(const JournalJob& job);
     void putJobId(qint64 id, int revision);
     QByteArray formText() const;
     QString takeJob(qint64 id, bool isCopy);
@@ -103,6 +110,7 @@ class JobDesk : public QObject {
     QTimer draftTimer_;
     bool draftStale_ = false;
     bool draftKept_ = false;
+    bool isJournaled_ = false;
 };
 
 }  // namespace ravnoves
