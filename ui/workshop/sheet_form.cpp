@@ -28,7 +28,6 @@ void SheetForm::enlarge(QWidget* field) {
 
 NumberField* SheetForm::large(NumberField* field) {
     field->setMaximumWidth(Theme::withText(numberWidth));
-    field->setOptional(true);
     enlarge(field);
     return ordered(field);
 }

@@ -31,7 +31,11 @@ class SheetForm : public Form {
     /// Rows as a Form's, large enough to be read at arm's length and hit with a gloved finger.
     template <typename... Arguments>
     NumberField* number(Arguments&&... arguments) {
-        return large(Form::number(std::forward<Arguments>(arguments)...));
+        NumberField* field = Form::number(std::forward<Arguments>(arguments)...);
+        if constexpr (sizeof...(Arguments) > 1) {
+            field->setOptional(true);  // that of a pointer says itself whether it may be empty
+        }
+        return large(field);
     }
     QComboBox* choice(const char* pointer);
     /// @param longest  what the job card has room for
