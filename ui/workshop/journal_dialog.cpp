@@ -11,9 +11,11 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "text/shown_units.h"
 #include "theme/theme.h"
 #include "widgets/file_dialogs.h"
 #include "workshop/checked_field.h"
+#include "workshop/model/verdict.h"
 
 namespace ravnoves {
 
@@ -111,7 +113,7 @@ JournalDialog::JournalDialog(Journal* journal, const QString& scene, Listed list
     QStringList titles;
     for (const JournalColumn& each : columns) {
         table_->setColumnWidth(static_cast<int>(titles.size()), Theme::withText(each.width));
-        titles << each.title;
+        titles << shownTitle(each.title).text;
     }
     table_->setHorizontalHeaderLabels(titles);
     table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
@@ -173,15 +175,14 @@ JournalQuery JournalDialog::query() const {
 }
 
 QStringList JournalDialog::cellsOf(const Words& words, const JournalJob& job) const {
-    const auto number = [&](const std::optional<double>& value) {
-        return value ? words.number(*value, 1) : QStringLiteral("–");
+    const auto number = [&](const std::optional<double>& value, const Unit& unit) {
+        return value ? words.digits(*value * unit, unit, 1) : QStringLiteral("–");
     };
-    QString machine = job.verdict == QLatin1String("passes")  ? tr("passes")
-                      : job.verdict == QLatin1String("fails") ? tr("fails")
-                                                              : QString();
+    QString machine = verdictText(words, job.verdict);
     if (job.frontReading || job.rearReading) {
         machine += (machine.isEmpty() ? QString() : QStringLiteral(": ")) +
-                   number(job.frontReading) + QStringLiteral(" / ") + number(job.rearReading);
+                   number(job.frontReading, units::gram_mm) + QStringLiteral(" / ") +
+                   number(job.rearReading, units::gram_mm);
     }
     const ListedJob listed = listed_(words, job);
     return {words.day(job.date.toString(Qt::ISODate)),
@@ -191,7 +192,7 @@ QStringList JournalDialog::cellsOf(const Words& words, const JournalJob& job) co
             listed.engine,
             job.technician,
             job.isFinished ? listed.result : tr("unfinished"),
-            number(job.bobWeight),
+            number(job.bobWeight, units::gram),
             machine};
 }
 

@@ -38,7 +38,7 @@ struct JournalJob {
     std::optional<double> bobWeight;       ///< g, after the option
     std::optional<double> frontReading;    ///< g·mm, what the machine read at last
     std::optional<double> rearReading;     ///< g·mm
-    QString verdict;                       ///< "passes", "fails" or empty
+    QString verdict;                       ///< verdictWord()
     bool isFinished = true;                ///< false: put aside, to go on with
     QDateTime saved;                       ///< UTC
     QByteArray form;                       ///< JSON text, UTF-8
