@@ -42,11 +42,14 @@ constexpr std::array<PartField, 8> parts_of_a_card{{
           CORE_TEXT("bob-weights", "Big end of one rod with its bolts, without shells."),
           CORE_TEXT("V8", "needed")),
      &Parts::big_end, PartKind::rotating, Part::rod_big_end},
-    {part("shells", CORE_TEXT("bob-weights", "S&hells"),
-          CORE_TEXT("bob-weights", "The two shells of one rod.")),
+    {part("shells", CORE_TEXT("bob-weights", "S&hells of one rod"),
+          CORE_TEXT("bob-weights",
+                    "The two shells of one rod, not those of the whole crankpin: they count once "
+                    "for each rod on it.")),
      &Parts::shells, PartKind::rotating, Part::shells},
-    {part("oil", CORE_TEXT("bob-weights", "&Oil"),
-          CORE_TEXT("bob-weights", "Oil in one crankpin and about it: usually 4 g.")),
+    {part("oil", CORE_TEXT("bob-weights", "&Oil of one crankpin"),
+          CORE_TEXT("bob-weights",
+                    "Oil in one crankpin and about it, once for all of its rods: usually 4 g.")),
      &Parts::oil, PartKind::crankpin, std::nullopt},
 }};
 
@@ -101,6 +104,23 @@ void check_correction(const Correction& correction) {
         if (!reading.unbalance || !reading.angle) {
             missing(place + "readings/" + std::to_string(i) + "/" +
                     std::string((reading.unbalance ? field::angle : field::unbalance).key));
+        }
+    }
+    if (correction.earlier_runs.size() >= most_runs) {
+        throw InputError(place + std::string(field::earlier_runs.key),
+                         {CORE_TEXT("bob-weights", "must be a list of at most %1"), most_runs - 1},
+                         Number{static_cast<double>(correction.earlier_runs.size())});
+    }
+    for (std::size_t run = 0; run < correction.earlier_runs.size(); ++run) {
+        const auto& readings = correction.earlier_runs[run].readings;
+        const std::string at = place + std::string(field::earlier_runs.key) + "/" +
+                               std::to_string(run) + "/" + std::string(field::readings.key);
+        check_two(readings.size(), at);
+        for (std::size_t i = 0; i < 2; ++i) {
+            if (!readings[i].unbalance || !readings[i].angle) {
+                missing(at + "/" + std::to_string(i) + "/" +
+                        std::string((readings[i].unbalance ? field::angle : field::unbalance).key));
+            }
         }
     }
     const auto apart = [&](const char* list, const Field& field, double first, double second) {
@@ -204,6 +224,15 @@ void visit_fields(FieldVisitor& visitor, Reading& reading) {
     visitor.required(field::angle, reading.angle);
 }
 
+void visit_fields(FieldVisitor& visitor, EarlierReading& reading) {
+    visitor.required(field::unbalance, reading.unbalance);
+    visitor.required(field::angle, reading.angle);
+}
+
+void visit_fields(FieldVisitor& visitor, EarlierRun& run) {
+    visitor.list(field::run_readings, run.readings);
+}
+
 void visit_fields(FieldVisitor& visitor, Drill& drill) {
     const Drill usual;
     if (visitor.has(field::diameters.key, !drill.diameters_mm.empty())) {
@@ -226,6 +255,9 @@ void visit_fields(FieldVisitor& visitor, Slug& slug) {
 void visit_fields(FieldVisitor& visitor, Correction& correction) {
     visitor.list(field::planes, correction.planes);
     visitor.list(field::readings, correction.readings);
+    if (visitor.has(field::earlier_runs.key, !correction.earlier_runs.empty())) {
+        visitor.list(field::earlier_runs, correction.earlier_runs);
+    }
     visitor.object(field::drill, correction.drill);
     visitor.object(field::slug, correction.slug);
 }

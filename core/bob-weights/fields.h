@@ -137,7 +137,16 @@ inline constexpr Field to_angle{
     .placeholder = CORE_TEXT("bob-weights", "all round")};
 inline constexpr Field readings{
     .key = "readings",
-    .hint = CORE_TEXT("bob-weights", "What the machine reads, the bob weights on the crankpins.")};
+    .hint = CORE_TEXT("bob-weights",
+                      "What the machine reads, the bob weights on the crankpins: the newest run, "
+                      "which is corrected.")};
+inline constexpr Field earlier_runs{
+    .key = "earlier_runs",
+    .hint = CORE_TEXT("bob-weights",
+                      "Runs of the machine before the newest, the first as the crankshaft came; "
+                      "each with two readings, taken where the newest are.")};
+inline constexpr Field run_readings{
+    .key = "readings", .hint = CORE_TEXT("bob-weights", "What the machine read in that run.")};
 inline constexpr Field reading_position{
     .key = "position_mm",
     .unit = units::mm,
@@ -179,7 +188,8 @@ inline constexpr Field maximum_depth{
     .unit = units::mm,
     .range = Range::greater_than(0, 500),
     .label = CORE_TEXT("bob-weights", "&Deepest hole"),
-    .hint = CORE_TEXT("bob-weights", "Of the full diameter; the point of the drill lies beyond."),
+    .hint = CORE_TEXT("bob-weights",
+                      "To the full diameter: the cone of the drill's point lies beyond it."),
     .placeholder = CORE_TEXT("V8", "needed")};
 inline constexpr Field point_angle{
     .key = "point_angle_deg",

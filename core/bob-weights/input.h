@@ -19,6 +19,7 @@ class FieldVisitor;
 namespace ravnoves::bob_weights {
 
 inline constexpr int most_cylinders = 64;
+inline constexpr std::size_t most_runs = 9;  ///< of the machine, the one before drilling included
 
 enum class EngineType { v, in_line, boxer };
 
@@ -91,6 +92,21 @@ struct Reading {
     friend bool operator==(const Reading&, const Reading&) = default;
 };
 
+/// The same of a run before: read where the newest is.
+struct EarlierReading {
+    std::optional<double> unbalance;  ///< kg·m
+    std::optional<double> angle;      ///< rad
+
+    friend bool operator==(const EarlierReading&, const EarlierReading&) = default;
+};
+
+/// A run of the machine whose holes have been drilled since.
+struct EarlierRun {
+    std::vector<EarlierReading> readings = std::vector<EarlierReading>(2);
+
+    friend bool operator==(const EarlierRun&, const EarlierRun&) = default;
+};
+
 /// The drills at hand, and what limits the holes.
 struct Drill {
     std::vector<double> diameters_mm;
@@ -115,7 +131,8 @@ struct Slug {
 
 struct Correction {
     std::vector<Plane> planes = std::vector<Plane>(2);
-    std::vector<Reading> readings = std::vector<Reading>(2);
+    std::vector<Reading> readings = std::vector<Reading>(2);  ///< of the newest run: corrected
+    std::vector<EarlierRun> earlier_runs;                     ///< from the first, before drilling
     Drill drill;
     std::optional<Slug> slug;
 
@@ -159,6 +176,8 @@ void visit_fields(FieldVisitor& visitor, Factor& factor);
 void visit_fields(FieldVisitor& visitor, Parts& parts);
 void visit_fields(FieldVisitor& visitor, Plane& plane);
 void visit_fields(FieldVisitor& visitor, Reading& reading);
+void visit_fields(FieldVisitor& visitor, EarlierReading& reading);
+void visit_fields(FieldVisitor& visitor, EarlierRun& run);
 void visit_fields(FieldVisitor& visitor, Drill& drill);
 void visit_fields(FieldVisitor& visitor, Slug& slug);
 void visit_fields(FieldVisitor& visitor, Correction& correction);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "bob-weights/drilling.h"
@@ -26,17 +27,31 @@ struct Matching {
     std::vector<workshop::Weighed> take_off;  ///< kg
 };
 
+/// A run of the machine: its readings taken to the correction planes.
+struct RunResult {
+    struct InPlane {
+        double unbalance;                      ///< kg·m
+        double angle;                          ///< rad, 0…2π
+        std::optional<bool> within_tolerance;  ///< as measured
+    };
+    std::optional<std::array<InPlane, 2>> planes;  ///< nothing while a reading is missing
+
+    /// Nothing without readings or limits.
+    std::optional<bool> passes() const;
+};
+
 /// What is to be done in one plane.
 struct PlaneResult {
-    double unbalance;         ///< of the readings taken to the plane, kg·m
-    double angle;             ///< rad, 0…2π
-    double grams_at_radius;   ///< kg at the plane's radius
-    std::vector<Hole> holes;  ///< at the heavy spot
-    std::vector<Hole> slugs;  ///< opposite it
-    double remaining;         ///< kg·m
-    double remaining_angle;   ///< rad
-    std::optional<bool> within_tolerance;
-    Message reason;  ///< why more remains than may; empty where all is well
+    double unbalance;                      ///< of the readings taken to the plane, kg·m
+    double angle;                          ///< rad, 0…2π
+    double grams_at_radius;                ///< kg at the plane's radius
+    std::vector<Hole> holes;               ///< at the heavy spot
+    std::vector<Hole> slugs;               ///< opposite it
+    double remaining;                      ///< kg·m
+    double remaining_angle;                ///< rad
+    std::optional<bool> measured_within;   ///< as the machine reads it
+    std::optional<bool> within_tolerance;  ///< after the correction
+    Message reason;                        ///< why more remains than may; empty where all is well
 };
 
 /// Everything the page, the card and the result file show. What needs values that are not there yet
@@ -53,8 +68,21 @@ struct Result {
     std::vector<Matching> matching;
     std::optional<double> permissible_whole;           ///< U_per of the rotor, kg·m
     std::optional<std::array<double, 2>> permissible;  ///< of each plane, kg·m
+    std::vector<RunResult> runs;  ///< from the first; the last is the one that is corrected
+    /// How many times as large an error of both readings may be in a plane: 1 where the machine
+    /// reads in the planes or between them.
+    std::optional<double> amplification;
     std::optional<std::array<PlaneResult, 2>> correction;
+    std::vector<const PartField*> not_given;  ///< parts that count as 0
+    /// Masses that were typed in kilograms, as it seems; kg.
+    std::vector<std::pair<const PartField*, double>> in_kilograms;
+
+    /// Of the correction: whether both planes are within their limits after it.
+    std::optional<bool> passes_after() const;
 };
+
+/// An amplification of more than this is worth a word.
+inline constexpr double most_amplification = 1.5;
 
 /// What of the bob weight is missing, by its fields; empty where it is known.
 std::vector<const Field*> missing_for_bob_weight(const Input& input);

@@ -28,6 +28,10 @@ Json holes_json(const std::vector<Hole>& holes, bool added) {
     return list;
 }
 
+Json known(const std::optional<bool>& yes) {
+    return yes ? Json(*yes) : Json();
+}
+
 Json plane_json(const PlaneResult& plane) {
     Json json{{"unbalance_g_mm", plane.unbalance / units::gram_mm},
               {"angle_deg", plane.angle / units::degree},
@@ -36,12 +40,27 @@ Json plane_json(const PlaneResult& plane) {
               {"slugs", holes_json(plane.slugs, true)},
               {"remaining_g_mm", plane.remaining / units::gram_mm},
               {"remaining_angle_deg", plane.remaining_angle / units::degree},
-              {"within_tolerance", plane.within_tolerance ? Json(*plane.within_tolerance) : Json()},
+              {"within_tolerance_as_measured", known(plane.measured_within)},
+              {"within_tolerance", known(plane.within_tolerance)},
               {"feasible", plane.reason.empty()}};
     if (!plane.reason.empty()) {
         json["reason"] = plane.reason.english();
     }
     return json;
+}
+
+Json runs_json(const std::vector<RunResult>& runs) {
+    Json list = Json::array();
+    for (const RunResult& run : runs) {
+        Json planes = Json::array();
+        for (const RunResult::InPlane& plane : run.planes.value()) {
+            planes.push_back({{"unbalance_g_mm", plane.unbalance / units::gram_mm},
+                              {"angle_deg", plane.angle / units::degree},
+                              {"within_tolerance", known(plane.within_tolerance)}});
+        }
+        list.push_back({{"planes", std::move(planes)}, {"within_tolerance", known(run.passes())}});
+    }
+    return list;
 }
 
 Json weigh_in_json(const Result& result) {
@@ -94,6 +113,14 @@ Json write_result(const Input& input, const Result& result) {
                 {"backward_g", left.backward / units::gram},
                 {"upright_g", left.upright() / units::gram},
                 {"across_g", left.across() / units::gram}}}};
+    json["not_given"] = Json::array();
+    for (const PartField* part : result.not_given) {
+        json["not_given"].push_back(part->field.key);
+    }
+    json["looks_like_kilograms"] = Json::array();
+    for (const auto& [part, mass] : result.in_kilograms) {
+        json["looks_like_kilograms"].push_back(part->field.key);
+    }
     if (input.weigh_in) {
         json["weigh_in"] = weigh_in_json(result);
     }
@@ -106,7 +133,9 @@ Json write_result(const Input& input, const Result& result) {
     }
     if (result.correction) {
         json["correction"] = {
-            {"planes", {plane_json((*result.correction)[0]), plane_json((*result.correction)[1])}}};
+            {"planes", {plane_json((*result.correction)[0]), plane_json((*result.correction)[1])}},
+            {"runs", runs_json(result.runs)},
+            {"amplification", result.amplification.value()}};
     }
     return json;
 }

@@ -5,6 +5,7 @@
 #include <complex>
 
 #include "bob-weights/fields.h"
+#include "workshop/kilograms.h"
 #include "workshop/tolerance.h"
 
 namespace ravnoves::bob_weights {
@@ -41,13 +42,17 @@ double factor_of(const PartField& part, const Engine& engine, double factor) {
 }
 
 void solve_bob_weight(const Input& input, double factor, Result& result) {
-    const bool known = missing_for_bob_weight(input).empty();
+    const std::vector<const Field*> missing = missing_for_bob_weight(input);
+    const bool known = missing.empty();
     double reciprocating = 0.0;
     double rotating = 0.0;
     double sum = 0.0;
     for (const PartField& part : part_fields()) {
         const auto mass = mass_of(input, part);
         if (!mass) {
+            if (std::find(missing.begin(), missing.end(), &part.field) == missing.end()) {
+                result.not_given.push_back(&part);
+            }
             continue;
         }
         const Line line{&part, factor_of(part, input.engine, factor), *mass};
@@ -61,6 +66,28 @@ void solve_bob_weight(const Input& input, double factor, Result& result) {
         result.rotating = rotating;
         result.bob_weight = sum;
         result.first_order = first_order(input.engine, factor, reciprocating);
+    }
+}
+
+/// Masses that would be grams if they were typed in kilograms.
+void look_for_kilograms(const Input& input, Result& result) {
+    constexpr double least_other = 0.05 * units::gram;  // of locks and oil
+    for (const PartField& part : part_fields()) {
+        const auto& typed = input.parts.*part.member;
+        std::optional<double> found;
+        if (!part.column) {
+            found = typed && *typed > 0.0 && *typed < least_other ? typed : std::nullopt;
+        } else {
+            const workshop::Weighed alone[] = {typed};
+            found = workshop::mass_in_kilograms(*part.column, std::nullopt, alone);
+            if (!found && input.weigh_in) {
+                const auto& column = (*input.weigh_in)[*part.column];
+                found = workshop::mass_in_kilograms(*part.column, column.nominal, column.mass);
+            }
+        }
+        if (found) {
+            result.in_kilograms.emplace_back(&part, *found);
+        }
     }
 }
 
@@ -130,6 +157,16 @@ bool is_complete(const Correction& correction) {
            std::all_of(correction.readings.begin(), correction.readings.end(), has_reading) &&
            *correction.planes[0].position != *correction.planes[1].position &&
            !correction.drill.diameters_mm.empty() && correction.drill.maximum_depth;
+}
+
+/// Whether an unbalance is within its limit; nothing where there is none.
+std::optional<bool> is_within(double unbalance, const std::optional<double>& permissible) {
+    constexpr double rounding = 1e-9;
+    return permissible ? std::optional(unbalance <= *permissible * (1.0 + rounding)) : std::nullopt;
+}
+
+std::optional<bool> both(const std::optional<bool>& first, const std::optional<bool>& second) {
+    return first && second ? std::optional(*first && *second) : std::nullopt;
 }
 
 Message describe(Shortfall shortfall, double left, double angle, const Plane& plane,
@@ -221,10 +258,8 @@ PlaneResult correct(Vector unbalance, const Plane& plane, const Correction& corr
     }
     result.remaining = std::abs(left);
     result.remaining_angle = turn_of(std::arg(left));
-    if (permissible) {
-        constexpr double rounding = 1e-9;
-        result.within_tolerance = result.remaining <= *permissible * (1.0 + rounding);
-    }
+    result.measured_within = is_within(result.unbalance, permissible);
+    result.within_tolerance = is_within(result.remaining, permissible);
     if (result.within_tolerance != true) {
         result.reason =
             describe(plan.shortfall, result.remaining, result.remaining_angle, plane, has_slugs);
@@ -232,32 +267,100 @@ PlaneResult correct(Vector unbalance, const Plane& plane, const Correction& corr
     return result;
 }
 
+/// Where the machine reads, and where it is corrected; nothing while that is not known.
+struct Places {
+    std::array<double, 2> from;
+    std::array<double, 2> to;
+};
+std::optional<Places> places_of(const Correction& correction) {
+    if (correction.planes.size() != 2 || correction.readings.size() != 2 ||
+        !correction.planes[0].position || !correction.planes[1].position) {
+        return std::nullopt;
+    }
+    Places places{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        places.to[i] = *correction.planes[i].position;
+        places.from[i] = correction.readings[i].position.value_or(places.to[i]);
+    }
+    const bool are_apart = places.from[0] != places.from[1] && places.to[0] != places.to[1];
+    return are_apart ? std::optional(places) : std::nullopt;
+}
+
+/// The two vectors of a run; Reading and EarlierReading have them alike.
+std::optional<std::array<Vector, 2>> vectors_of(const auto& readings) {
+    std::array<Vector, 2> read;
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (readings.size() != 2 || !readings[i].unbalance || !readings[i].angle) {
+            return std::nullopt;
+        }
+        read[i] = std::polar(*readings[i].unbalance, *readings[i].angle);
+    }
+    return read;
+}
+
 void solve_correction(const Input& input, Result& result) {
-    if (!input.correction || !is_complete(*input.correction)) {
+    if (!input.correction) {
         return;
     }
     const Correction& correction = *input.correction;
-    std::array<Vector, 2> read;
-    std::array<double, 2> from{};
-    std::array<double, 2> to{};
-    for (std::size_t i = 0; i < 2; ++i) {
-        const Reading& reading = correction.readings[i];
-        to[i] = *correction.planes[i].position;
-        from[i] = reading.position.value_or(to[i]);
-        read[i] = std::polar(*reading.unbalance, *reading.angle);
+    const auto places = places_of(correction);
+    const auto limit = [&](std::size_t i) {
+        return result.permissible ? std::optional((*result.permissible)[i]) : std::nullopt;
+    };
+    const auto add_run = [&](const auto& readings) {
+        RunResult run;
+        const auto read = vectors_of(readings);
+        if (read && places) {
+            const auto there = carried_over(*read, places->from, places->to);
+            run.planes.emplace();
+            for (std::size_t i = 0; i < 2; ++i) {
+                const double unbalance = std::abs(there[i]);
+                (*run.planes)[i] = {unbalance, turn_of(std::arg(there[i])),
+                                    is_within(unbalance, limit(i))};
+            }
+        }
+        result.runs.push_back(std::move(run));
+    };
+    for (const EarlierRun& run : correction.earlier_runs) {
+        add_run(run.readings);
     }
-    if (from[0] == from[1]) {
+    add_run(correction.readings);
+    if (!places) {
         return;
     }
-    const auto there = carried_over(read, from, to);
+    double worst = 0.0;
+    for (std::size_t plane = 0; plane < 2; ++plane) {
+        // Errors of unit size at the worst phases.
+        double sum = 0.0;
+        for (const double at : places->from) {
+            const double share = (at - places->to[0]) / (places->to[1] - places->to[0]);
+            sum += std::abs(plane == 0 ? 1.0 - share : share);
+        }
+        worst = std::max(worst, sum);
+    }
+    result.amplification = worst;
+    if (!is_complete(correction)) {
+        return;
+    }
+    const auto there =
+        carried_over(vectors_of(correction.readings).value(), places->from, places->to);
     const auto in_plane = [&](std::size_t i) {
-        return correct(there[i], correction.planes[i], correction,
-                       result.permissible ? std::optional((*result.permissible)[i]) : std::nullopt);
+        return correct(there[i], correction.planes[i], correction, limit(i));
     };
     result.correction = {in_plane(0), in_plane(1)};
 }
 
 }  // namespace
+
+std::optional<bool> RunResult::passes() const {
+    return planes ? both((*planes)[0].within_tolerance, (*planes)[1].within_tolerance)
+                  : std::nullopt;
+}
+
+std::optional<bool> Result::passes_after() const {
+    return correction ? both((*correction)[0].within_tolerance, (*correction)[1].within_tolerance)
+                      : std::nullopt;
+}
 
 std::vector<const Field*> missing_for_bob_weight(const Input& input) {
     std::vector<const Field*> missing;
@@ -320,6 +423,7 @@ Result solve(const Input& given) {
     const double factor = result.factor + input.factor.overbalance;
     solve_bob_weight(input, factor, result);
     solve_weigh_in(input, factor, result);
+    look_for_kilograms(input, result);
     if (input.tolerance) {
         std::optional<std::array<double, 2>> positions;
         if (input.correction && input.correction->planes.size() == 2 &&

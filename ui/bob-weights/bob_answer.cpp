@@ -67,10 +67,13 @@ QWidget* BobAnswer::buildHead() {
     QVBoxLayout* column = columnIn(panel);
     headline_ = answerLabel(panel, "headline", Theme::displaySize, true);
     hang_ = answerLabel(panel, "hang", Theme::titleSize);
+    verdict_ = answerLabel(panel, "verdict", Theme::titleSize);
     factor_ = answerLabel(panel, "factor", Theme::baseSize);
     limits_ = answerLabel(panel, "limits", Theme::baseSize);
     troubles_ = answerLabel(panel, "troubles", Theme::baseSize, true);
-    for (QLabel* label : {headline_, hang_, factor_, limits_, troubles_}) {
+    refused_ = answerLabel(panel, "refused", Theme::baseSize, true);
+    refused_->hide();
+    for (QLabel* label : {headline_, refused_, hang_, verdict_, factor_, limits_, troubles_}) {
         column->addWidget(label);
     }
     return panel;
@@ -93,49 +96,75 @@ QWidget* BobAnswer::buildCorrection() {
     auto* panel = new Panel(this);
     QVBoxLayout* column = columnIn(panel);
     column->addWidget(headingLabel(tr("Correction"), panel));
-    planes_ = new ResultTable(panel);
-    planes_->setAccessibleName(tr("The correction planes"));
-    planes_->setColumns(model_->planeColumns());
-    planes_->setTips(BobWeightsModel::planeTips());
-    column->addWidget(planes_);
-    holes_ = new ResultTable(panel);
-    holes_->setAccessibleName(tr("Holes and slugs"));
-    holes_->setColumns(model_->holeColumns());
-    holes_->setTips(BobWeightsModel::holeTips());
-    column->addWidget(holes_);
+    const auto table = [&](const QString& name, const QStringList& columns,
+                           const ResultTips& tips) {
+        auto* made = new ResultTable(panel);
+        made->setAccessibleName(name);
+        made->setColumns(columns);
+        made->setTips(tips);
+        column->addWidget(made);
+        return made;
+    };
+    runs_ = table(tr("Runs of the machine"), model_->runColumns(), BobWeightsModel::runTips());
+    planes_ =
+        table(tr("The correction planes"), model_->planeColumns(), BobWeightsModel::planeTips());
+    holes_ = table(tr("Holes and slugs"), model_->holeColumns(), BobWeightsModel::holeTips());
+    holeNote_ = captionLabel({}, panel);
+    holeNote_->setObjectName(QStringLiteral("hole_note"));
+    column->addWidget(holeNote_);
     return panel;
+}
+
+void BobAnswer::setRefused(const QStringList& refused) {
+    sayOrHide(refused_, refused.isEmpty() ? QString()
+                                          : tr("Not up to date, for these entries are refused: %1.")
+                                                .arg(refused.join(QStringLiteral("; "))));
+    showAnswer();
 }
 
 void BobAnswer::showAnswer() {
     const Theme& theme = Theme::instance();
     const bool known = model_->solution().bob_weight.has_value();
     sayOrHide(headline_, model_->headline());
+    const bool isStale = !refused_->text().isEmpty();
     // What is still missing is no sentence for the display size.
-    headline_->setFont(Theme::font(known ? Theme::displaySize : Theme::titleSize, true));
-    colourText(headline_, known ? theme.text() : theme.mutedText());
+    headline_->setFont(Theme::font(known ? Theme::displaySize : Theme::titleSize, !isStale));
+    colourText(headline_, !known                                   ? theme.mutedText()
+                          : isStale || !model_->doubts().isEmpty() ? theme.warning()
+                                                                   : theme.text());
+    colourText(refused_, theme.warning());
+    sayOrHide(verdict_, model_->verdictText());
+    colourText(verdict_, isStale ? theme.warning() : theme.text());
     sayOrHide(hang_, model_->hangText());
     sayOrHide(factor_, known ? model_->factorText() : QString());
     sayOrHide(limits_, model_->limitText());
     sayOrHide(troubles_, model_->troubles().join(QLatin1Char('\n')));
     colourText(troubles_, theme.warning());
     lines_->setRows(model_->lineRows());
+    runs_->setRows(model_->runRows());
     planes_->setRows(model_->planeRows());
     holes_->setRows(model_->holeRows());
     holes_->setVisible(holes_->rowCount() > 0);
-    planes_->parentWidget()->setVisible(planes_->rowCount() > 0);
+    runs_->setVisible(runs_->rowCount() > 0);
+    planes_->setVisible(planes_->rowCount() > 0);
+    sayOrHide(holeNote_, model_->holeNote());
+    planes_->parentWidget()->setVisible(planes_->rowCount() > 0 || runs_->rowCount() > 0);
 }
 
 QString BobAnswer::asText() const {
-    QStringList said{headline_->text(), hang_->text(), factor_->text(), limits_->text(),
-                     troubles_->text()};
+    QStringList said{headline_->text(), refused_->text(), hang_->text(),    verdict_->text(),
+                     factor_->text(),   limits_->text(),  troubles_->text()};
     said.removeAll(QString());
-    return said.join(QLatin1Char('\n')) + QLatin1Char('\n') + lines_->asText() + QLatin1Char('\n') +
-           planes_->asText() + QLatin1Char('\n') + holes_->asText();
+    QString text = said.join(QLatin1Char('\n'));
+    for (const ResultTable* table : {lines_, runs_, planes_, holes_}) {
+        text += QLatin1Char('\n') + table->asText();
+    }
+    return text + holeNote_->text();
 }
 
 QString BobAnswer::asCsv() const {
-    return lines_->asCsv() + QLatin1Char('\n') + planes_->asCsv() + QLatin1Char('\n') +
-           holes_->asCsv();
+    return lines_->asCsv() + QLatin1Char('\n') + runs_->asCsv() + QLatin1Char('\n') +
+           planes_->asCsv() + QLatin1Char('\n') + holes_->asCsv();
 }
 
 }  // namespace ravnoves

@@ -18,6 +18,9 @@ class BobAnswer : public QWidget {
   public:
     explicit BobAnswer(BobWeightsModel* model, QWidget* parent = nullptr);
 
+    /// Entries that the form refuses now: the answer is that of the values before them.
+    void setRefused(const QStringList& refused);
+
     QString asText() const;
     QString asCsv() const;
 
@@ -32,10 +35,14 @@ class BobAnswer : public QWidget {
     QLabel* hang_ = nullptr;
     QLabel* factor_ = nullptr;
     QLabel* limits_ = nullptr;
+    QLabel* verdict_ = nullptr;
+    QLabel* refused_ = nullptr;
     QLabel* troubles_ = nullptr;
     ResultTable* lines_ = nullptr;
+    ResultTable* runs_ = nullptr;
     ResultTable* planes_ = nullptr;
     ResultTable* holes_ = nullptr;
+    QLabel* holeNote_ = nullptr;
 };
 
 }  // namespace ravnoves

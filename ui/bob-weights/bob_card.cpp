@@ -1,8 +1,12 @@
 #include "bob-weights/bob_card.h"
 
+#include <algorithm>
+#include <array>
+
 #include "bob-weights/fields.h"
 #include "bob-weights/model/bob_text.h"
 #include "workshop/card_blocks.h"
+#include "workshop/model/verdict.h"
 
 namespace ravnoves {
 
@@ -12,20 +16,125 @@ namespace {
 
 constexpr double cardLeft = CardPage::left;
 constexpr double cardWidth = CardPage::full;
-constexpr double rowHeight = 5.0;  // mm
+constexpr double headingHeight = 5.0;  // mm
 
-/// A table under its heading. @return where it ends, mm
-double cardTable(CardPage& page, const QString& heading, std::vector<CardTable::Column> columns,
-                 const QStringList& head, const QVector<QStringList>& rows, double y,
-                 bool lastIsBold = false) {
-    page.heading(cardLeft, y, cardWidth, heading);
-    CardTable table(std::move(columns), 8.5, rowHeight);
-    table.head(head);
-    for (qsizetype i = 0; i < rows.size(); ++i) {
-        const bool bold = lastIsBold && i + 1 == rows.size();
-        table.add({rows.at(i), bold, bold});
+/// A table of the card, or two beside each other.
+struct Block {
+    QString heading;
+    std::vector<CardTable::Column> columns;
+    QStringList head;
+    QVector<QStringList> rows;
+    bool lastIsBold = false;
+    QVector<QStringList> beside{};  ///< of the same columns
+
+    double lines() const { return 1.0 + static_cast<double>(std::max(rows.size(), beside.size())); }
+};
+
+/// @return where it ends, mm
+double drawBlock(CardPage& page, const Block& block, double y, double rowHeight) {
+    page.heading(cardLeft, y, cardWidth, block.heading);
+    y += headingHeight;
+    const double points = std::clamp((rowHeight - 0.2) / page.lineHeight(1.0), 6.0, 8.5);
+    double x = cardLeft;
+    double height = 0.0;
+    for (const auto* rows : {&block.rows, &block.beside}) {
+        if (rows->isEmpty()) {
+            continue;
+        }
+        CardTable table(block.columns, points, rowHeight);
+        table.head(block.head);
+        for (qsizetype i = 0; i < rows->size(); ++i) {
+            const bool bold = block.lastIsBold && i + 1 == rows->size();
+            table.add({rows->at(i), bold, bold});
+        }
+        height = std::max(height, table.draw(page, x, y));
+        x = cardLeft + cardWidth / 2.0 + 1.5;
     }
-    return y + 5.0 + table.draw(page, cardLeft, y + 5.0);
+    return y + height;
+}
+
+Block lineBlock(const Words& words, const Result& result) {
+    return {words.translate("BobWeights", "Bob weight, line by line"),
+            {{62, Qt::AlignLeft}, {40}, {40}, {40}},
+            bob_text::lineHead(words),
+            bob_text::lines(words, result),
+            result.bob_weight.has_value()};
+}
+
+/// Where the planes are, and where the machine reads.
+Block planeBlock(const Words& words, const Correction& correction, const Result& result) {
+    Block block{words.translate("BobWeights", "Correction planes"),
+                {{38, Qt::AlignLeft}, {28}, {28}, {28}, {34}, {26}},
+                {words.translate("BobWeights", "Plane"), words.name(field::plane_position),
+                 words.name(field::plane_radius), words.name(field::reading_position),
+                 words.translate("BobWeights", "Drilled from … to"),
+                 words.translate("BobWeights", "May remain")},
+                {}};
+    const QString none = QStringLiteral("–");
+    const auto length = [&](const std::optional<double>& value) {
+        return value ? words.plainWithUnit(*value, units::mm, 2) : none;
+    };
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Plane& plane = correction.planes.at(i);
+        const auto angle = [&](double value) {
+            return words.plainWithUnit(value, units::degree, 1);
+        };
+        const auto& read = correction.readings.at(i).position;
+        block.rows << QStringList{
+            bob_text::planeName(words, i),
+            length(plane.position),
+            length(plane.radius),
+            length(read ? read : plane.position),
+            plane.from_angle && plane.to_angle
+                ? angle(*plane.from_angle) + QStringLiteral(" … ") + angle(*plane.to_angle)
+                : words.text(field::from_angle.placeholder),
+            result.permissible ? words.number((*result.permissible)[i], units::gram_mm, 1) : none};
+    }
+    return block;
+}
+
+/// What the machine read, run by run, and lines for what it will read.
+Block runBlock(const Words& words, const std::optional<Correction>& correction,
+               const Result& result) {
+    const QString unit = words.unit(units::gram_mm);
+    Block block{
+        words.translate("BobWeights", "Readings of the balancing machine"),
+        {{32, Qt::AlignLeft},
+         {30, Qt::AlignHCenter},
+         {30, Qt::AlignHCenter},
+         {30, Qt::AlignHCenter},
+         {30, Qt::AlignHCenter},
+         {30, Qt::AlignHCenter}},
+        {words.translate("BobWeights", "Run"), words.translate("BobWeights", "front, %1").arg(unit),
+         words.translate("BobWeights", "front, °"),
+         words.translate("BobWeights", "rear, %1").arg(unit),
+         words.translate("BobWeights", "rear, °"), words.translate("BobWeights", "Measured")},
+        {}};
+    const QString byHand = QStringLiteral("…………………");
+    const auto add = [&](std::size_t run, const auto& readings) {
+        QStringList row{bob_text::runName(words, run)};
+        for (const auto& reading : readings) {
+            row << (reading.unbalance ? words.digits(*reading.unbalance, units::gram_mm, 1)
+                                      : byHand)
+                << (reading.angle ? words.digits(*reading.angle, units::degree, 1) : byHand);
+        }
+        const auto passes = run < result.runs.size() ? result.runs[run].passes() : std::nullopt;
+        block.rows << (row << (passes ? verdictText(words, verdictWord(passes, std::nullopt))
+                                      : byHand));
+    };
+    std::size_t run = 0;
+    if (correction) {
+        for (; run < correction->earlier_runs.size(); ++run) {
+            add(run, correction->earlier_runs[run].readings);
+        }
+        add(run++, correction->readings);
+    }
+    constexpr std::size_t rows = 4;
+    const std::array<EarlierReading, 2> none{};
+    for (const std::size_t end = std::min(std::max(rows, run + 1), most_runs); run < end; ++run) {
+        add(run, none);
+    }
+    return block;
 }
 
 }  // namespace
@@ -39,8 +148,7 @@ QString BobCard::title() const {
 }
 
 void BobCard::draw(CardPage& page) const {
-    constexpr double gap = 3.0;
-    constexpr double machineTop = 226.0;
+    constexpr double gap = 2.5;
     constexpr double signaturesTop = 273.5;
     const auto text = [](const std::string& value) { return QString::fromStdString(value); };
     const workshop::JobHeader& job = input_.job;
@@ -52,53 +160,76 @@ void BobCard::draw(CardPage& page) const {
          words().translate("BobWeights", "Balanced"), bob_text::balance(words(), input_.balance)},
         CardPage::top);
     const bool known = solution_.bob_weight.has_value();
+    QStringList wrong{refusedText()};
+    wrong << bob_text::doubts(words(), solution_) << bob_text::shortfalls(words(), solution_);
+    wrong.removeAll(QString());
+    QStringList more{known ? bob_text::factor(words(), input_, solution_) : QString(),
+                     bob_text::verdict(words(), solution_)};
+    more.removeAll(QString());
     y = cardAnswer(page,
                    {known ? bob_text::hang(words(), input_.engine) : QString(),
-                    bob_text::headline(words(), input_, solution_),
-                    known ? bob_text::factor(words(), input_, solution_) : QString(),
-                    bob_text::shortfalls(words(), solution_).join(QLatin1Char(' '))},
+                    bob_text::headline(words(), input_, solution_), more.join(QLatin1Char(' ')),
+                    wrong.join(QLatin1Char(' '))},
                    y + gap);
-    y = cardTable(page, words().translate("BobWeights", "Bob weight, line by line"),
-                  {{62, Qt::AlignLeft}, {40}, {40}, {40}}, bob_text::lineHead(words()),
-                  bob_text::lines(words(), solution_), y + gap, known);
-    if (solution_.correction) {
-        y = cardTable(page, words().translate("BobWeights", "Correction planes"),
-                      {{38, Qt::AlignLeft}, {32}, {24}, {28}, {28}, {32, Qt::AlignHCenter}},
-                      bob_text::planeHead(words()), bob_text::planes(words(), solution_), y + gap);
-        y = cardTable(page, words().translate("BobWeights", "Holes and slugs"),
-                      {{38, Qt::AlignLeft}, {44, Qt::AlignLeft}, {25}, {25}, {25}, {25}},
-                      bob_text::holeHead(words()), bob_text::holes(words(), solution_), y + gap);
-    }
-    const QString limits = bob_text::limits(words(), solution_);
-    if (!limits.isEmpty()) {
-        y += page.paragraph(cardLeft, y + 1.0, cardWidth, limits, 8, 2) + 1.0;
-    }
-    cardNotes(page, words(), text(job.notes).simplified(), y + gap, machineTop - gap);
 
-    const QString byHand = QStringLiteral("…………………");
-    QVector<QStringList> runs;
-    for (const QString& run : {words().translate("BobWeights", "First run"),
-                               words().translate("BobWeights", "Second run"),
-                               words().translate("BobWeights", "Last run")}) {
-        runs << QStringList{run, byHand, byHand, byHand, byHand};
+    std::vector<Block> blocks{lineBlock(words(), solution_)};
+    if (input_.correction && input_.correction->planes.size() == 2 &&
+        input_.correction->readings.size() == 2) {
+        blocks.push_back(planeBlock(words(), *input_.correction, solution_));
     }
-    const QString unbalance = words().unit(units::gram_mm);
-    cardTable(page, words().translate("BobWeights", "Balancing machine, by hand"),
-              {{38, Qt::AlignLeft},
-               {36, Qt::AlignHCenter},
-               {36, Qt::AlignHCenter},
-               {36, Qt::AlignHCenter},
-               {36, Qt::AlignHCenter}},
-              {QString(), words().translate("BobWeights", "front, %1").arg(unbalance),
-               words().translate("BobWeights", "front, °"),
-               words().translate("BobWeights", "rear, %1").arg(unbalance),
-               words().translate("BobWeights", "rear, °")},
-              runs, machineTop);
+    blocks.push_back(runBlock(words(), input_.correction, solution_));
+    if (solution_.correction) {
+        blocks.push_back({words().translate("BobWeights", "Correction: measured → after it"),
+                          {{38, Qt::AlignLeft}, {32}, {24}, {28}, {30}, {30, Qt::AlignHCenter}},
+                          bob_text::planeHead(words()),
+                          bob_text::planes(words(), solution_)});
+        const auto front = bob_text::holes(words(), solution_, 0);
+        const auto rear = bob_text::holes(words(), solution_, 1);
+        if (!front.isEmpty() || !rear.isEmpty()) {
+            blocks.push_back({words().translate("BobWeights", "Holes and slugs"),
+                              {{33, Qt::AlignLeft}, {19}, {17}, {20}},
+                              bob_text::holeHead(words()),
+                              front,
+                              false,
+                              rear});
+        }
+    }
+    struct Note {
+        QString text;
+        QColor colour;
+    };
+    constexpr double notePoints = 7.5;
+    constexpr int any = 100;
+    const std::array notes{
+        Note{bob_text::limits(words(), input_, solution_), CardPage::ink},
+        Note{bob_text::holeNote(words(), solution_), CardPage::ink},
+        Note{bob_text::warnings(words(), input_, solution_).join(QLatin1Char(' ')),
+             CardPage::amber}};
+    // What the tables have room for.
+    const QString typed = text(job.notes).simplified();
+    double room = signaturesTop - y - cardNotesHeight(page, typed) - gap;
+    for (const Note& note : notes) {
+        room -= page.heightOf(note.text, notePoints, cardWidth);
+    }
+    double lines = 0.0;
+    for (const Block& block : blocks) {
+        room -= headingHeight + gap;
+        lines += block.lines();
+    }
+    const double rowHeight = std::clamp(room / lines, 2.8, 4.8);
+    for (const Block& block : blocks) {
+        y = drawBlock(page, block, y + gap, rowHeight);
+    }
+    y += 1.0;
+    for (const Note& note : notes) {
+        y += page.paragraph(cardLeft, y, cardWidth, note.text, notePoints, any, false, note.colour);
+    }
+    cardNotes(page, words(), typed, y + gap, signaturesTop);
     cardSignatures(page, words(),
                    words()
                        .translate("BobWeights",
-                                  "Ravnoves %1 · ISO 21940-11 · depths of the full diameter, the "
-                                  "point of the drill beyond · angles from the machine's zero mark")
+                                  "Ravnoves %1 · ISO 21940-11 · angles from the machine's zero "
+                                  "mark, in one sense for readings and holes")
                        .arg(QStringLiteral(RAVNOVES_VERSION)),
                    signaturesTop);
 }

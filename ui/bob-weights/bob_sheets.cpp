@@ -1,12 +1,19 @@
 #include "bob-weights/bob_sheets.h"
 
+#include <QAbstractItemView>
 #include <QCheckBox>
+#include <QClipboard>
 #include <QGridLayout>
+#include <QGuiApplication>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <algorithm>
 #include <array>
 
 #include "bob-weights/fields.h"
+#include "bob-weights/model/bob_text.h"
+#include "model/editable_table.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
 #include "text/shown_units.h"
@@ -16,6 +23,15 @@
 namespace ravnoves {
 
 using namespace bob_weights;
+
+QComboBox* BobSheet::wide(QComboBox* box) {
+    constexpr int words = 250;
+    box->setMinimumWidth(Theme::withText(words));
+    box->setFont(Theme::font(Theme::baseSize + 1));
+    // The list is as wide as its words.
+    box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0) + Theme::withText(24));
+    return box;
+}
 
 BobJobSheet::BobJobSheet(BobWeightsModel* model, QWidget* parent) : BobSheet(model, parent) {
     section(tr("Engine"));
@@ -67,7 +83,7 @@ BobPartsSheet::BobPartsSheet(BobWeightsModel* model, QWidget* parent) : BobSheet
                                         : QString();
     });
     section(tr("Crankshaft"));
-    choice("/balance");
+    wide(choice("/balance"));
     line(Theme::smallSize, [this] {
         return model_->input().balance == Balance::external
                    ? tr("Balance it with its damper and its flywheel in place, each in the "
@@ -82,14 +98,24 @@ BobPartsSheet::BobPartsSheet(BobWeightsModel* model, QWidget* parent) : BobSheet
 BobWeighInSheet::BobWeighInSheet(BobWeightsModel* model, QWidget* parent)
     : BobSheet(model, parent) {
     section({});
-    choice("/weigh_in/cylinder_numbering");
+    wide(choice("/weigh_in/cylinder_numbering"));
+    line(Theme::smallSize, [this] {
+        const int cylinders = model_->input().engine.cylinders;
+        return cylinders > mostRows
+                   ? tr("The sheet shows %1 of %2 cylinders. A column of a spreadsheet pasted at "
+                        "the first has room for all, or type the means on sheet 2.")
+                         .arg(mostRows)
+                         .arg(cylinders)
+                   : QString();
+    });
     auto* holder = new QWidget(current());
     auto* grid = new QGridLayout(holder);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(Theme::gap);
     grid->setVerticalSpacing(2);
     current()->addWide(holder);
-    auto* trouble = new TroubleLine(current());
+    auto* trouble = trouble_ = new TroubleLine(current());
+    trouble->setObjectName(QStringLiteral("weigh_in_trouble"));
     current()->addWide(trouble);
     for (int cylinder = 0; cylinder < mostRows; ++cylinder) {
         auto* number = new QLabel(QString::number(cylinder + 1), holder);
@@ -178,56 +204,103 @@ NumberField* BobWeighInSheet::addCell(const QString& name, workshop::Part part, 
             });
         });
     makeCell(cell);
+    cell->installEventFilter(this);
+    cells_.push_back(cell);
     follow(
         [this, cell, cylinder] { cell->setVisible(cylinder < model_->input().engine.cylinders); });
     return cell;
 }
 
+bool BobWeighInSheet::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress) {
+        const auto found = std::find(cells_.begin(), cells_.end(), watched);
+        if (found != cells_.end()) {
+            const auto place = static_cast<int>(found - cells_.begin());
+            if (useKey(*static_cast<QKeyEvent*>(event), place % mostRows, place / mostRows)) {
+                return true;
+            }
+        }
+    }
+    return BobSheet::eventFilter(watched, event);
+}
+
+bool BobWeighInSheet::useKey(const QKeyEvent& key, int row, int column) {
+    if (key.matches(QKeySequence::Paste)) {
+        const QString text = QGuiApplication::clipboard()->text();
+        const bool isBlock = text.contains(QLatin1Char('\n')) || text.contains(QLatin1Char('\t'));
+        if (isBlock) {
+            trouble_->say(model_->pasteWeights(row, column, readTextTable(text, EmptyLine::gap)));
+        }
+        return isBlock;
+    }
+    const int step = key.key() == Qt::Key_Down ? 1 : key.key() == Qt::Key_Up ? -1 : 0;
+    const int next = row + step;
+    if (step != 0 && next >= 0 && next < std::min(mostRows, model_->input().engine.cylinders)) {
+        cells_[static_cast<std::size_t>(column * mostRows + next)]->setFocus(Qt::TabFocusReason);
+    }
+    return step != 0;
+}
+
 BobMachineSheet::BobMachineSheet(BobWeightsModel* model, QWidget* parent)
     : BobSheet(model, parent) {
     buildPlanes();
+    buildRuns();
     buildTolerance();
     finish();
 }
 
-void BobMachineSheet::buildPlanes() {
-    section(tr("Planes and readings"));
+std::pair<QGridLayout*, TroubleLine*> BobMachineSheet::grid(const QStringList& headings) {
     auto* holder = new QWidget(current());
-    auto* grid = new QGridLayout(holder);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(Theme::gap);
-    grid->setVerticalSpacing(Theme::gap);
+    auto* made = new QGridLayout(holder);
+    made->setContentsMargins(0, 0, 0, 0);
+    made->setHorizontalSpacing(Theme::gap);
+    made->setVerticalSpacing(Theme::gap);
     current()->addWide(holder);
     auto* trouble = new TroubleLine(current());
     current()->addWide(trouble);
-    const std::array names{Words().translate("BobWeights", "Front plane"),
-                           Words().translate("BobWeights", "Rear plane")};
-    const auto label = [&](int row, int column, const QString& text) {
-        auto* made = new QLabel(text, holder);
-        made->setFont(Theme::font(Theme::smallSize, row == 0));
-        made->setAlignment(row == 0 ? Qt::AlignCenter : Qt::AlignLeft | Qt::AlignVCenter);
-        grid->addWidget(made, row, column);
-    };
-    label(0, 1, names[0]);
-    label(0, 2, names[1]);
-    grid->setColumnStretch(1, 1);
-    grid->setColumnStretch(2, 1);
+    for (int column = 0; column < headings.size(); ++column) {
+        auto* heading = new QLabel(headings.at(column), holder);
+        heading->setFont(Theme::font(Theme::smallSize, true));
+        heading->setAlignment(Qt::AlignCenter);
+        heading->setWordWrap(true);
+        made->addWidget(heading, 0, column);
+        made->setColumnStretch(column, column == 0 ? 0 : 1);
+    }
+    return {made, trouble};
+}
+
+NumberField* BobMachineSheet::cell(const Field& field, const QString& name, const QString& spoken) {
+    auto* made = new NumberField(field, current());
+    made->setObjectName(name);
+    made->setAccessibleName(spoken);
+    made->setHint(shownText(field.hint));
+    made->setOptional(true);
+    enlarge(made);
+    makeCell(made);
+    return made;
+}
+
+void BobMachineSheet::buildPlanes() {
+    section(tr("Planes"));
+    const std::array names{bob_text::planeName(Words(), 0), bob_text::planeName(Words(), 1)};
+    const auto [grid, trouble] = this->grid({QString(), names[0], names[1]});
     std::array<QList<NumberField*>, 2> fields;
-    const auto row = [&](int at, const char* key, const Field& field, auto get) {
+    const auto row = [&](const char* key, const Field& field, auto get) {
+        const int at = grid->rowCount();
         const QString unit = shownUnit(field.unit).name;
-        label(at, 0, fieldName(field) + QStringLiteral(", ") + unit);
+        auto* label = new QLabel(fieldName(field) + QStringLiteral(", ") + unit);
+        label->setFont(Theme::font(Theme::smallSize));
+        grid->addWidget(label, at, 0);
         for (std::size_t plane = 0; plane < 2; ++plane) {
-            auto* cell = new NumberField(field, holder);
             const QString name = names[plane] + QStringLiteral(": ") + fieldName(field);
-            cell->setObjectName(QStringLiteral("%1_%2").arg(QLatin1String(key)).arg(plane + 1));
-            cell->setAccessibleName(name);
-            cell->setHint(shownText(field.hint));
-            cell->setOptional(true);
-            enlarge(cell);
+            NumberField* made =
+                cell(field, QStringLiteral("%1_%2").arg(QLatin1String(key)).arg(plane + 1), name);
             bind(
-                cell,
+                made,
                 [this, get, plane, &field]() -> std::optional<double> {
                     Correction shown = model_->input().correction.value_or(Correction{});
+                    shown.planes.resize(2);
+                    shown.readings.resize(2);
                     const auto& value = get(shown, plane);
                     return value ? std::optional(from_si(field, *value)) : std::nullopt;
                 },
@@ -237,31 +310,83 @@ void BobMachineSheet::buildPlanes() {
                             value ? std::optional(*value * field.unit) : std::nullopt;
                     });
                 });
-            makeCell(cell);
-            trouble->watch(cell);
-            grid->addWidget(cell, at, static_cast<int>(plane) + 1);
-            fields[plane] << cell;
+            trouble->watch(made);
+            grid->addWidget(made, at, static_cast<int>(plane) + 1);
+            fields[plane] << made;
         }
     };
     using Value = std::optional<double>;
-    row(1, "position", field::plane_position,
+    row("position", field::plane_position,
         [](Correction& c, std::size_t i) -> Value& { return c.planes[i].position; });
-    row(2, "radius", field::plane_radius,
+    row("radius", field::plane_radius,
         [](Correction& c, std::size_t i) -> Value& { return c.planes[i].radius; });
-    row(3, "unbalance", field::unbalance,
-        [](Correction& c, std::size_t i) -> Value& { return c.readings[i].unbalance; });
-    row(4, "angle", field::angle,
-        [](Correction& c, std::size_t i) -> Value& { return c.readings[i].angle; });
-    row(5, "read_at", field::reading_position,
+    row("read_at", field::reading_position,
         [](Correction& c, std::size_t i) -> Value& { return c.readings[i].position; });
-    row(6, "from", field::from_angle,
+    row("from", field::from_angle,
         [](Correction& c, std::size_t i) -> Value& { return c.planes[i].from_angle; });
-    row(7, "to", field::to_angle,
+    row("to", field::to_angle,
         [](Correction& c, std::size_t i) -> Value& { return c.planes[i].to_angle; });
-    for (const auto& column : fields) {  // down the columns, as one reads the machine
+    for (const auto& column : fields) {  // down the columns, plane by plane
         for (NumberField* field : column) {
             ordered(field);
         }
+    }
+}
+
+void BobMachineSheet::buildRuns() {
+    section(tr("Readings: before, and after each drilling"));
+    const Words words;
+    const QString unit = words.unit(units::gram_mm);
+    const auto [grid, trouble] =
+        this->grid({QString(), words.translate("BobWeights", "front, %1").arg(unit),
+                    words.translate("BobWeights", "front, °"),
+                    words.translate("BobWeights", "rear, %1").arg(unit),
+                    words.translate("BobWeights", "rear, °")});
+    for (std::size_t run = 0; run < most_runs; ++run) {
+        const int at = grid->rowCount();
+        auto* label = new QLabel(bob_text::runName(words, run));
+        label->setFont(Theme::font(Theme::smallSize));
+        grid->addWidget(label, at, 0);
+        QList<QWidget*> row{label};
+        for (std::size_t plane = 0; plane < 2; ++plane) {
+            for (const bool isAngle : {false, true}) {
+                const Field& field = isAngle ? field::angle : field::unbalance;
+                const QString name = bob_text::runName(words, run) + QStringLiteral(", ") +
+                                     bob_text::planeName(words, plane) + QStringLiteral(": ") +
+                                     fieldName(field);
+                const QString key =
+                    QStringLiteral("%1_%2")
+                        .arg(isAngle ? QStringLiteral("angle") : QStringLiteral("unbalance"))
+                        .arg(plane + 1);
+                NumberField* made = ordered(
+                    cell(field, run == 0 ? key : QStringLiteral("run_%1_").arg(run) + key, name));
+                made->setMinimumWidth(Theme::withText(60));
+                if (run > 0) {
+                    made->setPlaceholderText({});
+                }
+                bind(
+                    made,
+                    [this, run, plane, isAngle, &field]() -> std::optional<double> {
+                        const auto value = model_->reading(run, plane, isAngle);
+                        return value ? std::optional(from_si(field, *value)) : std::nullopt;
+                    },
+                    [this, run, plane, isAngle, &field, name](std::optional<double> value) {
+                        model_->editReading(
+                            name, run, plane, isAngle,
+                            value ? std::optional(*value * field.unit) : std::nullopt);
+                    });
+                trouble->watch(made);
+                grid->addWidget(made, at, static_cast<int>(2 * plane) + (isAngle ? 2 : 1));
+                row << made;
+            }
+        }
+        // One empty line waits for the next run.
+        follow([this, row, run] {
+            const bool isNext = run == model_->newestRun() + 1 && model_->isRunRead();
+            for (QWidget* each : row) {
+                each->setVisible(run <= model_->newestRun() || isNext);
+            }
+        });
     }
 }
 
@@ -269,7 +394,7 @@ void BobMachineSheet::buildTolerance() {
     section(tr("What may remain"));
     auto* own = box(
         QStringLiteral("own_limit"), tr("&A limit of your own for each plane, no grade"),
-        tr("On: so many g·mm may remain in each plane. Off: by grade, mass and speed."),
+        tr("On: so much unbalance may remain in each plane. Off: by grade, mass and speed."),
         [this] { return model_->input().tolerance && !model_->input().tolerance->by_grade; },
         [this](bool on) {
             model_->editTolerance(tr("Kind of limit"), [on](Tolerance& it) { it.by_grade = !on; });
@@ -287,6 +412,8 @@ void BobMachineSheet::buildTolerance() {
     }
     grades_->setPlaceholderText(tr("grade of your own"));
     enlarge(grades_);
+    follow([this] { showGrade(); });
+    wide(grades_);
     current()->addWidget(tr("&For"), grades_, {},
                          tr("Balance quality grades of ISO 21940-11, and what each is for."));
     connect(grades_, &QComboBox::activated, this, [this](int place) {
@@ -295,13 +422,17 @@ void BobMachineSheet::buildTolerance() {
             it.grade = grades_->itemData(place).toDouble() * field::grade.unit;
         });
     });
+    line(Theme::smallSize, [this] {
+        return grades_->currentIndex() < 0
+                   ? QString()
+                   : grades_->itemData(grades_->currentIndex(), Qt::ToolTipRole).toString();
+    });
     number("/tolerance/grade_mm_s");
     number("/tolerance/rotor_mass_kg");
     number("/tolerance/service_speed_rpm");
     number("/tolerance/centre_of_mass_mm");
     number("/tolerance/front_bearing_mm");
     number("/tolerance/rear_bearing_mm");
-    follow([this] { showGrade(); });
     line(Theme::baseSize, [this] { return model_->limitText(); });
 }
 
@@ -319,17 +450,15 @@ BobDrillsSheet::BobDrillsSheet(BobWeightsModel* model, QWidget* parent) : BobShe
     section(tr("Drills at hand"));
     checked(field::diameters,
             {[](const QString& typed) {
-                 const auto drills = BobWeightsModel::readDrills(typed);
-                 QStringList list;
-                 for (const double diameter : drills.value_or(std::vector<double>{})) {
-                     list << formNumber(diameter, QLocale());
-                 }
-                 return list.join(QStringLiteral("; "));
+                 return BobWeightsModel::writeDrills(
+                     BobWeightsModel::readDrills(typed).value_or(std::vector<double>{}));
              },
              [](const QString& typed) {
                  return BobWeightsModel::readDrills(typed)
                             ? QString()
-                            : tr("Diameters in millimetres, one after the other: 8; 10; 12.5");
+                            : tr("Diameters in %1, one after the other: %2")
+                                  .arg(shownUnit(units::mm).name,
+                                       BobWeightsModel::writeDrills({8, 10, 12.5}));
              },
              [this] { return model_->drillsText(); },
              [this](const QString& name, const QString& normal) {

@@ -5,6 +5,7 @@
 
 class QComboBox;
 class QGridLayout;
+class QKeyEvent;
 
 namespace ravnoves {
 
@@ -17,6 +18,9 @@ class BobSheet : public SheetForm {
         : SheetForm(model, parent), model_(model) {}
 
   protected:
+    /// As wide as a text: its words are read whole.
+    QComboBox* wide(QComboBox* box);
+
     BobWeightsModel* model_;
 };
 
@@ -41,13 +45,21 @@ class BobWeighInSheet : public BobSheet {
     Q_OBJECT
 
   public:
-    static constexpr int mostRows = 16;  ///< further cylinders stand in the case file alone
+    static constexpr int mostRows = 16;  ///< further cylinders come by pasting a column
 
     explicit BobWeighInSheet(BobWeightsModel* model, QWidget* parent = nullptr);
 
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
   private:
+    /// Pastes a block, goes up or down. @return false where the key is none of these
+    bool useKey(const QKeyEvent& key, int row, int column);
     void addColumn(QGridLayout* grid, int column, TroubleLine* trouble);
     NumberField* addCell(const QString& name, workshop::Part part, int cylinder, QWidget* holder);
+
+    TroubleLine* trouble_ = nullptr;
+    std::vector<NumberField*> cells_;  ///< column by column
 };
 
 /// Sheet 4: what the machine reads in which planes, and what may remain.
@@ -58,7 +70,11 @@ class BobMachineSheet : public BobSheet {
     explicit BobMachineSheet(BobWeightsModel* model, QWidget* parent = nullptr);
 
   private:
+    /// A grid over the whole width with its headings, and the line for what is refused in it.
+    std::pair<QGridLayout*, TroubleLine*> grid(const QStringList& headings);
+    NumberField* cell(const Field& field, const QString& name, const QString& spoken);
     void buildPlanes();
+    void buildRuns();
     void buildTolerance();
     void showGrade();
 

@@ -52,6 +52,10 @@ ListedJob BobWeightsPage::listed(const Words& words, const JournalJob& job) cons
                             : QStringLiteral("–")};
 }
 
+void BobWeightsPage::showRefused(const QStringList& refused) {
+    answer_->setRefused(refused);
+}
+
 QString BobWeightsPage::resultsAsText() const {
     return answer_->asText();
 }

@@ -26,6 +26,7 @@ class BobWeightsPage : public WorkshopPage {
     QString engineNumber() const override;
     void emptySheet() override;
     ListedJob listed(const Words& words, const JournalJob& job) const override;
+    void showRefused(const QStringList& refused) override;
 
   private:
     BobWeightsModel* model_;

@@ -112,6 +112,19 @@ TEST(BobWeight, OfWeighedPartsTakesTheirMeans) {
     EXPECT_NE(error_of(input).find("must be a list of 4 masses"), std::string::npos);
 }
 
+TEST(BobWeight, SaysWhatWasNotGivenOrLooksLikeKilograms) {
+    Json input = shop_card();
+    EXPECT_TRUE(solved(input).at("not_given").empty());
+    EXPECT_TRUE(solved(input).at("looks_like_kilograms").empty());
+    input["parts_g"] = {{"piston", 0.584}, {"big_end", 229.8}, {"locks", 0.0048}, {"pin", 0}};
+    const Json result = solved(input);
+    EXPECT_EQ(result.at("not_given"), Json({"rings", "small_end", "shells", "oil"}));
+    EXPECT_EQ(result.at("looks_like_kilograms"), Json({"piston", "locks"}));
+    input = shop_card();
+    input["weigh_in"] = {{"pin", {{"mass_g", Json(std::vector<double>(8, 0.17))}}}};
+    EXPECT_EQ(solved(input).at("looks_like_kilograms"), Json({"pin"}));
+}
+
 /// What holes and slugs leave, added up from the result alone.
 double left_of(const Json& plane) {
     const auto at = [](const Json& json, const char* size) {
@@ -262,6 +275,42 @@ TEST(HalfFilled, FormsKeepWhatIsThere) {
     EXPECT_FALSE(result.bob_weight);
     EXPECT_EQ(missing_for_bob_weight(input).size(), 3u);
     EXPECT_FALSE(result.correction);
+}
+
+TEST(Correction, RunsHaveVerdictsAndTheNewestIsCorrected) {
+    Json input = with_correction();
+    input["tolerance"] = {{"g_mm", 400}};
+    const Json before = solved(input).at("correction");
+    ASSERT_EQ(before.at("runs").size(), 1u);
+    EXPECT_FALSE(before.at("runs")[0].at("within_tolerance").get<bool>());
+    EXPECT_EQ(before.at("planes")[0].at("within_tolerance_as_measured"), false);
+    EXPECT_NEAR(before.at("amplification").get<double>(), 1, 1e-12);
+    // What the holes leave is what the next run reads.
+    Json& correction = input["correction"];
+    Json run{{"readings", correction["readings"]}};
+    correction["earlier_runs"] = Json::array({run});
+    for (std::size_t i = 0; i < 2; ++i) {
+        correction["readings"][i] = {
+            {"unbalance_g_mm", before.at("planes")[i].at("remaining_g_mm")},
+            {"angle_deg", before.at("planes")[i].at("remaining_angle_deg")}};
+    }
+    const Json after = solved(input).at("correction");
+    ASSERT_EQ(after.at("runs").size(), 2u);
+    EXPECT_EQ(after.at("runs")[0], before.at("runs")[0]);
+    EXPECT_TRUE(after.at("runs")[1].at("within_tolerance").get<bool>());
+    EXPECT_TRUE(after.at("planes")[0].at("holes").empty());
+    EXPECT_EQ(write_input(read_input(input)).at("correction").at("earlier_runs"),
+              correction["earlier_runs"]);
+    correction["earlier_runs"][0]["readings"][1].erase("angle_deg");
+    EXPECT_NE(error_of(input).find("/input/correction/earlier_runs/0/readings/1/angle_deg"),
+              std::string::npos)
+        << error_of(input);
+    // Both read beyond the rear plane: errors of the two, at the worst phases, are carried over.
+    input = with_correction();
+    input["correction"]["readings"][0]["position_mm"] = 500;
+    input["correction"]["readings"][1]["position_mm"] = 600;
+    EXPECT_NEAR(solved(input).at("correction").at("amplification").get<double>(), 980.0 / 420.0,
+                1e-12);
 }
 
 }  // namespace

@@ -4,20 +4,28 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
+#include <QApplication>
 #include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
 #include <QLabel>
+#include <QMessageBox>
 #include <QSettings>
 #include <QTabWidget>
 #include <QTemporaryDir>
+#include <QTimer>
 
+#include "bob-weights/bob_card.h"
 #include "bob-weights/model/bob_weights_model.h"
 #include "case-file/json.h"
 #include "events.h"
 #include "model/case_document.h"
+#include "painted.h"
 #include "text/preferences.h"
+#include "theme/theme.h"
 #include "widgets/number_field.h"
 #include "widgets/result_table.h"
 #include "workshop/model/job_desk.h"
@@ -54,8 +62,15 @@ class BobPageTest : public ::testing::Test {
         }
         field->setFocus(Qt::TabFocusReason);
         QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClick(field, Qt::Key_Delete);
         QTest::keyClicks(field, text);
         QTest::keyClick(field, Qt::Key_Return);
+    }
+    /// A question before it has taken the focus.
+    void save() {
+        page.activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
+        QTest::keyClick(&page, Qt::Key_F2);
     }
     void typeShopCard() {
         const std::pair<const char*, const char*> masses[] = {
@@ -82,6 +97,56 @@ class BobPageTest : public ::testing::Test {
             }
         }
         return -1;
+    }
+
+    /// Clicks the button of the next question that begins with the text. @return what was asked
+    std::shared_ptr<QString> answer(const QString& button) {
+        auto asked = std::make_shared<QString>();
+        answerLater(button, asked);
+        return asked;
+    }
+    static void answerLater(const QString& button, const std::shared_ptr<QString>& asked) {
+        QTimer::singleShot(10, qApp, [=] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            if (box == nullptr) {
+                answerLater(button, asked);
+                return;
+            }
+            *asked = box->text();
+            for (QAbstractButton* each : box->buttons()) {
+                if (each->text().remove(u'&').startsWith(button)) {
+                    QTest::mouseClick(each, Qt::LeftButton);
+                    return;
+                }
+            }
+            ADD_FAILURE() << "no button " << qPrintable(button);
+            box->reject();
+        });
+    }
+    QList<JournalJob> jobs() {
+        JournalQuery query;
+        query.scene = u"bob-weights"_s;
+        return model->desk()->journal()->search(query);
+    }
+    bool isAmber(const char* name) {
+        return find<QLabel>(name)->palette().color(QPalette::WindowText) ==
+               Theme::instance().warning();
+    }
+    /// What the job card prints.
+    QString card(const QStringList& refused = {}) {
+        BobCard made(model->input(), Words(u"en"_s));
+        made.setRefused(refused);
+        test::Painted painted;
+        test::Recorder recorder({2100, 2970}, painted);
+        QPainter painter(&recorder);
+        made.paint(painter, {0, 0, 2100, 2970});
+        painter.end();
+        QStringList texts;
+        for (const auto& each : painted.texts) {
+            texts << each.text;
+            EXPECT_LE(each.ink.bottom(), 2970) << qPrintable(each.text);
+        }
+        return texts.join(u'\n').replace(QChar(0x00A0), u' ');
     }
 
     QTemporaryDir folder;
@@ -127,7 +192,7 @@ TEST_F(BobPageTest, ReadingsBecomeHoles) {
     typeShopCard();
     typeReadings();
     ASSERT_TRUE(model->solution().correction);
-    EXPECT_EQ(rowsOf("The correction planes"), 2);
+    EXPECT_EQ(rowsOf("The correction planes"), 5) << "a row for each quantity";
     EXPECT_EQ(rowsOf("Holes and slugs"), 2);
     EXPECT_TRUE(label("troubles").isEmpty()) << label("troubles").toStdString();
     const Hole& hole = (*model->solution().correction)[0].holes.at(0);
@@ -199,7 +264,16 @@ TEST_F(BobPageTest, LimitsComeByGradeOrByHand) {
     EXPECT_FALSE(model->input().tolerance->by_grade);
     type("g_mm", u"3000"_s);
     EXPECT_EQ(rowsOf("Holes and slugs"), 0) << "both readings are within the limit";
-    EXPECT_EQ(model->planeRows().at(0).last(), u"good as it is"_s);
+    EXPECT_EQ(model->planeRows().last(), QStringList({u"Verdict"_s, u"passes"_s, u"passes"_s}));
+    EXPECT_EQ(label("verdict"), u"Before, measured: passes."_s);
+    EXPECT_TRUE(card().contains(u"limit of the shop’s own"_s));
+    type("g_mm", u"2000"_s);
+    EXPECT_EQ(model->planeRows().last(),
+              QStringList({u"Verdict"_s, u"fails → passes"_s, u"passes"_s}));
+    EXPECT_EQ(label("verdict"), u"Before, measured: fails. After the correction: passes."_s);
+    QTest::keyClick(&page, Qt::Key_F2);
+    EXPECT_EQ(jobs().at(0).verdict, u"fails-then-passes"_s);
+    EXPECT_TRUE(card().contains(u"fails → passes"_s));
 }
 
 TEST_F(BobPageTest, JournalAndCard) {
@@ -228,6 +302,9 @@ TEST_F(BobPageTest, JournalAndCard) {
 
 TEST_F(BobPageTest, WhatContradictsItselfHasNoAnswer) {
     typeShopCard();
+    type("cylinders", QString());
+    EXPECT_FALSE(find<NumberField>("cylinders")->trouble().isEmpty()) << "it is needed";
+    EXPECT_EQ(model->input().engine.cylinders, 8);
     type("cylinders", u"7"_s);
     EXPECT_TRUE(label("headline").contains(u"must be even"_s)) << label("headline").toStdString();
     EXPECT_FALSE(model->solution().bob_weight);
@@ -253,6 +330,177 @@ TEST_F(BobPageTest, TheNextJobIsNotOfTheFileBeforeIt) {
     QTest::keyClick(&page, Qt::Key_F2);
     QTest::keyClick(&page, Qt::Key_F4);
     EXPECT_TRUE(document.path().isEmpty());
+}
+
+TEST_F(BobPageTest, WhatMayBeWrongIsSaid) {
+    type("piston", u"0.584"_s);
+    type("big_end", u"229.8"_s);
+    QString said = label("troubles");
+    EXPECT_TRUE(said.contains(u"Piston: 0.584 g looks like kilograms"_s)) << qPrintable(said);
+    EXPECT_TRUE(
+        said.contains(u"Not given, counted as 0 g: Rings, Pin, Locks, Small end, Shells of "
+                      "one rod, Oil of one crankpin."_s))
+        << qPrintable(said);
+    EXPECT_TRUE(isAmber("headline"));
+    EXPECT_TRUE(card().contains(u"looks like kilograms"_s));
+    typeShopCard();
+    EXPECT_EQ(label("troubles"), QString());
+    EXPECT_FALSE(isAmber("headline"));
+    type("locks", QString());
+    EXPECT_TRUE(card().contains(u"Not given, counted as 0 g: Locks."_s)) << qPrintable(card());
+    type("locks", u"0"_s);
+    EXPECT_EQ(label("troubles"), QString()) << "a 0 that is typed is meant";
+    // Both readings at one end: by how much their errors grow.
+    typeReadings();
+    type("read_at_1", u"500"_s);
+    type("read_at_2", u"600"_s);
+    said = label("troubles");
+    EXPECT_TRUE(said.contains(u"reads at 500 mm and 600 mm, far outside the planes"_s));
+    EXPECT_TRUE(said.contains(u"2.3 times"_s)) << qPrintable(said) << " (440 + 540) / 420";
+    EXPECT_TRUE(card().contains(u"far outside"_s));
+}
+
+TEST_F(BobPageTest, ARefusedEntryMakesTheAnswerStale) {
+    typeShopCard();
+    type("piston", u"58x"_s);
+    EXPECT_TRUE(label("refused").contains(u"Piston"_s)) << qPrintable(label("refused"));
+    EXPECT_TRUE(isAmber("headline"));
+    EXPECT_FALSE(find<QLabel>("headline")->font().bold());
+    EXPECT_TRUE(card({u"Piston, g: no number"_s}).contains(u"these entries are refused: Piston"_s));
+    const auto asked = answer(u"Go on"_s);
+    save();
+    EXPECT_TRUE(asked->contains(u"Piston"_s));
+    ASSERT_EQ(jobs().size(), 1);
+    EXPECT_FALSE(jobs().at(0).isFinished);
+    type("piston", u"583.9"_s);
+    EXPECT_TRUE(label("refused").isEmpty());
+    EXPECT_FALSE(isAmber("headline"));
+    save();
+    EXPECT_TRUE(jobs().at(0).isFinished);
+}
+
+TEST_F(BobPageTest, RunsFollowOneAnother) {
+    typeShopCard();
+    EXPECT_FALSE(find<NumberField>("run_1_unbalance_1")->isVisibleTo(&page));
+    typeReadings();
+    type("g_mm", u"300"_s);
+    page.sheets()->setCurrentIndex(3);
+    QTest::mouseClick(find<QCheckBox>("own_limit"), Qt::LeftButton, Qt::NoModifier, {8, 10});
+    type("g_mm", u"300"_s);
+    EXPECT_EQ(rowsOf("Runs of the machine"), 0);
+    type("run_1_unbalance_1", u"350"_s);
+    EXPECT_FALSE(model->solution().correction) << "its readings are not all there";
+    EXPECT_TRUE(label("troubles").contains(u"Run 1, Front plane: Heavy spot at is still needed"_s))
+        << qPrintable(label("troubles"));
+    type("run_1_angle_1", u"80"_s);
+    type("run_1_unbalance_2", u"120"_s);
+    type("run_1_angle_2", u"200"_s);
+    EXPECT_EQ(model->input().correction->earlier_runs.size(), 1u);
+    EXPECT_NEAR(*model->input().correction->readings[0].unbalance, 350e-6, 1e-12);
+    ASSERT_TRUE(model->solution().correction);
+    EXPECT_NEAR((*model->solution().correction)[0].holes.at(0).angle, 80 * degree, 1e-9)
+        << "the next correction is that of the newest run";
+    EXPECT_EQ(rowsOf("Runs of the machine"), 2);
+    EXPECT_EQ(model->runRows().at(0).last(), u"fails"_s);
+    EXPECT_EQ(label("verdict"), u"Run 1, measured: fails. After the correction: passes."_s);
+    type("run_2_unbalance_1", u"60"_s);
+    type("run_2_angle_1", u"10"_s);
+    type("run_2_unbalance_2", u"20"_s);
+    type("run_2_angle_2", u"300"_s);
+    EXPECT_EQ(model->runRows().at(2).last(), u"passes"_s);
+    const QString printed = card();
+    for (const char* text : {"Run 2", "2600.0", "350.0", "60.0", "300.0 g·mm", "480 mm", "85 mm"}) {
+        EXPECT_TRUE(printed.contains(QString::fromUtf8(text))) << text << '\n'
+                                                               << qPrintable(printed);
+    }
+    save();
+    EXPECT_NEAR(*jobs().at(0).frontReading, 60, 1e-9);
+    EXPECT_EQ(jobs().at(0).verdict, u"passes"_s);
+    EXPECT_EQ(model->inputJson().at("correction").at("earlier_runs").size(), 2u);
+    EXPECT_EQ(model->resultJson().at("correction").at("runs").size(), 3u);
+    // A run without any reading is none.
+    for (const char* name : {"unbalance_1", "angle_1", "unbalance_2", "angle_2"}) {
+        type(QByteArray("run_2_").append(name).constData(), QString());
+    }
+    EXPECT_EQ(model->newestRun(), 1u);
+    EXPECT_NEAR(*model->input().correction->readings[0].unbalance, 350e-6, 1e-12);
+    page.model()->undo();
+    EXPECT_EQ(model->newestRun(), 2u);
+}
+
+TEST_F(BobPageTest, ColumnsArePasted) {
+    typeShopCard();
+    type("cylinders", u"4"_s);
+    page.sheets()->setCurrentIndex(2);
+    auto* first = find<NumberField>("mass_piston_1");
+    const auto paste = [&](const QString& text) {
+        first->setFocus();
+        QApplication::clipboard()->setText(text);
+        QTest::keyClick(first, Qt::Key_V, Qt::ControlModifier);
+    };
+    paste(u"Piston\tPin\n590\t170 g\n592\t0.172 kg\n"_s);
+    const auto mass = [&](workshop::Part part, std::size_t cylinder) {
+        return (*model->input().weigh_in)[part].mass.at(cylinder).value_or(0) / units::gram;
+    };
+    EXPECT_NEAR(mass(workshop::Part::piston, 1), 592, 1e-9);
+    EXPECT_NEAR(mass(workshop::Part::pin, 1), 172, 1e-9);
+    paste(u"1\n2\n3\n4\n5\n"_s);
+    EXPECT_TRUE(label("weigh_in_trouble").contains(u"does not fit"_s));
+    EXPECT_NEAR(mass(workshop::Part::piston, 0), 590, 1e-9);
+    QTest::keyClick(first, Qt::Key_Down);
+    EXPECT_EQ(page.focusWidget(), find<NumberField>("mass_piston_2"));
+    // More cylinders than the sheet has lines.
+    type("cylinders", u"20"_s);
+    page.sheets()->setCurrentIndex(2);
+    paste(QStringList(20, u"600"_s).join(u'\n'));
+    EXPECT_EQ(label("headline"), u"Bob weight 1521.3 g"_s) << "all 20 count";
+}
+
+TEST_F(BobPageTest, AnotherEngineIsAJobOfItsOwn) {
+    CaseDocument document(model, {});
+    typeShopCard();
+    type("engine_number", u"A 1"_s);
+    ASSERT_EQ(document.saveTo(QDir(folder.path()).filePath(u"a.case.json"_s)), QString());
+    save();
+    type("oil", u"5"_s);
+    ASSERT_TRUE(document.needsSaving());
+    save();
+    EXPECT_TRUE(document.needsSaving()) << "the journal has it, the file has not";
+    EXPECT_TRUE(model->desk()->isJournaled());
+    EXPECT_EQ(jobs().size(), 1);
+    type("crankshaft_number", u"K 7"_s);
+    save();
+    EXPECT_EQ(jobs().size(), 1) << "a number that comes later";
+    type("engine_number", u"B 2"_s);
+    auto asked = answer(u"Cancel"_s);
+    save();
+    EXPECT_TRUE(asked->contains(u"A 1 / K 7"_s)) << qPrintable(*asked);
+    EXPECT_TRUE(asked->contains(u"B 2 / K 7"_s)) << qPrintable(*asked);
+    EXPECT_EQ(jobs().at(0).engineNumber, u"A 1"_s);
+    asked = answer(u"Save as a new job"_s);
+    save();
+    ASSERT_EQ(jobs().size(), 2);
+    EXPECT_EQ(jobs().at(0).engineNumber, u"B 2"_s);
+    type("engine_number", u"B 3"_s);
+    asked = answer(u"Change that job"_s);
+    save();
+    EXPECT_EQ(jobs().size(), 2);
+}
+
+TEST_F(BobPageTest, UnbalancesFollowTheirUnit) {
+    typeShopCard();
+    typeReadings();
+    Preferences::instance().setUnits(Preferences::Unbalance, Preferences::Units::GramInch);
+    const QString row = model->planeRows().at(0).at(1);
+    const QString printed = card();
+    const BobWeightsPage again(QString(), nullptr);
+    const QString limit = test::named<NumberField>(again, "g_mm")->accessibleName();
+    QSettings().clear();
+    Preferences::instance().load();
+    EXPECT_TRUE(row.contains(u"102.36"_s) && row.contains(u"g·in"_s)) << qPrintable(row);
+    EXPECT_TRUE(printed.contains(u"front, g·in"_s)) << qPrintable(printed);
+    EXPECT_FALSE(printed.contains(u"g·mm"_s)) << qPrintable(printed);
+    EXPECT_TRUE(limit.contains(u"g·in"_s)) << qPrintable(limit);
 }
 
 TEST(BobWeightsModel, ReadsDrillsAsTheyAreTyped) {

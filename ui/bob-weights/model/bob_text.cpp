@@ -1,6 +1,7 @@
 #include "bob-weights/model/bob_text.h"
 
 #include "bob-weights/fields.h"
+#include "workshop/model/verdict.h"
 
 namespace ravnoves::bob_text {
 
@@ -16,6 +17,23 @@ QString degreesOf(const Words& words, double angle) {
 
 QString unbalanceOf(const Words& words, double unbalance) {
     return words.number(unbalance, units::gram_mm, 1);
+}
+
+/// By what limit, and how the planes share it.
+QString limitOrigin(const Words& words, const Tolerance& tolerance) {
+    if (!tolerance.by_grade) {
+        return words.translate("BobWeights", "A limit of the shop’s own for each plane, no grade.");
+    }
+    const QString grade = words.translate("BobWeights", "By G %1 of ISO 21940-11, %2 at %3.")
+                              .arg(words.plain(*tolerance.grade / units::mm_per_s, 2),
+                                   words.plainWithUnit(*tolerance.rotor_mass, units::kg, 2),
+                                   words.plainWithUnit(*tolerance.service_speed, units::rpm, 0));
+    const QString share =
+        tolerance.front_bearing && tolerance.rear_bearing
+            ? words.translate("BobWeights", "Shared by the distances of the end bearings.")
+        : tolerance.centre_of_mass ? words.translate("BobWeights", "Shared by the centre of mass.")
+                                   : words.translate("BobWeights", "Half in each plane.");
+    return grade + QLatin1Char(' ') + share;
 }
 
 }  // namespace
@@ -79,8 +97,8 @@ QString factor(const Words& words, const Input& input, const Result& result) {
            words.message(factor_effect(input.engine, result.factor + input.factor.overbalance));
 }
 
-QString limits(const Words& words, const Result& result) {
-    if (!result.permissible) {
+QString limits(const Words& words, const Input& input, const Result& result) {
+    if (!result.permissible || !input.tolerance) {
         return {};
     }
     const QString first = unbalanceOf(words, (*result.permissible)[0]);
@@ -89,10 +107,74 @@ QString limits(const Words& words, const Result& result) {
         first == second ? words.translate("BobWeights", "%1 in each plane").arg(first)
                         : words.translate("BobWeights", "%1 in the front plane, %2 in the rear one")
                               .arg(first, second);
-    return result.permissible_whole
-               ? words.translate("BobWeights", "May remain: %1, of %2 for the crankshaft.")
-                     .arg(planes, unbalanceOf(words, *result.permissible_whole))
-               : words.translate("BobWeights", "May remain: %1.").arg(planes);
+    const QString said =
+        result.permissible_whole
+            ? words.translate("BobWeights", "May remain: %1, of %2 for the crankshaft.")
+                  .arg(planes, unbalanceOf(words, *result.permissible_whole))
+            : words.translate("BobWeights", "May remain: %1.").arg(planes);
+    return said + QLatin1Char(' ') + limitOrigin(words, *input.tolerance);
+}
+
+QString verdict(const Words& words, const Result& result) {
+    const auto measured = result.runs.empty() ? std::nullopt : result.runs.back().passes();
+    if (!measured) {
+        return {};
+    }
+    QString said = words.translate("BobWeights", "%1, measured: %2.")
+                       .arg(runName(words, result.runs.size() - 1),
+                            verdictText(words, verdictWord(measured, std::nullopt)));
+    const auto after = result.passes_after();
+    if (!*measured && after) {
+        said += QLatin1Char(' ') + words.translate("BobWeights", "After the correction: %1.")
+                                       .arg(verdictText(words, verdictWord(after, std::nullopt)));
+    }
+    return said;
+}
+
+QStringList doubts(const Words& words, const Result& result) {
+    QStringList list;
+    for (const auto& [part, mass] : result.in_kilograms) {
+        list << words.translate("V8", "%1: %2 looks like kilograms; masses are in grams.")
+                    .arg(words.name(part->field), words.number(mass, units::gram, 3));
+    }
+    return list;
+}
+
+QStringList warnings(const Words& words, const Input& input, const Result& result) {
+    QStringList list;
+    if (result.bob_weight && !result.not_given.empty()) {
+        QStringList names;
+        for (const PartField* part : result.not_given) {
+            names << words.name(part->field);
+        }
+        list << words
+                    .translate("BobWeights",
+                               "Not given, counted as %1: %2. Where there is none, type 0.")
+                    .arg(words.plainWithUnit(0.0, units::gram, 0),
+                         names.join(QStringLiteral(", ")));
+    }
+    if (result.amplification && *result.amplification > most_amplification) {
+        const auto place = [&](std::size_t i) {
+            const auto& reading = input.correction->readings.at(i).position;
+            return words.plainWithUnit(
+                reading.value_or(input.correction->planes.at(i).position.value_or(0.0)), units::mm,
+                1);
+        };
+        list << words
+                    .translate("BobWeights",
+                               "The machine reads at %1 and %2, far outside the planes: an error "
+                               "of its readings may be %3 times as large in them.")
+                    .arg(place(0), place(1), words.number(*result.amplification, 1));
+    }
+    return list;
+}
+
+QString holeNote(const Words& words, const Result& result) {
+    return holes(words, result).isEmpty()
+               ? QString()
+               : words.translate("BobWeights",
+                                 "Depths are to the full diameter, the cone of the drill’s point "
+                                 "lies beyond; the rim counts as flat where a hole begins.");
 }
 
 QString planeName(const Words& words, std::size_t plane) {
@@ -146,30 +228,64 @@ QString balance(const Words& words, Balance balance) {
 }
 
 QStringList lineHead(const Words& words) {
-    return {words.translate("BobWeights", "Part"), words.translate("BobWeights", "One weighs"),
+    const QString gram = words.unit(units::gram);
+    return {words.translate("BobWeights", "Part"),
+            words.translate("BobWeights", "One, %1").arg(gram),
             words.translate("BobWeights", "Counts"),
-            words.translate("BobWeights", "In the bob weight")};
+            words.translate("BobWeights", "In all, %1").arg(gram)};
 }
 
 QVector<QStringList> lines(const Words& words, const Result& result) {
     QVector<QStringList> rows;
     for (const Line& line : result.lines) {
-        rows << QStringList{words.name(line.part->field), words.number(line.mass, units::gram, 1),
+        rows << QStringList{words.name(line.part->field), words.digits(line.mass, units::gram, 1),
                             QStringLiteral("× ") + words.plain(line.factor, 4),
-                            words.number(line.product(), units::gram, 1)};
+                            words.digits(line.product(), units::gram, 1)};
     }
     if (result.bob_weight) {
-        rows << QStringList{words.translate("BobWeights", "Bob weight"), QString(), QString(),
-                            words.number(*result.bob_weight, units::gram, 1)};
+        rows << QStringList{words.translate("BobWeights", "Sum"), QString(), QString(),
+                            words.digits(*result.bob_weight, units::gram, 1)};
+    }
+    return rows;
+}
+
+QString runName(const Words& words, std::size_t run) {
+    return run == 0 ? words.translate("BobWeights", "Before")
+                    : words.translate("BobWeights", "Run %1").arg(run);
+}
+
+QStringList runHead(const Words& words) {
+    const QString unit = words.unit(units::gram_mm);
+    return {words.translate("BobWeights", "Run"),
+            words.translate("BobWeights", "Front, %1").arg(unit),
+            words.translate("BobWeights", "Rear, %1").arg(unit),
+            words.translate("BobWeights", "Measured")};
+}
+
+QVector<QStringList> runs(const Words& words, const Result& result) {
+    QVector<QStringList> rows;
+    for (std::size_t run = 0; run < result.runs.size(); ++run) {
+        const auto& planes = result.runs[run].planes;
+        const auto cell = [&](std::size_t i) {
+            return planes ? words.digits((*planes)[i].unbalance, units::gram_mm, 1) +
+                                QStringLiteral(" ∠ ") + degreesOf(words, (*planes)[i].angle)
+                          : noNumber;
+        };
+        const QString verdict =
+            verdictText(words, verdictWord(result.runs[run].passes(), std::nullopt));
+        rows << QStringList{runName(words, run), cell(0), cell(1),
+                            verdict.isEmpty() ? noNumber : verdict};
     }
     return rows;
 }
 
 QStringList planeHead(const Words& words) {
-    return {
-        words.translate("BobWeights", "Plane"),    words.translate("BobWeights", "Unbalance"),
-        words.translate("BobWeights", "Heavy at"), words.translate("BobWeights", "At the radius"),
-        words.translate("BobWeights", "Remains"),  words.translate("BobWeights", "Verdict")};
+    return {words.translate("BobWeights", "Plane"),
+            words.translate("BobWeights", "Measured"),
+            words.translate("BobWeights", "Heavy at"),
+            words.translate("BobWeights", "At the radius"),
+            words.translate("BobWeights", "After correction"),
+            words.translate("BobWeights", "Verdict")};
 }
 
 QVector<QStringList> planes(const Words& words, const Result& result) {
@@ -179,48 +295,53 @@ QVector<QStringList> planes(const Words& words, const Result& result) {
     }
     for (std::size_t i = 0; i < 2; ++i) {
         const PlaneResult& plane = (*result.correction)[i];
+        const QString verdict =
+            verdictText(words, verdictWord(plane.measured_within, plane.within_tolerance));
         rows << QStringList{planeName(words, i),
                             unbalanceOf(words, plane.unbalance),
                             degreesOf(words, plane.angle),
                             words.number(plane.grams_at_radius, units::gram, 2),
                             unbalanceOf(words, plane.remaining),
-                            !plane.within_tolerance    ? noNumber
-                            : !*plane.within_tolerance ? words.translate("BobWeights", "too much")
-                            : plane.holes.empty() && plane.slugs.empty()
-                                ? words.translate("BobWeights", "good as it is")
-                                : words.translate("BobWeights", "good then")};
+                            verdict.isEmpty() ? noNumber : verdict};
     }
     return rows;
 }
 
 QStringList holeHead(const Words& words) {
-    return {words.translate("BobWeights", "Plane"),    words.translate("BobWeights", "Work"),
-            words.translate("BobWeights", "Diameter"), words.translate("BobWeights", "Depth"),
-            words.translate("BobWeights", "Angle"),    words.translate("BobWeights", "Takes off")};
+    return {words.translate("BobWeights", "Hole"),
+            words.translate("BobWeights", "Depth, %1").arg(words.unit(units::mm)),
+            words.translate("BobWeights", "Angle"),
+            words.translate("BobWeights", "Takes off, %1").arg(words.unit(units::gram))};
 }
 
-QVector<QStringList> holes(const Words& words, const Result& result) {
+QVector<QStringList> holes(const Words& words, const Result& result, std::size_t plane) {
     QVector<QStringList> rows;
     if (!result.correction) {
         return rows;
     }
-    for (std::size_t i = 0; i < 2; ++i) {
-        const auto add = [&](const Hole& hole, const QString& work, double sign) {
-            rows << QStringList{planeName(words, i),
-                                work,
-                                words.number(hole.diameter, units::mm, 1),
-                                words.number(hole.depth, units::mm, 1),
-                                degreesOf(words, hole.angle),
-                                words.number(sign * hole.mass, units::gram, 2)};
-        };
-        for (const Hole& hole : (*result.correction)[i].holes) {
-            add(hole, words.translate("BobWeights", "drill"), 1.0);
-        }
-        for (const Hole& slug : (*result.correction)[i].slugs) {
-            add(slug, words.translate("BobWeights", "press in a slug"), -1.0);
-        }
+    const auto add = [&](const Hole& hole, const QString& work, double sign) {
+        rows << QStringList{work.arg(words.plainWithUnit(hole.diameter, units::mm, 2)),
+                            words.digits(hole.depth, units::mm, 1), degreesOf(words, hole.angle),
+                            words.digits(sign * hole.mass, units::gram, 2)};
+    };
+    const PlaneResult& found = result.correction->at(plane);
+    for (const Hole& hole : found.holes) {
+        add(hole,
+            plane == 0 ? words.translate("BobWeights", "Front: ⌀ %1")
+                       : words.translate("BobWeights", "Rear: ⌀ %1"),
+            1.0);
+    }
+    for (const Hole& slug : found.slugs) {
+        add(slug,
+            plane == 0 ? words.translate("BobWeights", "Front: slug ⌀ %1")
+                       : words.translate("BobWeights", "Rear: slug ⌀ %1"),
+            -1.0);
     }
     return rows;
+}
+
+QVector<QStringList> holes(const Words& words, const Result& result) {
+    return holes(words, result, 0) + holes(words, result, 1);
 }
 
 }  // namespace ravnoves::bob_text

@@ -18,8 +18,19 @@ QString hang(const Words& words, const bob_weights::Engine& engine);
 /// "Factor 50 % + 2 % overbalance, by theory 50 %. …"
 QString factor(const Words& words, const bob_weights::Input& input,
                const bob_weights::Result& result);
-QString limits(const Words& words, const bob_weights::Result& result);
+/// What may remain, and where that comes from.
+QString limits(const Words& words, const bob_weights::Input& input,
+               const bob_weights::Result& result);
 QString planeName(const Words& words, std::size_t plane);
+/// "Measured: fails. After the correction: passes."
+QString verdict(const Words& words, const bob_weights::Result& result);
+/// Masses that look like kilograms: the answer is not to be trusted.
+QStringList doubts(const Words& words, const bob_weights::Result& result);
+/// What counts as 0 because it was not given, and readings that lie far outside the planes.
+QStringList warnings(const Words& words, const bob_weights::Input& input,
+                     const bob_weights::Result& result);
+/// What the depths are measured to; empty without holes.
+QString holeNote(const Words& words, const bob_weights::Result& result);
 /// What falls short, plane by plane.
 QStringList shortfalls(const Words& words, const bob_weights::Result& result);
 /// Bob weight of each crankpin's own parts, and what to take off to match the lightest.
@@ -28,9 +39,17 @@ QString balance(const Words& words, bob_weights::Balance balance);
 
 QStringList lineHead(const Words& words);
 QVector<QStringList> lines(const Words& words, const bob_weights::Result& result);
+/// "Before", "Run 1".
+QString runName(const Words& words, std::size_t run);
+QStringList runHead(const Words& words);
+/// The runs of the machine, their readings taken to the planes.
+QVector<QStringList> runs(const Words& words, const bob_weights::Result& result);
 QStringList planeHead(const Words& words);
 QVector<QStringList> planes(const Words& words, const bob_weights::Result& result);
 QStringList holeHead(const Words& words);
 QVector<QStringList> holes(const Words& words, const bob_weights::Result& result);
+/// Those of one plane.
+QVector<QStringList> holes(const Words& words, const bob_weights::Result& result,
+                           std::size_t plane);
 
 }  // namespace ravnoves::bob_text

@@ -2,6 +2,7 @@
 
 #include <QDate>
 #include <QRegularExpression>
+#include <algorithm>
 
 #include "bob-weights/fields.h"
 #include "bob-weights/model/bob_text.h"
@@ -12,6 +13,9 @@
 #include "text/error_text.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
+#include "text/shown_units.h"
+#include "text/typed_number.h"
+#include "workshop/model/verdict.h"
 #include "workshop/weigh_in.h"
 
 namespace ravnoves {
@@ -27,6 +31,7 @@ void forgetReadings(Input& input) {
             reading.unbalance.reset();
             reading.angle.reset();
         }
+        input.correction->earlier_runs.clear();
     }
 }
 
@@ -103,6 +108,9 @@ QString BobWeightsModel::editCorrection(const QString& name,
         Correction correction = input.correction.value_or(Correction{});
         correction.planes.resize(2);
         correction.readings.resize(2);
+        for (EarlierRun& run : correction.earlier_runs) {
+            run.readings.resize(2);
+        }
         mutate(correction);
         input.correction =
             correction == Correction{} ? std::nullopt : std::optional(std::move(correction));
@@ -140,6 +148,106 @@ QString BobWeightsModel::editWeights(const QString& name,
     });
 }
 
+QString BobWeightsModel::pasteWeights(int row, int column, const std::vector<QStringList>& cells) {
+    const int cylinders = input().engine.cylinders;
+    Input next = input();
+    if (!next.weigh_in) {
+        next.weigh_in.emplace();
+    }
+    fit_weigh_in(next);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        for (qsizetype j = 0; j < cells[i].size(); ++j) {
+            const QString& typed = cells[i].at(j);
+            if (typed.isEmpty()) {
+                continue;
+            }
+            const std::size_t cylinder = static_cast<std::size_t>(row) + i;
+            const auto part = static_cast<std::size_t>(column) + static_cast<std::size_t>(j);
+            if (cylinder >= static_cast<std::size_t>(cylinders) ||
+                part >= workshop::all_parts.size()) {
+                return tr("Nothing is pasted: the block does not fit on the sheet from here, which "
+                          "has %1 cylinders.")
+                    .arg(cylinders);
+            }
+            // In the unit that the cells show.
+            const ShownUnit unit = shownUnit(field::part_mass.unit);
+            const auto value = readTypedNumber(typed, unit.name).value;
+            if (!value || !field::part_mass.range.contains(*value / unit.factor)) {
+                return tr("Nothing is pasted: “%1” is no mass in %2.").arg(typed, unit.name);
+            }
+            next.weigh_in->columns[part].mass[cylinder] =
+                *value / unit.factor * field::part_mass.unit;
+        }
+    }
+    return editWeights(tr("Paste weights"), [&](WeighIn& sheet) { sheet = *next.weigh_in; });
+}
+
+// -------------------------------------------------------------------------- runs of the machine
+
+std::size_t BobWeightsModel::newestRun() const {
+    return input().correction ? input().correction->earlier_runs.size() : 0;
+}
+
+bool BobWeightsModel::isRunRead() const {
+    for (std::size_t plane = 0; plane < 2; ++plane) {
+        if (!reading(newestRun(), plane, false) || !reading(newestRun(), plane, true)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+std::optional<double> BobWeightsModel::reading(std::size_t run, std::size_t plane,
+                                               bool isAngle) const {
+    if (!input().correction || run > newestRun()) {
+        return std::nullopt;
+    }
+    const auto value = [&](const auto& readings) -> std::optional<double> {
+        return plane >= readings.size() ? std::nullopt
+               : isAngle                ? readings[plane].angle
+                                        : readings[plane].unbalance;
+    };
+    const Correction& correction = *input().correction;
+    return run < newestRun() ? value(correction.earlier_runs[run].readings)
+                             : value(correction.readings);
+}
+
+QString BobWeightsModel::editReading(const QString& name, std::size_t run, std::size_t plane,
+                                     bool isAngle, std::optional<double> value) {
+    return editCorrection(name, [&](Correction& correction) {
+        auto& earlier = correction.earlier_runs;
+        const auto set = [&](auto& reading) {
+            (isAngle ? reading.angle : reading.unbalance) = value;
+        };
+        if (run < earlier.size()) {
+            set(earlier[run].readings[plane]);
+            return;
+        }
+        if (run > earlier.size()) {
+            if (!value) {
+                return;
+            }
+            EarlierRun& last = earlier.emplace_back();
+            for (std::size_t i = 0; i < 2; ++i) {
+                last.readings[i] = {correction.readings[i].unbalance, correction.readings[i].angle};
+                correction.readings[i].unbalance.reset();
+                correction.readings[i].angle.reset();
+            }
+        }
+        set(correction.readings[plane]);
+        const bool isEmpty =
+            std::none_of(correction.readings.begin(), correction.readings.end(),
+                         [](const Reading& reading) { return reading.unbalance || reading.angle; });
+        if (isEmpty && !earlier.empty()) {
+            for (std::size_t i = 0; i < 2; ++i) {
+                correction.readings[i].unbalance = earlier.back().readings[i].unbalance;
+                correction.readings[i].angle = earlier.back().readings[i].angle;
+            }
+            earlier.pop_back();
+        }
+    });
+}
+
 BobWeightsModel::ColumnNote BobWeightsModel::columnNote(workshop::Part part) const {
     for (const Matching& each : solution().matching) {
         if (each.part->column == part) {
@@ -160,7 +268,12 @@ std::optional<std::vector<double>> BobWeightsModel::readDrills(const QString& ty
     static const QRegularExpression between(QStringLiteral("\\s*;\\s*|,\\s+|\\s+"));
     std::vector<double> drills;
     for (const QString& word : typed.split(between, Qt::SkipEmptyParts)) {
-        const auto value = readFormNumber(word);
+        // In the unit that lengths are shown in.
+        auto value = readFormNumber(word);
+        const double factor = shownUnit(field::diameters.unit).factor;
+        if (value && factor != 1.0) {
+            value = rounded_to(*value / factor, 6);
+        }
         if (!value || !field::diameters.range.contains(*value)) {
             return std::nullopt;
         }
@@ -169,14 +282,16 @@ std::optional<std::vector<double>> BobWeightsModel::readDrills(const QString& ty
     return drills;
 }
 
-QString BobWeightsModel::drillsText() const {
+QString BobWeightsModel::writeDrills(const std::vector<double>& diameters) {
     QStringList list;
-    if (input().correction) {
-        for (const double diameter : input().correction->drill.diameters_mm) {
-            list << formNumber(diameter, QLocale());
-        }
+    for (const double diameter : diameters) {
+        list << shownFigures(diameter * units::mm, units::mm, 6);
     }
     return list.join(QStringLiteral("; "));
+}
+
+QString BobWeightsModel::drillsText() const {
+    return input().correction ? writeDrills(input().correction->drill.diameters_mm) : QString();
 }
 
 void BobWeightsModel::newJob() {
@@ -212,6 +327,18 @@ QString BobWeightsModel::contradiction() const {
 QString BobWeightsModel::shownError(const InputError& error) const {
     const QStringList place =
         QString::fromStdString(error.where()).split(QLatin1Char('/'), Qt::SkipEmptyParts);
+    const bool isEarlier = place.value(2) == QLatin1String("earlier_runs");
+    if (error.found().empty() && (isEarlier || place.value(2) == QLatin1String("readings"))) {
+        // What is missing of a run.
+        const QString key = place.last();
+        const Field& field =
+            key == QLatin1String(field::angle.key.data()) ? field::angle : field::unbalance;
+        const auto run = isEarlier ? place.value(3).toULongLong() : newestRun();
+        const auto plane = place.value(place.size() - 2).toULongLong();
+        return tr("%1, %2: %3 is still needed.")
+            .arg(bob_text::runName(Words(), run), bob_text::planeName(Words(), plane),
+                 fieldName(field));
+    }
     if (place.value(1) == QLatin1String("weigh_in") && place.size() >= 5) {
         for (const Word& word : workshop::part_words) {
             if (place[2] == QLatin1String(word.word.data())) {
@@ -246,7 +373,19 @@ QString BobWeightsModel::reasonText() const {
 }
 
 QString BobWeightsModel::limitText() const {
-    return bob_text::limits(Words(), solution());
+    return bob_text::limits(Words(), input(), solution());
+}
+
+QString BobWeightsModel::verdictText() const {
+    return bob_text::verdict(Words(), solution());
+}
+
+QString BobWeightsModel::holeNote() const {
+    return bob_text::holeNote(Words(), solution());
+}
+
+QStringList BobWeightsModel::doubts() const {
+    return bob_text::doubts(Words(), solution());
 }
 
 QStringList BobWeightsModel::troubles() const {
@@ -258,7 +397,8 @@ QStringList BobWeightsModel::troubles() const {
             list << shownError(error);
         }
     }
-    return list + bob_text::shortfalls(Words(), solution());
+    return list + doubts() + bob_text::warnings(Words(), input(), solution()) +
+           bob_text::shortfalls(Words(), solution());
 }
 
 bool BobWeightsModel::isDone() const {
@@ -275,12 +415,29 @@ QVector<QStringList> BobWeightsModel::lineRows() const {
     return bob_text::lines(Words(), solution());
 }
 
+QStringList BobWeightsModel::runColumns() const {
+    return bob_text::runHead(Words());
+}
+
+QVector<QStringList> BobWeightsModel::runRows() const {
+    return newestRun() > 0 ? bob_text::runs(Words(), solution()) : QVector<QStringList>();
+}
+
 QStringList BobWeightsModel::planeColumns() const {
-    return bob_text::planeHead(Words());
+    const Words words;
+    return {bob_text::planeHead(words).first(), words.translate("BobWeights", "Front"),
+            words.translate("BobWeights", "Rear")};
 }
 
 QVector<QStringList> BobWeightsModel::planeRows() const {
-    return bob_text::planes(Words(), solution());
+    const Words words;
+    const QVector<QStringList> planes = bob_text::planes(words, solution());
+    const QStringList names = bob_text::planeHead(words);
+    QVector<QStringList> rows;
+    for (qsizetype i = 1; i < names.size() && planes.size() == 2; ++i) {
+        rows << QStringList{names[i], planes[0][i], planes[1][i]};
+    }
+    return rows;
 }
 
 QStringList BobWeightsModel::holeColumns() const {
@@ -296,8 +453,8 @@ ResultTips BobWeightsModel::lineTips() {
         {Words().translate("BobWeights", "Counts"),
          tr("How many times the mass is in the bob weight: rods on it, times the factor for what "
             "moves with the piston")},
-        {Words().translate("BobWeights", "In the bob weight"), tr("Mass × how often it counts")},
-        {Words().translate("BobWeights", "Bob weight"), tr("Sum of the lines: weigh it out so")}};
+        {Words().translate("BobWeights", "In all, %1"), tr("Mass × how often it counts")},
+        {Words().translate("BobWeights", "Sum"), tr("The bob weight: weigh it out so")}};
     for (const PartField& part : part_fields()) {
         tips << std::pair(fieldName(part.field), shownText(part.field.hint));
     }
@@ -306,23 +463,33 @@ ResultTips BobWeightsModel::lineTips() {
 
 ResultTips BobWeightsModel::planeTips() {
     const Words words;
-    return {{words.translate("BobWeights", "Unbalance"),
+    return {{words.translate("BobWeights", "Measured"),
              tr("Both readings taken to the correction planes: same force, same moment")},
             {words.translate("BobWeights", "Heavy at"),
              tr("Angle of the heavy spot from the machine's zero mark")},
             {words.translate("BobWeights", "At the radius"),
              tr("Mass that makes this unbalance at the plane's radius")},
-            {words.translate("BobWeights", "Remains"),
-             tr("What the holes below leave, added up as vectors")},
-            {words.translate("BobWeights", "Verdict"), tr("By the limit of the plane")}};
+            {words.translate("BobWeights", "After correction"),
+             tr("What the holes below leave, their depths rounded, added up as vectors")},
+            {words.translate("BobWeights", "Verdict"),
+             tr("By the limit of the plane: as measured → after the correction")}};
+}
+
+ResultTips BobWeightsModel::runTips() {
+    const Words words;
+    return {{words.translate("BobWeights", "Front, %1"),
+             tr("The readings of the run taken to the front plane")},
+            {words.translate("BobWeights", "Rear, %1"),
+             tr("The readings of the run taken to the rear plane")},
+            {words.translate("BobWeights", "Measured"), tr("By the limits of both planes")}};
 }
 
 ResultTips BobWeightsModel::holeTips() {
     const Words words;
-    return {{words.translate("BobWeights", "Depth"),
-             tr("Of the full diameter; the point of the drill lies beyond")},
+    return {{words.translate("BobWeights", "Depth, %1"),
+             tr("To the full diameter; the cone of the drill's point lies beyond")},
             {words.translate("BobWeights", "Angle"), tr("From the machine's zero mark")},
-            {words.translate("BobWeights", "Takes off"),
+            {words.translate("BobWeights", "Takes off, %1"),
              tr("Mass, the cone of the point included; negative: a slug adds so much more than the "
                 "steel weighed")}};
 }
@@ -356,13 +523,8 @@ JournalJob BobWeightsModel::journalEntry() const {
         job.frontReading = reading(0);
         job.rearReading = reading(1);
     }
-    if (solution().correction && solution().permissible) {
-        bool passes = true;
-        for (std::size_t i = 0; i < 2; ++i) {
-            passes =
-                passes && (*solution().correction)[i].unbalance <= (*solution().permissible)[i];
-        }
-        job.verdict = passes ? QStringLiteral("passes") : QStringLiteral("fails");
+    if (!solution().runs.empty()) {
+        job.verdict = verdictWord(solution().runs.back().passes(), solution().passes_after());
     }
     return job;
 }

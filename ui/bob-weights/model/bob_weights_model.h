@@ -59,6 +59,20 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     /// Changes the weights, as many as the engine has cylinders; without any there is no sheet.
     QString editWeights(const QString& name,
                         const std::function<void(bob_weights::WeighIn&)>& mutate);
+    /// Writes a block of masses at a cell of the weigh-in sheet, as a spreadsheet does; one step.
+    /// A cell without text leaves what is there.
+    /// @param row  cylinder, from 0
+    /// @return an empty string, or why nothing is written
+    QString pasteWeights(int row, int column, const std::vector<QStringList>& cells);
+    /// Number of the run that is corrected: 0 before drilling.
+    std::size_t newestRun() const;
+    /// True where both of its readings are whole: a further run may follow.
+    bool isRunRead() const;
+    /// A reading of the machine, SI.
+    std::optional<double> reading(std::size_t run, std::size_t plane, bool isAngle) const;
+    /// The first of the run after the newest makes that the newest; without any it is none.
+    QString editReading(const QString& name, std::size_t run, std::size_t plane, bool isAngle,
+                        std::optional<double> value);
     /// Mean and spread of a column of the weigh-in sheet, g.
     struct ColumnNote {
         QString mean;
@@ -68,8 +82,10 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     ColumnNote columnNote(workshop::Part part) const;
     /// Each crankpin's own bob weight, and what to take off the parts.
     QString weighInText() const;
-    /// The drills at hand as one types them, "8 10 12.5"; nothing where they cannot be read.
+    /// The drills at hand as one types them, "8 10 12.5" in the unit of lengths, in mm; nothing
+    /// where they cannot be read.
     static std::optional<std::vector<double>> readDrills(const QString& typed);
+    static QString writeDrills(const std::vector<double>& diameters);
     QString drillsText() const;
 
     // -------------------------------------------------------------------- what the page shows
@@ -78,6 +94,10 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
     QString factorText() const;
     QString reasonText() const;
     QString limitText() const;
+    QString verdictText() const;
+    QString holeNote() const;
+    /// Masses that look like kilograms: the answer is not to be trusted.
+    QStringList doubts() const;
     /// Rules broken and what falls short, a sentence each.
     QStringList troubles() const;
     /// True where all planes are within their limits, or no limit is given and all is taken off.
@@ -85,12 +105,16 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
 
     QStringList lineColumns() const;
     QVector<QStringList> lineRows() const;
+    QStringList runColumns() const;
+    QVector<QStringList> runRows() const;  ///< nothing where there is but one run
+    /// A row for each quantity, a column for each plane.
     QStringList planeColumns() const;
     QVector<QStringList> planeRows() const;
     QStringList holeColumns() const;
     QVector<QStringList> holeRows() const;
     static ResultTips lineTips();
     static ResultTips planeTips();
+    static ResultTips runTips();
     static ResultTips holeTips();
 
     // ------------------------------------------------------------------------------- journal
