@@ -124,5 +124,6 @@ Kernel best_position_kernel();
 Kernel guide_kernel();
 Kernel inertia_orders_kernel();
 Kernel hinge_motion_kernel();
+Kernel scatter_kernel();
 
 }  // namespace ravnoves::methods

@@ -121,6 +121,7 @@ const std::vector<Kernel>& kernels() {
         kernels.push_back(guide_kernel());
         kernels.push_back(inertia_orders_kernel());
         kernels.push_back(hinge_motion_kernel());
+        kernels.push_back(scatter_kernel());
         return kernels;
     }();
     return list;

@@ -11,7 +11,7 @@ _ravnoves_cli() {
     case $option in
         --kernel)
             mapfile -t COMPREPLY < <(compgen -W "slider-crank cycle-mean moment-range best-angle
-                best-position guide inertia-orders hinge-motion" -- "$word")
+                best-position guide inertia-orders hinge-motion scatter" -- "$word")
             return
             ;;
         -o | --output | --csv | --merge)

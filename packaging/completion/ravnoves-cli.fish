@@ -15,5 +15,5 @@ complete -c ravnoves-cli -n '__fish_seen_subcommand_from solve' -l allow-files -
 complete -c ravnoves-cli -n '__fish_seen_subcommand_from study' -l shard -x -d 'Take the K-th of N parts: K/N'
 complete -c ravnoves-cli -n '__fish_seen_subcommand_from study' -l merge -r -F -d 'Put parts together'
 complete -c ravnoves-cli -n '__fish_seen_subcommand_from study' -l threads -x -d 'Work with so many threads'
-complete -c ravnoves-cli -n '__fish_seen_subcommand_from methods' -l kernel -x -a 'slider-crank cycle-mean moment-range best-angle best-position guide inertia-orders hinge-motion' -d 'One kernel instead of all'
+complete -c ravnoves-cli -n '__fish_seen_subcommand_from methods' -l kernel -x -a 'slider-crank cycle-mean moment-range best-angle best-position guide inertia-orders hinge-motion scatter' -d 'One kernel instead of all'
 complete -c ravnoves-cli -n '__fish_seen_subcommand_from methods validate' -l csv -r -F -d 'Write the table to this file too'

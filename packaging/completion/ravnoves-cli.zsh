@@ -32,7 +32,7 @@ case $command in
         ;;
     methods)
         _arguments $help '--csv[write the tables to this file too]:file:_files' \
-            '--kernel[one kernel instead of all]:kernel:(slider-crank cycle-mean moment-range best-angle best-position guide inertia-orders hinge-motion)'
+            '--kernel[one kernel instead of all]:kernel:(slider-crank cycle-mean moment-range best-angle best-position guide inertia-orders hinge-motion scatter)'
         ;;
     validate)
         _arguments $help '--csv[write the table to this file too]:file:_files'

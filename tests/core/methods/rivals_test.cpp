@@ -250,5 +250,31 @@ TEST(RivalMotion, TheEnergyNeedsFewerPlacesThanAnyEquation) {
     }
 }
 
+// --------------------------------------------------------------------------------------- scatter
+
+TEST(RivalSamples, ErrorsFallAtTheirRates) {
+    const auto order = [&](const char* sweep, double value, const char* method) {
+        return std::log(reached("scatter", sweep, value, method, "64 samples") /
+                        reached("scatter", sweep, value, method, "4096 samples")) /
+               std::log(64.0);
+    };
+    EXPECT_NEAR(order("scatter", 0.01, "monte-carlo"), 0.5, 0.15);
+    EXPECT_NEAR(order("corner", -0.5, "monte-carlo"), 0.5, 0.15);
+    EXPECT_GT(order("scatter", 0.01, "sobol"), 0.9);
+    EXPECT_GT(order("jump", 0.8, "sobol"), 0.6);
+    EXPECT_GT(order("corner", -0.5, "sobol"), 0.9);
+}
+
+TEST(RivalSamples, SlopesFailAtAJumpAndAtACorner) {
+    for (const char* method : {"linear", "second-order"}) {
+        EXPECT_LT(reached("scatter", "scatter", 1e-4, method, "differences"), 1e-3) << method;
+        EXPECT_GT(reached("scatter", "jump", 0.8, method, "differences"), 0.5) << method;
+        EXPECT_GT(reached("scatter", "corner", -0.5, method, "differences"), 0.1) << method;
+    }
+    // What is curved takes the second order.
+    EXPECT_GT(reached("scatter", "scatter", 0.2, "linear", "differences"), 3e-2);
+    EXPECT_LT(reached("scatter", "scatter", 0.2, "second-order", "differences"), 1e-2);
+}
+
 }  // namespace
 }  // namespace ravnoves::methods

@@ -1,0 +1,319 @@
+#include <array>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+
+#include "methods/definition.h"
+#include "studies/exact_sum.h"
+#include "studies/method_choices.h"
+#include "studies/sampler.h"
+#include "studies/taylor.h"
+
+namespace ravnoves::methods {
+
+namespace {
+
+using studies::Law;
+
+/// So many studies with seeds of their own are one problem: their errors are averaged, so that no
+/// lucky seed counts.
+constexpr std::size_t seeds = 16;
+constexpr double jump_deg = 60.0;  ///< between the two minima
+constexpr double sway_deg = 10.0;  ///< of each of them
+constexpr double aside = 0.5;      ///< part of the value that another input makes, unbound
+
+/// A value whose inputs scatter uniformly.
+struct ScatterCase {
+    enum class Kind {
+        amplitude,  ///< of the shaft's moment, part of its nominal: m_j r l ω², each 1 ± size
+        jump,    ///< a best angle, degrees: of two minima the other where x₁ − x₂ < −size
+        corner,  ///< a value that a clearance holds above size, and another input moves as well
+    };
+    Kind kind = Kind::amplitude;
+    double size = 0.01;
+
+    std::size_t outputs() const { return 2 * seeds; }
+    double evaluations() const { return static_cast<double>(seeds); }
+    std::size_t inputs() const {
+        constexpr std::array<std::size_t, 3> counts{4, 3, 2};
+        return counts[static_cast<std::size_t>(kind)];
+    }
+    std::vector<Law> laws() const {
+        const bool about_one = kind == Kind::amplitude;
+        return std::vector<Law>(inputs(),
+                                studies::law_of({.pointer = "", .size = about_one ? size : 1.0},
+                                                about_one ? 1.0 : 0.0));
+    }
+    double operator()(std::span<const double> x) const {
+        switch (kind) {
+            case Kind::amplitude:
+                return x[0] * x[1] * x[2] * x[3] * x[3];
+            case Kind::jump:
+                return sway_deg * x[2] + (x[0] - x[1] + size < 0.0 ? jump_deg : 0.0);
+            case Kind::corner:
+                break;
+        }
+        return std::max(x[0], size) + aside * x[1];
+    }
+    /// Of one evaluation.
+    double operations() const { return kind == Kind::amplitude ? 4.0 : 6.0; }
+};
+
+struct Moments {
+    Real50 mean;
+    Real50 variance;
+};
+
+/// In closed form.
+Moments closed_form(const ScatterCase& of) {
+    const Real50 s(of.size);
+    const Real50 third = Real50(1) / 3;
+    switch (of.kind) {
+        case ScatterCase::Kind::amplitude: {
+            const Real50 square = 1 + s * s * third;
+            const Real50 fourth = 1 + 2 * s * s + s * s * s * s / 5;
+            return {square, square * square * square * fourth - square * square};
+        }
+        case ScatterCase::Kind::jump: {
+            const Real50 gap = std::max(Real50(2 - s), Real50(0));
+            const Real50 p = gap * gap / 8;
+            return {jump_deg * p,
+                    p * (1 - p) * jump_deg * jump_deg + Real50(sway_deg) * sway_deg * third};
+        }
+        case ScatterCase::Kind::corner:
+            break;
+    }
+    const Real50 mean = s * (s + 1) / 2 + (1 - s * s) / 4;
+    const Real50 square = s * s * (s + 1) / 2 + (1 - s * s * s) / 6;
+    return {mean, square - mean * mean + Real50(aside) * aside * third};
+}
+
+/// By quadrature of the polynomials between the kinks, which is exact.
+Moments by_quadrature(const ScatterCase& of) {
+    using Gauss = boost::math::quadrature::gauss<Real50, 10>;
+    const Real50 s(of.size);
+    const auto moment = [](const auto& value, const Real50& from, const Real50& to, int power) {
+        return Gauss::integrate(
+            [&](const Real50& x) -> Real50 { return pow(Real50(value(x)), power) / 2; }, from, to);
+    };
+    const auto same = [](const Real50& x) { return x; };
+    const auto unit = [](const Real50&) { return Real50(1); };
+    const Real50 third = moment(same, -1, 1, 2);
+    Moments found;
+    switch (of.kind) {
+        case ScatterCase::Kind::amplitude: {
+            const auto factor = [&](const Real50& x) { return Real50(1 + s * x); };
+            const Real50 square = moment(factor, -1, 1, 2);
+            found.mean = pow(moment(factor, -1, 1, 1), 3) * square;
+            found.variance = pow(square, 3) * moment(factor, -1, 1, 4) - found.mean * found.mean;
+            break;
+        }
+        case ScatterCase::Kind::jump: {
+            // Over x₁ the part of x₂ that lies above x₁ + size.
+            const Real50 p =
+                Gauss::integrate([&](const Real50& x) -> Real50 { return (1 - x - s) / 4; },
+                                 Real50(-1), std::max(Real50(1 - s), Real50(-1)));
+            found.mean = jump_deg * p;
+            found.variance = jump_deg * jump_deg * p - found.mean * found.mean +
+                             Real50(sway_deg) * sway_deg * third;
+            break;
+        }
+        case ScatterCase::Kind::corner:
+            found.mean = s * moment(unit, -1, s, 1) + moment(same, s, 1, 1);
+            found.variance = s * s * moment(unit, -1, s, 1) + moment(same, s, 1, 2) -
+                             found.mean * found.mean + Real50(aside) * aside * third;
+            break;
+    }
+    return found;
+}
+
+/// The case in the place of a scene.
+class CaseResponse final : public Response {
+  public:
+    explicit CaseResponse(const ScatterCase& of) : of_(of) {}
+    bool evaluate(std::span<const double> x, std::span<double> y) override {
+        ++asked_;
+        y[0] = of_(x);
+        return true;
+    }
+    int asked() const { return asked_; }
+
+  private:
+    ScatterCase of_;
+    int asked_ = 0;
+};
+
+studies::Taylor::Propagated expanded(CaseResponse& response, const std::vector<Law>& laws,
+                                     bool second) {
+    constexpr std::array<double, 1> no_angle{};
+    studies::Differences differences(response, laws, 1);
+    return *differences.expand(no_angle, second).front().propagated(laws, second);
+}
+
+Method<ScatterCase> expansion(MethodInfo info, bool second) {
+    Method<ScatterCase> method;
+    method.info = std::move(info);
+    method.prepare = [second](const ScatterCase& of, const Setting&) -> Run {
+        return [of, second, laws = of.laws()](std::span<double> out) {
+            for (std::size_t seed = 0; seed < seeds; ++seed) {
+                CaseResponse response(of);
+                const auto found = expanded(response, laws, second);
+                out[2 * seed] = found.mean;
+                out[2 * seed + 1] = found.deviation;
+            }
+            return Message();
+        };
+    };
+    method.operations = [second](const ScatterCase& of, const Setting&) {
+        CaseResponse response(of);
+        expanded(response, of.laws(), second);
+        constexpr double extrapolation = 200.0;
+        return response.asked() * of.operations() +
+               static_cast<double>(of.inputs()) * extrapolation;
+    };
+    return method;
+}
+
+/// @param point  operations of one coordinate
+Method<ScatterCase> sampled(MethodInfo info, studies::Method points, double point) {
+    Method<ScatterCase> method;
+    method.info = std::move(info);
+    method.info.has_order = true;
+    method.prepare = [points](const ScatterCase& of, const Setting& setting) -> Run {
+        return [of, points, laws = of.laws(),
+                samples = static_cast<std::uint64_t>(setting.value)](std::span<double> out) {
+            std::vector<double> u(laws.size());
+            for (std::size_t seed = 0; seed < seeds; ++seed) {
+                studies::Sampler sampler(points, samples, seed, laws.size());
+                studies::ExactSum sum;
+                studies::ExactSum squares;
+                double first = 0.0;
+                for (std::uint64_t i = 0; i < samples; ++i) {
+                    sampler.point(i, u);
+                    for (std::size_t j = 0; j < u.size(); ++j) {
+                        u[j] = laws[j].at(u[j]);
+                    }
+                    const double value = of(u);
+                    first = i == 0 ? value : first;
+                    sum.add(value - first);
+                    squares.add((value - first) * (value - first));
+                }
+                const auto n = static_cast<double>(samples);
+                const double mean = sum.value() / n;
+                out[2 * seed] = first + mean;
+                out[2 * seed + 1] =
+                    std::sqrt(std::max(0.0, squares.value() - n * mean * mean) / (n - 1.0));
+            }
+            return Message();
+        };
+    };
+    method.operations = [point](const ScatterCase& of, const Setting& setting) {
+        constexpr double law = 2.0;
+        constexpr double sums = 20.0;
+        return setting.value *
+               (static_cast<double>(of.inputs()) * (point + law) + of.operations() + sums);
+    };
+    return method;
+}
+
+std::vector<Expected> reference(const ScatterCase& of) {
+    const Moments known = closed_form(of);
+    const Real50 deviation = sqrt(known.variance);
+    const auto scale = static_cast<double>(deviation);
+    return {{0, known.mean, scale}, {1, deviation, scale}};
+}
+
+/// Root mean square over the seeds of the larger of both errors.
+double measure(const ScatterCase&, std::span<const double> out,
+               const std::vector<Expected>& reference) {
+    double squares = 0.0;
+    for (std::size_t seed = 0; seed < seeds; ++seed) {
+        double worst = 0.0;
+        for (const Expected& each : reference) {
+            const Real50 off = Real50(out[2 * seed + each.index]) - each.value;
+            worst = std::max(worst, static_cast<double>(abs(off)) / each.scale);
+        }
+        squares += worst * worst;
+    }
+    return std::sqrt(squares / static_cast<double>(seeds));
+}
+
+std::optional<double> check(const ScatterCase& of, const std::vector<Expected>& reference) {
+    const Moments other = by_quadrature(of);
+    const Real50 mean = abs(Real50(other.mean - reference[0].value));
+    const Real50 deviation = abs(Real50(sqrt(other.variance) - reference[1].value));
+    return static_cast<double>(std::max(mean, deviation)) / reference[0].scale;
+}
+
+}  // namespace
+
+Kernel scatter_kernel() {
+    Definition<ScatterCase> definition;
+    Kernel& kernel = definition.kernel;
+    kernel.id = "scatter";
+    kernel.title = CORE_TEXT("methods", "Inputs that scatter");
+    kernel.quantity =
+        CORE_TEXT("methods", "mean and standard deviation of a result of scattering inputs");
+    kernel.error_measure = CORE_TEXT(
+        "methods",
+        "larger error of both, part of the standard deviation, root mean square over 16 seeds");
+    kernel.evaluation = CORE_TEXT("methods", "one study, without what the result itself costs");
+    kernel.check_text =
+        CORE_TEXT("methods", "closed forms, against Gauss's quadrature between the kinks");
+    kernel.check_tolerance = 1e-40;
+    kernel.choice = studies::scatter_choice;
+    constexpr Text samples = CORE_TEXT("methods", "%1 samples");
+    const std::vector<Setting> once{{CORE_TEXT("methods", "differences"), 0}};
+    definition.methods = {
+        expansion({"linear", CORE_TEXT("methods", "slopes at the nominal"),
+                   CORE_TEXT("methods",
+                             "knows nothing of what lies away from the nominal: a jump, a corner, "
+                             "a curve"),
+                   once, false},
+                  false),
+        expansion(
+            {"second-order", CORE_TEXT("methods", "slopes and curvatures"),
+             CORE_TEXT("methods", "follows a curve, but neither a jump nor a corner"), once, false},
+            true),
+        sampled(
+            {"monte-carlo", CORE_TEXT("methods", "Monte Carlo"),
+             CORE_TEXT("methods",
+                       "always right in the end, but a digit costs a hundred times the samples"),
+             counted(samples, {64, 256, 1024, 4096, 16'384}), true},
+            studies::Method::monte_carlo, 60.0),
+        sampled({"latin-hypercube", CORE_TEXT("methods", "Latin hypercube"),
+                 CORE_TEXT("methods",
+                           "better than Monte Carlo where the inputs act by themselves; what they "
+                           "do together it leaves to chance"),
+                 counted(samples, {64, 256, 1024, 4096}), true},
+                studies::Method::latin_hypercube, 150.0),
+        sampled({"sobol", CORE_TEXT("methods", "scrambled Sobol points"),
+                 CORE_TEXT("methods",
+                           "a digit costs some ten times the samples; across a jump a little more"),
+                 counted(samples, {64, 256, 1024, 4096}), true},
+                studies::Method::sobol, 30.0),
+    };
+    using Kind = ScatterCase::Kind;
+    definition.sweeps = {
+        {{"scatter", CORE_TEXT("methods", "scatter of masses, lengths and speed, an amplitude"),
+          units::none, 1e-4, 0.5, Spacing::logarithmic, 0.0, 1e-4, 0.5, 0.01},
+         [](double size) {
+             return ScatterCase{Kind::amplitude, size};
+         }},
+        {{"jump", CORE_TEXT("methods", "lead of the best of two minima, part of its scatter"),
+          units::none, 0.05, 1.2, Spacing::linear, 0.0, 0.05, 1.2, 0.8},
+         [](double gap) {
+             return ScatterCase{Kind::jump, gap};
+         }},
+        {{"corner", CORE_TEXT("methods", "where a clearance binds, part of the input's scatter"),
+          units::none, -0.95, 0.9, Spacing::linear, 0.0, -0.95, 0.9, -0.5},
+         [](double place) {
+             return ScatterCase{Kind::corner, place};
+         }},
+    };
+    definition.reference = reference;
+    definition.measure = measure;
+    definition.check = check;
+    return make_kernel(std::move(definition));
+}
+
+}  // namespace ravnoves::methods
