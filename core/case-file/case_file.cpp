@@ -25,8 +25,10 @@ Message line_and_column(std::string_view text, std::size_t byte) {
 }
 
 // The JSON library parses any depth, but writing a value out again takes stack for each level.
-void check_depth(std::string_view text) {
-    constexpr int deepest = 100;
+constexpr int deepest = 100;
+
+/// Says where a text is nested deeper.
+void refuse_depth(std::string_view text) {
     int depth = 0;
     bool in_string = false;
     for (std::size_t at = 0; at < text.size(); ++at) {
@@ -50,7 +52,8 @@ void check_depth(std::string_view text) {
 
 /// Builds the document as the library's own parser does, but refuses what that takes in silence: a
 /// key given twice, whose last value would count, and NUL, which cuts the name of a file short.
-/// For each key the library goes through all keys of the object before it; this looks into a set.
+/// For each key the library goes through all keys of the object before it; this looks into a set
+/// where they are many.
 class DocumentBuilder final : public nlohmann::json_sax<Json> {
   public:
     explicit DocumentBuilder(std::string_view text) : text_(text) {}
@@ -74,7 +77,7 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
         Level& level = levels_.back();
         level.key = std::move(key);
         check_text(level.key, {});
-        if (!level.keys.insert(level.key).second) {
+        if (!is_new(level)) {
             throw InputError(pointer(), CORE_TEXT("core", "is given twice"));
         }
         return true;
@@ -114,28 +117,45 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
             throw InputError(pointer(), no_nul, found.is_null() ? Message() : show(found));
         }
     }
-    bool put(Json value) {
+    static Json::object_t::Container& entries(Level& level) {
+        return level.value.get_ref<Json::object_t&>();
+    }
+    static bool is_new(Level& level) {
+        const auto& object = entries(level);
+        constexpr std::size_t few = 16;
+        if (object.size() < few) {
+            return std::none_of(object.begin(), object.end(),
+                                [&](const auto& entry) { return entry.first == level.key; });
+        }
+        for (std::size_t i = level.keys.size(); i < object.size(); ++i) {
+            level.keys.insert(object[i].first);
+        }
+        return level.keys.insert(level.key).second;
+    }
+    template <typename Value>
+    bool put(Value&& value) {
         // More than the longest table takes; each costs ten times its text in memory.
         constexpr std::size_t most_values = 5'000'000;
         if (++values_ > most_values) {
             throw InputError("", {CORE_TEXT("core", "must hold at most %1 values"), most_values});
         }
         if (levels_.empty()) {
-            root_ = std::move(value);
+            root_ = std::forward<Value>(value);
             return true;
         }
         Level& level = levels_.back();
         if (level.value.is_array()) {
-            level.value.push_back(std::move(value));
+            level.value.get_ref<Json::array_t&>().emplace_back(std::forward<Value>(value));
         } else {
             // The map's own insertion looks for the key first.
-            auto& object = level.value.get_ref<Json::object_t&>();
-            static_cast<Json::object_t::Container&>(object).emplace_back(level.key,
-                                                                         std::move(value));
+            entries(level).emplace_back(std::move(level.key), std::forward<Value>(value));
         }
         return true;
     }
     bool open(Json empty) {
+        if (levels_.size() >= deepest) {
+            refuse_depth(text_);
+        }
         levels_.push_back({std::move(empty)});
         return true;
     }
@@ -157,7 +177,6 @@ Json parse_json(std::string_view text) {
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
         throw InputError("", CORE_TEXT("core", "is empty"));
     }
-    check_depth(text);
     DocumentBuilder builder(text);
     Json::sax_parse(text, &builder);
     // The parser takes NUL for the end of the text.
@@ -245,7 +264,7 @@ CaseFile read_case(Json document, const std::vector<std::string>& scenes) {
     }
     file.title = reader.text("title", "");
     file.notes = reader.text("notes", "");
-    file.input = checked_object(reader.raw("input"), "/input");
+    checked_object(reader.raw("input"), "/input");
     if (reader.has("variants")) {
         file.variants = read_variants(reader.list("variants"));
     }
@@ -258,6 +277,7 @@ CaseFile read_case(Json document, const std::vector<std::string>& scenes) {
     reader.finish(CORE_TEXT("core",
                             "is not a known key (a newer program may have written this case; "
                             "update to open it)"));
+    file.input = std::move(document.at("input"));
     return file;
 }
 

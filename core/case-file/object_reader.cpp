@@ -46,13 +46,6 @@ int checked_integer(const Json& value, const std::string& pointer, int min, int 
     return static_cast<int>(number);
 }
 
-const Json& checked_array(const Json& value, const std::string& pointer) {
-    if (!value.is_array()) {
-        throw InputError(pointer, CORE_TEXT("core", "must be a list"), show(value));
-    }
-    return value;
-}
-
 }  // namespace
 
 std::string escape_segment(std::string_view key) {
@@ -124,6 +117,14 @@ ObjectReader::ObjectReader(const Json& value, std::string pointer)
 }
 
 std::string ObjectReader::pointer_to(std::string_view key) const {
+    const bool plain = key.size() <= 80 && std::all_of(key.begin(), key.end(), [](char c) {
+                           return c >= ' ' && c < '~' && c != '/';
+                       });
+    if (plain) {
+        std::string pointer;
+        pointer.reserve(pointer_.size() + 1 + key.size());
+        return pointer.append(pointer_).append("/").append(key);
+    }
     return pointer_ + "/" + printable(escape_segment(key));
 }
 
@@ -139,14 +140,20 @@ bool ObjectReader::has(std::string_view key) {
 }
 
 const Json& ObjectReader::require(std::string_view key) {
-    if (!has(key)) {
+    know(key);
+    const auto found = value_.find(key);
+    if (found == value_.end()) {
         throw InputError(pointer_to(key), CORE_TEXT("core", "is required and missing"));
     }
-    return value_.at(std::string(key));
+    return *found;
 }
 
 double ObjectReader::number(std::string_view key, const Range& range) {
-    return checked_number(require(key), pointer_to(key), range);
+    const Json& value = require(key);
+    if (value.is_number() && range.contains(value.get<double>())) {
+        return value.get<double>();
+    }
+    return checked_number(value, pointer_to(key), range);
 }
 
 double ObjectReader::number(std::string_view key, const Range& range, double fallback) {
@@ -217,7 +224,11 @@ int ObjectReader::choice(std::string_view key, std::span<const Word> words) {
 }
 
 const Json& ObjectReader::list(std::string_view key) {
-    return checked_array(require(key), pointer_to(key));
+    const Json& value = require(key);
+    if (!value.is_array()) {
+        throw InputError(pointer_to(key), CORE_TEXT("core", "must be a list"), show(value));
+    }
+    return value;
 }
 
 std::string ObjectReader::choice(std::string_view key,
@@ -227,7 +238,7 @@ std::string ObjectReader::choice(std::string_view key,
 }
 
 std::vector<double> ObjectReader::numbers(std::string_view key, const Range& range) {
-    const Json& array = checked_array(require(key), pointer_to(key));
+    const Json& array = list(key);
     std::vector<double> values;
     values.reserve(array.size());
     for (const Json& element : array) {
@@ -240,7 +251,7 @@ std::vector<double> ObjectReader::numbers(std::string_view key, const Range& ran
 }
 
 std::vector<int> ObjectReader::integers(std::string_view key, int min, int max) {
-    const Json& array = checked_array(require(key), pointer_to(key));
+    const Json& array = list(key);
     std::vector<int> values;
     values.reserve(array.size());
     for (const Json& element : array) {
