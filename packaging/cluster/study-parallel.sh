@@ -10,8 +10,9 @@ Solves the study of the case file CASE in SHARDS parts, RESULT.K.part, one proce
 writes RESULT. Parts that are there are not computed again: after a fault run the same command.
 
   --hosts FILE  the hosts, one a line, as parallel --sshloginfile has them: "8/host" takes eight
-                processes, ":" is this machine. The case goes there and the parts come back; give
-                the files that the case names by --basefile FILE after RESULT.
+                processes, ":" is this machine. The case goes there and the parts come back by rsync,
+                which every host needs; give the files that the case names by --basefile FILE after
+                RESULT.
 
 RAVNOVES_CLI says which program to run, otherwise ravnoves-cli.
 END

@@ -41,3 +41,27 @@ printf '1/:\n:\n' >hosts
 "$RAVNOVES_CLI" study case.json --shard 2/5 -o hosts.json.2.part
 bash "$source/packaging/cluster/study-parallel.sh" --hosts hosts case.json 5 hosts.json -j 2
 cmp whole.json hosts.json
+
+command -v rsync >/dev/null || {
+    echo "rsync is not there: no other host was tried"
+    exit 0
+}
+# Two hosts to which the case goes and from which the parts come back: folders, by an ssh that enters them.
+cat >ssh <<'END'
+#!/usr/bin/env bash
+while [[ $1 == -* ]]; do
+    case $1 in -[FJilop]) shift ;; esac
+    shift
+done
+cd "$HOSTS/$1"
+shift
+[ "$1" != -- ] || shift
+exec bash -c "$*"
+END
+chmod +x ssh
+mkdir -p hosts.d/alpha hosts.d/beta
+printf '1/alpha\n1/beta\n' >hosts
+HOSTS=$folder/hosts.d PARALLEL_SSH=$folder/ssh \
+    bash "$source/packaging/cluster/study-parallel.sh" --hosts hosts case.json 4 remote.json
+cmp whole.json remote.json
+[ -z "$(find hosts.d -type f)" ] || fault "files are left behind on the hosts"
