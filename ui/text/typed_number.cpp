@@ -14,10 +14,10 @@ namespace {
 
 /// A unit that may be typed in the place of another of its quantity.
 struct TypedUnit {
-    enum Quantity { Mass, Length } quantity;
+    enum Quantity { Mass, Length, Unbalance } quantity;
     double si;
     const char* name;          ///< in core, which the language translates
-    const char16_t* spelling;  ///< lower case, as are the other ones
+    const char16_t* spelling;  ///< lower case, without dots, as are the other ones
     const char16_t* inRussian;
 };
 
@@ -40,10 +40,18 @@ constexpr std::array typedUnits{
     TypedUnit{TypedUnit::Length, units::micrometre.to_si, "µm", u"um", u"мкм"},
     TypedUnit{TypedUnit::Length, units::inch.to_si, "in", u"in", u"\""},
     TypedUnit{TypedUnit::Length, 1e-3 * units::inch.to_si, "mil", u"mil", u"мил"},
-    TypedUnit{TypedUnit::Length, 12.0 * units::inch.to_si, "ft", u"ft", u"фут"}};
+    TypedUnit{TypedUnit::Length, 12.0 * units::inch.to_si, "ft", u"ft", u"фут"},
+    TypedUnit{TypedUnit::Unbalance, units::gram_mm.to_si, "g·mm", u"gmm", u"гмм"},
+    TypedUnit{TypedUnit::Unbalance, units::gram.to_si * units::inch.to_si, "g·in", u"gin",
+              u"гдюйм"},
+    TypedUnit{TypedUnit::Unbalance, units::ounce.to_si * units::inch.to_si, "oz·in", u"ozin",
+              u"унцдюйм"}};
 
 const TypedUnit* typedUnit(const QString& word) {
-    const QString small = word.toLower();
+    QString small = word.toLower();
+    for (const char16_t between : {u'·', u'.', u'-', u'*', u' '}) {
+        small.remove(QChar(between));
+    }
     const auto found = std::find_if(typedUnits.begin(), typedUnits.end(), [&](const auto& each) {
         return small == QStringView(each.spelling) || small == QStringView(each.inRussian) ||
                word == unitText(each.name);

@@ -13,6 +13,8 @@
 #include <QFile>
 #include <QLabel>
 #include <QMessageBox>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QTabWidget>
 #include <QTemporaryDir>
@@ -383,7 +385,6 @@ TEST_F(BobPageTest, RunsFollowOneAnother) {
     typeShopCard();
     EXPECT_FALSE(find<NumberField>("run_1_unbalance_1")->isVisibleTo(&page));
     typeReadings();
-    type("g_mm", u"300"_s);
     page.sheets()->setCurrentIndex(3);
     QTest::mouseClick(find<QCheckBox>("own_limit"), Qt::LeftButton, Qt::NoModifier, {8, 10});
     type("g_mm", u"300"_s);
@@ -412,6 +413,18 @@ TEST_F(BobPageTest, RunsFollowOneAnother) {
     for (const char* text : {"Run 2", "2600.0", "350.0", "60.0", "300.0 g·mm", "480 mm", "85 mm"}) {
         EXPECT_TRUE(printed.contains(QString::fromUtf8(text))) << text << '\n'
                                                                << qPrintable(printed);
+    }
+    // As a window of 1024 × 700 has it, nothing scrolls sideways.
+    test::showAt(page, {915, 560});
+    for (const ResultTable* table : page.findChildren<ResultTable*>()) {
+        EXPECT_EQ(table->horizontalScrollBar()->maximum(), 0)
+            << qPrintable(table->accessibleName());
+    }
+    for (int i = 0; i < page.sheets()->count(); ++i) {
+        page.sheets()->setCurrentIndex(i);
+        QApplication::processEvents();
+        const auto* sheet = qobject_cast<QScrollArea*>(page.sheets()->widget(i));
+        EXPECT_EQ(sheet->horizontalScrollBar()->maximum(), 0) << i;
     }
     save();
     EXPECT_NEAR(*jobs().at(0).frontReading, 60, 1e-9);
@@ -493,6 +506,9 @@ TEST_F(BobPageTest, UnbalancesFollowTheirUnit) {
     Preferences::instance().setUnits(Preferences::Unbalance, Preferences::Units::GramInch);
     const QString row = model->planeRows().at(0).at(1);
     const QString printed = card();
+    model->editTolerance(u"limit"_s, [](Tolerance& tolerance) { tolerance.by_grade = false; });
+    type("g_mm", u"2 oz-in"_s);
+    EXPECT_NEAR(*model->input().tolerance->plane / units::gram_mm, 1440, 1);
     const BobWeightsPage again(QString(), nullptr);
     const QString limit = test::named<NumberField>(again, "g_mm")->accessibleName();
     QSettings().clear();
