@@ -339,6 +339,30 @@ std::pair<std::uint64_t, std::uint64_t> shard_range(const Study& study, std::uin
     return {boundary(shard - 1), boundary(shard)};
 }
 
+std::vector<std::vector<double>> first_samples(const Part& part, std::size_t most) {
+    std::vector<std::vector<double>> rows;
+    if (part.first == nullptr || !is_sampled(part.study.method)) {
+        return rows;
+    }
+    const std::size_t inputs = part.study.vary.size();
+    const auto watched = static_cast<std::ptrdiff_t>(part.study.watch.size());
+    Sampler sampler(part.study.method, part.study.points(), part.study.seed, inputs);
+    std::vector<double> u(inputs);
+    auto values = part.first->values.begin();
+    for (std::size_t i = 0; i < part.first->reasons.size() && rows.size() < most; ++i) {
+        sampler.point(i, u);
+        if (part.first->reasons[i].empty()) {
+            std::vector<double>& row = rows.emplace_back();
+            for (std::size_t j = 0; j < inputs; ++j) {
+                row.push_back(part.basis.laws[j].at(u[j]));
+            }
+            row.insert(row.end(), values, values + watched);
+        }
+        values += watched;
+    }
+    return rows;
+}
+
 Part begin_part(const Problem& problem, std::uint64_t shard, std::uint64_t shards, int threads) {
     Part part;
     part.origin = problem.origin;

@@ -116,6 +116,10 @@ Part begin_part(const Problem& problem, std::uint64_t shard = 1, std::uint64_t s
 void run_part(const Problem& problem, Part& part, int threads = 0,
               const std::function<bool(const Part&)>& went_on = {});
 
+/// Some of the first samples of a study that runs here, for pictures: inputs, then watched values,
+/// in the units of their keys. Those that were refused are left out.
+std::vector<std::vector<double>> first_samples(const Part& part, std::size_t most);
+
 /// Puts the finished parts of one study together, in any order, one at a time.
 class PartMerger {
   public:

@@ -239,7 +239,28 @@ std::vector<InputNumber> inputNumbers(const SceneModel& model) {
         }
         numbers.push_back({pointer, names.name(pointer),
                            entry != nullptr ? unitText(entry->field.unit.name) : QString(),
-                           value.get<double>()});
+                           value.get<double>(), entry != nullptr});
+    }
+    // What the case leaves to its default, each behind the field before it.
+    std::size_t place = 0;
+    for (const FieldEntry& field : model.fields()) {
+        const auto there =
+            std::find_if(numbers.begin(), numbers.end(),
+                         [&](const InputNumber& each) { return each.pointer == field.pointer; });
+        if (there != numbers.end()) {
+            place = static_cast<std::size_t>(there - numbers.begin()) + 1;
+            continue;
+        }
+        const Json::json_pointer pointer(field.pointer);
+        if (field.kind == FieldKind::number && std::holds_alternative<double>(field.value) &&
+            !field.field.label.empty() && !input.contains(pointer) &&
+            input.contains(pointer.parent_pointer()) &&
+            input.at(pointer.parent_pointer()).is_object()) {
+            numbers.insert(numbers.begin() + static_cast<std::ptrdiff_t>(place),
+                           {field.pointer, names.name(field.pointer),
+                            unitText(field.field.unit.name), std::get<double>(field.value)});
+            ++place;
+        }
     }
     return numbers;
 }

@@ -36,6 +36,7 @@ struct InputNumber {
     QString name;
     QString unit;  ///< its own, that of its key
     double value = 0.0;
+    bool hasLabel = true;  ///< else its name is its key
 };
 
 /// The numbers of the present input that may take any value, in the order of the case file; long

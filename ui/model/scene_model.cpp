@@ -3,6 +3,7 @@
 #include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
+#include "model/default_inputs.h"
 #include "text/number_text.h"
 
 namespace ravnoves {
@@ -55,6 +56,14 @@ CaseFile SceneModel::caseFile() const {
     file.notes = notes_.toStdString();
     file.kept = keptJson();
     file.study = study_.empty() ? Json() : Json::parse(study_);
+    if (file.study.is_object() && file.study.contains("vary") && file.study["vary"].is_object()) {
+        // What scatters is given, also where it is left to its default.
+        std::vector<std::string> varied;
+        for (const auto& [pointer, spread] : file.study["vary"].items()) {
+            varied.push_back(pointer);
+        }
+        giveDefaults(*this, file.input, varied);
+    }
     for (const Variant& variant : variants_.list) {
         file.variants.push_back({variant.name.toStdString(), parse_json(variant.input)});
     }
