@@ -9,6 +9,7 @@
 #include <limits>
 #include <set>
 
+#include "case-file/case_file.h"
 #include "case-file/input_error.h"
 #include "case-file/json.h"
 #include "model/background_job.h"
@@ -224,13 +225,13 @@ ToleranceBands::ToleranceBands(ScenePage* page) : QObject(page), page_(page) {
     const SceneModel* model = page->model();
     for (const auto signal : {&SceneModel::changed, &SceneModel::viewChanged,
                               &SceneModel::historyChanged, &SceneModel::studyChanged}) {
-        connect(model, signal, this, &ToleranceBands::outdate);
+        connect(model, signal, this, [this] { outdate(true); });
     }
     for (const QTabWidget* tabs : page->findChildren<QTabWidget*>()) {
-        connect(tabs, &QTabWidget::currentChanged, this, &ToleranceBands::outdate);
+        connect(tabs, &QTabWidget::currentChanged, this, [this] { outdate(false); });
     }
     connect(&ToleranceSwitch::instance(), &ToleranceSwitch::changed, this,
-            &ToleranceBands::outdate);
+            [this] { outdate(true); });
     page->installEventFilter(this);
 }
 
@@ -238,19 +239,22 @@ ToleranceBands::~ToleranceBands() = default;
 
 bool ToleranceBands::eventFilter(QObject* watched, QEvent* event) {
     if (watched == page_ && event->type() == QEvent::Show) {
-        outdate();
+        outdate(false);
     }
     return QObject::eventFilter(watched, event);
 }
 
-void ToleranceBands::outdate() {
+void ToleranceBands::outdate(bool isOther) {
     if (page_->model()->study().empty() || !ToleranceSwitch::instance().isOn()) {
         clear();
         return;
     }
+    if (isOther) {
+        isOther_ = true;
+        setStale();
+    }
     if (page_->isVisible()) {
         outdated_ = true;
-        setStale(true);
         later_.start();
     }
 }
@@ -272,11 +276,9 @@ void ToleranceBands::clear() {
     }
 }
 
-void ToleranceBands::setStale(bool stale) {
+void ToleranceBands::setStale() {
     for (PlotView* plot : page_->findChildren<PlotView*>()) {
-        if (stale || plot->isVisible()) {
-            plot->setSpreadStale(stale);
-        }
+        plot->setSpreadStale(true);
     }
 }
 
@@ -287,6 +289,7 @@ void ToleranceBands::step() {
     }
     if (run_ == nullptr || !run_->isWhole()) {
         outdated_ = false;
+        isOther_ = false;
         run_ = begin();
         if (run_ == nullptr) {
             clear();
@@ -306,7 +309,6 @@ void ToleranceBands::step() {
     if (run_->next == 2 * run_->sources.size()) {
         finish(*run_);
         run_.reset();
-        setStale(outdated_);
     }
     if (run_ != nullptr || outdated_) {
         later_.start();
@@ -318,7 +320,7 @@ std::unique_ptr<ToleranceBands::Run> ToleranceBands::begin() {
     auto run = std::make_unique<Run>();
     try {
         const studies::Study study = studies::read_study(Json::parse(model.study()), true);
-        run->input = model.inputJson();
+        run->input = model.caseFile().input;
         for (const studies::Varied& varied : study.vary) {
             const Json::json_pointer place(varied.pointer);
             if (varied.spread == studies::Varied::Spread::grid || !run->input.contains(place) ||
@@ -399,6 +401,7 @@ void ToleranceBands::finish(const Run& run) {
     isClear_ = false;
     for (std::size_t p = 0; p < run.plots.size(); ++p) {
         PlotView& plot = *run.plots[p].first;
+        plot.setSpreadStale(isOther_);
         const std::size_t count =
             std::min(run.curveSums[p].size(), static_cast<std::size_t>(plot.curveCount()));
         for (std::size_t c = 0; c < count; ++c) {

@@ -38,20 +38,22 @@ class ToleranceBands : public QObject {
     struct Snapshot;
     struct Run;
 
-    void outdate();
+    /// @param isOther  what is shown is another, not only more or less of it
+    void outdate(bool isOther);
     void step();
     std::unique_ptr<Run> begin();
     /// @return nothing where the input is refused
     std::optional<Snapshot> solved(const Run& run, std::size_t input, double by);
     void finish(const Run& run);
     void clear();
-    void setStale(bool stale);
+    void setStale();
 
     ScenePage* page_;
     std::unique_ptr<ScenePage> twin_;
     std::unique_ptr<Run> run_;
     QTimer later_;
     bool outdated_ = false;
+    bool isOther_ = false;  ///< since the run began
     bool isClear_ = true;
 };
 

@@ -1,5 +1,6 @@
 #include "studies/tolerance_window.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
@@ -18,8 +19,14 @@
 #include "model/scene_model.h"
 #include "plot/plot_view.h"
 #include "shell/scene_page.h"
+#include "studies/model/result_words.h"
+#include "studies/model/robust_model.h"
 #include "studies/model/study_model.h"
 #include "studies/model/study_tables.h"
+#include "studies/robust_view.h"
+#include "studies/scatter_view.h"
+#include "studies/sweep_view.h"
+#include "studies/tolerance_switch.h"
 #include "studies/tornado_view.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
@@ -194,19 +201,38 @@ QWidget* ToleranceWindow::makeAnswers() {
          {QStringLiteral("95 %"), tr("One sample of twenty is more.")},
          {tr("Within"), tr("Share of the samples within the limits, with its 95 % interval.")}});
     connect(table_, &QTableWidget::currentCellChanged, this, &ToleranceWindow::showChosen);
-    column->addWidget(table_, 2);
+    constexpr int shownRows = 4;
+    table_->setShownRows(shownRows);
+    column->addWidget(table_, 1);
     words_ = captionLabel({}, holder);
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     column->addWidget(words_);
 
-    auto* tabs = new QTabWidget(holder);
-    tornado_ = new TornadoView(tabs);
-    tabs->addTab(tornado_, tr("What matters most"));
-    histogram_ = new PlotView({}, tabs);
+    tabs_ = new QTabWidget(holder);
+    tabs_->setUsesScrollButtons(true);
+    tornado_ = new TornadoView(tabs_);
+    tabs_->addTab(tornado_, tr("What matters most"));
+    histogram_ = new PlotView({}, tabs_);
     histogram_->addCurve({.name = {}, .shape = plot::Shape::Bars, .inLegend = false});
     histogram_->setYAxis(plot::Side::Left, {tr("share of the samples, %")});
-    tabs->addTab(histogram_, tr("Histogram"));
-    column->addWidget(tabs, 3);
+    tabs_->addTab(histogram_, tr("Histogram"));
+    scatter_ = new ScatterView(model_, tabs_);
+    tabs_->addTab(scatter_, tr("Scatter"));
+    sweep_ = new SweepView(model_, tabs_);
+    tabs_->addTab(sweep_, tr("Sweep"));
+    robust_ = new RobustView(model_, tabs_);
+    if (robust_->model()->isAsked()) {
+        tabs_->addTab(robust_, tr("Robust α"));
+    } else {
+        robust_->hide();
+    }
+    column->addWidget(tabs_, 5);
+    auto* bands = new QCheckBox(tr("Show &bands and ± on the page"), holder);
+    bands->setObjectName(QStringLiteral("bands"));
+    bands->setChecked(ToleranceSwitch::instance().isOn());
+    connect(bands, &QCheckBox::toggled, &ToleranceSwitch::instance(), &ToleranceSwitch::setOn);
+    connect(&ToleranceSwitch::instance(), &ToleranceSwitch::changed, bands, &QCheckBox::setChecked);
+    column->addWidget(bands);
     return holder;
 }
 
@@ -215,7 +241,7 @@ void ToleranceWindow::fillWatchable() {
     watchable_->clear();
     watchable_->addItem(tr("Watch a result …"));
     for (const StudyModel::Value& value : model_->results()) {
-        watchable_->addItem(StudyModel::resultName(value.pointer),
+        watchable_->addItem(resultName(value.pointer).withUnit(),
                             QString::fromStdString(value.pointer));
     }
 }
@@ -255,7 +281,7 @@ void ToleranceWindow::showAnswers() {
                     QStringLiteral(" … ") + fixedNumber(100.0 * *value.withinHigh, 2, QLocale()) +
                     QStringLiteral(")");
             }
-            rows.push_back({StudyModel::resultName(value.pointer), orDash(value.nominal),
+            rows.push_back({resultName(value.pointer).withUnit(), orDash(value.nominal),
                             orDash(value.mean), orDash(value.deviation),
                             orDash(value.linearDeviation), orDash(value.low), orDash(value.high),
                             within});
@@ -266,8 +292,15 @@ void ToleranceWindow::showAnswers() {
         for (const auto& [reason, count] : answers->refused) {
             lines << tr("Refused: %1 × %2").arg(QLocale().toString(count), reason);
         }
-        lines << answers->notes;
+        lines << model_->notes();
+        if (model_->isStale()) {
+            lines.prepend(tr("Of the values before; computing anew …"));
+        }
     }
+    QPalette ink = table_->palette();
+    const Theme& theme = Theme::instance();
+    ink.setColor(QPalette::Text, model_->isStale() ? theme.mutedText() : theme.text());
+    table_->setPalette(ink);
     table_->setRows(rows);
     if (table_->currentRow() < 0 && !rows.isEmpty()) {
         table_->setCurrentCell(0, 0);
@@ -279,6 +312,8 @@ void ToleranceWindow::showAnswers() {
 void ToleranceWindow::showChosen() {
     const StudyAnswers* answers = model_->answers();
     const auto row = static_cast<std::size_t>(std::max(table_->currentRow(), 0));
+    histogram_->setFaded(model_->isStale(), model_->isStale() ? tr("Computing …") : QString());
+    tornado_->setFaded(model_->isStale());
     if (answers == nullptr || row >= answers->values.size()) {
         tornado_->setBars({}, {});
         histogram_->setTitle({});
@@ -287,16 +322,13 @@ void ToleranceWindow::showChosen() {
         return;
     }
     const StudyAnswer& value = answers->values[row];
-    const QString name = StudyModel::resultName(value.pointer);
+    const ResultName named = resultName(value.pointer);
+    const QString name = named.withUnit();
     std::vector<TornadoView::Bar> bars;
     for (const StudyAnswer::Share& share : value.shares) {
-        const auto input = std::find_if(
-            model_->inputs().begin(), model_->inputs().end(),
-            [&](const StudyModel::Input& each) { return each.pointer == share.pointer; });
         const double alone = share.first.value_or(share.linear.value_or(0.0));
-        bars.push_back(
-            {input != model_->inputs().end() ? input->name : QString::fromStdString(share.pointer),
-             alone, std::max(alone, share.total.value_or(alone))});
+        bars.push_back({model_->inputName(share.pointer), alone,
+                        std::max(alone, share.total.value_or(alone))});
     }
     tornado_->setBars(tr("Shares of the variance of %1").arg(name), std::move(bars));
     histogram_->setTitle(name);
@@ -306,8 +338,8 @@ void ToleranceWindow::showChosen() {
     }
     if (value.middles.size() > 1) {
         const double step = value.middles[1] - value.middles[0];
-        histogram_->setXAxis({name.section(QStringLiteral(", "), -1), value.middles.front() - step,
-                              value.middles.back() + step});
+        histogram_->setXAxis(
+            {named.unit, value.middles.front() - step, value.middles.back() + step});
         histogram_->setCurveStyle(
             0, {.name = {}, .shape = plot::Shape::Bars, .inLegend = false, .barWidth = step});
     }

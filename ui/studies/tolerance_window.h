@@ -7,13 +7,17 @@ class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QTabWidget;
 
 namespace ravnoves {
 
 class PlotView;
 class ResultTable;
+class RobustView;
+class ScatterView;
 class ScenePage;
 class StudyModel;
+class SweepView;
 class TableEditor;
 class TornadoView;
 
@@ -31,6 +35,10 @@ class ToleranceWindow : public QDialog {
     const ResultTable* table() const { return table_; }
     const TornadoView* tornado() const { return tornado_; }
     const PlotView* histogram() const { return histogram_; }
+    const ScatterView* scatter() const { return scatter_; }
+    const SweepView* sweep() const { return sweep_; }
+    const RobustView* robust() const { return robust_; }
+    QTabWidget* tabs() const { return tabs_; }
 
   protected:
     void showEvent(QShowEvent* event) override;
@@ -57,6 +65,10 @@ class ToleranceWindow : public QDialog {
     QLabel* words_ = nullptr;
     TornadoView* tornado_ = nullptr;
     PlotView* histogram_ = nullptr;
+    ScatterView* scatter_ = nullptr;
+    SweepView* sweep_ = nullptr;
+    RobustView* robust_ = nullptr;
+    QTabWidget* tabs_ = nullptr;
 };
 
 }  // namespace ravnoves

@@ -29,11 +29,19 @@ void TornadoView::setBars(const QString& title, std::vector<Bar> bars) {
     update();
 }
 
+void TornadoView::setFaded(bool faded) {
+    if (faded_ != faded) {
+        faded_ = faded;
+        update();
+    }
+}
+
 void TornadoView::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const Theme& theme = Theme::instance();
     painter.fillRect(rect(), theme.panel());
+    painter.setOpacity(faded_ ? 0.45 : 1.0);
     painter.setPen(theme.text());
     painter.setFont(Theme::font(Theme::baseSize, true));
     const double line = QFontMetricsF(painter.font()).height();

@@ -24,6 +24,8 @@ class TornadoView : public QWidget {
     /// @param title  what the shares are of
     void setBars(const QString& title, std::vector<Bar> bars);
     const std::vector<Bar>& bars() const { return bars_; }
+    /// Pales what is drawn: newer numbers are on the way.
+    void setFaded(bool faded);
 
     QSize sizeHint() const override { return {420, 240}; }
     QSize minimumSizeHint() const override { return {Theme::withText(220), Theme::withText(120)}; }
@@ -34,6 +36,7 @@ class TornadoView : public QWidget {
   private:
     QString title_;
     std::vector<Bar> bars_;
+    bool faded_ = false;
 };
 
 }  // namespace ravnoves

@@ -11,7 +11,9 @@
 #include "model/background_job.h"
 #include "model/input_differences.h"
 #include "model/scene_model.h"
+#include "studies/model/result_words.h"
 #include "studies/study_run.h"
+#include "text/capital.h"
 #include "text/error_text.h"
 #include "text/message_text.h"
 #include "text/number_text.h"
@@ -25,6 +27,7 @@ using studies::Watched;
 namespace {
 
 constexpr std::size_t bars = 48;
+constexpr std::size_t mostKept = 2000;  ///< samples, to be seen
 constexpr int restMs = 250;
 
 std::optional<double> numberAt(const Json& json, const char* key) {
@@ -104,6 +107,7 @@ StudyAnswers answersOf(const studies::Part& part) {
             answers.values.push_back(answerOf(each, i, watched[each.pointer], part));
         }
     }
+    answers.samples = studies::first_samples(part, mostKept);
     return answers;
 }
 
@@ -137,6 +141,11 @@ void StudyModel::follow() {
     inputs_.clear();
     for (const InputNumber& number : inputNumbers(*scene_)) {
         Input input{number.pointer, number.name, number.unit, number.value};
+        if (!number.hasLabel) {  // no form names it
+            const ResultName name = resultName(number.pointer);
+            input.name = capitalised(name.text);
+            input.unit = name.unit;
+        }
         const auto found =
             std::find_if(study_.vary.begin(), study_.vary.end(),
                          [&](const Varied& varied) { return varied.pointer == input.pointer; });
@@ -148,6 +157,8 @@ void StudyModel::follow() {
     Q_EMIT changed();
     if (watched_) {
         later_.start();
+        stale_ = answers_.has_value();
+        Q_EMIT answered();
     }
 }
 
@@ -172,33 +183,32 @@ std::vector<StudyModel::Value> StudyModel::results() const {
     return found;
 }
 
-QString StudyModel::resultName(const std::string& pointer) {
-    static const std::vector<std::pair<const char*, const char*>> units{
-        {"_N_m", "N/m"},   {"_Nm", "N·m"},      {"_g_mm", "g·mm"}, {"_kg_m2", "kg·m²"},
-        {"_mm_s", "mm/s"}, {"_rad_s", "rad/s"}, {"_kg", "kg"},     {"_mm", "mm"},
-        {"_deg", "°"},     {"_rpm", "min⁻¹"},   {"_MPa", "MPa"},   {"_cm2", "cm²"},
-        {"_g", "g"},       {"_N", "N"},         {"_J", "J"},       {"_percent", "%"}};
-    std::string path = pointer;
-    QString unit;
-    for (const auto& [suffix, name] : units) {
-        if (path.ends_with(suffix)) {
-            path.erase(path.size() - std::string_view(suffix).size());
-            unit = unitText(name);
-            break;
+QString StudyModel::inputName(const std::string& pointer) const {
+    const auto found = std::find_if(inputs_.begin(), inputs_.end(),
+                                    [&](const Input& each) { return each.pointer == pointer; });
+    return found != inputs_.end() ? found->name : capitalised(resultName(pointer).text);
+}
+
+QStringList StudyModel::notes() const {
+    std::vector<std::pair<QString, QString>> names;
+    for (const Varied& varied : study_.vary) {
+        names.emplace_back(QString::fromStdString(varied.pointer), inputName(varied.pointer));
+    }
+    for (const Watched& watched : study_.watch) {
+        names.emplace_back(QString::fromStdString(watched.pointer),
+                           resultName(watched.pointer).text);
+    }
+    // The longest first: one may begin as another.
+    std::sort(names.begin(), names.end(), [](const auto& one, const auto& other) {
+        return one.first.size() > other.first.size();
+    });
+    QStringList notes = answers_ ? answers_->notes : QStringList();
+    for (QString& note : notes) {
+        for (const auto& [pointer, name] : names) {
+            note.replace(pointer, tr("“%1”").arg(name));
         }
     }
-    // M_ups stays; other keys are words.
-    QStringList parts;
-    for (const QString& key :
-         QString::fromStdString(path).split(QLatin1Char('/'), Qt::SkipEmptyParts)) {
-        const bool isSymbol = key.size() > 1 && key.at(1) == QLatin1Char('_');
-        QString part = QString(key).replace(QStringLiteral("~1"), QStringLiteral("/"));
-        parts << (isSymbol ? part : part.replace(QLatin1Char('_'), QLatin1Char(' ')));
-    }
-    if (!unit.isEmpty()) {
-        parts << unit;
-    }
-    return parts.join(QStringLiteral(", "));
+    return notes;
 }
 
 QString StudyModel::scatterText(const std::optional<Varied>& varied) {
@@ -418,6 +428,7 @@ void StudyModel::start() {
 
 void StudyModel::show(std::optional<StudyAnswers> answers, const QString& trouble) {
     answers_ = std::move(answers);
+    stale_ = false;
     if (trouble != trouble_) {
         trouble_ = trouble;
         Q_EMIT changed();

@@ -36,6 +36,8 @@ struct StudyAnswers {
     std::uint64_t solved = 0;
     std::vector<std::pair<QString, std::uint64_t>> refused;  ///< reason and how many
     QStringList notes;
+    /// Some of the samples that could be solved: inputs, then watched values.
+    std::vector<std::vector<double>> samples;
 };
 
 /// The tolerances of a case: which inputs scatter, which results are watched, and what follows. It
@@ -69,8 +71,8 @@ class StudyModel : public QObject {
 
     const std::vector<Input>& inputs() const { return inputs_; }
     std::vector<Value> results() const;
-    /// How a result's pointer is written for people: "metrics, M_ups, range, N·m".
-    static QString resultName(const std::string& pointer);
+    /// The same with its name for people.
+    QString inputName(const std::string& pointer) const;
 
     /// "0.02", "1 %", "σ 0.5"; empty where the input does not scatter.
     static QString scatterText(const std::optional<studies::Varied>& varied);
@@ -95,6 +97,10 @@ class StudyModel : public QObject {
     void setWatched(bool watched);
     /// Null where there is nothing to say; of fewer samples while more are on the way.
     const StudyAnswers* answers() const { return answers_ ? &*answers_ : nullptr; }
+    /// Of the answers, with the names of inputs and results.
+    QStringList notes() const;
+    /// They are of what was before, and newer ones are on the way.
+    bool isStale() const { return stale_; }
 
   Q_SIGNALS:
     /// Inputs, study or trouble.
@@ -117,6 +123,7 @@ class StudyModel : public QObject {
     QString trouble_;
     bool isRefused_ = false;  ///< the case's study cannot be read, and stays until it is cleared
     int run_ = 0;
+    bool stale_ = false;
     bool watched_ = false;
 };
 

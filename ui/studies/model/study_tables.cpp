@@ -1,5 +1,6 @@
 #include "studies/model/study_tables.h"
 
+#include "studies/model/result_words.h"
 #include "text/number_text.h"
 
 namespace ravnoves {
@@ -173,7 +174,7 @@ QVariant WatchTable::data(const QModelIndex& index, int role) const {
         return {};
     }
     if (index.column() == Name) {
-        return StudyModel::resultName(watched.pointer);
+        return resultName(watched.pointer).withUnit();
     }
     const auto& limit = index.column() == Least ? watched.min : watched.max;
     return limit ? formNumber(*limit, QLocale()) : QString();

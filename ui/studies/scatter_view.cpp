@@ -1,0 +1,180 @@
+#include "studies/scatter_view.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "studies/model/result_words.h"
+#include "studies/model/study_model.h"
+#include "text/csv_format.h"
+#include "text/number_text.h"
+#include "theme/theme.h"
+
+namespace ravnoves {
+
+namespace {
+
+constexpr int unchosen = -1;
+
+/// A little wider than what it holds.
+std::pair<double, double> roomFor(const std::vector<double>& values) {
+    if (values.empty()) {
+        return {0.0, 1.0};
+    }
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    const double least = 1e-9 * std::max(std::abs(*low), 1e-9);
+    const double room = std::max(0.04 * (*high - *low), least);
+    return {*low - room, *high + room};
+}
+
+/// The correlation of two lists; 0 where one does not move.
+double correlation(const std::vector<double>& x, const std::vector<double>& y) {
+    const auto count = static_cast<double>(x.size());
+    double meanX = 0.0;
+    double meanY = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        meanX += x[i] / count;
+        meanY += y[i] / count;
+    }
+    double xx = 0.0;
+    double yy = 0.0;
+    double xy = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        xx += (x[i] - meanX) * (x[i] - meanX);
+        yy += (y[i] - meanY) * (y[i] - meanY);
+        xy += (x[i] - meanX) * (y[i] - meanY);
+    }
+    return xx > 0.0 && yy > 0.0 ? xy / std::sqrt(xx * yy) : 0.0;
+}
+
+}  // namespace
+
+void CloudPlot::setPoints(std::vector<double> x, std::vector<double> y) {
+    x_ = std::move(x);
+    y_ = std::move(y);
+    groundChanged();
+}
+
+void CloudPlot::paintGround(QPainter& painter) {
+    constexpr std::size_t few = 300;
+    painter.save();
+    painter.setClipRect(plotArea());
+    painter.setRenderHint(QPainter::Antialiasing);
+    QColor colour = Theme::instance().curve(2);
+    colour.setAlphaF(x_.size() > few ? 0.4F : 0.8F);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    const double radius = x_.size() > few ? 1.6 : 2.4;
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+        painter.drawEllipse(toPixel(x_[i], y_[i]), radius, radius);
+    }
+    painter.restore();
+}
+
+QString CloudPlot::csv(const CsvFormat& format) const {
+    if (x_.empty()) {
+        return {};
+    }
+    QString table = format.field(data().x.spec.title) + format.separator +
+                    format.field(data().left.spec.title) + QLatin1Char('\n');
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+        table += format.number(x_[i]) + format.separator + format.number(y_[i]) + QLatin1Char('\n');
+    }
+    return table;
+}
+
+ScatterView::ScatterView(StudyModel* study, QWidget* parent) : QWidget(parent), study_(study) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::gap);
+    auto* row = new QHBoxLayout;
+    const auto chooser = [&](const QString& text, const char* name) {
+        auto* label = new QLabel(text, this);
+        auto* box = new QComboBox(this);
+        box->setObjectName(QLatin1String(name));
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(12);
+        label->setBuddy(box);
+        row->addWidget(label);
+        row->addWidget(box, 1);
+        connect(box, &QComboBox::activated, this, &ScatterView::showSamples);
+        return box;
+    };
+    up_ = chooser(tr("U&p"), "scatter_up");
+    across_ = chooser(tr("A&cross"), "scatter_across");
+    column->addLayout(row);
+    plot_ = new CloudPlot({}, this);
+    column->addWidget(plot_, 1);
+    connect(study_, &StudyModel::changed, this, &ScatterView::fillChoices);
+    connect(study_, &StudyModel::answered, this, &ScatterView::showSamples);
+    fillChoices();
+}
+
+void ScatterView::fillChoices() {
+    QStringList names;
+    for (const studies::Varied& varied : study_->study().vary) {
+        QString name = study_->inputName(varied.pointer);
+        for (const StudyModel::Input& input : study_->inputs()) {
+            if (input.pointer == varied.pointer && !input.unit.isEmpty()) {
+                name += QStringLiteral(", ") + input.unit;
+            }
+        }
+        names << name;
+    }
+    const auto inputs = static_cast<int>(names.size());
+    for (const studies::Watched& watched : study_->study().watch) {
+        names << resultName(watched.pointer).withUnit();
+    }
+    for (QComboBox* box : {across_, up_}) {
+        const QSignalBlocker block(box);
+        const QString before = box->currentText();
+        box->clear();
+        box->addItems(names);
+        const int same = box->findText(before);
+        // At first a result over an input.
+        box->setCurrentIndex(same >= 0         ? same
+                             : box == up_      ? std::min<int>(inputs, box->count() - 1)
+                             : names.isEmpty() ? unchosen
+                                               : 0);
+    }
+    showSamples();
+}
+
+void ScatterView::showSamples() {
+    const StudyAnswers* answers = study_->answers();
+    const auto x = static_cast<std::size_t>(std::max(across_->currentIndex(), 0));
+    const auto y = static_cast<std::size_t>(std::max(up_->currentIndex(), 0));
+    std::vector<double> across;
+    std::vector<double> up;
+    const auto columns = static_cast<std::size_t>(across_->count());
+    if (answers != nullptr && !study_->isStale()) {
+        for (const std::vector<double>& sample : answers->samples) {
+            if (sample.size() == columns && x < columns && y < columns) {
+                across.push_back(sample[x]);
+                up.push_back(sample[y]);
+            }
+        }
+    }
+    const bool isFaded = study_->isStale();
+    plot_->setFaded(isFaded, isFaded ? tr("Computing …") : QString());
+    if (isFaded) {
+        return;
+    }
+    const auto [left, right] = roomFor(across);
+    const auto [low, high] = roomFor(up);
+    plot_->setXAxis({across_->currentText(), left, right});
+    plot_->setYAxis(PlotView::Side::Left, {up_->currentText()});
+    plot_->setYRange(PlotView::Side::Left, low, high);
+    plot_->setTitle(across.empty()
+                        ? tr("No samples: the method takes none, or they are on the way")
+                        : tr("Samples: %1, correlation %2")
+                              .arg(across.size())
+                              .arg(fixedDecimals(correlation(across, up), 2, QLocale())));
+    plot_->setPoints(std::move(across), std::move(up));
+}
+
+}  // namespace ravnoves
