@@ -18,6 +18,7 @@
 #include "report/input_tables.h"
 #include "report/page_parts.h"
 #include "report/report.h"
+#include "report/study_section.h"
 #include "scenes/scenes.h"
 #include "shell/scene_list.h"
 #include "shell/scene_page.h"
@@ -325,6 +326,7 @@ Report makeReport(ScenePage& page, CaseDocument& document) {
         report.items.push_back(std::move(table));
     }
     addVariants(report, model);
+    addTolerances(report, model);
     addResults(report, std::move(groups));
     addTheory(report, model);
     addValidation(report, model.sceneName());

@@ -4,6 +4,8 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QPushButton>
+#include <QTabWidget>
 #include <QTableView>
 #include <QTableWidget>
 #include <QToolButton>
@@ -13,11 +15,20 @@
 #include "case-file/json.h"
 #include "events.h"
 #include "plot/plot_view.h"
+#include "report/report.h"
+#include "report/study_section.h"
 #include "shell/main_window.h"
 #include "shell/scene_page.h"
+#include "studies/field_plot.h"
+#include "studies/model/result_words.h"
+#include "studies/model/robust_model.h"
 #include "studies/model/study_model.h"
 #include "studies/model/study_tables.h"
+#include "studies/model/sweep_model.h"
+#include "studies/robust_view.h"
+#include "studies/scatter_view.h"
 #include "studies/study_run.h"
+#include "studies/sweep_view.h"
 #include "studies/tolerance_window.h"
 #include "studies/tornado_view.h"
 #include "widgets/result_table.h"
@@ -115,10 +126,12 @@ TEST_F(Tolerances, WhatIsTypedIsComputedAndShown) {
 }
 
 TEST_F(Tolerances, ResultsAreNamedWithTheUnitsOfTheirKeys) {
-    EXPECT_EQ(StudyModel::resultName("/metrics/M_ups/range_Nm"), u"metrics, M_ups, range, N·m"_s);
-    EXPECT_EQ(StudyModel::resultName("/guide/minimum_stiffness_N_m"),
-              u"guide, minimum stiffness, N/m"_s);
-    EXPECT_EQ(StudyModel::resultName("/bobweight_g"), u"bobweight, g"_s);
+    EXPECT_EQ(resultName("/metrics/M_ups/range_Nm").withUnit(), u"Mᵤₚₛ, range, N·m"_s);
+    EXPECT_EQ(resultName("/exact/order_2/moment_Nm/forward/amplitude").withUnit(),
+              u"exact, order 2, moment, forward, amplitude, N·m"_s);
+    EXPECT_EQ(resultName("/guide/minimum_stiffness_N_m").withUnit(),
+              u"crank guide, least stiffness, N/m"_s);
+    EXPECT_EQ(resultName("/bobweight_g").withUnit(), u"bob weight, g"_s);
 }
 
 TEST_F(Tolerances, AreStepsOfTheHistoryAndStayInTheCase) {
@@ -200,6 +213,123 @@ TEST_F(Tolerances, WhatCannotBeSolvedIsCounted) {
     }
     EXPECT_GT(refused, 0U);
     EXPECT_EQ(answers.solved + refused, study().samples);
+}
+
+TEST_F(Tolerances, SamplesAreSeenOverOneAnother) {
+    scatter("/centre_distance_mm", u"1"_s);
+    watch("/moment_amplitude_Nm");
+    waitForAnswer();
+    tolerances->tabs()->setCurrentWidget(const_cast<ScatterView*>(tolerances->scatter()));
+    const CloudPlot& plot = *tolerances->scatter()->plot();
+    ASSERT_EQ(plot.pointsX().size(), 2000U);
+    // P₁ l over l: a line through the origin, within the scatter.
+    const double distance = scene().inputJson()["centre_distance_mm"].get<double>();
+    const double force = plot.pointsY()[0] / plot.pointsX()[0];
+    for (std::size_t i = 0; i < plot.pointsX().size(); ++i) {
+        ASSERT_NEAR(plot.pointsX()[i], distance, 1.0);
+        ASSERT_NEAR(plot.pointsY()[i] / plot.pointsX()[i], force, 1e-9);
+    }
+    EXPECT_TRUE(plot.title().contains(QLocale().toString(1.0, 'f', 2)));
+}
+
+TEST_F(Tolerances, AnInputIsSweptAndTwoMakeAMap) {
+    scatter("/centre_distance_mm", u"1"_s);
+    watch("/moment_amplitude_Nm");
+    tolerances->tabs()->setCurrentWidget(const_cast<SweepView*>(tolerances->sweep()));
+    SweepModel& model = *tolerances->sweep()->model();
+    const auto wait = [&] {
+        ASSERT_TRUE(
+            QTest::qWaitFor([&] { return model.sweep() != nullptr && !model.isStale(); }, 60'000));
+    };
+    wait();
+    EXPECT_EQ(model.sweep()->x.pointer, "/centre_distance_mm");  // what scatters, at once
+    const double distance = scene().inputJson()["centre_distance_mm"].get<double>();
+    const auto& x = model.sweep()->x.values;
+    const auto& y = model.sweep()->found;
+    ASSERT_EQ(x.size(), y.size());
+    EXPECT_NEAR(x.front(), distance - 1.0, 1e-9);
+    EXPECT_NEAR(x.back(), distance + 1.0, 1e-9);
+    EXPECT_NEAR(y.back() / x.back(), y.front() / x.front(), 1e-9);
+    EXPECT_EQ(tolerances->sweep()->line()->data().curves[0].y, y);
+
+    auto* other = test::named<QComboBox>(*tolerances, "sweep_other");
+    other->setFocus();
+    other->setCurrentIndex(other->findData(u"/crank_radius_mm"_s));
+    Q_EMIT other->activated(other->currentIndex());
+    EXPECT_TRUE(model.isStale());
+    wait();
+    ASSERT_TRUE(model.sweep()->y);
+    const FieldPlot::Field& field = tolerances->sweep()->map()->field();
+    ASSERT_EQ(field.values.size(), field.x.size() * field.y.size());
+    // P₁ l goes with r and with l.
+    EXPECT_NEAR(field.values.back() / field.values.front(),
+                field.x.back() * field.y.back() / (field.x.front() * field.y.front()), 1e-9);
+    EXPECT_FALSE(tolerances->sweep()->map()->levels().empty());
+}
+
+TEST_F(Tolerances, TheRobustAngleStandsBesideTheBestOne) {
+    scatter("/centre_distance_mm", u"3"_s);
+    tolerances->tabs()->setCurrentWidget(const_cast<RobustView*>(tolerances->robust()));
+    const RobustModel& model = *tolerances->robust()->model();
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return model.best() != nullptr && !model.isStale(); }, 120'000));
+    ASSERT_TRUE(model.best()->robust && model.best()->nominal);
+    EXPECT_EQ(tolerances->robust()->table()->rowCount(), 2);
+    EXPECT_EQ(model.best()->nominal->angle,
+              scene().resultJson()["optimum"]["range"]["shaft_angle_deg"].get<double>());
+    QTest::mouseClick(test::named<QPushButton>(*tolerances, "take_robust"), Qt::LeftButton);
+    EXPECT_NEAR(scene().inputJson()["shaft_angle_deg"].get<double>(), model.best()->robust->angle,
+                1e-9);
+    scene().undo();
+}
+
+TEST_F(Tolerances, AnswersOfTheValuesBeforeAreSaidToBe) {
+    scatter("/centre_distance_mm", u"1"_s);
+    watch("/moment_amplitude_Nm");
+    waitForAnswer();
+    EXPECT_FALSE(tolerances->model()->isStale());
+    scatter("/crank_radius_mm", u"1"_s);
+    EXPECT_TRUE(tolerances->model()->isStale());
+    EXPECT_TRUE(tolerances->histogram()->isFaded());
+    waitForAnswer();
+    EXPECT_FALSE(tolerances->histogram()->isFaded());
+}
+
+TEST_F(Tolerances, OfWhatIsLeftToItsDefaultAreInTheFile) {
+    ASSERT_FALSE(scene().inputJson().contains("offset_mm"));
+    scatter("/offset_mm", u"0.1"_s);
+    watch("/metrics/M_ups/range_Nm");
+    waitForAnswer();
+    EXPECT_EQ(tolerances->model()->answers()->solved, study().samples);
+    const CaseFile file = scene().caseFile();
+    EXPECT_EQ(file.input["offset_mm"], 0.0);
+    EXPECT_NO_THROW(studies::problem_of(file, scene().context()));
+    scene().loadFile(file, scene().context(), false);
+    EXPECT_EQ(study().vary.size(), 1U);
+}
+
+TEST_F(Tolerances, StandInTheReport) {
+    Report report;
+    addTolerances(report, scene());
+    EXPECT_TRUE(report.items.empty());  // without tolerances no word of them
+    scatter("/centre_distance_mm", u"1"_s);
+    watch("/moment_amplitude_Nm");
+    waitForAnswer();
+    addTolerances(report, scene());
+    std::vector<report::Table> tables;
+    int figures = 0;
+    for (const report::Item& item : report.items) {
+        figures += std::holds_alternative<report::Figure>(item) ? 1 : 0;
+        if (const auto* table = std::get_if<report::Table>(&item)) {
+            tables.push_back(*table);
+        }
+    }
+    EXPECT_EQ(figures, 1);
+    ASSERT_EQ(tables.size(), 2U);
+    EXPECT_EQ(tables[0].rows.size(), 1);
+    EXPECT_EQ(tables[0].rows[0][2], u"1"_s);
+    const StudyAnswer& shown = tolerances->model()->answers()->values.at(0);
+    EXPECT_EQ(tables[1].rows[0][4], QLocale().toString(*shown.deviation, 'g', 6));
 }
 
 }  // namespace

@@ -1,0 +1,186 @@
+#include "report/study_section.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QPicture>
+#include <memory>
+
+#include "model/scene_model.h"
+#include "report/report.h"
+#include "studies/model/result_words.h"
+#include "studies/model/study_model.h"
+#include "studies/tolerance_switch.h"
+#include "studies/tornado_view.h"
+#include "text/message_text.h"
+#include "text/number_text.h"
+
+namespace ravnoves {
+
+using namespace report;
+
+namespace {
+
+constexpr int studyPatienceMs = 60'000;
+
+void waitFor(const StudyModel& study) {
+    QElapsedTimer waited;
+    waited.start();
+    while (study.isBusy() && waited.elapsed() < studyPatienceMs) {
+        QApplication::processEvents(
+            QEventLoop::ExcludeUserInputEvents | QEventLoop::WaitForMoreEvents, 50);
+    }
+}
+
+QString numberOrDash(const std::optional<double>& value) {
+    return value ? formNumber(*value, QLocale(), 6).replace(QLatin1Char('-'), QChar(0x2212))
+                 : QStringLiteral("–");
+}
+
+QString shareText(const StudyAnswer& value) {
+    if (!value.within) {
+        return QStringLiteral("–");
+    }
+    const auto percent = [](const std::optional<double>& share) {
+        return fixedDecimals(100.0 * share.value_or(0.0), 2, QLocale());
+    };
+    return QStringLiteral("%1 % (%2 … %3)")
+        .arg(percent(value.within), percent(value.withinLow), percent(value.withinHigh));
+}
+
+Table givenTolerances(const StudyModel& study) {
+    Table table;
+    table.caption = ReportWords::tr("Inputs and their tolerances");
+    table.headings = {ReportWords::tr("Input"), ReportWords::tr("Value"), QStringLiteral("±"),
+                      ReportWords::tr("Unit")};
+    table.numbers = {false, true, true, false};
+    for (const StudyModel::Input& input : study.inputs()) {
+        if (input.varied) {
+            QStringList cells;
+            for (const QString& text : {input.name, formNumber(input.nominal, QLocale(), 8),
+                                        StudyModel::scatterText(input.varied), input.unit}) {
+                cells << text.toHtmlEscaped();
+            }
+            table.rows << cells;
+        }
+    }
+    return table;
+}
+
+QString methodText(const studies::Study& study) {
+    const auto& word = studies::method_words()[static_cast<std::size_t>(study.method)];
+    QString text = ReportWords::tr("Method: %1").arg(shownText(word.label));
+    if (studies::is_sampled(study.method)) {
+        text += QStringLiteral("; ") + ReportWords::tr("samples: %1, seed %2")
+                                           .arg(QLocale().toString(qulonglong(study.samples)))
+                                           .arg(study.seed);
+    }
+    return text;
+}
+
+Table foundValues(const StudyAnswers& answers) {
+    Table table;
+    table.caption = ReportWords::tr("What the tolerances do");
+    table.headings = {ReportWords::tr("Result"),  ReportWords::tr("Unit"),
+                      ReportWords::tr("Nominal"), ReportWords::tr("Mean"),
+                      QStringLiteral("σ"),        QStringLiteral("5 %"),
+                      QStringLiteral("95 %"),     ReportWords::tr("Within the limits")};
+    table.numbers = {false, false, true, true, true, true, true, true};
+    table.isSmall = true;
+    for (const StudyAnswer& value : answers.values) {
+        const ResultName name = resultName(value.pointer);
+        QStringList cells;
+        for (const QString& text :
+             {name.text, name.unit, numberOrDash(value.nominal), numberOrDash(value.mean),
+              numberOrDash(value.deviation ? value.deviation : value.linearDeviation),
+              numberOrDash(value.low), numberOrDash(value.high), shareText(value)}) {
+            cells << text.toHtmlEscaped();
+        }
+        table.rows << cells;
+    }
+    return table;
+}
+
+Figure tornadoOf(const StudyModel& study, const StudyAnswer& value) {
+    auto view = std::make_shared<TornadoView>();
+    std::vector<TornadoView::Bar> bars;
+    for (const StudyAnswer::Share& share : value.shares) {
+        const double alone = share.first.value_or(share.linear.value_or(0.0));
+        bars.push_back(
+            {study.inputName(share.pointer), alone, std::max(alone, share.total.value_or(alone))});
+    }
+    view->setBars(
+        ReportWords::tr("Shares of the variance of %1").arg(resultName(value.pointer).withUnit()),
+        std::move(bars));
+    const auto rows = static_cast<int>(std::min<std::size_t>(value.shares.size(), 12));
+    const QSize size(640, 60 + 26 * rows);
+    view->resize(size);
+    return {{}, view->accessibleName(), size, [view](QPainter& painter) {
+                QPicture lines;
+                view->render(&lines, QPoint(), QRegion(), QWidget::RenderFlags());
+                painter.drawPicture(0, 0, lines);
+            }};
+}
+
+}  // namespace
+
+void addTolerances(Report& report, SceneModel& model) {
+    if (model.study().empty()) {
+        return;
+    }
+    StudyModel study(&model);
+    if (study.trouble().isEmpty() && study.study().vary.empty()) {
+        return;
+    }
+    report.items.push_back(Heading{ReportWords::tr("Tolerances")});
+    if (!study.trouble().isEmpty()) {
+        report.items.push_back(
+            Paragraph{study.trouble().toHtmlEscaped(), Paragraph::Kind::Warning});
+        return;
+    }
+    report.items.push_back(givenTolerances(study));
+    if (ToleranceSwitch::instance().isOn()) {
+        report.items.push_back(
+            Paragraph{ReportWords::tr(
+                          "The bands about the curves and the ± beside the numbers of the results "
+                          "go from 5 % to 95 % of what these make of them, by slopes alone.")
+                          .toHtmlEscaped(),
+                      Paragraph::Kind::Muted});
+    }
+    if (study.study().watch.empty()) {
+        return;
+    }
+    study.setWatched(true);
+    waitFor(study);
+    const StudyAnswers* answers = study.answers();
+    if (answers == nullptr) {
+        report.items.push_back(
+            Paragraph{(study.trouble().isEmpty() ? ReportWords::tr("Nothing could be computed.")
+                                                 : study.trouble())
+                          .toHtmlEscaped(),
+                      Paragraph::Kind::Warning});
+        return;
+    }
+    report.items.push_back(Paragraph{methodText(study.study()).toHtmlEscaped()});
+    report.items.push_back(foundValues(*answers));
+    if (studies::is_sampled(study.study().method)) {
+        report.items.push_back(Paragraph{ReportWords::tr("Samples solved: %1")
+                                             .arg(QLocale().toString(qulonglong(answers->solved)))
+                                             .toHtmlEscaped(),
+                                         Paragraph::Kind::Muted});
+    }
+    for (const auto& [reason, count] : answers->refused) {
+        report.items.push_back(Paragraph{ReportWords::tr("Refused: %1 × %2")
+                                             .arg(QLocale().toString(qulonglong(count)), reason)
+                                             .toHtmlEscaped(),
+                                         Paragraph::Kind::Muted});
+    }
+    for (const QString& note : study.notes()) {
+        report.items.push_back(Paragraph{note.toHtmlEscaped(), Paragraph::Kind::Warning});
+    }
+    constexpr std::size_t most = 4;
+    for (std::size_t i = 0; i < std::min(most, answers->values.size()); ++i) {
+        report.items.push_back(tornadoOf(study, answers->values[i]));
+    }
+}
+
+}  // namespace ravnoves
