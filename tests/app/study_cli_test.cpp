@@ -100,6 +100,12 @@ TEST_F(StudyCommandLine, GoesOnWhereItWasInterrupted) {
     EXPECT_FALSE(fs::exists(folder / "r.json"));
     ASSERT_TRUE(fs::exists(folder / "r.json.unfinished"));
     expect_refused(run("study --merge r.json.unfinished"), "r.json.unfinished: is not finished (");
+    const auto done = [&] {
+        return Json::parse(read_all(folder / "r.json.unfinished")).at("done").get<int>();
+    };
+    const int before = done();
+    run("study case.json -o r.json", "", "timeout -s TERM 1 ");
+    EXPECT_GT(done(), before);
     // What it kept, put under a smaller study, is not taken for that one's.
     document["study"]["samples"] = 500;
     write("case.json", document.dump());
