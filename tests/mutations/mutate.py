@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+"""Changes one sign, operator or function of a formula of core at a time and sees whether a test
+notices. Works on the sources of a clean clone and puts each back; prints the survivors.
+
+usage: tests/mutations/mutate.py [--count N] [--seed N] [--preset NAME] [--list]
+"""
+
+import argparse
+import collections
+import pathlib
+import random
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+FOLDERS = ["balance-shaft", "bob-weights", "elastic-hinge", "inertia-moments", "numerics", "studies",
+           "v8-plugs", "workshop"]
+# What is not a formula: reading, writing, words, drawings.
+PASSED_OVER = re.compile(r"scene|fields|presets|formulas|study_file|torque_table|drawing|sha256")
+CHANGES = [(" + ", " - "), (" - ", " + "), (" * ", " / "), (" / ", " * "),
+           ("std::sin(", "std::cos("), ("std::cos(", "std::sin(")]
+
+
+def candidates(folder):
+    for path in sorted((ROOT / "core" / folder).glob("*.cpp")):
+        if PASSED_OVER.search(path.stem):
+            continue
+        for number, line in enumerate(path.read_text().splitlines()):
+            code = line.split("//")[0]
+            if '"' in code or code.lstrip().startswith(("#", "*")):
+                continue
+            for old, new in CHANGES:
+                for found in re.finditer(re.escape(old), code):
+                    yield path, number, found.start(), old, new
+
+
+def choose(count, seed):
+    """As many of each folder, each time of another line."""
+    chance = random.Random(seed)
+    queues = []
+    for folder in FOLDERS:
+        found = list(candidates(folder))
+        chance.shuffle(found)
+        queues.append(collections.deque(found))
+    chosen, lines = [], set()
+    while len(chosen) < count and any(queues):
+        for queue in queues:
+            while queue and (queue[0][0], queue[0][1]) in lines:
+                queue.popleft()
+            if queue and len(chosen) < count:
+                lines.add(queue[0][:2])
+                chosen.append(queue.popleft())
+    return chosen
+
+
+def run(*command, limit=None):
+    try:
+        return subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              text=True, timeout=limit)
+    except subprocess.TimeoutExpired:
+        return None
+
+
+def build(preset):
+    return run("cmake", "--build", "--preset", preset)
+
+
+def noticed_by(tests, own):
+    """The first test program that fails; that of the folder first."""
+    for program in sorted(tests, key=lambda path: path.name != f"test-core-{own}"):
+        done = run(str(program), "--gtest_brief=1", "--gtest_fail_fast", limit=300)
+        if done is None:
+            return f"{program.name} (no end)"
+        if done.returncode != 0:
+            failed = re.search(r"\[  FAILED  \] (\S+)", done.stdout)
+            return f"{program.name}: {failed.group(1) if failed else done.returncode}"
+    return None
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--count", type=int, default=50)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--preset", default="core-only")
+    parser.add_argument("--list", action="store_true", help="only print what would be changed")
+    options = parser.parse_args()
+    chosen = choose(options.count, options.seed)
+
+    def describe(path, number, at, old, new):
+        line = path.read_text().splitlines()[number]
+        changed = line[:at] + new + line[at + len(old):]
+        return f"{path.relative_to(ROOT)}:{number + 1}: {line.strip()}  →  {changed.strip()}"
+
+    if options.list:
+        for mutation in chosen:
+            print(describe(*mutation))
+        return 0
+    if run("git", "status", "--porcelain").stdout.strip():
+        sys.exit("the sources have changes that are not committed: use a clean clone")
+    made = run("cmake", "--preset", options.preset)
+    if made.returncode != 0 or build(options.preset).returncode != 0:
+        sys.exit("the program does not build")
+    tests = list((ROOT / "build" / options.preset / "tests" / "core").glob("test-core-*"))
+    tests = [path for path in tests if path.is_file()]
+    if noticed_by(tests, "") is not None:
+        sys.exit("the tests fail before anything is changed")
+
+    survivors = []
+    for count, mutation in enumerate(chosen, 1):
+        path, number, at, old, new = mutation
+        before = path.read_text()
+        text = describe(*mutation)
+        lines = before.split("\n")
+        lines[number] = lines[number][:at] + new + lines[number][at + len(old):]
+        try:
+            path.write_text("\n".join(lines))
+            caught = "the compiler" if build(options.preset).returncode != 0 else noticed_by(
+                tests, path.parent.name)
+        finally:
+            path.write_text(before)
+        print(f"{count:3} {caught or 'SURVIVED'}  {text}", flush=True)
+        if caught is None:
+            survivors.append(text)
+    build(options.preset)
+    print(f"\n{len(chosen) - len(survivors)} of {len(chosen)} caught")
+    for text in survivors:
+        print("survived:", text)
+    return 1 if survivors else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
