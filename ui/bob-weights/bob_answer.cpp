@@ -116,9 +116,7 @@ QWidget* BobAnswer::buildCorrection() {
 }
 
 void BobAnswer::setRefused(const QStringList& refused) {
-    sayOrHide(refused_, refused.isEmpty() ? QString()
-                                          : tr("Not up to date, for these entries are refused: %1.")
-                                                .arg(refused.join(QStringLiteral("; "))));
+    sayOrHide(refused_, SheetForm::refusedNote(refused));
     showAnswer();
 }
 

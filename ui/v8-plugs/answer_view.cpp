@@ -65,6 +65,8 @@ QWidget* AnswerView::buildAdvice() {
     column->setContentsMargins(Theme::margin, Theme::space, Theme::margin, Theme::space);
     column->setSpacing(Theme::gap);
     advice_ = namedLabel(panel, "advice", Theme::displaySize, true);
+    refused_ = namedLabel(panel, "refused", Theme::baseSize, true);
+    refused_->hide();
     boring_ = namedLabel(panel, "boring", Theme::titleSize);
     hang_ = namedLabel(panel, "hang", Theme::titleSize, true);
     plugs_ = namedLabel(panel, "plugs_while_hung", Theme::baseSize);
@@ -79,6 +81,7 @@ QWidget* AnswerView::buildAdvice() {
     numbers->addWidget(hang_, 3);
     numbers->addWidget(excess_, 2);
     column->addWidget(advice_);
+    column->addWidget(refused_);
     column->addWidget(boring_);
     column->addLayout(numbers);
     column->addWidget(plugs_);
@@ -145,15 +148,22 @@ void AnswerView::showAnswer() {
     shift_->showRadius(model_->input().engine.crank_radius);
 }
 
+void AnswerView::setRefused(const QStringList& refused) {
+    say(refused_, SheetForm::refusedNote(refused));
+    showAdvice();
+}
+
 void AnswerView::showAdvice() {
     const Theme& theme = Theme::instance();
+    const bool isStale = !refused_->text().isEmpty();
+    colourText(refused_, theme.warning());
     say(excess_, model_->excessText());
     say(advice_, model_->adviceText());
     const auto& advice = model_->solution().advice;
     const bool works = v8_text::works(model_->solution());
     // What is still missing is no sentence for the display size.
-    advice_->setFont(Theme::font(works ? Theme::displaySize : Theme::titleSize, true));
-    const bool doubtful = model_->solution().shift_that_matters() != nullptr;
+    advice_->setFont(Theme::font(works ? Theme::displaySize : Theme::titleSize, !isStale));
+    const bool doubtful = isStale || model_->solution().shift_that_matters() != nullptr;
     colourText(advice_, !advice    ? theme.mutedText()
                         : doubtful ? theme.warning()
                         : works    ? theme.text()
@@ -194,7 +204,7 @@ void AnswerView::showBobWeights() {
 
 QString AnswerView::asText() const {
     // The advice never goes without what is wrong with it.
-    QStringList said{excess_->text(), advice_->text(), troubles_->text()};
+    QStringList said{excess_->text(), advice_->text(), refused_->text(), troubles_->text()};
     said.removeAll(QString());
     return said.join(QLatin1Char('\n')) + QLatin1Char('\n') + options_->asText() +
            QLatin1Char('\n') + bobWeights_->asText();

@@ -21,6 +21,9 @@ class AnswerView : public QWidget {
   public:
     explicit AnswerView(V8PlugsModel* model, QWidget* parent = nullptr);
 
+    /// Entries that the form refuses now: the answer is that of the values before them.
+    void setRefused(const QStringList& refused);
+
     QString asText() const;
     QString asCsv() const;
 
@@ -42,6 +45,7 @@ class AnswerView : public QWidget {
     bool isNarrow_ = false;
     QLabel* excess_ = nullptr;
     QLabel* advice_ = nullptr;
+    QLabel* refused_ = nullptr;
     QLabel* boring_ = nullptr;
     QLabel* hang_ = nullptr;
     QLabel* plugs_ = nullptr;

@@ -84,6 +84,10 @@ PlotView* V8PlugsPage::shiftPlot() const {
     return answer_->shiftPlot();
 }
 
+void V8PlugsPage::showRefused(const QStringList& refused) {
+    answer_->setRefused(refused);
+}
+
 QString V8PlugsPage::resultsAsText() const {
     return answer_->asText() + QLatin1Char('\n') + machine_->planes()->asText();
 }

@@ -34,6 +34,7 @@ class V8PlugsPage : public WorkshopPage {
     QString engineNumber() const override;
     void emptySheet() override;
     ListedJob listed(const Words& words, const JournalJob& job) const override;
+    void showRefused(const QStringList& refused) override;
 
   private:
     V8PlugsModel* model_;

@@ -62,7 +62,7 @@ void JobCard::paint(QPainter& painter, const QRectF& page) const {
 QString JobCard::refusedText() const {
     return refused_.isEmpty()
                ? QString()
-               : words_.translate("JobCard", "Not up to date, for these entries are refused: %1.")
+               : words_.translate("JobCard", "Not up to date, for these entries are refused: %1")
                      .arg(refused_.join(QStringLiteral("; ")));
 }
 

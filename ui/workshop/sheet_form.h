@@ -24,6 +24,8 @@ class SheetForm : public Form {
     /// Every field in the order of Tab and Enter.
     const QList<QWidget*>& order() const { return order_; }
 
+    /// What the answer says of entries that are refused; empty where none is.
+    static QString refusedNote(const QStringList& refused);
     /// A wrapping label whose text can be copied.
     static QLabel* wrapped(QWidget* parent, int pixelSize, bool bold = false);
 

@@ -330,6 +330,9 @@ TEST_F(V8PageTest, RefusedEntryStaysUntilItIsMended) {
     // The tab says so, and neither journal nor card take the job without a word.
     page.sheets()->setCurrentIndex(0);
     EXPECT_TRUE(page.sheets()->tabBar()->tabTextColor(1).isValid());
+    const auto* stale = test::named<QLabel>(page, "refused");
+    EXPECT_TRUE(stale->text().contains(u"Steel plug mₚ"_s)) << qPrintable(stale->text());
+    EXPECT_FALSE(test::named<QLabel>(page, "advice")->font().bold());
     QString asked;
     const auto reply = [&](QMessageBox::StandardButton button) {
         whenModal<QMessageBox>([&asked, button](QMessageBox* box) {
@@ -347,6 +350,7 @@ TEST_F(V8PageTest, RefusedEntryStaysUntilItIsMended) {
     page.sheets()->setCurrentIndex(1);
     type(mass, u"25"_s);
     EXPECT_TRUE(mass->trouble().isEmpty());
+    EXPECT_TRUE(stale->text().isEmpty());
     EXPECT_FALSE(page.sheets()->tabBar()->tabTextColor(1).isValid());
     EXPECT_NEAR(*model->input().engine.steel_plug_mass, 25 * gram, 1e-12);
 }
