@@ -24,10 +24,9 @@ namespace ravnoves {
 
 using namespace bob_weights;
 
-QComboBox* BobSheet::wide(QComboBox* box) {
-    constexpr int words = 250;
-    box->setMinimumWidth(Theme::withText(words));
-    box->setFont(Theme::font(Theme::baseSize + 1));
+QComboBox* BobSheet::wide(QComboBox* box, int width) {
+    box->setMinimumWidth(Theme::withText(width));
+    box->setFont(Theme::font(Theme::baseSize));
     // The list is as wide as its words.
     box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0) + Theme::withText(24));
     return box;
@@ -413,7 +412,7 @@ void BobMachineSheet::buildTolerance() {
     grades_->setPlaceholderText(tr("grade of your own"));
     enlarge(grades_);
     follow([this] { showGrade(); });
-    wide(grades_);
+    wide(grades_, 250);  // beside it stand the widest labels
     current()->addWidget(tr("&For"), grades_, {},
                          tr("Balance quality grades of ISO 21940-11, and what each is for."));
     connect(grades_, &QComboBox::activated, this, [this](int place) {

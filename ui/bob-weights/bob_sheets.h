@@ -19,7 +19,8 @@ class BobSheet : public SheetForm {
 
   protected:
     /// As wide as a text: its words are read whole.
-    QComboBox* wide(QComboBox* box);
+    /// @param width  designed pixels
+    QComboBox* wide(QComboBox* box, int width = 290);
 
     BobWeightsModel* model_;
 };
