@@ -73,6 +73,16 @@ TEST(ParseJson, RefusesKeysGivenTwice) {
               "/b/1/c: is given twice");
     EXPECT_EQ(error_of([] { parse_json(R"({"a/b": {}, "a\u002fb": 2})"); }),
               "/a~1b: is given twice");
+    // Among many, too, the first as the last.
+    std::string many = "{";
+    for (int i = 0; i < 40; ++i) {
+        many += "\"k" + std::to_string(i) + "\": 0, ";
+    }
+    EXPECT_EQ(parse_json(many + "\"z\": 1}").size(), 41U);
+    for (const char* key : {"k0", "k15", "k16", "k39"}) {
+        EXPECT_EQ(error_of([&] { parse_json(many + '"' + key + "\": 1}"); }),
+                  std::string("/") + key + ": is given twice");
+    }
     // The same key in different objects is none.
     const char* const apart = R"({"a":{"a":[{"a":1},{"a":null}]},"b":[true,-3,0.5,"x",[],{}]})";
     EXPECT_EQ(parse_json(apart).dump(), apart);
