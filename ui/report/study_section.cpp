@@ -36,15 +36,21 @@ QString numberOrDash(const std::optional<double>& value) {
                  : QStringLiteral("–");
 }
 
-QString shareText(const StudyAnswer& value) {
+QString shareText(const StudyAnswer& value, const studies::Watched& watched) {
     if (!value.within) {
         return QStringLiteral("–");
     }
     const auto percent = [](const std::optional<double>& share) {
         return fixedDecimals(100.0 * share.value_or(0.0), 2, QLocale());
     };
-    return QStringLiteral("%1 % (%2 … %3)")
-        .arg(percent(value.within), percent(value.withinLow), percent(value.withinHigh));
+    const QString limits =
+        watched.min && watched.max
+            ? numberOrDash(watched.min) + QStringLiteral(" … ") + numberOrDash(watched.max)
+        : watched.min ? QStringLiteral("≥ ") + numberOrDash(watched.min)
+                      : QStringLiteral("≤ ") + numberOrDash(watched.max);
+    return limits +
+           QStringLiteral(": %1 % (%2 … %3)")
+               .arg(percent(value.within), percent(value.withinLow), percent(value.withinHigh));
 }
 
 Table givenTolerances(const StudyModel& study) {
@@ -77,7 +83,7 @@ QString methodText(const studies::Study& study) {
     return text;
 }
 
-Table foundValues(const StudyAnswers& answers) {
+Table foundValues(const StudyAnswers& answers, const studies::Study& study) {
     Table table;
     table.caption = ReportWords::tr("What the tolerances do");
     table.headings = {ReportWords::tr("Result"),  ReportWords::tr("Unit"),
@@ -87,12 +93,16 @@ Table foundValues(const StudyAnswers& answers) {
     table.numbers = {false, false, true, true, true, true, true, true};
     table.isSmall = true;
     for (const StudyAnswer& value : answers.values) {
+        const auto watched = std::find_if(
+            study.watch.begin(), study.watch.end(),
+            [&](const studies::Watched& each) { return each.pointer == value.pointer; });
         const ResultName name = resultName(value.pointer);
         QStringList cells;
         for (const QString& text :
              {name.text, name.unit, numberOrDash(value.nominal), numberOrDash(value.mean),
               numberOrDash(value.deviation ? value.deviation : value.linearDeviation),
-              numberOrDash(value.low), numberOrDash(value.high), shareText(value)}) {
+              numberOrDash(value.low), numberOrDash(value.high),
+              watched != study.watch.end() ? shareText(value, *watched) : QString()}) {
             cells << text.toHtmlEscaped();
         }
         table.rows << cells;
@@ -161,7 +171,7 @@ void addTolerances(Report& report, SceneModel& model) {
         return;
     }
     report.items.push_back(Paragraph{methodText(study.study()).toHtmlEscaped()});
-    report.items.push_back(foundValues(*answers));
+    report.items.push_back(foundValues(*answers, study.study()));
     if (studies::is_sampled(study.study().method)) {
         report.items.push_back(Paragraph{ReportWords::tr("Samples solved: %1")
                                              .arg(QLocale().toString(qulonglong(answers->solved)))

@@ -97,7 +97,7 @@ ScatterView::ScatterView(StudyModel* study, QWidget* parent) : QWidget(parent), 
         auto* box = new QComboBox(this);
         box->setObjectName(QLatin1String(name));
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(12);
+        box->setMinimumContentsLength(7);
         label->setBuddy(box);
         row->addWidget(label);
         row->addWidget(box, 1);

@@ -151,11 +151,9 @@ struct ToleranceBands::Run {
         if (curve.x == places) {
             return curve.y;
         }
-        if (!curve.isLine()) {
-            return curve.x.size() == places.size() ? curve.y : std::vector<double>();
-        }
         std::vector<double> values;
-        for (std::size_t i = 0; curve.ascending && i < places.size(); ++i) {
+        const bool goesOn = curve.isLine() && curve.ascending;
+        for (std::size_t i = 0; goesOn && i < places.size(); ++i) {
             values.push_back(data.valueAt(curve, places[i]).value_or(none));
         }
         return values;
@@ -419,7 +417,10 @@ void ToleranceBands::finish(const Run& run) {
             }
             constexpr double rounding = 1e-11;
             const PlotCurve& curve = run.plots[p].second->data().curves[c];
-            const bool hasBand = largest > rounding * size && (curve.ascending || !curve.isLine());
+            // A line that goes up and down, or to and fro, has no width along y.
+            const bool isOverX =
+                curve.ascending && !curve.x.empty() && curve.x.back() > curve.x.front();
+            const bool hasBand = largest > rounding * size && (isOverX || !curve.isLine());
             plot.setSpread(static_cast<int>(c), hasBand ? below : std::vector<double>(),
                            hasBand ? above : std::vector<double>());
         }
@@ -428,12 +429,19 @@ void ToleranceBands::finish(const Run& run) {
         ResultTable& table = *run.tables[t].first;
         const int columns = run.tables[t].second->columnCount();
         std::vector<ResultTable::Spread> spreads;
+        double size = 0.0;
+        for (const double value : run.nominal.cells[t]) {
+            size = std::isfinite(value) ? std::max(size, std::abs(value)) : size;
+        }
         for (std::size_t i = 0; i < run.cellSums[t].size(); ++i) {
             const int row = static_cast<int>(i) / columns;
             const double half = run.cellSums[t][i].half();
             constexpr double rounding = 1e-11;
             const QTableWidgetItem* name = table.item(row, 0);
-            if (name != nullptr && half > rounding * std::abs(run.nominal.cells[t][i])) {
+            // What is left of two that cancel is rounding, too.
+            constexpr double cancelled = 1e-14;
+            if (name != nullptr && half > rounding * std::abs(run.nominal.cells[t][i]) &&
+                half > cancelled * size) {
                 spreads.push_back({row, static_cast<int>(i) % columns, name->text(), half});
             }
         }

@@ -7,6 +7,8 @@
 #include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QTabWidget>
@@ -32,6 +34,7 @@
 #include "text/number_text.h"
 #include "theme/theme.h"
 #include "widgets/form_section.h"
+#include "widgets/page_columns.h"
 #include "widgets/result_table.h"
 #include "widgets/table_editor.h"
 
@@ -55,7 +58,9 @@ ToleranceWindow::ToleranceWindow(ScenePage* page, QWidget* parent)
     setWindowFlags(Qt::Window);
     setWindowTitle(tr("Tolerances"));
     setObjectName(QStringLiteral("tolerances"));
-    resize(1020, 660);
+    constexpr QSize roomy(1020, 660);
+    const QSize most = screen()->availableSize() - QSize(40, 60);
+    resize(QSize(Theme::withText(roomy.width()), Theme::withText(roomy.height())).boundedTo(most));
     auto* row = new QVBoxLayout(this);
     auto* parts = new QSplitter(this);
     parts->addWidget(makeInputs());
@@ -63,6 +68,9 @@ ToleranceWindow::ToleranceWindow(ScenePage* page, QWidget* parent)
     parts->setStretchFactor(0, 2);
     parts->setStretchFactor(1, 3);
     parts->setChildrenCollapsible(false);
+    constexpr double inputsPart = 0.36;
+    const int inputsWidth = static_cast<int>(inputsPart * width());
+    parts->setSizes({inputsWidth, width() - inputsWidth});
     row->addWidget(parts);
     connect(model_, &StudyModel::changed, this, &ToleranceWindow::showStudy);
     connect(model_, &StudyModel::answered, this, &ToleranceWindow::showAnswers);
@@ -131,7 +139,7 @@ QWidget* ToleranceWindow::makeInputs() {
     watchable_->setObjectName(QStringLiteral("watchable"));
     watchable_->setAccessibleName(tr("Watch a result"));
     watchable_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    watchable_->setMinimumContentsLength(20);
+    watchable_->setMinimumContentsLength(12);
     connect(watchable_, &QComboBox::activated, this, [this](int index) {
         const QString pointer = watchable_->itemData(index).toString();
         if (!pointer.isEmpty()) {
@@ -203,10 +211,17 @@ QWidget* ToleranceWindow::makeAnswers() {
     connect(table_, &QTableWidget::currentCellChanged, this, &ToleranceWindow::showChosen);
     constexpr int shownRows = 4;
     table_->setShownRows(shownRows);
+    constexpr int leastHeight = 60;  // further rows scroll
+    table_->setMinimumHeight(Theme::withText(leastHeight));
     column->addWidget(table_, 1);
     words_ = captionLabel({}, holder);
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    column->addWidget(words_);
+    words_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    auto* notes = scrolled(words_, holder);
+    constexpr int notesHeight = 66;
+    notes->setMinimumHeight(Theme::withText(notesHeight) / 2);
+    notes->setMaximumHeight(Theme::withText(notesHeight));
+    column->addWidget(notes);
 
     tabs_ = new QTabWidget(holder);
     tabs_->setUsesScrollButtons(true);
@@ -217,12 +232,12 @@ QWidget* ToleranceWindow::makeAnswers() {
     histogram_->setYAxis(plot::Side::Left, {tr("share of the samples, %")});
     tabs_->addTab(histogram_, tr("Histogram"));
     scatter_ = new ScatterView(model_, tabs_);
-    tabs_->addTab(scatter_, tr("Scatter"));
+    addScrolledTab(tabs_, scatter_, QStringLiteral("scatter"), tr("Scatter"));
     sweep_ = new SweepView(model_, tabs_);
-    tabs_->addTab(sweep_, tr("Sweep"));
+    addScrolledTab(tabs_, sweep_, QStringLiteral("sweep"), tr("Sweep"));
     robust_ = new RobustView(model_, tabs_);
     if (robust_->model()->isAsked()) {
-        tabs_->addTab(robust_, tr("Robust α"));
+        addScrolledTab(tabs_, robust_, QStringLiteral("robust"), tr("Robust α"));
     } else {
         robust_->hide();
     }

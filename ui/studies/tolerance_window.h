@@ -38,7 +38,6 @@ class ToleranceWindow : public QDialog {
     const ScatterView* scatter() const { return scatter_; }
     const SweepView* sweep() const { return sweep_; }
     const RobustView* robust() const { return robust_; }
-    QTabWidget* tabs() const { return tabs_; }
 
   protected:
     void showEvent(QShowEvent* event) override;

@@ -17,6 +17,7 @@
 #include "plot/plot_view.h"
 #include "report/report.h"
 #include "report/study_section.h"
+#include "scene_tests.h"
 #include "shell/main_window.h"
 #include "shell/scene_page.h"
 #include "studies/field_plot.h"
@@ -31,6 +32,8 @@
 #include "studies/sweep_view.h"
 #include "studies/tolerance_window.h"
 #include "studies/tornado_view.h"
+#include "theme/theme.h"
+#include "widgets/page_columns.h"
 #include "widgets/result_table.h"
 #include "widgets/table_editor.h"
 
@@ -219,7 +222,7 @@ TEST_F(Tolerances, SamplesAreSeenOverOneAnother) {
     scatter("/centre_distance_mm", u"1"_s);
     watch("/moment_amplitude_Nm");
     waitForAnswer();
-    tolerances->tabs()->setCurrentWidget(const_cast<ScatterView*>(tolerances->scatter()));
+    showTabOf(const_cast<ScatterView*>(tolerances->scatter()));
     const CloudPlot& plot = *tolerances->scatter()->plot();
     ASSERT_EQ(plot.pointsX().size(), 2000U);
     // P₁ l over l: a line through the origin, within the scatter.
@@ -235,7 +238,7 @@ TEST_F(Tolerances, SamplesAreSeenOverOneAnother) {
 TEST_F(Tolerances, AnInputIsSweptAndTwoMakeAMap) {
     scatter("/centre_distance_mm", u"1"_s);
     watch("/moment_amplitude_Nm");
-    tolerances->tabs()->setCurrentWidget(const_cast<SweepView*>(tolerances->sweep()));
+    showTabOf(const_cast<SweepView*>(tolerances->sweep()));
     SweepModel& model = *tolerances->sweep()->model();
     const auto wait = [&] {
         ASSERT_TRUE(
@@ -269,7 +272,7 @@ TEST_F(Tolerances, AnInputIsSweptAndTwoMakeAMap) {
 
 TEST_F(Tolerances, TheRobustAngleStandsBesideTheBestOne) {
     scatter("/centre_distance_mm", u"3"_s);
-    tolerances->tabs()->setCurrentWidget(const_cast<RobustView*>(tolerances->robust()));
+    showTabOf(const_cast<RobustView*>(tolerances->robust()));
     const RobustModel& model = *tolerances->robust()->model();
     ASSERT_TRUE(
         QTest::qWaitFor([&] { return model.best() != nullptr && !model.isStale(); }, 120'000));
@@ -306,6 +309,21 @@ TEST_F(Tolerances, OfWhatIsLeftToItsDefaultAreInTheFile) {
     EXPECT_NO_THROW(studies::problem_of(file, scene().context()));
     scene().loadFile(file, scene().context(), false);
     EXPECT_EQ(study().vary.size(), 1U);
+}
+
+TEST(ToleranceWindowSize, FitsAScreenWithTextTwiceAsLarge) {
+    Theme::instance().setTextScale(2.0);
+    {
+        const auto page = test::makePage("balance-shaft");
+        const ToleranceWindow window(page.get(), nullptr);
+        EXPECT_LE(window.minimumSizeHint().width(), 1240);
+        EXPECT_LE(window.minimumSizeHint().height(), 740);
+    }
+    Theme::instance().setTextScale(1.0);
+    const auto page = test::makePage("balance-shaft");
+    const ToleranceWindow window(page.get(), nullptr);
+    EXPECT_LE(window.minimumSizeHint().width(), 1000);
+    EXPECT_LE(window.minimumSizeHint().height(), 640);
 }
 
 TEST_F(Tolerances, StandInTheReport) {

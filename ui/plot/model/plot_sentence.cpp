@@ -107,6 +107,12 @@ QString plotSentence(const PlotData& data) {
             left > 0 ? said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence", "; and %1 more.")).arg(left)
                      : QStringLiteral(".");
     }
+    if (data.spreadShown && data.hasSpread()) {
+        sentence +=
+            QLatin1Char(' ') +
+            said(QT_TRANSLATE_NOOP("ravnoves::PlotSentence",
+                                   "With bands: 5…95 % of what the tolerances make of it."));
+    }
     QStringList marks;
     for (const plot::Mark& mark : data.marks) {
         if (!mark.text.isEmpty() && static_cast<std::size_t>(marks.size()) < mostCurves) {

@@ -154,11 +154,31 @@ void StudyModel::follow() {
         }
         inputs_.push_back(std::move(input));
     }
+    addListed();
     Q_EMIT changed();
     if (watched_) {
         later_.start();
         stale_ = answers_.has_value();
         Q_EMIT answered();
+    }
+}
+
+void StudyModel::addListed() {
+    Json input;
+    for (const Varied& varied : study_.vary) {
+        if (std::any_of(inputs_.begin(), inputs_.end(),
+                        [&](const Input& each) { return each.pointer == varied.pointer; })) {
+            continue;
+        }
+        if (input.is_null()) {
+            input = scene_->inputJson();
+        }
+        const Json::json_pointer place(varied.pointer);
+        if (input.contains(place) && input.at(place).is_number()) {
+            const ResultName name = resultName(varied.pointer);
+            inputs_.push_back({varied.pointer, capitalised(name.text), name.unit,
+                               input.at(place).get<double>(), varied});
+        }
     }
 }
 

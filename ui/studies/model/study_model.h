@@ -109,6 +109,8 @@ class StudyModel : public QObject {
 
   private:
     void follow();
+    /// Elements of long lists, which are not offered, where they scatter.
+    void addListed();
     void readStudy();
     void change(const QString& name, const studies::Study& next);
     void start();

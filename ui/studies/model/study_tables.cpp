@@ -48,8 +48,6 @@ QVariant ScatterTable::headerData(int section, Qt::Orientation orientation, int 
             return tr("Input");
         case Nominal:
             return tr("Value");
-        case UnitOf:
-            return tr("Unit");
         default:
             return QStringLiteral("±");
     }
@@ -79,9 +77,7 @@ QVariant ScatterTable::data(const QModelIndex& index, int role) const {
         case Name:
             return input.name;
         case Nominal:
-            return formNumber(input.nominal, QLocale(), 8);
-        case UnitOf:
-            return input.unit;
+            return withUnit(formNumber(input.nominal, QLocale(), 8), input.unit);
         default:
             return refused != refused_.end() ? refused->second
                                              : StudyModel::scatterText(input.varied);

@@ -12,7 +12,7 @@ class ScatterTable final : public EditableTable {
     Q_OBJECT
 
   public:
-    enum Column { Name, Nominal, UnitOf, Scatter, Columns };
+    enum Column { Name, Nominal, Scatter, Columns };
 
     explicit ScatterTable(StudyModel* model, QObject* parent = nullptr);
 
