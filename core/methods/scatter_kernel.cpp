@@ -278,7 +278,7 @@ Kernel scatter_kernel() {
             {"monte-carlo", CORE_TEXT("methods", "Monte Carlo"),
              CORE_TEXT("methods",
                        "always right in the end, but a digit costs a hundred times the samples"),
-             counted(samples, {64, 256, 1024, 4096, 16'384}), true},
+             counted(samples, {64, 256, 1024, 8192}), true},
             studies::Method::monte_carlo, 60.0),
         sampled({"latin-hypercube", CORE_TEXT("methods", "Latin hypercube"),
                  CORE_TEXT("methods",
@@ -293,19 +293,20 @@ Kernel scatter_kernel() {
                 studies::Method::sobol, 30.0),
     };
     using Kind = ScatterCase::Kind;
+    constexpr std::size_t points = 13;  // each takes some hundred thousand samples
     definition.sweeps = {
         {{"scatter", CORE_TEXT("methods", "scatter of masses, lengths and speed, an amplitude"),
-          units::none, 1e-4, 0.5, Spacing::logarithmic, 0.0, 1e-4, 0.5, 0.01},
+          units::none, 1e-4, 0.5, Spacing::logarithmic, 0.0, 1e-4, 0.5, 0.01, points},
          [](double size) {
              return ScatterCase{Kind::amplitude, size};
          }},
         {{"jump", CORE_TEXT("methods", "lead of the best of two minima, part of its scatter"),
-          units::none, 0.05, 1.2, Spacing::linear, 0.0, 0.05, 1.2, 0.8},
+          units::none, 0.05, 1.2, Spacing::linear, 0.0, 0.05, 1.2, 0.8, points},
          [](double gap) {
              return ScatterCase{Kind::jump, gap};
          }},
         {{"corner", CORE_TEXT("methods", "where a clearance binds, part of the input's scatter"),
-          units::none, -0.95, 0.9, Spacing::linear, 0.0, -0.95, 0.9, -0.5},
+          units::none, -0.95, 0.9, Spacing::linear, 0.0, -0.95, 0.9, -0.5, points},
          [](double place) {
              return ScatterCase{Kind::corner, place};
          }},
