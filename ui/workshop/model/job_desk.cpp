@@ -196,11 +196,14 @@ QString JobDesk::saveJob(bool* ok, bool isFinished) {
         QSettings().setValue(technicianKey, job.technician);
     }
     draftTimer_.stop();
-    draftStale_ = false;
-    journal_->discardDraft(journal_->session());
-    draftKept_ = false;
-    // A case file that the sheet belongs to does not have it yet.
-    if (!CaseDocument::hasFile(*model_)) {
+    if (CaseDocument::hasFile(*model_) && model_->hasChanges()) {
+        // The file does not have it yet: a crash must not part the job from it.
+        draftStale_ = true;
+        flushDraft();
+    } else {
+        draftStale_ = false;
+        journal_->discardDraft(journal_->session());
+        draftKept_ = false;
         model_->history()->setClean();
     }
     isJournaled_ = true;
@@ -255,7 +258,7 @@ void JobDesk::flushDraft() {
         draftTimer_.start();
         return;
     }
-    if (!draftStale_ || !isOpen() || !model_->hasChanges() || isJournaled_) {
+    if (!draftStale_ || !isOpen() || !model_->hasChanges()) {
         return;
     }
     JournalDraft draft;
