@@ -184,15 +184,6 @@ QWidget* ToleranceWindow::makeAnswers() {
     connect(samples_, &QComboBox::activated, this,
             [this](int index) { model_->setSamples(samples_->itemData(index).toULongLong()); });
     row->addStretch();
-    progress_ = new QProgressBar(holder);
-    progress_->setAccessibleName(tr("Progress"));
-    progress_->hide();
-    row->addWidget(progress_);
-    stop_ = new QPushButton(tr("S&top"), holder);
-    stop_->setAutoDefault(false);
-    stop_->hide();
-    connect(stop_, &QPushButton::clicked, model_->job(), &BackgroundJob::cancel);
-    row->addWidget(stop_);
     column->addLayout(row);
 
     table_ = new ResultTable(holder);
@@ -247,7 +238,19 @@ QWidget* ToleranceWindow::makeAnswers() {
     bands->setChecked(ToleranceSwitch::instance().isOn());
     connect(bands, &QCheckBox::toggled, &ToleranceSwitch::instance(), &ToleranceSwitch::setOn);
     connect(&ToleranceSwitch::instance(), &ToleranceSwitch::changed, bands, &QCheckBox::setChecked);
-    column->addWidget(bands);
+    auto* last = new QHBoxLayout;
+    last->addWidget(bands);
+    last->addStretch();
+    progress_ = new QProgressBar(holder);
+    progress_->setAccessibleName(tr("Progress"));
+    progress_->hide();
+    last->addWidget(progress_);
+    stop_ = new QPushButton(tr("S&top"), holder);
+    stop_->setAutoDefault(false);
+    stop_->hide();
+    connect(stop_, &QPushButton::clicked, model_->job(), &BackgroundJob::cancel);
+    last->addWidget(stop_);
+    column->addLayout(last);
     return holder;
 }
 

@@ -301,6 +301,7 @@ TEST_F(Tolerances, AnswersOfTheValuesBeforeAreSaidToBe) {
 TEST_F(Tolerances, OfWhatIsLeftToItsDefaultAreInTheFile) {
     ASSERT_FALSE(scene().inputJson().contains("offset_mm"));
     scatter("/offset_mm", u"0.1"_s);
+    tolerances->model()->setSamples(64);
     watch("/metrics/M_ups/range_Nm");
     waitForAnswer();
     EXPECT_EQ(tolerances->model()->answers()->solved, study().samples);

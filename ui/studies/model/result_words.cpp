@@ -249,6 +249,10 @@ QString wordOf(const QString& key) {
     if (const auto found = known.constFind(key); found != known.constEnd()) {
         return **found == '\0' ? QString() : said(*found);
     }
+    bool isPlace = false;
+    if (const int place = key.toInt(&isPlace); isPlace) {
+        return QString::number(place + 1);  // of a list, from 1
+    }
     // M_x stays; other keys are words.
     const bool isSymbol = key.size() > 1 && key.at(1) == QLatin1Char('_');
     QString name = QString(key).replace(QStringLiteral("~1"), QStringLiteral("/"));
