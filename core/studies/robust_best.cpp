@@ -20,7 +20,7 @@ namespace ravnoves::studies {
 
 namespace {
 
-constexpr std::uint64_t robust_samples = 4096;
+constexpr std::uint64_t robust_samples = 2048;
 constexpr std::uint64_t fewest_samples = 64;
 constexpr std::size_t left_out_groups = 16;
 constexpr double turn_deg = 360.0;
@@ -217,9 +217,10 @@ bool has_enough(const AngleTable& table) {
     return table.samples() - table.refused() >= fewest_samples;
 }
 
-/// The middles of the stretches that may hold less than the best does by the tolerance.
-std::vector<double> middles(const AngleTable& table, const std::vector<double>& values,
-                            double tolerance) {
+/// Angles that quarter the stretches that may hold less than the best does by the tolerance. A new
+/// sample costs more than an angle of it, where the torque is computed: so not by halves.
+std::vector<double> quarters(const AngleTable& table, const std::vector<double>& values,
+                             double tolerance) {
     std::vector<std::size_t> order(values.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(),
@@ -233,7 +234,9 @@ std::vector<double> middles(const AngleTable& table, const std::vector<double>& 
         const double width = wrap(table.angle(next) - from, turn_deg);
         const double bound = 0.5 * (values[order[i]] + values[next] - table.steepest() * width);
         if (width > narrowest && bound < best - tolerance) {
-            found.push_back(from + 0.5 * width);
+            for (const double part : {0.25, 0.5, 0.75}) {
+                found.push_back(from + part * width);
+            }
         }
     }
     return found;
@@ -259,14 +262,16 @@ bool search_angles(AngleTable& table) {
         if (is_flat(values)) {
             return true;
         }
-        next = middles(table, values,
-                       0.05 * percentile_error(table, best) + 1e-9 * std::abs(values[best]));
+        next = quarters(table, values,
+                        0.05 * percentile_error(table, best) + 1e-9 * std::abs(values[best]));
     }
-    for (double width = 0.1; width > 1e-3; width /= 4.0) {
+    for (const double width : {0.08, 0.01}) {
         const double best = table.angle(least(percentiles(table)));
         std::vector<double> about;
-        for (const int k : {-3, -2, -1, 1, 2, 3}) {
-            about.push_back(best + 0.25 * k * width);
+        for (int k = -7; k <= 7; ++k) {
+            if (k != 0) {
+                about.push_back(best + 0.125 * k * width);
+            }
         }
         if (!table.add(about)) {
             return false;

@@ -44,11 +44,11 @@ struct RobustBest {
 /// Whether the study watches what the angle is chosen for.
 bool asks_for_robust_best(const Problem& problem);
 
-/// The least 95th percentile over all angles, by the study's first 4096 samples (Sobol points where
+/// The least 95th percentile over all angles, by the study's first 2048 samples (Sobol points where
 /// it has none): the percentile moves with the angle by no more than the steepest sample does, so
-/// stretches are halved until none can hold less, up to a twentieth of its standard error or 0.1°;
-/// about the best the angles are 0.001° apart. Standard errors by the jackknife, sixteen groups of
-/// samples left out in turn.
+/// stretches are quartered until none can hold less, up to a twentieth of its standard error or
+/// 0.1°; about the best the angles are 0.00125° apart. Standard errors by the jackknife, sixteen
+/// groups of samples left out in turn.
 /// @param threads  0: as many as there are cores
 /// @param goes_on  asked now and then; false stops the work
 /// @return nothing where the scene chooses no angle, the study is a grid, or it was stopped
