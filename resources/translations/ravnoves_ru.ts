@@ -24,22 +24,6 @@
         <translation>Отверстия и вставки</translation>
     </message>
     <message>
-        <source>First run</source>
-        <translation>Первый пуск</translation>
-    </message>
-    <message>
-        <source>Second run</source>
-        <translation>Второй пуск</translation>
-    </message>
-    <message>
-        <source>Last run</source>
-        <translation>Последний пуск</translation>
-    </message>
-    <message>
-        <source>Balancing machine, by hand</source>
-        <translation>Балансировочный станок, от руки</translation>
-    </message>
-    <message>
         <source>front, %1</source>
         <translation>перед, %1</translation>
     </message>
@@ -54,10 +38,6 @@
     <message>
         <source>rear, °</source>
         <translation>зад, °</translation>
-    </message>
-    <message>
-        <source>Ravnoves %1 · ISO 21940-11 · depths of the full diameter, the point of the drill beyond · angles from the machine&apos;s zero mark</source>
-        <translation>Ravnoves %1 · ИСО 21940-11 · глубины по полному диаметру, конус сверла глубже · углы от нулевой метки станка</translation>
     </message>
     <message>
         <source>Front plane</source>
@@ -141,28 +121,12 @@
         <translation>Деталь</translation>
     </message>
     <message>
-        <source>One weighs</source>
-        <translation>Масса одной</translation>
-    </message>
-    <message>
         <source>Counts</source>
         <translation>Считается</translation>
     </message>
     <message>
-        <source>In the bob weight</source>
-        <translation>В грузе</translation>
-    </message>
-    <message>
-        <source>Bob weight</source>
-        <translation>Балансировочный груз</translation>
-    </message>
-    <message>
         <source>Plane</source>
         <translation>Плоскость</translation>
-    </message>
-    <message>
-        <source>Unbalance</source>
-        <translation>Дисбаланс</translation>
     </message>
     <message>
         <source>Heavy at</source>
@@ -173,52 +137,156 @@
         <translation>На радиусе</translation>
     </message>
     <message>
-        <source>Remains</source>
-        <translation>Остаётся</translation>
-    </message>
-    <message>
         <source>Verdict</source>
         <translation>Заключение</translation>
-    </message>
-    <message>
-        <source>too much</source>
-        <translation>слишком много</translation>
-    </message>
-    <message>
-        <source>good as it is</source>
-        <translation>в допуске</translation>
-    </message>
-    <message>
-        <source>good then</source>
-        <translation>будет в допуске</translation>
-    </message>
-    <message>
-        <source>Work</source>
-        <translation>Действие</translation>
-    </message>
-    <message>
-        <source>Diameter</source>
-        <translation>Диаметр</translation>
-    </message>
-    <message>
-        <source>Depth</source>
-        <translation>Глубина</translation>
     </message>
     <message>
         <source>Angle</source>
         <translation>Угол</translation>
     </message>
     <message>
-        <source>Takes off</source>
-        <translation>Снимает</translation>
+        <source>Drilled from … to</source>
+        <translation>Сверлят от … до</translation>
     </message>
     <message>
-        <source>drill</source>
-        <translation>сверлить</translation>
+        <source>May remain</source>
+        <translation>Может остаться</translation>
     </message>
     <message>
-        <source>press in a slug</source>
-        <translation>запрессовать вставку</translation>
+        <source>Readings of the balancing machine</source>
+        <translation>Показания балансировочного станка</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Пуск</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Измерено</translation>
+    </message>
+    <message>
+        <source>Correction: measured → after it</source>
+        <translation>Коррекция: измерено → после неё</translation>
+    </message>
+    <message>
+        <source>Ravnoves %1 · ISO 21940-11 · angles from the machine&apos;s zero mark, in one sense for readings and holes</source>
+        <translation>Ravnoves %1 · ИСО 21940-11 · углы от нулевой метки станка, в одну сторону для показаний и отверстий</translation>
+    </message>
+    <message>
+        <source>A limit of the shop’s own for each plane, no grade.</source>
+        <translation>Свой допуск мастерской для каждой плоскости, без класса.</translation>
+    </message>
+    <message>
+        <source>By G %1 of ISO 21940-11, %2 at %3.</source>
+        <translation>По G %1 ИСО 21940-11, %2 при %3.</translation>
+    </message>
+    <message>
+        <source>Shared by the distances of the end bearings.</source>
+        <translation>Поделён по расстояниям до крайних подшипников.</translation>
+    </message>
+    <message>
+        <source>Shared by the centre of mass.</source>
+        <translation>Поделён по центру масс.</translation>
+    </message>
+    <message>
+        <source>Half in each plane.</source>
+        <translation>Половина на каждую плоскость.</translation>
+    </message>
+    <message>
+        <source>%1, measured: %2.</source>
+        <translation>%1, измерено: %2.</translation>
+    </message>
+    <message>
+        <source>After the correction: %1.</source>
+        <translation>После коррекции: %1.</translation>
+    </message>
+    <message>
+        <source>Not given, counted as %1: %2. Where there is none, type 0.</source>
+        <translation>Не задано, считается за %1: %2. Если детали нет, введите 0.</translation>
+    </message>
+    <message>
+        <source>The machine reads at %1 and %2, far outside the planes: an error of its readings may be %3 times as large in them.</source>
+        <translation>Станок измеряет в %1 и %2, далеко за плоскостями: ошибка его показаний может быть в них в %3 раза больше.</translation>
+    </message>
+    <message>
+        <source>Depths are to the full diameter, the cone of the drill’s point lies beyond; the rim counts as flat where a hole begins.</source>
+        <translation>Глубина — до полного диаметра, конус сверла лежит глубже; обод в месте отверстия считается плоским.</translation>
+    </message>
+    <message>
+        <source>One, %1</source>
+        <translation>Одна, %1</translation>
+    </message>
+    <message>
+        <source>In all, %1</source>
+        <translation>Всего, %1</translation>
+    </message>
+    <message>
+        <source>Sum</source>
+        <translation>Всего</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Исходно</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>Пуск %1</translation>
+    </message>
+    <message>
+        <source>Front, %1</source>
+        <translation>Перед, %1</translation>
+    </message>
+    <message>
+        <source>Rear, %1</source>
+        <translation>Зад, %1</translation>
+    </message>
+    <message>
+        <source>After correction</source>
+        <translation>После коррекции</translation>
+    </message>
+    <message>
+        <source>Hole</source>
+        <translation>Отверстие</translation>
+    </message>
+    <message>
+        <source>Depth, %1</source>
+        <translation>Глубина, %1</translation>
+    </message>
+    <message>
+        <source>Takes off, %1</source>
+        <translation>Снимает, %1</translation>
+    </message>
+    <message>
+        <source>Front: ⌀ %1</source>
+        <translation>Перед: ⌀ %1</translation>
+    </message>
+    <message>
+        <source>Rear: ⌀ %1</source>
+        <translation>Зад: ⌀ %1</translation>
+    </message>
+    <message>
+        <source>Front: slug ⌀ %1</source>
+        <translation>Перед: вставка ⌀ %1</translation>
+    </message>
+    <message>
+        <source>Rear: slug ⌀ %1</source>
+        <translation>Зад: вставка ⌀ %1</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Перед</translation>
+    </message>
+    <message>
+        <source>Rear</source>
+        <translation>Зад</translation>
+    </message>
+    <message>
+        <source>passes</source>
+        <translation>годен</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>не годен</translation>
     </message>
 </context>
 <context>
@@ -466,6 +534,10 @@
     <message>
         <source>ISO 21940-11, G %1, %2 at %3: Uₚₑᵣ = %4 in all.</source>
         <translation>ИСО 21940-11, G %1, %2 при %3: Uдоп = %4 всего.</translation>
+    </message>
+    <message>
+        <source>Not up to date, for these entries are refused: %1</source>
+        <translation>Не по листу: отвергнуты значения: %1</translation>
     </message>
 </context>
 <context>
@@ -2703,22 +2775,6 @@
         <translation>Нижняя головка одного шатуна с болтами, без вкладышей.</translation>
     </message>
     <message>
-        <source>S&amp;hells</source>
-        <translation>Вклады&amp;ши</translation>
-    </message>
-    <message>
-        <source>The two shells of one rod.</source>
-        <translation>Два вкладыша одного шатуна.</translation>
-    </message>
-    <message>
-        <source>&amp;Oil</source>
-        <translation>&amp;Масло</translation>
-    </message>
-    <message>
-        <source>Oil in one crankpin and about it: usually 4 g.</source>
-        <translation>Масло в одной шейке и около неё: обычно 4 г.</translation>
-    </message>
-    <message>
         <source>must be even where two rods share a bob weight</source>
         <translation>должно быть чётным, если на грузе два шатуна</translation>
     </message>
@@ -2911,10 +2967,6 @@
         <translation>Здесь сектор кончается, в сторону роста углов.</translation>
     </message>
     <message>
-        <source>What the machine reads, the bob weights on the crankpins.</source>
-        <translation>Что показывает станок, грузы на шейках.</translation>
-    </message>
-    <message>
         <source>Read at</source>
         <translation>Измерено в</translation>
     </message>
@@ -2965,10 +3017,6 @@
     <message>
         <source>&amp;Deepest hole</source>
         <translation>&amp;Наибольшая глубина</translation>
-    </message>
-    <message>
-        <source>Of the full diameter; the point of the drill lies beyond.</source>
-        <translation>По полному диаметру; конус сверла глубже.</translation>
     </message>
     <message>
         <source>&amp;Point angle</source>
@@ -3205,6 +3253,42 @@
     <message>
         <source>must leave a factor of 0 or more</source>
         <translation>должно оставлять долю не меньше 0</translation>
+    </message>
+    <message>
+        <source>S&amp;hells of one rod</source>
+        <translation>Вклад&amp;ыши одного шатуна</translation>
+    </message>
+    <message>
+        <source>The two shells of one rod, not those of the whole crankpin: they count once for each rod on it.</source>
+        <translation>Два вкладыша одного шатуна, а не всей шейки: они считаются по разу на каждый её шатун.</translation>
+    </message>
+    <message>
+        <source>&amp;Oil of one crankpin</source>
+        <translation>&amp;Масло одной шейки</translation>
+    </message>
+    <message>
+        <source>Oil in one crankpin and about it, once for all of its rods: usually 4 g.</source>
+        <translation>Масло в одной шейке и около неё, один раз на все её шатуны: обычно 4 г.</translation>
+    </message>
+    <message>
+        <source>must be a list of at most %1</source>
+        <translation>должен быть список не длиннее %1</translation>
+    </message>
+    <message>
+        <source>What the machine reads, the bob weights on the crankpins: the newest run, which is corrected.</source>
+        <translation>Показания станка с грузами на шейках: последний пуск, который исправляется.</translation>
+    </message>
+    <message>
+        <source>Runs of the machine before the newest, the first as the crankshaft came; each with two readings, taken where the newest are.</source>
+        <translation>Пуски станка до последнего, первый — вал, каким он пришёл; у каждого два показания, измеренные там же, где последние.</translation>
+    </message>
+    <message>
+        <source>What the machine read in that run.</source>
+        <translation>Показания станка в этом пуске.</translation>
+    </message>
+    <message>
+        <source>To the full diameter: the cone of the drill&apos;s point lies beyond it.</source>
+        <translation>До полного диаметра: конус сверла лежит глубже.</translation>
     </message>
 </context>
 <context>
@@ -3696,6 +3780,10 @@
     <message>
         <source>lb/ft³</source>
         <translation>фунт/фут³</translation>
+    </message>
+    <message>
+        <source>g·in</source>
+        <translation>г·дюйм</translation>
     </message>
 </context>
 <context>
@@ -6742,6 +6830,90 @@
         <source>divisor of r² (P₁ + P₂) / g in Iₚᵣ(0)</source>
         <translation>делитель r² (P₁ + P₂) / g в Iₚᵣ(0)</translation>
     </message>
+    <message>
+        <source>Inputs that scatter</source>
+        <translation>Разброс входных данных</translation>
+    </message>
+    <message>
+        <source>mean and standard deviation of a result of scattering inputs</source>
+        <translation>среднее и стандартное отклонение результата при разбросе входных данных</translation>
+    </message>
+    <message>
+        <source>larger error of both, part of the standard deviation, root mean square over 16 seeds</source>
+        <translation>большая из двух погрешностей, доля стандартного отклонения, среднеквадратично по 16 начальным числам</translation>
+    </message>
+    <message>
+        <source>one study, without what the result itself costs</source>
+        <translation>одно исследование, без того, чего стоит сам результат</translation>
+    </message>
+    <message>
+        <source>closed forms, against Gauss&apos;s quadrature between the kinks</source>
+        <translation>замкнутые формулы против квадратуры Гаусса между изломами</translation>
+    </message>
+    <message>
+        <source>%1 samples</source>
+        <translation>%1 проб</translation>
+    </message>
+    <message>
+        <source>differences</source>
+        <translation>разности</translation>
+    </message>
+    <message>
+        <source>slopes at the nominal</source>
+        <translation>наклоны при номинале</translation>
+    </message>
+    <message>
+        <source>knows nothing of what lies away from the nominal: a jump, a corner, a curve</source>
+        <translation>не знает ничего вдали от номинала: ни скачка, ни излома, ни кривизны</translation>
+    </message>
+    <message>
+        <source>slopes and curvatures</source>
+        <translation>наклоны и кривизны</translation>
+    </message>
+    <message>
+        <source>follows a curve, but neither a jump nor a corner</source>
+        <translation>следует кривизне, но не скачку и не излому</translation>
+    </message>
+    <message>
+        <source>Monte Carlo</source>
+        <translation>Монте-Карло</translation>
+    </message>
+    <message>
+        <source>always right in the end, but a digit costs a hundred times the samples</source>
+        <translation>в конце всегда прав, но цифра стоит стократного числа проб</translation>
+    </message>
+    <message>
+        <source>Latin hypercube</source>
+        <translation>латинский гиперкуб</translation>
+    </message>
+    <message>
+        <source>better than Monte Carlo where the inputs act by themselves; what they do together it leaves to chance</source>
+        <translation>лучше Монте-Карло, где входы действуют порознь; то, что они делают вместе, оставляет случаю</translation>
+    </message>
+    <message>
+        <source>scrambled Sobol points</source>
+        <translation>перемешанные точки Соболя</translation>
+    </message>
+    <message>
+        <source>a digit costs some ten times the samples; across a jump a little more</source>
+        <translation>цифра стоит примерно десятикратного числа проб, через скачок — немного больше</translation>
+    </message>
+    <message>
+        <source>scatter of masses, lengths and speed, an amplitude</source>
+        <translation>разброс масс, длин и частоты, амплитуда</translation>
+    </message>
+    <message>
+        <source>lead of the best of two minima, part of its scatter</source>
+        <translation>преимущество лучшего из двух минимумов, доля разброса</translation>
+    </message>
+    <message>
+        <source>where a clearance binds, part of the input&apos;s scatter</source>
+        <translation>где зазор становится связью, доля разброса входа</translation>
+    </message>
+    <message>
+        <source>What scatters is known to a few digits itself, so five thousandths of the standard deviation do. Slopes give that for the price of some samples, but not where an optimum jumps or a clearance binds, and they do not know that they fail there. Scrambled Sobol points hold it everywhere with the fewest samples, and other seeds tell their error.</source>
+        <translation>То, что рассеивается, само известно до нескольких цифр, так что пяти тысячных стандартного отклонения довольно. Наклоны дают это ценой нескольких проб, но не там, где оптимум скачет или зазор становится связью, и не знают, что там неверны. Перемешанные точки Соболя держат это везде при наименьшем числе проб, а другие начальные числа говорят об их погрешности.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::AnswerView</name>
@@ -7424,6 +7596,10 @@ but nothing can be built</source>
         <source>Holes and slugs</source>
         <translation>Отверстия и вставки</translation>
     </message>
+    <message>
+        <source>Runs of the machine</source>
+        <translation>Пуски станка</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BobDrillsSheet</name>
@@ -7432,16 +7608,16 @@ but nothing can be built</source>
         <translation>Имеющиеся свёрла</translation>
     </message>
     <message>
-        <source>Diameters in millimetres, one after the other: 8; 10; 12.5</source>
-        <translation>Диаметры в миллиметрах один за другим: 8; 10; 12,5</translation>
-    </message>
-    <message>
         <source>Several holes</source>
         <translation>Несколько отверстий</translation>
     </message>
     <message>
         <source>Heavy metal</source>
         <translation>Тяжёлый металл</translation>
+    </message>
+    <message>
+        <source>Diameters in %1, one after the other: %2</source>
+        <translation>Диаметры в %1, один за другим: %2</translation>
     </message>
 </context>
 <context>
@@ -7462,20 +7638,12 @@ but nothing can be built</source>
 <context>
     <name>ravnoves::BobMachineSheet</name>
     <message>
-        <source>Planes and readings</source>
-        <translation>Плоскости и показания</translation>
-    </message>
-    <message>
         <source>What may remain</source>
         <translation>Что может остаться</translation>
     </message>
     <message>
         <source>&amp;A limit of your own for each plane, no grade</source>
         <translation>&amp;Свой допуск для каждой плоскости, без класса</translation>
-    </message>
-    <message>
-        <source>On: so many g·mm may remain in each plane. Off: by grade, mass and speed.</source>
-        <translation>Включено: столько г·мм может остаться в каждой плоскости. Выключено: по классу, массе и частоте вращения.</translation>
     </message>
     <message>
         <source>Kind of limit</source>
@@ -7492,6 +7660,18 @@ but nothing can be built</source>
     <message>
         <source>Balance quality grades of ISO 21940-11, and what each is for.</source>
         <translation>Классы точности балансировки ИСО 21940-11 и для чего каждый.</translation>
+    </message>
+    <message>
+        <source>Planes</source>
+        <translation>Плоскости</translation>
+    </message>
+    <message>
+        <source>Readings: before, and after each drilling</source>
+        <translation>Показания: до и после каждого сверления</translation>
+    </message>
+    <message>
+        <source>On: so much unbalance may remain in each plane. Off: by grade, mass and speed.</source>
+        <translation>Включено: столько дисбаланса может остаться в каждой плоскости. Выключено: по классу, массе и частоте.</translation>
     </message>
 </context>
 <context>
@@ -7539,6 +7719,10 @@ but nothing can be built</source>
         <source>%1 of cylinder %2 as the scale says.</source>
         <translation>%1 цилиндра %2 по весам.</translation>
     </message>
+    <message>
+        <source>The sheet shows %1 of %2 cylinders. A column of a spreadsheet pasted at the first has room for all, or type the means on sheet 2.</source>
+        <translation>Лист показывает %1 из %2 цилиндров. Столбцу таблицы, вставленному в первый, хватает места для всех; или введите средние на листе 2.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::BobWeightsModel</name>
@@ -7549,10 +7733,6 @@ but nothing can be built</source>
     <message>
         <source>Mass × how often it counts</source>
         <translation>Масса × сколько раз считается</translation>
-    </message>
-    <message>
-        <source>Sum of the lines: weigh it out so</source>
-        <translation>Сумма строк: столько отвесить</translation>
     </message>
     <message>
         <source>Both readings taken to the correction planes: same force, same moment</source>
@@ -7567,18 +7747,6 @@ but nothing can be built</source>
         <translation>Масса, дающая этот дисбаланс на радиусе плоскости</translation>
     </message>
     <message>
-        <source>What the holes below leave, added up as vectors</source>
-        <translation>Что оставляют отверстия ниже, сложенные векторно</translation>
-    </message>
-    <message>
-        <source>By the limit of the plane</source>
-        <translation>По допуску плоскости</translation>
-    </message>
-    <message>
-        <source>Of the full diameter; the point of the drill lies beyond</source>
-        <translation>По полному диаметру; конус сверла глубже</translation>
-    </message>
-    <message>
         <source>From the machine&apos;s zero mark</source>
         <translation>От нулевой метки станка</translation>
     </message>
@@ -7589,6 +7757,50 @@ but nothing can be built</source>
     <message>
         <source>Weigh-in sheet: %1 of cylinder %2 is missing or no weight.</source>
         <translation>Взвешивание: %1, цилиндр %2 — не введено или не масса.</translation>
+    </message>
+    <message>
+        <source>Nothing is pasted: the block does not fit on the sheet from here, which has %1 cylinders.</source>
+        <translation>Ничего не вставлено: отсюда блок не помещается на лист, где цилиндров %1.</translation>
+    </message>
+    <message>
+        <source>Nothing is pasted: “%1” is no mass in %2.</source>
+        <translation>Ничего не вставлено: «%1» — не масса в %2.</translation>
+    </message>
+    <message>
+        <source>Paste weights</source>
+        <translation>Вставить массы</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3 is still needed.</source>
+        <translation>%1, %2: ещё нужно «%3».</translation>
+    </message>
+    <message>
+        <source>The bob weight: weigh it out so</source>
+        <translation>Балансировочный груз: столько и набирают</translation>
+    </message>
+    <message>
+        <source>What the holes below leave, their depths rounded, added up as vectors</source>
+        <translation>Что оставляют отверстия ниже с округлёнными глубинами, сложенное векторно</translation>
+    </message>
+    <message>
+        <source>By the limit of the plane: as measured → after the correction</source>
+        <translation>По допуску плоскости: измерено → после коррекции</translation>
+    </message>
+    <message>
+        <source>The readings of the run taken to the front plane</source>
+        <translation>Показания пуска, перенесённые в переднюю плоскость</translation>
+    </message>
+    <message>
+        <source>The readings of the run taken to the rear plane</source>
+        <translation>Показания пуска, перенесённые в заднюю плоскость</translation>
+    </message>
+    <message>
+        <source>By the limits of both planes</source>
+        <translation>По допускам обеих плоскостей</translation>
+    </message>
+    <message>
+        <source>To the full diameter; the cone of the drill&apos;s point lies beyond</source>
+        <translation>До полного диаметра; конус сверла лежит глубже</translation>
     </message>
 </context>
 <context>
@@ -8554,6 +8766,13 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>The box around cylinder, crank circle, shaft circle and gears, with the wall, in the front view. Where the shaft&apos;s circle meets cylinder, crank or rod, α cannot be built. The sizes are on the Inputs tab. Click either chart to set α.</source>
         <translation>Прямоугольник вокруг цилиндра, окружностей кривошипа и вала и шестерён со стенкой на виде спереди. Где окружность вала задевает цилиндр, кривошип или шатун, α построить нельзя. Размеры — на вкладке «Данные». Щелчок по любому графику задаёт α.</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::FieldPlot</name>
+    <message>
+        <source>%1: from %2 to %3 over %4 and %5.</source>
+        <translation>%1: от %2 до %3 над %4 и %5.</translation>
     </message>
 </context>
 <context>
@@ -10478,14 +10697,6 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <translation>&amp;незаконченные</translation>
     </message>
     <message>
-        <source>passes</source>
-        <translation>годен</translation>
-    </message>
-    <message>
-        <source>fails</source>
-        <translation>не годен</translation>
-    </message>
-    <message>
         <source>unfinished</source>
         <translation>не закончена</translation>
     </message>
@@ -10742,6 +10953,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>&amp;Tolerances: how sure a result is</source>
         <translation>&amp;Допуски: насколько надёжен результат</translation>
+    </message>
+    <message>
+        <source>Tolerance &amp;bands</source>
+        <translation>Полосы &amp;допусков</translation>
+    </message>
+    <message>
+        <source>Bands about the curves and ± beside the numbers, where the case has tolerances</source>
+        <translation>Полосы вокруг кривых и ± у чисел, если у задачи есть допуски</translation>
     </message>
 </context>
 <context>
@@ -11464,6 +11683,10 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Now at %1.</source>
         <translation>Сейчас %1.</translation>
     </message>
+    <message>
+        <source>With bands: 5…95 % of what the tolerances make of it.</source>
+        <translation>С полосами: 5…95 % того, что делают допуски.</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::PlotView</name>
@@ -11502,6 +11725,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Save picture or data</source>
         <translation>Сохранить рисунок или данные</translation>
+    </message>
+    <message>
+        <source>5…95 %</source>
+        <translation>5…95 %</translation>
+    </message>
+    <message>
+        <source>Show what the tolerances do</source>
+        <translation>Показать действие допусков</translation>
+    </message>
+    <message>
+        <source>Where the tolerances let the curves lie: 5 % below the band, 5 % above it</source>
+        <translation>Где допуски позволяют лежать кривым: 5 % ниже полосы, 5 % выше неё</translation>
     </message>
 </context>
 <context>
@@ -12026,6 +12261,62 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>… and %1 more.</source>
         <translation>… и ещё %1.</translation>
     </message>
+    <message>
+        <source>Inputs and their tolerances</source>
+        <translation>Входы и их допуски</translation>
+    </message>
+    <message>
+        <source>Method: %1</source>
+        <translation>Метод: %1</translation>
+    </message>
+    <message>
+        <source>samples: %1, seed %2</source>
+        <translation>выборка: %1, начальное число %2</translation>
+    </message>
+    <message>
+        <source>What the tolerances do</source>
+        <translation>Что дают допуски</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Результат</translation>
+    </message>
+    <message>
+        <source>Nominal</source>
+        <translation>Номинал</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Среднее</translation>
+    </message>
+    <message>
+        <source>Within the limits</source>
+        <translation>В пределах</translation>
+    </message>
+    <message>
+        <source>Shares of the variance of %1</source>
+        <translation>Доли дисперсии: %1</translation>
+    </message>
+    <message>
+        <source>Tolerances</source>
+        <translation>Допуски</translation>
+    </message>
+    <message>
+        <source>The bands about the curves and the ± beside the numbers of the results go from 5 % to 95 % of what these make of them, by slopes alone.</source>
+        <translation>Полосы вокруг кривых и ± у чисел результатов идут от 5 % до 95 % того, что с ними делают эти допуски, по одним наклонам.</translation>
+    </message>
+    <message>
+        <source>Nothing could be computed.</source>
+        <translation>Ничего не удалось рассчитать.</translation>
+    </message>
+    <message>
+        <source>Samples solved: %1</source>
+        <translation>Решено выборок: %1</translation>
+    </message>
+    <message>
+        <source>Refused: %1 × %2</source>
+        <translation>Отклонено: %1 × %2</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::ResultTable</name>
@@ -12044,6 +12335,803 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>Present value less that of the reference %1</source>
         <translation>Нынешнее значение минус значение эталона %1</translation>
+    </message>
+    <message>
+        <source>What the tolerances make of it: half of the range from 5 % to 95 %</source>
+        <translation>Что делают с ним допуски: половина промежутка от 5 % до 95 %</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::ResultWords</name>
+    <message>
+        <source>Mₛ</source>
+        <translation>Mₛ</translation>
+    </message>
+    <message>
+        <source>Mᵤₚ</source>
+        <translation>Mᵤₚ</translation>
+    </message>
+    <message>
+        <source>Mᵤₚₛ</source>
+        <translation>Mᵤₚₛ</translation>
+    </message>
+    <message>
+        <source>Mₛ, 25 nodes</source>
+        <translation>Mₛ, 25 узлов</translation>
+    </message>
+    <message>
+        <source>Mᵤₚ, nodes</source>
+        <translation>Mᵤₚ, узлы</translation>
+    </message>
+    <message>
+        <source>Mᵤₚₛ, nodes</source>
+        <translation>Mᵤₚₛ, узлы</translation>
+    </message>
+    <message>
+        <source>across the shaft</source>
+        <translation>поперёк вала</translation>
+    </message>
+    <message>
+        <source>across the cylinder</source>
+        <translation>поперёк цилиндра</translation>
+    </message>
+    <message>
+        <source>along the cylinder</source>
+        <translation>вдоль цилиндра</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>амплитуда</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>угол</translation>
+    </message>
+    <message>
+        <source>angular speed ω</source>
+        <translation>угловая скорость ω</translation>
+    </message>
+    <message>
+        <source>at φ</source>
+        <translation>при φ</translation>
+    </message>
+    <message>
+        <source>backward</source>
+        <translation>обратный</translation>
+    </message>
+    <message>
+        <source>balancing weight</source>
+        <translation>уравновешивающий вес</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>до</translation>
+    </message>
+    <message>
+        <source>best place</source>
+        <translation>лучшее место</translation>
+    </message>
+    <message>
+        <source>best place that can be built</source>
+        <translation>лучшее осуществимое место</translation>
+    </message>
+    <message>
+        <source>bob weight</source>
+        <translation>груз</translation>
+    </message>
+    <message>
+        <source>bob weight with plugs in</source>
+        <translation>груз при вставленных заглушках</translation>
+    </message>
+    <message>
+        <source>bob weights</source>
+        <translation>грузы</translation>
+    </message>
+    <message>
+        <source>centre distance l</source>
+        <translation>межосевое расстояние l</translation>
+    </message>
+    <message>
+        <source>change without the shaft</source>
+        <translation>изменение без вала</translation>
+    </message>
+    <message>
+        <source>clearance</source>
+        <translation>зазор</translation>
+    </message>
+    <message>
+        <source>spring compressed</source>
+        <translation>пружина сжата</translation>
+    </message>
+    <message>
+        <source>constant</source>
+        <translation>постоянная</translation>
+    </message>
+    <message>
+        <source>cosine</source>
+        <translation>косинус</translation>
+    </message>
+    <message>
+        <source>force of the counterweights</source>
+        <translation>сила противовесов</translation>
+    </message>
+    <message>
+        <source>lag of the counterweights&apos; force</source>
+        <translation>отставание силы противовесов</translation>
+    </message>
+    <message>
+        <source>lag of the counterweight</source>
+        <translation>отставание противовеса</translation>
+    </message>
+    <message>
+        <source>mass of the counterweight</source>
+        <translation>масса противовеса</translation>
+    </message>
+    <message>
+        <source>moment of the counterweight</source>
+        <translation>момент противовеса</translation>
+    </message>
+    <message>
+        <source>lag of the counterweights&apos; moment</source>
+        <translation>отставание момента противовесов</translation>
+    </message>
+    <message>
+        <source>weight of the counterweight</source>
+        <translation>вес противовеса</translation>
+    </message>
+    <message>
+        <source>crank</source>
+        <translation>кривошип</translation>
+    </message>
+    <message>
+        <source>without a shaft</source>
+        <translation>без вала</translation>
+    </message>
+    <message>
+        <source>swing radius of the crank</source>
+        <translation>радиус вращения кривошипа</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>цилиндр</translation>
+    </message>
+    <message>
+        <source>bore of the cylinder</source>
+        <translation>диаметр цилиндра</translation>
+    </message>
+    <message>
+        <source>bottom of the cylinder</source>
+        <translation>низ цилиндра</translation>
+    </message>
+    <message>
+        <source>top of the cylinder</source>
+        <translation>верх цилиндра</translation>
+    </message>
+    <message>
+        <source>wall of the cylinder</source>
+        <translation>стенка цилиндра</translation>
+    </message>
+    <message>
+        <source>cylinders</source>
+        <translation>цилиндры</translation>
+    </message>
+    <message>
+        <source>dead centre</source>
+        <translation>мёртвая точка</translation>
+    </message>
+    <message>
+        <source>difference of the two-term formulas</source>
+        <translation>отличие двучленных формул</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>энергия</translation>
+    </message>
+    <message>
+        <source>m r² ω² entered</source>
+        <translation>введённое m r² ω²</translation>
+    </message>
+    <message>
+        <source>envelope</source>
+        <translation>габарит</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>точно</translation>
+    </message>
+    <message>
+        <source>excess work</source>
+        <translation>избыточная работа</translation>
+    </message>
+    <message>
+        <source>cycle of the firing</source>
+        <translation>цикл зажигания</translation>
+    </message>
+    <message>
+        <source>first order</source>
+        <translation>первый порядок</translation>
+    </message>
+    <message>
+        <source>λ fitted</source>
+        <translation>подобранная λ</translation>
+    </message>
+    <message>
+        <source>m r² ω² fitted</source>
+        <translation>подобранное m r² ω²</translation>
+    </message>
+    <message>
+        <source>flywheel</source>
+        <translation>маховик</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>сила</translation>
+    </message>
+    <message>
+        <source>angle of the force</source>
+        <translation>угол силы</translation>
+    </message>
+    <message>
+        <source>factor of the force</source>
+        <translation>множитель силы</translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation>прямой</translation>
+    </message>
+    <message>
+        <source>gap in front</source>
+        <translation>зазор спереди</translation>
+    </message>
+    <message>
+        <source>gears</source>
+        <translation>шестерни</translation>
+    </message>
+    <message>
+        <source>tip radius of the gear</source>
+        <translation>радиус вершин шестерни</translation>
+    </message>
+    <message>
+        <source>crank guide</source>
+        <translation>направляющая кривошипа</translation>
+    </message>
+    <message>
+        <source>crank guide beside the rod hinge</source>
+        <translation>направляющая кривошипа рядом с шатунной</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>высота</translation>
+    </message>
+    <message>
+        <source>horizontal</source>
+        <translation>горизонтально</translation>
+    </message>
+    <message>
+        <source>of offsets and rods</source>
+        <translation>от смещений и шатунов</translation>
+    </message>
+    <message>
+        <source>check of the inertia torque</source>
+        <translation>проверка момента сил инерции</translation>
+    </message>
+    <message>
+        <source>inertia force Pⱼ₁, max</source>
+        <translation>сила инерции Pⱼ₁, наиб.</translation>
+    </message>
+    <message>
+        <source>kₚ</source>
+        <translation>kₚ</translation>
+    </message>
+    <message>
+        <source>kᵧ</source>
+        <translation>kᵧ</translation>
+    </message>
+    <message>
+        <source>kᵧ, new crankshaft</source>
+        <translation>kᵧ, новый вал</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>наибольшее</translation>
+    </message>
+    <message>
+        <source>largest, by Newton and Euler</source>
+        <translation>наибольшее, по Ньютону и Эйлеру</translation>
+    </message>
+    <message>
+        <source>largest error of cos ψ</source>
+        <translation>наибольшая ошибка cos ψ</translation>
+    </message>
+    <message>
+        <source>largest moment</source>
+        <translation>наибольший момент</translation>
+    </message>
+    <message>
+        <source>largest error of the rod hinge&apos;s moment</source>
+        <translation>наибольшая ошибка момента шатунного шарнира</translation>
+    </message>
+    <message>
+        <source>largest radius of a roller</source>
+        <translation>наибольший радиус ролика</translation>
+    </message>
+    <message>
+        <source>largest force of the spring</source>
+        <translation>наибольшая сила пружины</translation>
+    </message>
+    <message>
+        <source>largest with the hinge</source>
+        <translation>наибольшее с шарниром</translation>
+    </message>
+    <message>
+        <source>largest without the hinge</source>
+        <translation>наибольшее без шарнира</translation>
+    </message>
+    <message>
+        <source>least allowed</source>
+        <translation>наименьшее допустимое</translation>
+    </message>
+    <message>
+        <source>change of mass</source>
+        <translation>изменение массы</translation>
+    </message>
+    <message>
+        <source>mass that fits</source>
+        <translation>подходящая масса</translation>
+    </message>
+    <message>
+        <source>speed that fits</source>
+        <translation>подходящая частота вращения</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>макс.</translation>
+    </message>
+    <message>
+        <source>φ of the max</source>
+        <translation>φ максимума</translation>
+    </message>
+    <message>
+        <source>largest energy</source>
+        <translation>наибольшая энергия</translation>
+    </message>
+    <message>
+        <source>largest pressure angle</source>
+        <translation>наибольший угол давления</translation>
+    </message>
+    <message>
+        <source>largest ρ</source>
+        <translation>наибольший ρ</translation>
+    </message>
+    <message>
+        <source>most</source>
+        <translation>наибольшее</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>среднее</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>мин.</translation>
+    </message>
+    <message>
+        <source>φ of the min</source>
+        <translation>φ минимума</translation>
+    </message>
+    <message>
+        <source>least energy</source>
+        <translation>наименьшая энергия</translation>
+    </message>
+    <message>
+        <source>least ρ</source>
+        <translation>наименьший ρ</translation>
+    </message>
+    <message>
+        <source>least preload</source>
+        <translation>наименьший преднатяг</translation>
+    </message>
+    <message>
+        <source>least stiffness</source>
+        <translation>наименьшая жёсткость</translation>
+    </message>
+    <message>
+        <source>moment</source>
+        <translation>момент</translation>
+    </message>
+    <message>
+        <source>amplitude of Mₛ</source>
+        <translation>амплитуда Mₛ</translation>
+    </message>
+    <message>
+        <source>angle of the moment</source>
+        <translation>угол момента</translation>
+    </message>
+    <message>
+        <source>factor of the moment</source>
+        <translation>множитель момента</translation>
+    </message>
+    <message>
+        <source>new crankshaft, its own plugs</source>
+        <translation>новый вал, свои заглушки</translation>
+    </message>
+    <message>
+        <source>new crankshaft, aluminium plugs</source>
+        <translation>новый вал, алюминиевые заглушки</translation>
+    </message>
+    <message>
+        <source>new crankshaft, today&apos;s steel plugs</source>
+        <translation>новый вал, нынешние стальные заглушки</translation>
+    </message>
+    <message>
+        <source>nominal</source>
+        <translation>номинал</translation>
+    </message>
+    <message>
+        <source>nominal bob weight</source>
+        <translation>номинальный груз</translation>
+    </message>
+    <message>
+        <source>best α</source>
+        <translation>лучший α</translation>
+    </message>
+    <message>
+        <source>best α that can be built</source>
+        <translation>лучший осуществимый α</translation>
+    </message>
+    <message>
+        <source>permissible for a rotor</source>
+        <translation>допустимо для ротора</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>фаза</translation>
+    </message>
+    <message>
+        <source>error of phase</source>
+        <translation>ошибка фазы</translation>
+    </message>
+    <message>
+        <source>piston</source>
+        <translation>поршень</translation>
+    </message>
+    <message>
+        <source>play</source>
+        <translation>боковой зазор</translation>
+    </message>
+    <message>
+        <source>force by the play</source>
+        <translation>сила от зазора</translation>
+    </message>
+    <message>
+        <source>largest range by the play</source>
+        <translation>наибольший размах от зазора</translation>
+    </message>
+    <message>
+        <source>least range by the play</source>
+        <translation>наименьший размах от зазора</translation>
+    </message>
+    <message>
+        <source>mass of a plug</source>
+        <translation>масса заглушки</translation>
+    </message>
+    <message>
+        <source>preload</source>
+        <translation>преднатяг</translation>
+    </message>
+    <message>
+        <source>mean as the paper has it</source>
+        <translation>среднее, как в статье</translation>
+    </message>
+    <message>
+        <source>error of the guide</source>
+        <translation>погрешность направляющей</translation>
+    </message>
+    <message>
+        <source>largest radius of the profile</source>
+        <translation>наибольший радиус профиля</translation>
+    </message>
+    <message>
+        <source>least radius of the profile</source>
+        <translation>наименьший радиус профиля</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>размах</translation>
+    </message>
+    <message>
+        <source>reaction torque</source>
+        <translation>реактивный момент</translation>
+    </message>
+    <message>
+        <source>reciprocating</source>
+        <translation>возвратно-поступательное</translation>
+    </message>
+    <message>
+        <source>reciprocating mass</source>
+        <translation>поступательная масса</translation>
+    </message>
+    <message>
+        <source>lightening of a plug</source>
+        <translation>облегчение заглушки</translation>
+    </message>
+    <message>
+        <source>times less</source>
+        <translation>во столько раз меньше</translation>
+    </message>
+    <message>
+        <source>relative torque</source>
+        <translation>относительный момент</translation>
+    </message>
+    <message>
+        <source>relief</source>
+        <translation>разгрузка</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>остаток</translation>
+    </message>
+    <message>
+        <source>repair shells</source>
+        <translation>ремонтные вкладыши</translation>
+    </message>
+    <message>
+        <source>repair piston and rings</source>
+        <translation>ремонтные поршень и кольца</translation>
+    </message>
+    <message>
+        <source>lightening needed</source>
+        <translation>нужное облегчение</translation>
+    </message>
+    <message>
+        <source>force left</source>
+        <translation>остаток силы</translation>
+    </message>
+    <message>
+        <source>mass left</source>
+        <translation>остаток массы</translation>
+    </message>
+    <message>
+        <source>RMS left</source>
+        <translation>остаток СКЗ</translation>
+    </message>
+    <message>
+        <source>unbalance left</source>
+        <translation>остаточный дисбаланс</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>СКЗ</translation>
+    </message>
+    <message>
+        <source>rod</source>
+        <translation>шатун</translation>
+    </message>
+    <message>
+        <source>rod, big end</source>
+        <translation>шатун, нижняя головка</translation>
+    </message>
+    <message>
+        <source>guide of the rod hinge</source>
+        <translation>направляющая шатунного шарнира</translation>
+    </message>
+    <message>
+        <source>integral of the rod hinge&apos;s moment</source>
+        <translation>интеграл момента шатунного шарнира</translation>
+    </message>
+    <message>
+        <source>width of the rod</source>
+        <translation>ширина шатуна</translation>
+    </message>
+    <message>
+        <source>roll moment</source>
+        <translation>опрокидывающий момент</translation>
+    </message>
+    <message>
+        <source>rotating masses</source>
+        <translation>вращающиеся массы</translation>
+    </message>
+    <message>
+        <source>second order</source>
+        <translation>второй порядок</translation>
+    </message>
+    <message>
+        <source>series against exact</source>
+        <translation>ряд против точного</translation>
+    </message>
+    <message>
+        <source>α</source>
+        <translation>α</translation>
+    </message>
+    <message>
+        <source>swing radius of the shaft</source>
+        <translation>радиус вращения вала</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>доля</translation>
+    </message>
+    <message>
+        <source>share of the variance</source>
+        <translation>доля дисперсии</translation>
+    </message>
+    <message>
+        <source>with the shifted rod</source>
+        <translation>со сдвинутым шатуном</translation>
+    </message>
+    <message>
+        <source>side force</source>
+        <translation>боковая сила</translation>
+    </message>
+    <message>
+        <source>sine</source>
+        <translation>синус</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>наклон</translation>
+    </message>
+    <message>
+        <source>angle of the slope</source>
+        <translation>угол наклона</translation>
+    </message>
+    <message>
+        <source>least radius of curvature</source>
+        <translation>наименьший радиус кривизны</translation>
+    </message>
+    <message>
+        <source>least force of the spring</source>
+        <translation>наименьшая сила пружины</translation>
+    </message>
+    <message>
+        <source>travel of the spring</source>
+        <translation>ход пружины</translation>
+    </message>
+    <message>
+        <source>today&apos;s steel plugs machined</source>
+        <translation>обработанные нынешние стальные заглушки</translation>
+    </message>
+    <message>
+        <source>aluminium plugs</source>
+        <translation>алюминиевые заглушки</translation>
+    </message>
+    <message>
+        <source>spring stretched</source>
+        <translation>пружина растянута</translation>
+    </message>
+    <message>
+        <source>sum</source>
+        <translation>сумма</translation>
+    </message>
+    <message>
+        <source>φ at TDC</source>
+        <translation>φ в ВМТ</translation>
+    </message>
+    <message>
+        <source>theory</source>
+        <translation>теория</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>крутящий момент</translation>
+    </message>
+    <message>
+        <source>two-term</source>
+        <translation>двучленно</translation>
+    </message>
+    <message>
+        <source>unbalance</source>
+        <translation>дисбаланс</translation>
+    </message>
+    <message>
+        <source>unbalanced mass</source>
+        <translation>неуравновешенная масса</translation>
+    </message>
+    <message>
+        <source>along the crank</source>
+        <translation>вдоль кривошипа</translation>
+    </message>
+    <message>
+        <source>vertical</source>
+        <translation>вертикально</translation>
+    </message>
+    <message>
+        <source>waves</source>
+        <translation>волны</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>ширина</translation>
+    </message>
+    <message>
+        <source>with the shaft</source>
+        <translation>с валом</translation>
+    </message>
+    <message>
+        <source>φ of the largest</source>
+        <translation>φ наибольшего</translation>
+    </message>
+    <message>
+        <source>order %1</source>
+        <translation>порядок %1</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::RobustModel</name>
+    <message>
+        <source>Give an input its tolerance first.</source>
+        <translation>Сначала задайте входу допуск.</translation>
+    </message>
+    <message>
+        <source>No angle is better than another, or too few samples are solved.</source>
+        <translation>Ни один угол не лучше другого, или решено слишком мало выборок.</translation>
+    </message>
+    <message>
+        <source>Robust best α</source>
+        <translation>Надёжный лучший α</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::RobustView</name>
+    <message>
+        <source>The α whose 95 % point is least: nineteen of twenty engines hold at least that, each with parts within their tolerances. Beside it the α that is best of the inputs as they are.</source>
+        <translation>α, при котором точка 95 % наименьшая: девятнадцать двигателей из двадцати с деталями в пределах допусков не хуже. Рядом — α, лучший для входов, как они есть.</translation>
+    </message>
+    <message>
+        <source>Robust best α</source>
+        <translation>Надёжный лучший α</translation>
+    </message>
+    <message>
+        <source>Best α</source>
+        <translation>Лучший α</translation>
+    </message>
+    <message>
+        <source>nominal</source>
+        <translation>номинал</translation>
+    </message>
+    <message>
+        <source>Of the inputs as they are.</source>
+        <translation>Для входов, как они есть.</translation>
+    </message>
+    <message>
+        <source>One sample of twenty is more.</source>
+        <translation>Больше — одна из двадцати.</translation>
+    </message>
+    <message>
+        <source>&amp;Go to the robust α</source>
+        <translation>&amp;Перейти к надёжному α</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Ход работы</translation>
+    </message>
+    <message>
+        <source>Sto&amp;p</source>
+        <translation>С&amp;топ</translation>
+    </message>
+    <message>
+        <source>Computing …</source>
+        <translation>Вычисляется …</translation>
+    </message>
+    <message>
+        <source>of the inputs as they are</source>
+        <translation>для входов, как они есть</translation>
+    </message>
+    <message>
+        <source>robust</source>
+        <translation>надёжный</translation>
+    </message>
+    <message>
+        <source>%1: its 95 % point is less by %2 at the robust α.</source>
+        <translation>%1: при надёжном α точка 95 % меньше на %2.</translation>
+    </message>
+    <message>
+        <source>Samples: %1</source>
+        <translation>Выборка: %1</translation>
+    </message>
+    <message>
+        <source>refused: %1</source>
+        <translation>отказ: %1</translation>
     </message>
 </context>
 <context>
@@ -12260,9 +13348,28 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Value</source>
         <translation>Значение</translation>
     </message>
+</context>
+<context>
+    <name>ravnoves::ScatterView</name>
     <message>
-        <source>Unit</source>
-        <translation>Единица</translation>
+        <source>U&amp;p</source>
+        <translation>Ввер&amp;х</translation>
+    </message>
+    <message>
+        <source>A&amp;cross</source>
+        <translation>В&amp;право</translation>
+    </message>
+    <message>
+        <source>Computing …</source>
+        <translation>Вычисляется …</translation>
+    </message>
+    <message>
+        <source>No samples: the method takes none, or they are on the way</source>
+        <translation>Нет выборки: методу она не нужна, или она в пути</translation>
+    </message>
+    <message>
+        <source>Samples: %1, correlation %2</source>
+        <translation>Выборка: %1, корреляция %2</translation>
     </message>
 </context>
 <context>
@@ -12496,6 +13603,14 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>as each page has them</source>
         <translation>как принято в разделе</translation>
+    </message>
+    <message>
+        <source>&amp;Unbalances</source>
+        <translation>&amp;Дисбалансы</translation>
+    </message>
+    <message>
+        <source>as the masses</source>
+        <translation>как массы</translation>
     </message>
 </context>
 <context>
@@ -12878,6 +13993,13 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     </message>
 </context>
 <context>
+    <name>ravnoves::SheetForm</name>
+    <message>
+        <source>Not up to date, for these entries are refused: %1</source>
+        <translation>Не по листу: отвергнуты значения: %1</translation>
+    </message>
+</context>
+<context>
     <name>ravnoves::ShiftPlot</name>
     <message>
         <source>Shift of the plug&apos;s centre of mass</source>
@@ -13189,6 +14311,69 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Samples</source>
         <translation>Выборка</translation>
     </message>
+    <message>
+        <source>“%1”</source>
+        <translation>«%1»</translation>
+    </message>
+</context>
+<context>
+    <name>ravnoves::SweepView</name>
+    <message>
+        <source>&amp;Input</source>
+        <translation>В&amp;ход</translation>
+    </message>
+    <message>
+        <source>a&amp;nd</source>
+        <translation>&amp;и</translation>
+    </message>
+    <message>
+        <source>&amp;Result</source>
+        <translation>&amp;Результат</translation>
+    </message>
+    <message>
+        <source>Ran&amp;ge</source>
+        <translation>&amp;Промежуток</translation>
+    </message>
+    <message>
+        <source>its ±</source>
+        <translation>его ±</translation>
+    </message>
+    <message>
+        <source>%1 times its ±</source>
+        <translation>%1 его ±</translation>
+    </message>
+    <message>
+        <source>Of an input without a tolerance: a tenth of its value.</source>
+        <translation>У входа без допуска — десятая часть его значения.</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Ход работы</translation>
+    </message>
+    <message>
+        <source>no other: a line</source>
+        <translation>без второго: линия</translation>
+    </message>
+    <message>
+        <source>Computing …</source>
+        <translation>Вычисляется …</translation>
+    </message>
+    <message>
+        <source>Choose a result to watch.</source>
+        <translation>Выберите результат для наблюдения.</translation>
+    </message>
+    <message>
+        <source>Refused: %1 of %2 places</source>
+        <translation>Отклонено: %1 из %2 мест</translation>
+    </message>
+    <message>
+        <source>at least</source>
+        <translation>не менее</translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation>не более</translation>
+    </message>
 </context>
 <context>
     <name>ravnoves::TableEditor</name>
@@ -13366,6 +14551,26 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>&amp;None</source>
         <translation>&amp;Никаких</translation>
+    </message>
+    <message>
+        <source>Scatter</source>
+        <translation>Разброс</translation>
+    </message>
+    <message>
+        <source>Sweep</source>
+        <translation>Развёртка</translation>
+    </message>
+    <message>
+        <source>Robust α</source>
+        <translation>Надёжный α</translation>
+    </message>
+    <message>
+        <source>Show &amp;bands and ± on the page</source>
+        <translation>Показывать полосы и ± на страни&amp;це</translation>
+    </message>
+    <message>
+        <source>Of the values before; computing anew …</source>
+        <translation>По прежним значениям; вычисляется заново …</translation>
     </message>
 </context>
 <context>
@@ -14368,6 +15573,18 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
         <source>Written: %1</source>
         <translation>Записано: %1</translation>
     </message>
+    <message>
+        <source>The job in the journal is that of %1, the sheet that of %2.</source>
+        <translation>Работа в журнале — двигателя %1, на листе — %2.</translation>
+    </message>
+    <message>
+        <source>Save as a &amp;new job</source>
+        <translation>Записать как &amp;новую работу</translation>
+    </message>
+    <message>
+        <source>&amp;Change that job</source>
+        <translation>&amp;Изменить ту работу</translation>
+    </message>
 </context>
 <context>
     <name>studies</name>
@@ -14490,6 +15707,46 @@ Choose “pressure trace” or “computed cycle” on the Torque tab to see gas
     <message>
         <source>%1 of %2 parts are missing; run them again: --shard %3</source>
         <translation>не хватает %1 из %2 частей; запустите их ещё раз: --shard %3</translation>
+    </message>
+    <message>
+        <source>must scatter less: its moments are no numbers any more</source>
+        <translation>должно рассеиваться меньше: его моменты уже не числа</translation>
+    </message>
+    <message>
+        <source>must lie nearer to from: their difference is no number any more</source>
+        <translation>должно быть ближе к from: их разность уже не число</translation>
+    </message>
+    <message>
+        <source>it does not exist where %1 is %2 (%3)</source>
+        <translation>её нет там, где %1 равно %2 (%3)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples that were tried cannot be solved; an expansion does not know of these.</source>
+        <translation>Из %2 испытанных проб не решаются %1; разложение о них не знает.</translation>
+    </message>
+    <message>
+        <source>The second order fails for %1 within two standard deviations of an input: %2.</source>
+        <translation>Второй порядок для %1 неверен в пределах двух стандартных отклонений входа: %2.</translation>
+    </message>
+    <message>
+        <source>The linear answer fails for %1 within two standard deviations of an input: %2.</source>
+        <translation>Линейный ответ для %1 неверен в пределах двух стандартных отклонений входа: %2.</translation>
+    </message>
+    <message>
+        <source>The second order fails for %1: samples lie %2 from it (root mean square), at a standard deviation of %3; %4.</source>
+        <translation>Второй порядок для %1 неверен: пробы отстоят от него на %2 (среднеквадратично) при стандартном отклонении %3; %4.</translation>
+    </message>
+    <message>
+        <source>The linear answer fails for %1: samples lie %2 from it (root mean square), at a standard deviation of %3; %4.</source>
+        <translation>Линейный ответ для %1 неверен: пробы отстоят от него на %2 (среднеквадратично) при стандартном отклонении %3; %4.</translation>
+    </message>
+    <message>
+        <source>A standard deviation takes two samples that can be solved.</source>
+        <translation>Для стандартного отклонения нужны две решённые пробы.</translation>
+    </message>
+    <message>
+        <source>The samples are too few for the sensitivities of %1: standard errors up to %2.</source>
+        <translation>Для чувствительностей %1 проб мало: стандартные ошибки до %2.</translation>
     </message>
 </context>
 <context>
