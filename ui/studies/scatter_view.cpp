@@ -88,6 +88,18 @@ QString CloudPlot::csv(const CsvFormat& format) const {
     return table;
 }
 
+QString CloudPlot::sentence() const {
+    return x_.empty()
+               ? title()
+               : tr("%1. %2 from %3 to %4, over %5 from %6 to %7.")
+                     .arg(title(), data().left.spec.title,
+                          data().left.readout(*std::min_element(y_.begin(), y_.end()), locale()),
+                          data().left.readout(*std::max_element(y_.begin(), y_.end()), locale()),
+                          data().x.spec.title,
+                          data().x.readout(*std::min_element(x_.begin(), x_.end()), locale()),
+                          data().x.readout(*std::max_element(x_.begin(), x_.end()), locale()));
+}
+
 ScatterView::ScatterView(StudyModel* study, QWidget* parent) : QWidget(parent), study_(study) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(Theme::space, Theme::space, Theme::space, Theme::gap);

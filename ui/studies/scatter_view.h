@@ -21,6 +21,7 @@ class CloudPlot : public PlotView {
     const std::vector<double>& pointsX() const { return x_; }
     const std::vector<double>& pointsY() const { return y_; }
     QString csv(const CsvFormat& format) const override;
+    QString sentence() const override;
 
   protected:
     void paintGround(QPainter& painter) override;

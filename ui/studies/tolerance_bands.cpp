@@ -245,6 +245,9 @@ bool ToleranceBands::eventFilter(QObject* watched, QEvent* event) {
 void ToleranceBands::outdate(bool isOther) {
     if (page_->model()->study().empty() || !ToleranceSwitch::instance().isOn()) {
         clear();
+        if (page_->model()->study().empty()) {
+            twin_.reset();
+        }
         return;
     }
     if (isOther) {
