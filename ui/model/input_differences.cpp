@@ -237,6 +237,10 @@ std::vector<InputNumber> inputNumbers(const SceneModel& model) {
             (entry != nullptr && entry->kind == FieldKind::integer)) {
             continue;
         }
+        // Counts, and numbers that are names: of cylinders in a firing order.
+        if (value.is_number_integer() && (entry == nullptr || entry->field.unit == units::none)) {
+            continue;
+        }
         numbers.push_back({pointer, names.name(pointer),
                            entry != nullptr ? unitText(entry->field.unit.name) : QString(),
                            value.get<double>(), entry != nullptr});

@@ -312,6 +312,18 @@ TEST_F(Tolerances, OfWhatIsLeftToItsDefaultAreInTheFile) {
     EXPECT_EQ(study().vary.size(), 1U);
 }
 
+TEST(ToleranceInputs, AreNoCountsAndNoNames) {
+    const auto page = test::makePage("inertia-moments");
+    page->model()->loadDefault();
+    const StudyModel study(page->model());
+    EXPECT_GT(study.inputs().size(), 5U);
+    for (const StudyModel::Input& input : study.inputs()) {
+        EXPECT_EQ(input.pointer.find("firing_order"), std::string::npos) << input.pointer;
+        EXPECT_NE(input.pointer, "/layout/cylinders");
+        EXPECT_FALSE(input.name.isEmpty());
+    }
+}
+
 TEST(ToleranceWindowSize, FitsAScreenWithTextTwiceAsLarge) {
     Theme::instance().setTextScale(2.0);
     {
