@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "bob-weights/matching.h"
 #include "bob-weights/scene.h"
 #include "case-file/field_reader.h"
 #include "case-file/field_writer.h"
@@ -295,7 +296,9 @@ void visit_fields(FieldVisitor& visitor, Input& input) {
         }
         visitor.choice(field::numbering, sheet.numbering, workshop::CylinderNumbering::bank_by_bank,
                        FieldVisitor::Written::always);
+        workshop::visit_sets(visitor, sheet);
         workshop::visit_columns(visitor, sheet, field::part_mass, false);
+        workshop::visit_matching(visitor, sheet.matching, true);
     });
     visitor.choice(field::balance, input.balance, Balance::internal);
     visitor.object(field::correction, input.correction);
@@ -308,7 +311,18 @@ void fit_weigh_in(Input& input) {
         for (auto& column : input.weigh_in->columns) {
             column.mass.resize(static_cast<std::size_t>(input.engine.cylinders));
         }
+        for (workshop::SetNumbers* sets :
+             {&input.weigh_in->piston_sets, &input.weigh_in->rod_sets}) {
+            if (sets->size() != static_cast<std::size_t>(input.engine.cylinders)) {
+                sets->clear();
+            }
+        }
     }
+}
+
+std::optional<double> service_speed(const Input& input) {
+    return input.tolerance && input.tolerance->by_grade ? input.tolerance->service_speed
+                                                        : std::nullopt;
 }
 
 std::optional<double> mass_of(const Input& input, const PartField& part) {
@@ -339,6 +353,7 @@ void check_input(const Input& input) {
         Input fitted = input;
         fit_weigh_in(fitted);
         workshop::check_weighed(*fitted.weigh_in);
+        workshop::check_matching(input.weigh_in->matching, crank_of(input).angle_count());
     }
     for (const PartField& each : part_fields()) {
         const bool needed = each.member == &Parts::piston || each.member == &Parts::big_end;

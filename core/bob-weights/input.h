@@ -185,12 +185,16 @@ void visit_fields(FieldVisitor& visitor, Tolerance& tolerance);
 void visit_fields(FieldVisitor& visitor, Input& input);
 
 /// Gives the weigh-in sheet as many rows as the engine has cylinders: where their number changes
-/// the sheet keeps what was weighed, and what is written and solved follows the engine.
+/// the sheet keeps what was weighed but for the numbers of its sets, and what is written and solved
+/// follows the engine.
 void fit_weigh_in(Input& input);
 
 /// The mass of a part that counts: the mean of its column where all of it is weighed, else what is
 /// typed.
 std::optional<double> mass_of(const Input& input, const PartField& part);
+
+/// Of the tolerance; nothing where it is none by grade.
+std::optional<double> service_speed(const Input& input);
 
 /// Checks what joins the fields of engine and factor.
 /// @throws InputError

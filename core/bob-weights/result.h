@@ -8,6 +8,7 @@
 #include "bob-weights/drilling.h"
 #include "bob-weights/factor_theory.h"
 #include "bob-weights/input.h"
+#include "workshop/matching.h"
 
 namespace ravnoves::bob_weights {
 
@@ -66,6 +67,8 @@ struct Result {
     std::optional<FirstOrder> first_order;
     std::vector<double> crankpins;  ///< each one's own bob weight, of the parts weighed; kg
     std::vector<Matching> matching;
+    std::optional<workshop::Matched> placing;          ///< which set goes to which cylinder
+    std::vector<double> placed_crankpins;              ///< then; kg
     std::optional<double> permissible_whole;           ///< U_per of the rotor, kg·m
     std::optional<std::array<double, 2>> permissible;  ///< of each plane, kg·m
     std::vector<RunResult> runs;  ///< from the first; the last is the one that is corrected

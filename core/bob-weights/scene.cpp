@@ -63,26 +63,32 @@ Json runs_json(const std::vector<RunResult>& runs) {
     return list;
 }
 
-Json weigh_in_json(const Result& result) {
+Json weigh_in_json(const Input& input, const Result& result) {
     Json json = Json::object();
     for (const Matching& each : result.matching) {
-        Json take_off = Json::array();
-        for (const workshop::Weighed& mass : each.take_off) {
-            take_off.push_back(mass ? Json(*mass / units::gram) : Json());
-        }
+        const auto& masses = (*input.weigh_in)[*each.part->column].mass;
         json[std::string(workshop::part_word(*each.part->column).word)] = {
             {"mean_g", each.statistics.mean / units::gram},
             {"spread_g", each.statistics.spread / units::gram},
             {"heaviest_cylinder", each.statistics.heaviest + 1},
             {"lightest_cylinder", each.statistics.lightest + 1},
             {"within_permitted_spread", each.statistics.within_permitted},
-            {"take_off_g", std::move(take_off)}};
+            {"take_off_g", workshop::take_off_json(masses)}};
     }
     Json pins = Json::array();
     for (const double mass : result.crankpins) {
         pins.push_back(mass / units::gram);
     }
     json["crankpins_g"] = std::move(pins);
+    if (result.placing) {
+        json["assignment"] = workshop::matched_json(
+            *result.placing, input.weigh_in->matching.crank_radius, service_speed(input));
+        Json placed = Json::array();
+        for (const double mass : result.placed_crankpins) {
+            placed.push_back(mass / units::gram);
+        }
+        json["assignment"]["crankpins_g"] = std::move(placed);
+    }
     return json;
 }
 
@@ -122,7 +128,7 @@ Json write_result(const Input& input, const Result& result) {
         json["looks_like_kilograms"].push_back(part->field.key);
     }
     if (input.weigh_in) {
-        json["weigh_in"] = weigh_in_json(result);
+        json["weigh_in"] = weigh_in_json(input, result);
     }
     if (result.permissible) {
         json["permissible_g_mm"] = {(*result.permissible)[0] / units::gram_mm,

@@ -5,6 +5,7 @@
 #include <complex>
 
 #include "bob-weights/fields.h"
+#include "bob-weights/matching.h"
 #include "workshop/kilograms.h"
 #include "workshop/tolerance.h"
 
@@ -99,6 +100,34 @@ std::array<std::size_t, 2> cylinders_of(const Input& input, std::size_t pin) {
     return {pin, pin + static_cast<std::size_t>(input.engine.crankpins())};
 }
 
+/// Each crankpin's bob weight of its own parts.
+std::vector<double> crankpins_of(const Input& input, const WeighIn& sheet, double factor,
+                                 const std::vector<Line>& lines) {
+    const Engine& engine = input.engine;
+    std::vector<double> crankpins;
+    for (int pin = 0; pin < engine.crankpins(); ++pin) {
+        const auto cylinders = cylinders_of(input, static_cast<std::size_t>(pin));
+        double sum = 0.0;
+        for (const Line& line : lines) {
+            const auto& column = line.part->column;
+            if (!column || !sheet[*column].is_weighed()) {
+                sum += line.product();
+                continue;
+            }
+            const auto& masses = sheet[*column].mass;
+            const double each = factor_of(*line.part, engine, factor) / engine.rods_per_pin;
+            for (int rod = 0; rod < engine.rods_per_pin; ++rod) {
+                const std::size_t cylinder = engine.rods_per_pin == 1
+                                                 ? static_cast<std::size_t>(pin)
+                                                 : cylinders[static_cast<std::size_t>(rod)];
+                sum += each * *masses.at(cylinder);
+            }
+        }
+        crankpins.push_back(sum);
+    }
+    return crankpins;
+}
+
 void solve_weigh_in(const Input& input, double factor, Result& result) {
     if (!input.weigh_in) {
         return;
@@ -112,37 +141,19 @@ void solve_weigh_in(const Input& input, double factor, Result& result) {
         if (!found) {
             continue;
         }
-        Matching matching{&part, *found, {}};
-        const double lightest = *column.mass[static_cast<std::size_t>(found->lightest)];
-        for (const workshop::Weighed& mass : column.mass) {
-            matching.take_off.push_back(mass ? workshop::Weighed(*mass - lightest) : std::nullopt);
-        }
-        result.matching.push_back(std::move(matching));
+        result.matching.push_back({&part, *found, workshop::take_off(column.mass)});
     }
-    if (!result.bob_weight || result.matching.empty() ||
-        input.engine.cylinders % input.engine.rods_per_pin != 0) {
+    if (result.matching.empty() || input.engine.cylinders % input.engine.rods_per_pin != 0) {
         return;
     }
-    for (int pin = 0; pin < input.engine.crankpins(); ++pin) {
-        const auto cylinders = cylinders_of(input, static_cast<std::size_t>(pin));
-        double sum = 0.0;
-        for (const Line& line : result.lines) {
-            const auto& column = line.part->column;
-            if (!column || !(*input.weigh_in)[*column].is_weighed()) {
-                sum += line.product();
-                continue;
-            }
-            const auto& masses = (*input.weigh_in)[*column].mass;
-            const double each =
-                factor_of(*line.part, input.engine, factor) / input.engine.rods_per_pin;
-            for (int rod = 0; rod < input.engine.rods_per_pin; ++rod) {
-                const std::size_t cylinder = input.engine.rods_per_pin == 1
-                                                 ? static_cast<std::size_t>(pin)
-                                                 : cylinders[static_cast<std::size_t>(rod)];
-                sum += each * *masses.at(cylinder);
-            }
+    result.placing = workshop::match(matching_task(input, factor), input.weigh_in->matching);
+    if (result.bob_weight) {
+        result.crankpins = crankpins_of(input, *input.weigh_in, factor, result.lines);
+        if (result.placing) {
+            WeighIn moved = *input.weigh_in;
+            move_sets(moved, result.placing->pistons, result.placing->rods);
+            result.placed_crankpins = crankpins_of(input, moved, factor, result.lines);
         }
-        result.crankpins.push_back(sum);
     }
 }
 

@@ -152,28 +152,6 @@ struct ThreadValue final : FieldVisitor::Custom {
     std::optional<Thread>& thread;
 };
 
-/// The numbers of the sets: a permutation of 1 to 8, not written where nothing was moved.
-struct Sets final : FieldVisitor::Custom {
-    explicit Sets(SetNumbers& it) : numbers(it) {}
-
-    void read(const Json& list, const std::string& pointer) override {
-        SetNumbers found{};
-        if (list.is_array() && list.size() == found.size()) {
-            for (std::size_t i = 0; i < found.size(); ++i) {
-                found[i] = list.at(i).is_number_integer() ? list.at(i).get<int>() : 0;
-            }
-        }
-        if (!std::is_permutation(found.begin(), found.end(), as_weighed.begin())) {
-            throw InputError(pointer, CORE_TEXT("V8", "must be the numbers 1 to 8, each once"),
-                             show(list));
-        }
-        numbers = found;
-    }
-    Json write() override { return numbers == as_weighed ? Json() : Json(numbers); }
-
-    SetNumbers& numbers;
-};
-
 /// What no form lets happen, half filled or not.
 void check_choices(const Input& input) {
     if (input.crankshaft == Crankshaft::new_plugs && !input.engine.has_new_plug) {
@@ -235,11 +213,9 @@ void visit_fields(FieldVisitor& visitor, MassChanges& changes) {
 void visit_fields(FieldVisitor& visitor, WeighIn& sheet) {
     visitor.choice(field::numbering, sheet.numbering, CylinderNumbering::bank_by_bank,
                    FieldVisitor::Written::always);
-    Sets pistons(sheet.piston_sets);
-    visitor.custom(field::piston_sets, false, pistons);
-    Sets rods(sheet.rod_sets);
-    visitor.custom(field::rod_sets, false, rods);
+    workshop::visit_sets(visitor, sheet);
     workshop::visit_columns(visitor, sheet, field::part_mass, true);
+    workshop::visit_matching(visitor, sheet.matching, false);
 }
 
 void visit_fields(FieldVisitor& visitor, PlugSheet& sheet) {
@@ -307,6 +283,7 @@ void check_input(const Input& input) {
     check_engine(input);
     if (input.weigh_in) {
         workshop::check_weighed(*input.weigh_in);
+        workshop::check_matching(input.weigh_in->matching, crankpin_count);
     }
     if (input.plug) {
         check_plug(*input.plug);

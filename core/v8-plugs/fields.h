@@ -67,16 +67,6 @@ inline constexpr Field numbering{.key = "cylinder_numbering",
                                  .label = CORE_TEXT("V8", "C&ylinders of a crankpin"),
                                  .hint = CORE_TEXT("V8", "Which two cylinders share a crankpin."),
                                  .words = numbering_words};
-inline constexpr Field piston_sets{
-    .key = "piston_sets",
-    .hint = CORE_TEXT("V8",
-                      "Number of the piston set in each cylinder, where it is not that of the "
-                      "cylinder: it was weighed there.")};
-inline constexpr Field rod_sets{
-    .key = "rod_sets",
-    .hint = CORE_TEXT("V8",
-                      "Number of the rod in each cylinder, where it is not that of the cylinder: "
-                      "it was weighed there.")};
 inline constexpr Field part_mass{.key = "mass_g",
                                  .unit = units::gram,
                                  .range = nominal.range,

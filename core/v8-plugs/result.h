@@ -45,7 +45,7 @@ struct Result {
 
     // weigh-in
     std::optional<std::array<double, crankpin_count>> crankpin_excess;  ///< kg
-    std::optional<Assignment> assignment;
+    std::optional<workshop::Matched> assignment;
     std::optional<std::array<double, crankpin_count>> assigned_excess;  ///< kg
 
     // plug

@@ -136,7 +136,8 @@ Json weigh_in_json(const Input& input, const Result& result, double crank_radius
                        {"spread_g", s->spread / units::gram},
                        {"heaviest_cylinder", s->heaviest + 1},
                        {"lightest_cylinder", s->lightest + 1},
-                       {"within_permitted_spread", s->within_permitted}};
+                       {"within_permitted_spread", s->within_permitted},
+                       {"take_off_g", workshop::take_off_json(column.mass)}};
             if (column.nominal) {
                 entry["mean_deviation_g"] = (s->mean - *column.nominal) / units::gram;
             }
@@ -144,18 +145,10 @@ Json weigh_in_json(const Input& input, const Result& result, double crank_radius
         }
     }
     if (result.assignment) {
-        const auto cylinders = [](const std::vector<int>& from) {
-            Json list = Json::array();
-            for (const int cylinder : from) {
-                list.push_back(cylinder + 1);
-            }
-            return list;
-        };
         json["crankpins"] = crankpin_json(*result.crankpin_excess, crank_radius);
-        json["assignment"] = {{"pistons_from_cylinder", cylinders(result.assignment->pistons)},
-                              {"rods_from_cylinder", cylinders(result.assignment->rods)},
-                              {"sets_moved", result.assignment->moved},
-                              {"crankpins", crankpin_json(*result.assigned_excess, crank_radius)}};
+        const auto& speed = input.balancing ? input.balancing->service_speed : std::nullopt;
+        json["assignment"] = workshop::matched_json(*result.assignment, crank_radius, speed);
+        json["assignment"]["crankpins"] = crankpin_json(*result.assigned_excess, crank_radius);
     }
     return json;
 }

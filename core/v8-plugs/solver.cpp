@@ -20,7 +20,10 @@ void solve_weigh_in(const Input& input, Result& result) {
         return;
     }
     const double k = *input.engine.rod_coefficient;
-    result.assignment = best_assignment(*input.weigh_in, input.process, k);
+    if (input.weigh_in->is_counted()) {
+        result.assignment = workshop::match(matching_task(*input.weigh_in, input.process, k),
+                                            input.weigh_in->matching);
+    }
     if (result.assignment) {
         result.crankpin_excess = crankpin_excess(*input.weigh_in, input.process, k);
         result.assigned_excess =

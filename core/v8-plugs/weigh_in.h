@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "v8-plugs/compensation.h"
-#include "workshop/weigh_in.h"
+#include "workshop/matching.h"
 
 namespace ravnoves::v8_plugs {
 
@@ -27,14 +27,9 @@ using PartColumn = workshop::PartColumn<Masses>;
 using Crankpins = std::array<std::array<int, 2>, crankpin_count>;
 Crankpins crankpins(CylinderNumbering numbering);
 
-/// The number of the set in each cylinder: of the cylinder, from 1, that it was weighed in.
-using SetNumbers = std::array<int, cylinder_count>;
-inline constexpr SetNumbers as_weighed{1, 2, 3, 4, 5, 6, 7, 8};
+using workshop::SetNumbers;
 
 struct WeighIn : workshop::WeighIn<Masses> {
-    SetNumbers piston_sets = as_weighed;  ///< piston with its pin and rings
-    SetNumbers rod_sets = as_weighed;     ///< rod with its shells
-
     friend bool operator==(const WeighIn&, const WeighIn&) = default;
 };
 
@@ -67,39 +62,11 @@ std::array<double, crankpin_count> crankpin_excess(const WeighIn& sheet, Process
 /// Heaviest less lightest crankpin, kg.
 double spread(const std::array<double, crankpin_count>& totals);
 
-/// Which part goes where: element i is the cylinder (from 0) whose part goes to cylinder i.
-struct Assignment {
-    std::vector<int> pistons;  ///< piston with its pin and rings
-    std::vector<int> rods;     ///< rod with its shells
-    double spread = 0.0;       ///< heaviest less lightest crankpin total, kg
-    int moved = 0;             ///< sets that change their cylinder
-};
-
-/// The assignment of two kinds of sets to the crankpins that makes the spread of the crankpins'
-/// totals (largest less smallest) as small as can be, and among those of the same spread one that
-/// moves the fewest sets.
-///
-/// Exact. A crankpin's total is the sum of the contributions of its two pistons and its two rods,
-/// so only the pairing matters: (n − 1)!! pairings of each kind (105 for n = 8), and for a pairing
-/// of pistons and one of rods the best match puts the heaviest pair to the lightest (it is
-/// majorized by every other match, so its largest total is the smallest and its smallest the
-/// largest).
-///
-/// @param pistons, rods  contribution of each set to its crankpin's total, kg; n even, 2 to 8
-/// @param crankpins      the two positions of each crankpin, n / 2 of them
-Assignment best_assignment(const std::vector<double>& pistons, const std::vector<double>& rods,
-                           const std::vector<std::array<int, 2>>& crankpins);
-
-/// Spread of the crankpins' totals for an assignment, kg.
-double assignment_spread(const std::vector<double>& pistons, const std::vector<double>& rods,
-                         const std::vector<std::array<int, 2>>& crankpins,
-                         const Assignment& assignment);
-
-/// The best assignment for a sheet; columns that are not complete count as nominal. Nothing where
-/// no column is complete.
-std::optional<Assignment> best_assignment(const WeighIn& sheet, Process process,
-                                          double rod_coefficient);
-/// The sheet with the parts moved as the assignment says; they keep their numbers.
-WeighIn reassigned(const WeighIn& sheet, const Assignment& assignment);
+/// The crankshaft of a cross-plane V-8 at 90°, as far as the sheet does not say otherwise.
+workshop::Crank crank_of(const WeighIn& sheet);
+/// What is matched: columns that are not complete count as nominal.
+workshop::MatchingTask matching_task(const WeighIn& sheet, Process process, double rod_coefficient);
+/// The sheet with the parts moved; they keep their numbers.
+WeighIn reassigned(const WeighIn& sheet, const workshop::Matched& matched);
 
 }  // namespace ravnoves::v8_plugs

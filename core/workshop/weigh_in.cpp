@@ -1,6 +1,7 @@
 #include "workshop/weigh_in.h"
 
 #include <limits>
+#include <numeric>
 
 #include "case-file/input_error.h"
 #include "case-file/json.h"
@@ -38,6 +39,61 @@ std::optional<ColumnStatistics> statistics(std::span<const Weighed> masses,
     constexpr double rounding = 1e-9;
     result.within_permitted = !permitted_spread || result.spread <= *permitted_spread + rounding;
     return result;
+}
+
+namespace {
+
+SetNumbers as_weighed(std::size_t cylinders) {
+    SetNumbers numbers(cylinders);
+    std::iota(numbers.begin(), numbers.end(), 1);
+    return numbers;
+}
+
+struct SetNumberList final : FieldVisitor::Custom {
+    SetNumberList(SetNumbers& it, std::size_t count) : numbers(it), cylinders(count) {}
+
+    void read(const Json& list, const std::string& pointer) override {
+        const SetNumbers usual = as_weighed(cylinders);
+        SetNumbers found;
+        if (list.is_array()) {
+            for (const Json& number : list) {
+                found.push_back(number.is_number_integer() ? number.get<int>() : 0);
+            }
+        }
+        if (found.size() != cylinders ||
+            !std::is_permutation(found.begin(), found.end(), usual.begin())) {
+            throw InputError(
+                pointer,
+                {CORE_TEXT("workshop", "must be the numbers 1 to %1, each once"), cylinders},
+                show(list));
+        }
+        numbers = found == usual ? SetNumbers() : found;
+    }
+    Json write() override { return numbers.empty() ? Json() : Json(numbers); }
+
+    SetNumbers& numbers;
+    std::size_t cylinders;
+};
+
+}  // namespace
+
+SetNumbers whole_numbers(const SetNumbers& numbers, std::size_t cylinders) {
+    return numbers.empty() ? as_weighed(cylinders) : numbers;
+}
+
+SetNumbers moved_numbers(const SetNumbers& numbers, const std::vector<int>& from) {
+    const SetNumbers before = whole_numbers(numbers, from.size());
+    SetNumbers after;
+    for (const int cylinder : from) {
+        after.push_back(before.at(static_cast<std::size_t>(cylinder)));
+    }
+    return after == as_weighed(from.size()) ? SetNumbers() : after;
+}
+
+void visit_set_numbers(FieldVisitor& visitor, const Field& field, SetNumbers& numbers,
+                       std::size_t cylinders) {
+    SetNumberList list(numbers, cylinders);
+    visitor.custom(field, false, list);
 }
 
 void WeightList::read(const Json& masses, const std::string& pointer) {

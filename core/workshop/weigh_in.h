@@ -4,10 +4,12 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "case-file/field.h"
 #include "case-file/field_visitor.h"
 #include "case-file/json_fwd.h"
+#include "workshop/matching_rules.h"
 
 /// What the scenes of the workshop share: the weigh-in sheet, the head of the job card, grades of
 /// balance quality.
@@ -27,6 +29,11 @@ inline constexpr Word part_words[] = {{"piston", CORE_TEXT("V8", "Piston")},
                                       {"shells", CORE_TEXT("V8", "Shells")}};
 constexpr const Word& part_word(Part part) {
     return part_words[static_cast<std::size_t>(part)];
+}
+
+/// Whether it belongs to the piston's set, else to the rod's.
+constexpr bool is_of_piston(Part part) {
+    return part == Part::piston || part == Part::pin || part == Part::rings;
 }
 
 /// A mass on the scale, kg; nothing where the part has not been weighed.
@@ -58,10 +65,24 @@ enum class CylinderNumbering {
     alternating    ///< 1, 3, 5 … in one bank: crankpin k carries 2k − 1 and 2k
 };
 
+/// The number of the set in each cylinder: of the cylinder, from 1, that it was weighed in. Empty
+/// where each is where it was weighed.
+using SetNumbers = std::vector<int>;
+/// With their numbers where the list is empty.
+SetNumbers whole_numbers(const SetNumbers& numbers, std::size_t cylinders);
+/// The numbers after moving: element i of `from` is the cylinder (from 0) whose set goes to i.
+SetNumbers moved_numbers(const SetNumbers& numbers, const std::vector<int>& from);
+
 template <typename Masses>
 struct WeighIn {
     std::array<PartColumn<Masses>, 6> columns;  ///< in the order of all_parts
     CylinderNumbering numbering = CylinderNumbering::bank_by_bank;
+    SetNumbers piston_sets;  ///< piston with its pin and rings
+    SetNumbers rod_sets;     ///< rod with its shells
+    MatchingRules matching;
+
+    /// Whether sets are in other cylinders than those they were weighed in.
+    bool is_moved() const { return !piston_sets.empty() || !rod_sets.empty(); }
 
     bool is_empty() const {  ///< nothing weighed
         return std::all_of(columns.begin(), columns.end(),
@@ -110,8 +131,28 @@ inline constexpr Field permitted_spread{
     .unit = units::gram,
     .range = Range::between(0, 100'000),
     .hint = CORE_TEXT("V8", "By how much the parts may differ from one another.")};
+inline constexpr Field piston_sets{
+    .key = "piston_sets",
+    .hint = CORE_TEXT("V8",
+                      "Number of the piston set in each cylinder, where it is not that of the "
+                      "cylinder: it was weighed there.")};
+inline constexpr Field rod_sets{
+    .key = "rod_sets",
+    .hint = CORE_TEXT("V8",
+                      "Number of the rod in each cylinder, where it is not that of the cylinder: "
+                      "it was weighed there.")};
 
 }  // namespace field
+
+/// The numbers of the sets: a permutation of 1 to n, not written where nothing was moved.
+void visit_set_numbers(FieldVisitor& visitor, const Field& field, SetNumbers& numbers,
+                       std::size_t cylinders);
+template <typename Masses>
+void visit_sets(FieldVisitor& visitor, WeighIn<Masses>& sheet) {
+    const std::size_t cylinders = sheet.columns.front().mass.size();
+    visit_set_numbers(visitor, field::piston_sets, sheet.piston_sets, cylinders);
+    visit_set_numbers(visitor, field::rod_sets, sheet.rod_sets, cylinders);
+}
 
 /// The weights of a column in a case file; null for what is not weighed yet.
 class WeightList final : public FieldVisitor::Custom {

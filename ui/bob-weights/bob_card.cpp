@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "bob-weights/fields.h"
 #include "bob-weights/model/bob_text.h"
@@ -137,6 +138,45 @@ Block runBlock(const Words& words, const std::optional<Correction>& correction,
     return block;
 }
 
+/// Which set goes to which cylinder, and what to take off the parts; nothing where nothing is to be
+/// done, or there are more cylinders than columns.
+std::optional<Block> matchingBlock(const Words& words, const Input& input, const Result& result) {
+    constexpr std::size_t mostCylinders = 16;
+    constexpr double nameWidth = 42.0;
+    const auto cylinders = static_cast<std::size_t>(input.engine.cylinders);
+    if (!input.weigh_in || cylinders > mostCylinders) {
+        return std::nullopt;
+    }
+    QVector<QStringList> rows;
+    const auto addSets = [&](const QString& name, const workshop::SetNumbers& numbers,
+                             const std::vector<int>* from) {
+        QStringList row{name};
+        for (const int number : matching_text::setNumbers(numbers, cylinders, from)) {
+            row << QString::number(number);
+        }
+        rows << row;
+    };
+    const auto* placing = result.placing ? &*result.placing : nullptr;
+    if (input.weigh_in->is_moved() || (placing != nullptr && placing->moved > 0)) {
+        addSets(words.translate("JobCard", "Piston set from"), input.weigh_in->piston_sets,
+                placing != nullptr ? &placing->pistons : nullptr);
+        addSets(words.translate("JobCard", "Rod set from"), input.weigh_in->rod_sets,
+                placing != nullptr ? &placing->rods : nullptr);
+    }
+    for (QStringList row : matching_text::takeOff(words, masses_of(*input.weigh_in))) {
+        row.front() = words.translate("Matching", "%1, take off").arg(row.front());
+        rows << row;
+    }
+    if (rows.isEmpty()) {
+        return std::nullopt;
+    }
+    std::vector<CardTable::Column> columns{{nameWidth, Qt::AlignLeft}};
+    columns.insert(columns.end(), cylinders,
+                   {(cardWidth - nameWidth) / static_cast<double>(cylinders)});
+    return Block{words.translate("Matching", "Matched parts, %1").arg(words.unit(units::gram)),
+                 std::move(columns), matching_text::cylinderHead(words, cylinders), rows};
+}
+
 }  // namespace
 
 BobCard::BobCard(Input input, Words words)
@@ -177,6 +217,16 @@ void BobCard::draw(CardPage& page) const {
         input_.correction->readings.size() == 2) {
         blocks.push_back(planeBlock(words(), *input_.correction, solution_));
     }
+    if (auto matching = matchingBlock(words(), input_, solution_)) {
+        blocks.insert(blocks.begin() + 1, std::move(*matching));
+    }
+    const auto matched = bob_text::matchingShown(input_, solution_);
+    QStringList placed;
+    if (matched) {
+        placed << matching_text::summary(words(), *matched)
+               << matching_text::felt(words(), *matched);
+        placed.removeAll(QString());
+    }
     blocks.push_back(runBlock(words(), input_.correction, solution_));
     if (solution_.correction) {
         blocks.push_back({words().translate("BobWeights", "Correction: measured → after it"),
@@ -201,6 +251,7 @@ void BobCard::draw(CardPage& page) const {
     constexpr double notePoints = 7.5;
     constexpr int any = 100;
     const std::array notes{
+        Note{placed.join(QLatin1Char(' ')), CardPage::ink},
         Note{bob_text::limits(words(), input_, solution_), CardPage::ink},
         Note{bob_text::holeNote(words(), solution_), CardPage::ink},
         Note{bob_text::warnings(words(), input_, solution_).join(QLatin1Char(' ')),

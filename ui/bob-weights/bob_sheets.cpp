@@ -1,6 +1,5 @@
 #include "bob-weights/bob_sheets.h"
 
-#include <QAbstractItemView>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QGridLayout>
@@ -23,14 +22,6 @@
 namespace ravnoves {
 
 using namespace bob_weights;
-
-QComboBox* BobSheet::wide(QComboBox* box, int width) {
-    box->setMinimumWidth(Theme::withText(width));
-    box->setFont(Theme::font(Theme::baseSize));
-    // The list is as wide as its words.
-    box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0) + Theme::withText(24));
-    return box;
-}
 
 BobJobSheet::BobJobSheet(BobWeightsModel* model, QWidget* parent) : BobSheet(model, parent) {
     section(tr("Engine"));
@@ -95,7 +86,17 @@ BobPartsSheet::BobPartsSheet(BobWeightsModel* model, QWidget* parent) : BobSheet
 }
 
 BobWeighInSheet::BobWeighInSheet(BobWeightsModel* model, QWidget* parent)
-    : BobSheet(model, parent) {
+    : MatchingSheet(
+          model,
+          [model] {
+              const auto& sheet = model->input().weigh_in;
+              return sheet ? sheet->matching : Rules();
+          },
+          [model](const QString& name, const std::function<void(Rules&)>& change) {
+              model->editWeights(name, [&](WeighIn& sheet) { change(sheet.matching); });
+          },
+          parent),
+      model_(model) {
     section({});
     wide(choice("/weigh_in/cylinder_numbering"));
     line(Theme::smallSize, [this] {
@@ -133,8 +134,28 @@ BobWeighInSheet::BobWeighInSheet(BobWeightsModel* model, QWidget* parent)
     for (int column = 0; column < static_cast<int>(workshop::all_parts.size()); ++column) {
         addColumn(grid, column, trouble);
     }
+    addMoves(grid, row);
     line(Theme::baseSize, [this] { return model_->weighInText(); });
+    addGoal(true);
+    addFindings([this] { return findings(); }, [this] { model_->moveParts(); });
     finish();
+}
+
+MatchingSheet::Findings BobWeighInSheet::findings() const {
+    Findings found;
+    found.cylinders = static_cast<std::size_t>(model_->input().engine.cylinders);
+    found.takeOff = model_->takeOffRows();
+    if (const auto shown = model_->matchingShown()) {
+        const Words words;
+        found.summary = (QStringList(matching_text::summary(words, *shown)) +
+                         matching_text::remarks(words, *shown))
+                            .join(QLatin1Char('\n'));
+        found.isAmber = !shown->matched.remark.empty();
+        found.canMove = shown->matched.moved > 0;
+        found.effects = matching_text::effects(words, *shown);
+        found.assignment = matching_text::assignment(words, *shown);
+    }
+    return found;
 }
 
 void BobWeighInSheet::addColumn(QGridLayout* grid, int column, TroubleLine* trouble) {
@@ -220,7 +241,7 @@ bool BobWeighInSheet::eventFilter(QObject* watched, QEvent* event) {
             }
         }
     }
-    return BobSheet::eventFilter(watched, event);
+    return MatchingSheet::eventFilter(watched, event);
 }
 
 bool BobWeighInSheet::useKey(const QKeyEvent& key, int row, int column) {

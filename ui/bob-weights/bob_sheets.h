@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bob-weights/model/bob_weights_model.h"
-#include "workshop/sheet_form.h"
+#include "workshop/matching_sheet.h"
 
 class QComboBox;
 class QGridLayout;
@@ -18,10 +18,6 @@ class BobSheet : public SheetForm {
         : SheetForm(model, parent), model_(model) {}
 
   protected:
-    /// As wide as a text: its words are read whole.
-    /// @param width  designed pixels
-    QComboBox* wide(QComboBox* box, int width = 290);
-
     BobWeightsModel* model_;
 };
 
@@ -42,7 +38,7 @@ class BobPartsSheet : public BobSheet {
 };
 
 /// Sheet 3: every part of every cylinder on the scale. What is weighed whole goes before sheet 2.
-class BobWeighInSheet : public BobSheet {
+class BobWeighInSheet : public MatchingSheet {
     Q_OBJECT
 
   public:
@@ -58,7 +54,9 @@ class BobWeighInSheet : public BobSheet {
     bool useKey(const QKeyEvent& key, int row, int column);
     void addColumn(QGridLayout* grid, int column, TroubleLine* trouble);
     NumberField* addCell(const QString& name, workshop::Part part, int cylinder, QWidget* holder);
+    Findings findings() const;
 
+    BobWeightsModel* model_;
     TroubleLine* trouble_ = nullptr;
     std::vector<NumberField*> cells_;  ///< column by column
 };

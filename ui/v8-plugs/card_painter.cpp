@@ -33,9 +33,10 @@ void CardPainter::paint() {
     y = inputs(y + gap);
     y = options(y + gap);
     y = bobWeights(y + gap);
-    y = weighIn(y + gap);
     const QString notes = QString::fromStdString(input_.job.notes).simplified();
-    y = remarks(y + gap, machineTop - gap - cardNotesHeight(sheet_, notes));
+    const double end = machineTop - gap - cardNotesHeight(sheet_, notes);
+    y = weighIn(y + gap, end - gap);
+    y = remarks(y + gap, end);
     cardNotes(sheet_, words_, notes, y + gap, machineTop - gap);
     machine(machineTop);
     cardSignatures(sheet_, words_,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "v8-plugs/input.h"
 #include "v8-plugs/model/v8_names.h"
 #include "v8-plugs/solver.h"
@@ -25,8 +27,11 @@ class CardPainter {
     double inputs(double y);
     double options(double y);
     double bobWeights(double y);
-    double weighIn(double y);
+    /// @param end  where what is below must begin
+    double weighIn(double y, double end);
     double remarks(double y, double end);
+    /// What is doubtful, and all else that is to be said.
+    std::array<QString, 2> remarkTexts() const;
     void machine(double y);
 
     double engineTable(double y, double width);

@@ -12,7 +12,7 @@ namespace ravnoves {
 using namespace v8_plugs;
 
 /// The weights of the parts, and which set goes to which cylinder, under the same columns.
-double CardPainter::weighIn(double y) {
+double CardPainter::weighIn(double y, double end) {
     if (!input_.weigh_in || input_.weigh_in->is_empty()) {
         return y - 2.2;  // no section, no gap
     }
@@ -26,7 +26,17 @@ double CardPainter::weighIn(double y) {
         columns.push_back({(full - nameWidth - 3 * numberWidth) / cylinder_count});
     }
     columns.insert(columns.end(), 2, {numberWidth});
-    CardTable table(columns, 7.2, 3.2);
+    constexpr double rowHeight = 3.2;
+    CardTable table(columns, 7.2, rowHeight);
+    // What to take off the parts that are too far apart, where there is room for it beside the
+    // columns themselves and what is said of them.
+    const auto weighed = std::count_if(all_parts.begin(), all_parts.end(), [&](Part part) {
+        return !(*input_.weigh_in)[part].is_empty();
+    });
+    double room = end - y - 22.0 - rowHeight * static_cast<double>(weighed);
+    for (const QString& each : remarkTexts()) {
+        room -= sheet_.heightOf(each, 7.0, full);
+    }
     QStringList head{words_.translate("JobCard", "Cylinder"),
                      words_.translate("JobCard", "nominal")};
     for (int i = 1; i <= cylinder_count; ++i) {
@@ -48,8 +58,14 @@ double CardPainter::weighIn(double y) {
         row << grams(found->mean)
             << grams(found->spread) + (found->within_permitted ? QString() : QStringLiteral(" !"));
         table.add({row});
+        if (!found->within_permitted && room >= rowHeight) {
+            room -= rowHeight;
+            QStringList less{words_.translate("JobCard", "take off"), QString()};
+            less << matching_text::takeOff(words_, column.mass);
+            table.add({less, false, true});
+        }
     }
-    if (solution_.assignment || v8_text::isMoved(*input_.weigh_in)) {
+    if (solution_.assignment || input_.weigh_in->is_moved()) {
         const auto add = [&](const QString& name, const std::vector<int>& numbers) {
             QStringList row{name, QString()};
             for (const int number : numbers) {
@@ -59,11 +75,11 @@ double CardPainter::weighIn(double y) {
         };
         const auto* moves = solution_.assignment ? &*solution_.assignment : nullptr;
         add(words_.translate("JobCard", "Piston set from"),
-            v8_text::setNumbers(input_.weigh_in->piston_sets,
-                                moves != nullptr ? &moves->pistons : nullptr));
+            matching_text::setNumbers(input_.weigh_in->piston_sets, cylinder_count,
+                                      moves != nullptr ? &moves->pistons : nullptr));
         add(words_.translate("JobCard", "Rod set from"),
-            v8_text::setNumbers(input_.weigh_in->rod_sets,
-                                moves != nullptr ? &moves->rods : nullptr));
+            matching_text::setNumbers(input_.weigh_in->rod_sets, cylinder_count,
+                                      moves != nullptr ? &moves->rods : nullptr));
     }
     double height = 5.0 + table.draw(sheet_, left, y + 5.0);
     const auto say = [&](const QString& text, const QColor& colour) {
@@ -72,7 +88,15 @@ double CardPainter::weighIn(double y) {
             height += 3.8;
         }
     };
-    say(v8_text::assignmentText(words_, input_, solution_), CardPage::ink);
+    if (const auto shown = v8_text::matchingShown(input_, solution_)) {
+        const QString summary = matching_text::summary(words_, *shown);
+        const bool isFelt = shown->matched.goal == workshop::MatchingGoal::least_shaking;
+        const QString felt = isFelt ? matching_text::felt(words_, *shown) : QString();
+        const QString both = (summary + QLatin1Char(' ') + felt).trimmed();
+        const bool fits = sheet_.textWidth(both, 7.5) < full;
+        say(fits ? both : summary, CardPage::ink);
+        say(fits ? QString() : felt, CardPage::ink);
+    }
     const QString notCounted = v8_text::notCounted(words_, input_).join(QLatin1Char(' '));
     if (sheet_.textWidth(notCounted, 7.5) < 0.6 * full) {
         // Beside the heading: a full card has no line to spare.
@@ -85,7 +109,7 @@ double CardPainter::weighIn(double y) {
 }
 
 /// What the technician should not overlook, and what the method neglects.
-double CardPainter::remarks(double y, double end) {
+std::array<QString, 2> CardPainter::remarkTexts() const {
     Input shown = input_;
     shown.weigh_in.reset();  // its table above marks what is too far apart or missing
     shown.changes_from_weigh_in = false;
@@ -102,8 +126,14 @@ double CardPainter::remarks(double y, double end) {
         list << v8_text::shiftText(words_, input_, solution_,
                                    chosen ? *chosen : *solution_.option(OptionId::steel_machined));
     }
+    return {doubts, list.join(QLatin1Char(' '))};
+}
+
+double CardPainter::remarks(double y, double end) {
     // Smaller where there is much to say: nothing of it is cut.
-    const QString rest = list.join(QLatin1Char(' '));
+    const std::array<QString, 2> texts = remarkTexts();
+    const QString& doubts = texts[0];
+    const QString& rest = texts[1];
     double points = 7.0;
     const auto height = [&] {
         return sheet_.heightOf(doubts, points, full) + sheet_.heightOf(rest, points, full);

@@ -5,7 +5,6 @@
 #include <QGuiApplication>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -46,7 +45,18 @@ QLabel* put(QGridLayout* grid, int row, int column, const QString& text, int siz
 }  // namespace
 
 WeighInSheet::WeighInSheet(V8PlugsModel* model, QWidget* parent)
-    : V8Sheet(model, parent), table_(new WeighInTable(model, this)) {
+    : MatchingSheet(
+          model,
+          [model] {
+              const auto& sheet = model->input().weigh_in;
+              return sheet ? sheet->matching : Rules();
+          },
+          [model](const QString& name, const std::function<void(Rules&)>& change) {
+              model->editWeights(name, [&](WeighIn& sheet) { change(sheet.matching); });
+          },
+          parent),
+      model_(model),
+      table_(new WeighInTable(model, this)) {
     columnOf(this)->setSpacing(Theme::space);
     section({});
     ordered(box(
@@ -66,9 +76,8 @@ WeighInSheet::WeighInSheet(V8PlugsModel* model, QWidget* parent)
     numbering->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     numbering->setMinimumContentsLength(10);  // the grid below says how wide the sheet is
     buildGrid();
+    addGoal(false);
     buildFindings();
-    connect(&Theme::instance(), &Theme::changed, this, &WeighInSheet::showFindings);
-    follow([this] { showFindings(); });
     finish();
 }
 
@@ -89,6 +98,7 @@ void WeighInSheet::buildGrid() {
     for (int column = 0; column < table_->columnCount(); ++column) {
         addColumn(grid, column);
     }
+    addMoves(grid, rows + 4);
     columnOf(this)->addWidget(trouble_);
 }
 
@@ -148,39 +158,40 @@ NumberField* WeighInSheet::addCell(int row, int column) {
 }
 
 void WeighInSheet::buildFindings() {
-    summary_ = new QLabel(this);
-    summary_->setObjectName(QStringLiteral("weigh_in_summary"));
-    summary_->setWordWrap(true);
-    summary_->setFont(Theme::font(Theme::baseSize, true));
-    move_ = new QPushButton(tr("&Move them here"), this);
-    move_->setObjectName(QStringLiteral("move_parts"));
-    move_->setToolTip(tr("The weights change places on this sheet as the parts do."));
-    move_->setMinimumHeight(Theme::withText(cellHeight));
-    connect(move_, &QPushButton::clicked, this, [this] {
-        if (const auto assignment = model_->solution().assignment) {
-            model_->edit(tr("Move parts"), [&](Input& input) {
-                input.weigh_in = reassigned(input.weigh_in.value(), *assignment);
-            });
-        }
+    addFindings([this] { return findings(); },
+                [this] {
+                    if (const auto assignment = model_->solution().assignment) {
+                        model_->edit(tr("Move parts"), [&](Input& input) {
+                            input.weigh_in = reassigned(input.weigh_in.value(), *assignment);
+                        });
+                    }
+                });
+    crankpins_ = new ResultTable(this);
+    crankpins_->setAccessibleName(tr("Excess on each crankpin, as weighed and after moving"));
+    crankpins_->setColumns(model_->crankpinColumns());
+    crankpins_->setTips(V8PlugsModel::crankpinTips());
+    crankpins_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    columnOf(this)->addWidget(crankpins_);
+    follow([this] {
+        const auto rows = model_->crankpinRows();
+        crankpins_->setRows(rows);
+        crankpins_->setVisible(!rows.isEmpty());
     });
-    auto* found = new QHBoxLayout;
-    found->addWidget(summary_, 1);
-    found->addWidget(move_, 0, Qt::AlignTop);
-    columnOf(this)->addLayout(found);
-    const auto table = [this](const QString& name, const QStringList& columns,
-                              const ResultTips& tips) {
-        auto* made = new ResultTable(this);
-        made->setAccessibleName(name);
-        made->setColumns(columns);
-        made->setTips(tips);
-        made->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        columnOf(this)->addWidget(made);
-        return made;
-    };
-    crankpins_ = table(tr("Excess on each crankpin, as weighed and after moving"),
-                       model_->crankpinColumns(), V8PlugsModel::crankpinTips());
-    assignment_ = table(tr("Which set goes to which cylinder"), model_->assignmentColumns(),
-                        V8PlugsModel::assignmentTips());
+}
+
+MatchingSheet::Findings WeighInSheet::findings() const {
+    const QStringList gaps = model_->notCounted();
+    QStringList summary = gaps;
+    summary << model_->assignmentText() << model_->assignmentRemarks();
+    summary.removeAll(QString());
+    const auto& assignment = model_->solution().assignment;
+    return {summary.join(QLatin1Char('\n')),
+            !gaps.isEmpty() || (assignment && !assignment->remark.empty()),
+            assignment && assignment->moved > 0,
+            model_->effectRows(),
+            model_->assignmentRows(),
+            model_->takeOffRows(),
+            cylinder_count};
 }
 
 bool WeighInSheet::eventFilter(QObject* watched, QEvent* event) {
@@ -212,22 +223,6 @@ bool WeighInSheet::useKey(const QKeyEvent& key, const QModelIndex& cell) {
             Qt::TabFocusReason);
     }
     return step != 0;
-}
-
-void WeighInSheet::showFindings() {
-    const QStringList gaps = model_->notCounted();
-    QStringList summary = gaps;
-    summary << model_->assignmentText();
-    summary.removeAll(QString());
-    summary_->setText(summary.join(QLatin1Char('\n')));
-    const Theme& theme = Theme::instance();
-    colourText(summary_, gaps.isEmpty() ? theme.text() : theme.warning());
-    move_->setVisible(model_->solution().assignment && model_->solution().assignment->moved > 0);
-    const auto assignment = model_->assignmentRows();
-    assignment_->setRows(assignment);
-    assignment_->setVisible(!assignment.isEmpty());
-    crankpins_->setRows(model_->crankpinRows());
-    crankpins_->setVisible(!assignment.isEmpty());
 }
 
 }  // namespace ravnoves

@@ -1,6 +1,7 @@
 #include "workshop/sheet_form.h"
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QVBoxLayout>
@@ -24,6 +25,14 @@ SheetForm::SheetForm(SceneModel* model, QWidget* parent) : Form(model, parent), 
 void SheetForm::enlarge(QWidget* field) {
     field->setMinimumHeight(Theme::withText(fieldHeight));
     field->setFont(Theme::font(Theme::titleSize + 1));
+}
+
+QComboBox* SheetForm::wide(QComboBox* box, int width) {
+    box->setMinimumWidth(Theme::withText(width));
+    box->setFont(Theme::font(Theme::baseSize));
+    // The list is as wide as its words.
+    box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0) + Theme::withText(24));
+    return box;
 }
 
 NumberField* SheetForm::large(NumberField* field) {

@@ -65,6 +65,9 @@ class SheetForm : public Form {
         return field;
     }
     void enlarge(QWidget* field);
+    /// As wide as a text: its words are read whole.
+    /// @param width  designed pixels
+    QComboBox* wide(QComboBox* box, int width = 290);
     /// Ends the sheet: labels without a mnemonic get one that no other label or button has.
     void finish();
 

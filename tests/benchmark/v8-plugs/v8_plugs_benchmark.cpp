@@ -12,9 +12,22 @@ namespace {
 
 using namespace ravnoves::v8_plugs;
 
-std::vector<std::array<int, 2>> eight_cylinders() {
-    const Crankpins pins = crankpins(CylinderNumbering::bank_by_bank);
-    return {pins.begin(), pins.end()};
+/// Weights of eight pistons and eight big ends: grams above nominal.
+void match_all(benchmark::State& state, const std::vector<double>& pistons,
+               const std::vector<double>& rods, ravnoves::workshop::MatchingGoal goal) {
+    WeighIn sheet;
+    for (const Part part : all_parts) {
+        const bool with_piston = ravnoves::workshop::is_of_piston(part);
+        sheet[part].nominal = 0.5;
+        for (std::size_t i = 0; i < 8; ++i) {
+            sheet[part].mass[i] = 0.5 + (with_piston ? pistons : rods)[i];
+        }
+    }
+    sheet.matching.goal = goal;
+    const auto task = matching_task(sheet, Process::repair, 0.4);
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(ravnoves::workshop::match(task, sheet.matching));
+    }
 }
 
 /// Masses that differ from part to part: one best assignment.
@@ -27,25 +40,17 @@ void bm_best_assignment(benchmark::State& state) {
         pistons[i] = deviation(generator);
         rods[i] = deviation(generator);
     }
-    const auto pins = eight_cylinders();
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(best_assignment(pistons, rods, pins));
-    }
+    match_all(state, pistons, rods, static_cast<ravnoves::workshop::MatchingGoal>(state.range(0)));
 }
-BENCHMARK(bm_best_assignment)->Unit(benchmark::kMillisecond);
+BENCHMARK(bm_best_assignment)->Arg(0)->Arg(2)->Unit(benchmark::kMillisecond);
 
 /// Masses to the gram, so that thousands of assignments tie and the fewest moves are sought.
 void bm_best_assignment_with_ties(benchmark::State& state) {
     std::vector<double> pistons(8, 0.0);
     std::vector<double> rods(8, 0.0);
-    for (std::size_t i = 0; i < 8; ++i) {
-        pistons[i] = i == 0 ? 0.003 : 0.0;
-        rods[i] = i == 4 ? 0.003 : 0.0;
-    }
-    const auto pins = eight_cylinders();
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(best_assignment(pistons, rods, pins));
-    }
+    pistons[0] = 0.003;
+    rods[4] = 0.003;
+    match_all(state, pistons, rods, ravnoves::workshop::MatchingGoal::least_spread);
 }
 BENCHMARK(bm_best_assignment_with_ties)->Unit(benchmark::kMillisecond);
 

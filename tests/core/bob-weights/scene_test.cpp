@@ -125,6 +125,58 @@ TEST(BobWeight, SaysWhatWasNotGivenOrLooksLikeKilograms) {
     EXPECT_EQ(solved(input).at("looks_like_kilograms"), Json({"pin"}));
 }
 
+TEST(Matching, OfABoxerKnowsThatOppositePistonsCancel) {
+    Json input = shop_card();
+    input["engine"] = {{"type", "boxer"}, {"cylinders", 4}, {"rods_per_pin", 1}};
+    input["weigh_in"] = parse_json(R"({"cylinder_numbering": "alternating",
+        "piston": {"mass_g": [602, 602, 600, 600]},
+        "matching": {"goal": "least-shaking", "pistons": "within-bank", "crank_radius_mm": 40}})");
+    Json placed = solved(input).at("weigh_in").at("assignment");
+    EXPECT_EQ(placed.at("goal"), "least-shaking");
+    EXPECT_NEAR(placed.at("shaking_before").at("force_g").get<double>(), 0, 1e-12);
+    EXPECT_FALSE(placed.at("shaking").contains("couple_g_mm"));
+    EXPECT_EQ(placed.at("sets_moved"), 0);
+    // One heavy piston alone: 1.5 − (−0.5) of the pair, to and fro, with 40 mm and 3000 rpm.
+    input["weigh_in"]["piston"]["mass_g"] = {602, 600, 600, 600};
+    input["weigh_in"]["matching"]["cylinder_spacing_mm"] = 90;
+    input["tolerance"] = {{"grade_mm_s", 16}, {"rotor_mass_kg", 20}, {"service_speed_rpm", 3000}};
+    placed = solved(input).at("weigh_in").at("assignment");
+    const Json& before = placed.at("shaking_before");
+    EXPECT_NEAR(before.at("force_g").get<double>(), 2, 1e-9);
+    EXPECT_NEAR(before.at("force_g_mm").get<double>(), 80, 1e-9);
+    EXPECT_NEAR(before.at("force_N").get<double>(), 80e-6 * std::pow(3000 * rpm, 2), 1e-9);
+    EXPECT_NEAR(before.at("couple_g_mm").get<double>(), 2 * 45, 1e-9);
+    EXPECT_NEAR(before.at("couple_g_mm2").get<double>(), 2 * 45 * 40, 1e-7);
+    // The numbers of the sets are read and written.
+    input["weigh_in"]["rod_sets"] = {2, 1, 3, 4};
+    const Input read = read_input(input);
+    EXPECT_EQ(read_input(write_input(read)), read);
+    EXPECT_EQ(write_input(read).at("weigh_in").at("matching").size(), 4u);
+}
+
+TEST(Matching, RefusesRulesThatCannotBe) {
+    const auto wrong = [](const char* key, const Json& value) {
+        Json input = shop_card();
+        input["weigh_in"] = {{"piston", {{"mass_g", {1, 2, 3, 4, 5, 6, 7, 8}}}}};
+        input["weigh_in"]["matching"][key] = value;
+        return error_of(input);
+    };
+    EXPECT_EQ(wrong("goal", "best"),
+              "/input/weigh_in/matching/goal: must be one of \"least-spread\", \"fewest-moves\", "
+              "\"least-shaking\", got \"best\"");
+    EXPECT_EQ(wrong("shells", "anywhere"),
+              "/input/weigh_in/matching/shells: must be one of \"with-set\", \"stay\", got "
+              "\"anywhere\"");
+    EXPECT_EQ(wrong("crankpin_angles_deg", {0, 90}),
+              "/input/weigh_in/matching/crankpin_angles_deg: must be a list of 4 angles, got 2");
+    EXPECT_EQ(wrong("bank_offset_mm", 20),
+              "/input/weigh_in/matching/cylinder_spacing_mm: is required where the bank offset is "
+              "given");
+    EXPECT_EQ(wrong("permitted_spread_g", -1),
+              "/input/weigh_in/matching/permitted_spread_g: must be from 0 to 100000, got -1");
+    EXPECT_EQ(wrong("stay", true), "/input/weigh_in/matching/stay: is not a known key");
+}
+
 /// What holes and slugs leave, added up from the result alone.
 double left_of(const Json& plane) {
     const auto at = [](const Json& json, const char* size) {

@@ -163,8 +163,10 @@ TEST(Result, SetsKeepTheNumbersTheyWereWeighedUnder) {
     input["weigh_in"]["piston_sets"] = {3, 3, 2, 4, 5, 6, 7, 8};
     EXPECT_THROW(read_input(input), InputError);
     // Moving the parts moves their numbers, from wherever they are.
-    const WeighIn moved =
-        reassigned(*read.weigh_in, {{1, 0, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3, 4, 5, 7, 6}, 0.0, 0});
+    workshop::Matched matched;
+    matched.pistons = {1, 0, 2, 3, 4, 5, 6, 7};
+    matched.rods = {0, 1, 2, 3, 4, 5, 7, 6};
+    const WeighIn moved = reassigned(*read.weigh_in, matched);
     EXPECT_EQ(moved.piston_sets, (SetNumbers{1, 3, 2, 4, 5, 6, 7, 8}));
     EXPECT_EQ(moved.rod_sets, (SetNumbers{1, 2, 3, 4, 5, 6, 8, 7}));
 }

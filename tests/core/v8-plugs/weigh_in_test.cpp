@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <ctime>
 #include <numeric>
 
 #include "support.h"
@@ -14,134 +12,6 @@ namespace {
 
 using test::gram;
 using test::Workshop;
-
-// Sanitizers and builds for the debugger are not what the user waits for.
-#if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__)
-constexpr double slow_build = 1.0;
-#else
-constexpr double slow_build = 20.0;
-#endif
-
-using Pins = std::vector<std::array<int, 2>>;
-
-Pins pins_of(std::size_t n) {
-    Pins pins;
-    for (std::size_t k = 0; k < n / 2; ++k) {
-        pins.push_back({static_cast<int>(k), static_cast<int>(k + n / 2)});
-    }
-    return pins;
-}
-
-/// Every permutation of the pistons with every permutation of the rods.
-double brute_force(const std::vector<double>& pistons, const std::vector<double>& rods,
-                   const Pins& pins) {
-    const std::size_t n = pistons.size();
-    Assignment assignment;
-    assignment.pistons.resize(n);
-    assignment.rods.resize(n);
-    double best = std::numeric_limits<double>::infinity();
-    std::iota(assignment.pistons.begin(), assignment.pistons.end(), 0);
-    do {
-        std::iota(assignment.rods.begin(), assignment.rods.end(), 0);
-        do {
-            best = std::min(best, assignment_spread(pistons, rods, pins, assignment));
-        } while (std::next_permutation(assignment.rods.begin(), assignment.rods.end()));
-    } while (std::next_permutation(assignment.pistons.begin(), assignment.pistons.end()));
-    return best;
-}
-
-bool is_permutation_of_cylinders(std::vector<int> from) {
-    std::sort(from.begin(), from.end());
-    for (std::size_t i = 0; i < from.size(); ++i) {
-        if (from[i] != static_cast<int>(i)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-TEST(BestAssignment, EqualsBruteForceOnSmallCases) {
-    Workshop workshop(5);
-    for (const std::size_t n : {2U, 4U, 6U}) {
-        const Pins pins = pins_of(n);
-        for (int round = 0; round < (n == 6 ? 12 : 100); ++round) {
-            auto pistons = workshop.contributions(n);
-            auto rods = workshop.contributions(n);
-            if (round % 3 == 0) {  // coarse masses: many ties
-                for (double& mass : pistons) {
-                    mass = std::round(mass / gram / 5) * 5 * gram;
-                }
-            }
-            const Assignment best = best_assignment(pistons, rods, pins);
-            EXPECT_TRUE(is_permutation_of_cylinders(best.pistons));
-            EXPECT_TRUE(is_permutation_of_cylinders(best.rods));
-            EXPECT_NEAR(best.spread, brute_force(pistons, rods, pins), 1e-15);
-            EXPECT_DOUBLE_EQ(best.spread, assignment_spread(pistons, rods, pins, best));
-        }
-    }
-}
-
-TEST(BestAssignment, BeatsTenThousandRandomOnesOnEightCylinders) {
-    Workshop workshop(6);
-    const Pins pins = pins_of(8);
-    for (int round = 0; round < 5; ++round) {
-        const auto pistons = workshop.contributions(8);
-        const auto rods = workshop.contributions(8);
-        const Assignment best = best_assignment(pistons, rods, pins);
-        Assignment random = best;
-        for (int trial = 0; trial < 10000; ++trial) {
-            std::shuffle(random.pistons.begin(), random.pistons.end(), workshop.generator());
-            std::shuffle(random.rods.begin(), random.rods.end(), workshop.generator());
-            ASSERT_LE(best.spread, assignment_spread(pistons, rods, pins, random) + 1e-15);
-        }
-    }
-}
-
-TEST(BestAssignment, TakesLessThanFiftyMillisecondsOnEightCylinders) {
-    // Time of this program alone, whatever else the machine does. Masses to the gram tie the most.
-    const Pins pins = pins_of(8);
-    for (const bool coarse : {false, true}) {
-        Workshop workshop(8);
-        auto pistons = workshop.contributions(8);
-        auto rods = workshop.contributions(8);
-        if (coarse) {
-            for (auto* masses : {&pistons, &rods}) {
-                for (double& mass : *masses) {
-                    mass = std::round(mass / gram / 10) * 10 * gram;
-                }
-            }
-        }
-        double best = 1e9;
-        for (int round = 0; round < 5; ++round) {
-            const std::clock_t begin = std::clock();
-            const Assignment found = best_assignment(pistons, rods, pins);
-            best =
-                std::min(best, 1000.0 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
-            EXPECT_GE(found.spread, 0.0);
-        }
-        EXPECT_LT(best, 50.0 * slow_build) << "ms, coarse " << coarse;
-    }
-}
-
-TEST(BestAssignment, LeavesPartsThatAreWellPlaced) {
-    const Pins pins = pins_of(8);
-    const std::vector<double> equal(8, 0.5);
-    Assignment best = best_assignment(equal, equal, pins);
-    EXPECT_EQ(best.moved, 0);
-    EXPECT_EQ(best.spread, 0.0);
-    // One heavy and one light piston on different crankpins: it takes two moves, not more.
-    std::vector<double> pistons(8, 0.5);
-    pistons[0] += 2 * gram;
-    pistons[1] -= 2 * gram;
-    best = best_assignment(pistons, equal, pins);
-    EXPECT_NEAR(best.spread, 0.0, 1e-15);
-    EXPECT_EQ(best.moved, 2);
-    // All pistons but two alike, so that very many matches tie.
-    std::vector<double> rods(8, 0.25);
-    rods[3] += 1 * gram;
-    best = best_assignment(equal, rods, pins);
-    EXPECT_EQ(best.moved, 0);
-}
 
 WeighIn random_sheet(Workshop& workshop) {
     WeighIn sheet;
@@ -168,7 +38,8 @@ TEST(WeighInSheet, MeanOfTheCrankpinsIsTheMethodsExcess) {
         EXPECT_NEAR(std::accumulate(by_crankpin.begin(), by_crankpin.end(), 0.0) / crankpin_count,
                     excess, 1e-12);
         // Moving parts keeps the mean and makes the crankpins no less equal.
-        const Assignment best = best_assignment(sheet, process, k).value();
+        const workshop::Matched best =
+            workshop::match(matching_task(sheet, process, k), sheet.matching).value();
         const auto after = crankpin_excess(reassigned(sheet, best), process, k);
         EXPECT_NEAR(std::accumulate(after.begin(), after.end(), 0.0) / crankpin_count, excess,
                     1e-12);

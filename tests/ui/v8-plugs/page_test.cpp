@@ -543,6 +543,50 @@ TEST_F(V8PageTest, MovedPartsKeepTheirNumbersOnSheetAndCard) {
     EXPECT_EQ(model->input().weigh_in, kept.weigh_in);
 }
 
+TEST_F(V8PageTest, FittedPistonsStayAndWhatTheEngineFeelsIsMadeSmall) {
+    page.sheets()->setCurrentIndex(2);
+    type("nominal_piston", u"600"_s);
+    type("spread_piston", u"2"_s);
+    type("nominal_rod_big_end", u"500"_s);
+    for (int i = 1; i <= 8; ++i) {
+        type(("mass_piston_" + std::to_string(i)).c_str(), QString::number(600 + i * i % 7));
+        type(("mass_rod_big_end_" + std::to_string(i)).c_str(), QString::number(500 + i * i % 5));
+    }
+    EXPECT_EQ(model->takeOffRows().size(), 2);
+    EXPECT_EQ(model->takeOffRows().at(0).at(1), u"1.00"_s) << "601 g, the lightest 600";
+    const auto choose = [&](const char* name, Qt::Key key) {
+        auto* box = find<QComboBox>(name);
+        box->setFocus(Qt::TabFocusReason);
+        QTest::keyClick(box, key);
+    };
+    choose("moves_pistons", Qt::Key_End);
+    choose("goal", Qt::Key_End);
+    const auto placing = [&] { return model->solution().assignment.value(); };
+    EXPECT_EQ(placing().pistons, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7}));
+    EXPECT_EQ(placing().goal, workshop::MatchingGoal::least_shaking);
+    EXPECT_LT(placing().shaking->ends, placing().shaking_before->ends);
+    EXPECT_TRUE(label("weigh_in_summary").contains(u"needs the cylinder spacing"_s))
+        << qPrintable(label("weigh_in_summary"));
+    type("cylinder_spacing_mm", u"110"_s);
+    EXPECT_EQ(model->effectRows().size(), 4);
+    EXPECT_EQ(model->history()->undoText(), u"Cylinder spacing"_s);
+    const Json matching = model->inputJson().at("weigh_in").at("matching");
+    EXPECT_EQ(matching,
+              (Json{{"goal", "least-shaking"}, {"pistons", "stay"}, {"cylinder_spacing_mm", 110}}));
+    // The card says what to take off pistons too far apart, and what is gained.
+    const QString file = QDir(folder.path()).filePath(u"matched.pdf"_s);
+    EXPECT_EQ(page.writeCard(file), QString());
+    QProcess reader;
+    reader.start(QStringLiteral(PDFTOTEXT), {u"-layout"_s, file, u"-"_s});
+    EXPECT_TRUE(reader.waitForFinished());
+    const QString printed = QString::fromUtf8(reader.readAllStandardOutput());
+    EXPECT_TRUE(printed.contains(u"take off"_s)) << qPrintable(printed);
+    EXPECT_TRUE(printed.contains(u"First-order force of the differences"_s));
+    page.sheets()->setCurrentIndex(2);
+    model->newJob();
+    EXPECT_EQ(model->input().weigh_in->matching.pistons, workshop::SetMoves::stays);
+}
+
 TEST_F(V8PageTest, NominalMassesAreCheckedAgainstThePartsOrFilledFromThem) {
     const std::map<const char*, const char*> parts{
         {"nominal_piston", "568.5"},      {"nominal_pin", "151.2"},       {"nominal_rings", "62.3"},

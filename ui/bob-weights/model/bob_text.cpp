@@ -1,6 +1,7 @@
 #include "bob-weights/model/bob_text.h"
 
 #include "bob-weights/fields.h"
+#include "bob-weights/matching.h"
 #include "workshop/model/verdict.h"
 
 namespace ravnoves::bob_text {
@@ -196,31 +197,27 @@ QStringList shortfalls(const Words& words, const Result& result) {
 }
 
 QString weighIn(const Words& words, const Result& result) {
-    QStringList said;
-    if (!result.crankpins.empty()) {
-        QStringList pins;
-        for (const double mass : result.crankpins) {
-            pins << words.digits(mass, units::gram, 1);
-        }
-        said << words.translate("BobWeights", "Bob weights of the crankpins by themselves, %1: %2.")
-                    .arg(words.unit(units::gram), pins.join(QStringLiteral("; ")));
+    if (result.crankpins.empty()) {
+        return {};
     }
-    for (const Matching& each : result.matching) {
-        QStringList parts;
-        for (std::size_t i = 0; i < each.take_off.size(); ++i) {
-            if (each.take_off[i] && *each.take_off[i] > 0.005 * units::gram) {
-                parts << words.translate("BobWeights", "%1 off no. %2")
-                             .arg(words.digits(*each.take_off[i], units::gram, 2))
-                             .arg(i + 1);
-            }
-        }
-        if (!parts.isEmpty()) {
-            said << words.translate("BobWeights", "%1, to match the lightest, %2: %3.")
-                        .arg(words.text(workshop::part_word(*each.part->column).label),
-                             words.unit(units::gram), parts.join(QStringLiteral("; ")));
-        }
+    QStringList pins;
+    for (const double mass : result.crankpins) {
+        pins << words.digits(mass, units::gram, 1);
     }
-    return said.join(QLatin1Char('\n'));
+    return words.translate("BobWeights", "Bob weights of the crankpins by themselves, %1: %2.")
+        .arg(words.unit(units::gram), pins.join(QStringLiteral("; ")));
+}
+
+std::optional<matching_text::Shown> matchingShown(const Input& input, const Result& result) {
+    if (!input.weigh_in || !result.placing) {
+        return std::nullopt;
+    }
+    return matching_text::Shown{*result.placing,
+                                crank_of(input),
+                                input.weigh_in->matching.crank_radius,
+                                service_speed(input),
+                                input.weigh_in->piston_sets,
+                                input.weigh_in->rod_sets};
 }
 
 QString balance(const Words& words, Balance balance) {

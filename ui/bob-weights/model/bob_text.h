@@ -4,6 +4,7 @@
 #include <QVector>
 
 #include "bob-weights/solver.h"
+#include "workshop/model/matching_text.h"
 #include "workshop/model/words.h"
 
 /// What page and job card say of a bob weight and of the correction.
@@ -33,8 +34,11 @@ QStringList warnings(const Words& words, const bob_weights::Input& input,
 QString holeNote(const Words& words, const bob_weights::Result& result);
 /// What falls short, plane by plane.
 QStringList shortfalls(const Words& words, const bob_weights::Result& result);
-/// Bob weight of each crankpin's own parts, and what to take off to match the lightest.
+/// Bob weight of each crankpin's own parts.
 QString weighIn(const Words& words, const bob_weights::Result& result);
+/// Which sets to move; nothing where no column is weighed whole.
+std::optional<matching_text::Shown> matchingShown(const bob_weights::Input& input,
+                                                  const bob_weights::Result& result);
 QString balance(const Words& words, bob_weights::Balance balance);
 
 QStringList lineHead(const Words& words);

@@ -35,6 +35,20 @@ void forgetReadings(Input& input) {
     }
 }
 
+/// The sheet for other parts of the same engine; nothing where it has no rules of its own.
+std::optional<WeighIn> rulesAlone(const Input& input) {
+    Input next;
+    next.engine = input.engine;
+    next.weigh_in.emplace();
+    fit_weigh_in(next);
+    const std::optional<WeighIn> blank = next.weigh_in;
+    if (input.weigh_in) {
+        next.weigh_in->numbering = input.weigh_in->numbering;
+        next.weigh_in->matching = input.weigh_in->matching;
+    }
+    return next.weigh_in == blank ? std::nullopt : next.weigh_in;
+}
+
 }  // namespace
 
 Input BobWeightsScene::defaultInput() const {
@@ -143,7 +157,7 @@ QString BobWeightsModel::editWeights(const QString& name,
         fit_weigh_in(input);
         mutate(*input.weigh_in);
         if (input.weigh_in->is_empty()) {
-            input.weigh_in.reset();
+            input.weigh_in = rulesAlone(input);
         }
     });
 }
@@ -264,6 +278,22 @@ QString BobWeightsModel::weighInText() const {
     return bob_text::weighIn(Words(), solution());
 }
 
+std::optional<matching_text::Shown> BobWeightsModel::matchingShown() const {
+    return bob_text::matchingShown(input(), solution());
+}
+
+QVector<QStringList> BobWeightsModel::takeOffRows() const {
+    return input().weigh_in ? matching_text::takeOff(Words(), masses_of(*input().weigh_in))
+                            : QVector<QStringList>();
+}
+
+void BobWeightsModel::moveParts() {
+    if (const auto placing = solution().placing) {
+        editWeights(tr("Move parts"),
+                    [&](WeighIn& sheet) { move_sets(sheet, placing->pistons, placing->rods); });
+    }
+}
+
 std::optional<std::vector<double>> BobWeightsModel::readDrills(const QString& typed) {
     static const QRegularExpression between(QStringLiteral("\\s*;\\s*|,\\s+|\\s+"));
     std::vector<double> drills;
@@ -302,6 +332,7 @@ void BobWeightsModel::newJob() {
     next.correction = input().correction;
     forgetReadings(next);
     next.tolerance = input().tolerance;
+    next.weigh_in = rulesAlone(input());
     next.job.technician = input().job.technician;
     desk_.beginJob([&] {
         setTitle({});

@@ -8,6 +8,7 @@
 #include "model/case_model.h"
 #include "text/result_tips.h"
 #include "workshop/model/job_desk.h"
+#include "workshop/model/matching_text.h"
 
 namespace ravnoves {
 
@@ -80,8 +81,13 @@ class BobWeightsModel : public CaseModel<BobWeightsScene> {
         bool counts = true;
     };
     ColumnNote columnNote(workshop::Part part) const;
-    /// Each crankpin's own bob weight, and what to take off the parts.
+    /// Each crankpin's own bob weight.
     QString weighInText() const;
+    /// Which sets to move; nothing where no column is weighed whole.
+    std::optional<matching_text::Shown> matchingShown() const;
+    QVector<QStringList> takeOffRows() const;
+    /// The weights change places as the placing says.
+    void moveParts();
     /// The drills at hand as one types them, "8 10 12.5" in the unit of lengths, in mm; nothing
     /// where they cannot be read.
     static std::optional<std::vector<double>> readDrills(const QString& typed);

@@ -158,8 +158,12 @@ void V8PlugsModel::newJob() {
     next.process = input().process;
     next.plug = input().plug;
     takeSheets(next, ownedSheets(input()));
-    if (input().weigh_in && next.weigh_in) {
+    if (input().weigh_in && (next.weigh_in || input().weigh_in->matching != WeighIn().matching)) {
+        if (!next.weigh_in) {
+            next.weigh_in.emplace();
+        }
         next.weigh_in->numbering = input().weigh_in->numbering;
+        next.weigh_in->matching = input().weigh_in->matching;
     }
     next.balancing = input().balancing;
     if (next.balancing) {

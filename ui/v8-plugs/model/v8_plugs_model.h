@@ -99,14 +99,15 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     QString missingText() const;
     QString isoText() const;
     QString plugWeightText() const;
+    /// Which sets to move, and by which rules; empty where no column counts.
     QString assignmentText() const;
+    QStringList assignmentRemarks() const;
     /// What was typed or weighed, but does not count (yet).
     QStringList notCounted() const;
 
     static ResultTips optionTips();
     static ResultTips bobWeightTips();
     static ResultTips planeTips();
-    static ResultTips assignmentTips();
     static ResultTips crankpinTips();
     QStringList optionColumns() const;
     /// @param isShort  the options in the fewest words
@@ -116,8 +117,10 @@ class V8PlugsModel : public CaseModel<V8PlugsScene> {
     QVector<QStringList> bobWeightRows() const;
     QStringList planeColumns() const;
     QVector<QStringList> planeRows() const;
-    QStringList assignmentColumns() const;
     QVector<QStringList> assignmentRows() const;
+    /// What the placing makes of spread, force and couple.
+    QVector<QStringList> effectRows() const;
+    QVector<QStringList> takeOffRows() const;
     QStringList crankpinColumns() const;
     QVector<QStringList> crankpinRows() const;
     /// Mean, spread and warning of one column of the weigh-in sheet.

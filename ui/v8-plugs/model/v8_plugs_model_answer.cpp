@@ -110,7 +110,13 @@ QString V8PlugsModel::plugWeightText() const {
 }
 
 QString V8PlugsModel::assignmentText() const {
-    return v8_text::assignmentText(words_, input(), solution());
+    const auto shown = v8_text::matchingShown(input(), solution());
+    return shown ? matching_text::summary(words_, *shown) : QString();
+}
+
+QStringList V8PlugsModel::assignmentRemarks() const {
+    const auto shown = v8_text::matchingShown(input(), solution());
+    return shown ? matching_text::remarks(words_, *shown) : QStringList();
 }
 
 QStringList V8PlugsModel::notCounted() const {
@@ -222,32 +228,19 @@ QVector<QStringList> V8PlugsModel::planeRows() const {
     return rows;
 }
 
-QStringList V8PlugsModel::assignmentColumns() const {
-    QStringList columns{tr("Cylinder")};
-    for (int i = 1; i <= cylinder_count; ++i) {
-        columns << QString::number(i);
-    }
-    return columns;
+QVector<QStringList> V8PlugsModel::assignmentRows() const {
+    const auto shown = v8_text::matchingShown(input(), solution());
+    return shown ? matching_text::assignment(words_, *shown) : QVector<QStringList>();
 }
 
-QVector<QStringList> V8PlugsModel::assignmentRows() const {
-    QVector<QStringList> rows;
-    if (!solution().assignment) {
-        return rows;
-    }
-    const auto row = [](const QString& name, const SetNumbers& numbers,
-                        const std::vector<int>& from) {
-        QStringList cells{name};
-        for (const int number : v8_text::setNumbers(numbers, &from)) {
-            // A set that stays where it was weighed needs no number.
-            const bool stays = number == static_cast<int>(cells.size());
-            cells << (stays ? QStringLiteral("·") : QString::number(number));
-        }
-        return cells;
-    };
-    const WeighIn& sheet = *input().weigh_in;
-    return {row(tr("Piston from"), sheet.piston_sets, solution().assignment->pistons),
-            row(tr("Rod from"), sheet.rod_sets, solution().assignment->rods)};
+QVector<QStringList> V8PlugsModel::effectRows() const {
+    const auto shown = v8_text::matchingShown(input(), solution());
+    return shown ? matching_text::effects(words_, *shown) : QVector<QStringList>();
+}
+
+QVector<QStringList> V8PlugsModel::takeOffRows() const {
+    return input().weigh_in ? matching_text::takeOff(words_, masses_of(*input().weigh_in))
+                            : QVector<QStringList>();
 }
 
 QStringList V8PlugsModel::crankpinColumns() const {

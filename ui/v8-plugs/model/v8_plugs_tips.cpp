@@ -43,14 +43,6 @@ ResultTips V8PlugsModel::planeTips() {
     };
 }
 
-ResultTips V8PlugsModel::assignmentTips() {
-    return {
-        {tr("Cylinder"), tr("A dot: the part stays; a number: it comes from that cylinder")},
-        {tr("Piston from"), tr("Cylinder from which the piston comes")},
-        {tr("Rod from"), tr("Cylinder from which the rod comes")},
-    };
-}
-
 ResultTips V8PlugsModel::crankpinTips() {
     return {
         {shownTitle(tr("as weighed, g")).text,

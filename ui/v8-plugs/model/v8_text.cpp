@@ -368,40 +368,17 @@ QString bobWeightCheck(const Words& words, const Input& input, const Result& sol
              gramMillimetres(words, difference * input.engine.crank_radius.value_or(0.0)));
 }
 
-QString assignmentText(const Words& words, const Input& input, const Result& solution) {
-    if (!solution.assignment || !solution.crankpin_excess || !solution.assigned_excess) {
-        return {};
+std::optional<matching_text::Shown> matchingShown(const Input& input, const Result& solution) {
+    if (!input.weigh_in || !solution.assignment || !solution.crankpin_excess ||
+        !solution.assigned_excess) {
+        return std::nullopt;
     }
-    if (input.weigh_in && isMoved(*input.weigh_in) && solution.assignment->moved == 0) {
-        return words
-            .translate(
-                "V8", "Assemble by the numbers of the sets: placed so, the crankpins differ by %1.")
-            .arg(grams(words, spread(*solution.crankpin_excess)));
-    }
-    const QString before = grams(words, spread(*solution.crankpin_excess));
-    if (solution.assignment->moved == 0) {
-        return words
-            .translate("V8", "The parts are placed as well as can be: the crankpins differ by %1.")
-            .arg(before);
-    }
-    return words
-        .translate("V8", "Crankpins differ by %1 as weighed and by %2 after moving %3 sets.")
-        .arg(before, grams(words, spread(*solution.assigned_excess)),
-             QString::number(solution.assignment->moved));
-}
-
-bool isMoved(const WeighIn& sheet) {
-    return sheet.piston_sets != as_weighed || sheet.rod_sets != as_weighed;
-}
-
-std::vector<int> setNumbers(const SetNumbers& numbers, const std::vector<int>* from) {
-    std::vector<int> list(numbers.begin(), numbers.end());
-    if (from != nullptr) {
-        for (std::size_t i = 0; i < list.size(); ++i) {
-            list[i] = numbers[static_cast<std::size_t>((*from)[i])];
-        }
-    }
-    return list;
+    return matching_text::Shown{*solution.assignment,
+                                crank_of(*input.weigh_in),
+                                input.engine.crank_radius,
+                                input.balancing ? input.balancing->service_speed : std::nullopt,
+                                input.weigh_in->piston_sets,
+                                input.weigh_in->rod_sets};
 }
 
 }  // namespace ravnoves::v8_text

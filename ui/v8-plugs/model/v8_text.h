@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include "v8-plugs/solver.h"
+#include "workshop/model/matching_text.h"
 #include "workshop/model/words.h"
 
 namespace ravnoves::v8_text {
@@ -69,12 +70,8 @@ QString toleranceOwner(const Words& words, const v8_plugs::Input& input);
 /// By what the machine's readings are judged, and why the two limits are so far apart.
 QString machineLimits(const Words& words, const v8_plugs::Input& input,
                       const v8_plugs::Result& solution);
-/// Which sets to move, in words; empty where there is no weigh-in sheet.
-QString assignmentText(const Words& words, const v8_plugs::Input& input,
-                       const v8_plugs::Result& solution);
-/// True where sets are in other cylinders than those they were weighed in.
-bool isMoved(const v8_plugs::WeighIn& sheet);
-/// The number of the set that goes to each cylinder; as the sheet has them where none is to move.
-std::vector<int> setNumbers(const v8_plugs::SetNumbers& numbers, const std::vector<int>* from);
+/// Which sets to move; nothing where there is no weigh-in sheet.
+std::optional<matching_text::Shown> matchingShown(const v8_plugs::Input& input,
+                                                  const v8_plugs::Result& solution);
 
 }  // namespace ravnoves::v8_text

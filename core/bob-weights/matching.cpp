@@ -1,0 +1,79 @@
+#include "bob-weights/matching.h"
+
+#include "numerics/constants.h"
+
+namespace ravnoves::bob_weights {
+
+namespace {
+
+/// Of the throws from the front, degrees.
+std::vector<double> usual_angles(const workshop::Crank& crank) {
+    switch (crank.angle_count()) {
+        case 1:
+            return {0};
+        case 2:
+            return crank.has_throws ? std::vector<double>{0, 180} : std::vector<double>{};
+        case 3:
+            return {0, 120, 240};
+        case 4:
+            return crank.has_throws ? std::vector<double>{0, 90, 270, 180}
+                                    : std::vector<double>{0, 180, 180, 0};
+        case 5:
+            return {0, 144, 216, 288, 72};
+        case 6:
+            return {0, 120, 240, 240, 120, 0};
+        default:
+            return {};
+    }
+}
+
+}  // namespace
+
+workshop::Crank crank_of(const Input& input) {
+    const Engine& engine = input.engine;
+    const workshop::MatchingRules rules =
+        input.weigh_in ? input.weigh_in->matching : workshop::MatchingRules{};
+    workshop::Crank crank;
+    crank.cylinders = engine.cylinders;
+    crank.rods_per_pin = engine.rods_per_pin;
+    crank.numbering =
+        input.weigh_in ? input.weigh_in->numbering : workshop::CylinderNumbering::bank_by_bank;
+    const bool in_line = engine.type == EngineType::in_line;
+    const bool boxer = engine.type == EngineType::boxer;
+    crank.has_banks = !in_line;
+    crank.has_throws = !in_line && engine.cylinders % 2 == 0 &&
+                       (boxer || engine.rods_per_pin == 2 || engine.pin_split != 0.0);
+    crank.bank_angle = boxer ? pi : engine.bank_angle;
+    // The pistons of a boxer that have a crankpin each meet and part.
+    crank.split = boxer && engine.rods_per_pin == 1 ? pi : engine.pin_split;
+    const bool has_usual = in_line || crank.has_throws;
+    for (const double angle : !rules.crankpin_angles_deg.empty() ? rules.crankpin_angles_deg
+                              : has_usual                        ? usual_angles(crank)
+                                                                 : std::vector<double>{}) {
+        crank.angles.push_back(angle * degree);
+    }
+    crank.spacing = rules.cylinder_spacing;
+    crank.bank_offset = rules.bank_offset.value_or(0.0);
+    return crank;
+}
+
+workshop::MatchingTask matching_task(const Input& input, double factor) {
+    workshop::MatchingTask task;
+    if (!input.weigh_in || input.engine.cylinders % input.engine.rods_per_pin != 0) {
+        return task;
+    }
+    task.masses = masses_of(*input.weigh_in);
+    for (const PartField& part : part_fields()) {
+        if (part.column && (*input.weigh_in)[*part.column].is_weighed()) {
+            task.factors[static_cast<std::size_t>(*part.column)] =
+                part.kind == PartKind::reciprocating ? factor : 1.0;
+        }
+    }
+    const workshop::Crank crank = crank_of(input);
+    task.places = places_of(crank);
+    task.spacing_known = crank.spacing.has_value();
+    task.no_shaking = workshop::crank_fault(crank);
+    return task;
+}
+
+}  // namespace ravnoves::bob_weights

@@ -1,0 +1,396 @@
+#include "workshop/matching.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numeric>
+
+#include "case-file/input_error.h"
+#include "case-file/json.h"
+#include "numerics/constants.h"
+#include "numerics/demand.h"
+#include "workshop/set_search.h"
+
+namespace ravnoves::workshop {
+
+namespace {
+
+using Vector = std::complex<double>;
+
+bool is_whole(std::span<const Weighed> masses, std::size_t count) {
+    return masses.size() == count &&
+           std::all_of(masses.begin(), masses.end(), [](const Weighed& m) { return m; });
+}
+
+/// By how much each part differs from the mean of its column; zeros where one is not weighed.
+std::vector<double> differences(std::span<const Weighed> masses, std::size_t count) {
+    std::vector<double> list(count, 0.0);
+    if (!is_whole(masses, count)) {
+        return list;
+    }
+    double mean = 0.0;
+    for (const Weighed& mass : masses) {
+        mean += *mass;
+    }
+    mean /= static_cast<double>(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        list[i] = *masses[i] - mean;
+    }
+    return list;
+}
+
+/// A number of each set of both kinds and, last, of what stays in its place.
+using Sets = std::array<std::vector<double>, 3>;
+
+/// Sums of the parts, each times its factor.
+Sets sums_of(const MatchingTask& task, const MatchingRules& rules,
+             const std::array<double, 6>& factors) {
+    const std::size_t n = task.places.size();
+    Sets sets;
+    sets.fill(std::vector<double>(n, 0.0));
+    for (const Part part : all_parts) {
+        const auto index = static_cast<std::size_t>(part);
+        const auto list = differences(task.masses[index], n);
+        const std::size_t kind = !moves_with_set(rules, part) ? 2 : is_of_piston(part) ? 0 : 1;
+        for (std::size_t i = 0; i < n; ++i) {
+            sets[kind][i] += factors[index] * list[i];
+        }
+    }
+    return sets;
+}
+
+/// Within what sets of the kind change places.
+std::vector<int> groups_of(const MatchingTask& task, SetMoves moves) {
+    std::vector<int> groups;
+    for (std::size_t i = 0; i < task.places.size(); ++i) {
+        groups.push_back(moves == SetMoves::anywhere      ? 0
+                         : moves == SetMoves::within_bank ? task.places[i].bank
+                                                          : static_cast<int>(i));
+    }
+    return groups;
+}
+
+SetSearch empty_search(const MatchingTask& task, const MatchingRules& rules,
+                       std::size_t dimensions) {
+    SetSearch search;
+    search.places = task.places.size();
+    search.dimensions = dimensions;
+    search.fixed.assign(dimensions, 0.0);
+    for (std::size_t kind = 0; kind < 2; ++kind) {
+        search.kinds[kind].adds.assign(search.places * search.places * dimensions, 0.0);
+        search.kinds[kind].group = groups_of(task, kind == 0 ? rules.pistons : rules.rods);
+    }
+    return search;
+}
+
+double* adds_to(SetSearch& search, std::size_t kind, std::size_t set, std::size_t place) {
+    // What stays has one set for each place.
+    return kind == 2 ? search.fixed.data()
+                     : &search.kinds[kind].adds[(set * search.places + place) * search.dimensions];
+}
+
+SetSearch search_of_spread(const MatchingTask& task, const MatchingRules& rules) {
+    int pins = 0;
+    for (const CylinderPlace& place : task.places) {
+        pins = std::max(pins, place.crankpin + 1);
+    }
+    SetSearch search = empty_search(task, rules, static_cast<std::size_t>(pins));
+    const Sets sums = sums_of(task, rules, task.factors);
+    for (std::size_t kind = 0; kind < 3; ++kind) {
+        for (std::size_t set = 0; set < search.places; ++set) {
+            for (std::size_t place = 0; place < search.places; ++place) {
+                if (kind < 2 || set == place) {
+                    const auto pin = static_cast<std::size_t>(task.places[place].crankpin);
+                    adds_to(search, kind, set, place)[pin] += sums[kind][set];
+                }
+            }
+        }
+    }
+    search.twin.assign(search.places, -1);
+    for (std::size_t i = 0; i < search.places; ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            if (task.places[k].crankpin == task.places[i].crankpin) {
+                search.twin[i] = static_cast<int>(k);
+            }
+        }
+    }
+    return search;
+}
+
+/// Middle and length of the crankshaft between its end cylinders.
+struct Reach {
+    double middle = 0.0;
+    double length = 0.0;
+};
+
+Reach reach_of(const MatchingTask& task) {
+    const auto [first, last] =
+        std::minmax_element(task.places.begin(), task.places.end(),
+                            [](const auto& a, const auto& b) { return a.position < b.position; });
+    return {0.5 * (first->position + last->position), last->position - first->position};
+}
+
+/// The first-order force with the crank and against it, at the front end and the rear end.
+SetSearch search_of_shaking(const MatchingTask& task, const MatchingRules& rules) {
+    constexpr std::size_t dimensions = 8;
+    SetSearch search = empty_search(task, rules, dimensions);
+    search.size = SetSearch::Size::norm;
+    // Big ends and shells rotate, the rest reciprocates.
+    const Sets rotating = sums_of(task, rules, {0, 0, 0, 1, 0, 1});
+    const Sets reciprocating = sums_of(task, rules, {1, 1, 1, 0, 1, 0});
+    const Reach reach = reach_of(task);
+    for (std::size_t place = 0; place < search.places; ++place) {
+        const CylinderPlace& at = task.places[place];
+        const Vector with = std::polar(1.0, at.crank_angle);
+        const Vector against = std::polar(1.0, 2.0 * at.axis - at.crank_angle);
+        const double rear =
+            reach.length > 0.0 ? 0.5 + (at.position - reach.middle) / reach.length : 0.5;
+        for (std::size_t kind = 0; kind < 3; ++kind) {
+            for (std::size_t set = 0; set < search.places; ++set) {
+                if (kind == 2 && set != place) {
+                    continue;
+                }
+                const double half = 0.5 * reciprocating[kind][set];
+                const Vector forward = (rotating[kind][set] + half) * with;
+                const Vector backward = half * against;
+                double* adds = adds_to(search, kind, set, place);
+                const Vector parts[] = {(1.0 - rear) * forward, rear * forward,
+                                        (1.0 - rear) * backward, rear * backward};
+                for (std::size_t i = 0; i < 4; ++i) {
+                    adds[2 * i] += parts[i].real();
+                    adds[2 * i + 1] += parts[i].imag();
+                }
+            }
+        }
+    }
+    return search;
+}
+
+Json amounts_json(const Shaking& shaking, bool spacing_known, const std::optional<double>& radius,
+                  const std::optional<double>& speed) {
+    Json json{{"force_g", shaking.force / units::gram},
+              {"rms_at_ends_g", shaking.ends / units::gram}};
+    if (spacing_known) {
+        json["couple_g_mm"] = shaking.couple / units::gram_mm;
+    }
+    if (radius) {
+        json["force_g_mm"] = shaking.force * *radius / units::gram_mm;
+        if (spacing_known) {
+            json["couple_g_mm2"] = shaking.couple * *radius / gram_mm2;
+        }
+        if (speed) {
+            json["force_N"] = shaking.force * *radius * *speed * *speed;
+            if (spacing_known) {
+                json["couple_Nm"] = shaking.couple * *radius * *speed * *speed;
+            }
+        }
+    }
+    return json;
+}
+
+}  // namespace
+
+std::vector<Weighed> take_off(std::span<const Weighed> masses) {
+    std::vector<Weighed> list(masses.size());
+    const auto found = statistics(masses, std::nullopt);
+    for (std::size_t i = 0; found && i < masses.size(); ++i) {
+        if (masses[i]) {
+            list[i] = *masses[i] - *masses[static_cast<std::size_t>(found->lightest)];
+        }
+    }
+    return list;
+}
+
+int Crank::angle_count() const {
+    return has_throws ? cylinders / 2 : cylinders;
+}
+
+Message crank_fault(const Crank& crank) {
+    if (crank.has_banks && !crank.bank_angle) {
+        return CORE_TEXT("matching", "the bank angle is missing");
+    }
+    if (crank.angles.size() != static_cast<std::size_t>(crank.angle_count())) {
+        return {CORE_TEXT("matching", "%1 angles of the crankpins are needed"),
+                crank.angle_count()};
+    }
+    if (crank.bank_offset != 0.0 && !crank.spacing) {
+        return CORE_TEXT("matching", "the bank offset needs the cylinder spacing");
+    }
+    return {};
+}
+
+std::vector<CylinderPlace> places_of(const Crank& crank) {
+    std::vector<CylinderPlace> places;
+    const int half = (crank.cylinders + 1) / 2;
+    for (int i = 0; i < crank.cylinders; ++i) {
+        const bool alternating = crank.numbering == CylinderNumbering::alternating;
+        const int bank = !crank.has_banks ? 0 : alternating ? i % 2 : i / half;
+        const int station = !crank.has_banks ? i : alternating ? i / 2 : i % half;
+        const double side = bank == 0 ? 0.5 : -0.5;
+        CylinderPlace place;
+        place.bank = bank;
+        place.crankpin = crank.rods_per_pin == 2 ? station : i;
+        place.axis = crank.has_banks ? side * crank.bank_angle.value_or(0.0) : 0.0;
+        const auto at = static_cast<std::size_t>(crank.has_throws ? station : i);
+        if (at < crank.angles.size()) {
+            place.crank_angle = crank.angles[at] - (crank.has_throws ? side * crank.split : 0.0);
+        }
+        place.position = station * crank.spacing.value_or(1.0) + bank * crank.bank_offset;
+        places.push_back(place);
+    }
+    return places;
+}
+
+bool moves_with_set(const MatchingRules& rules, Part part) {
+    switch (part) {
+        case Part::pin:
+            return rules.pins == PartMoves::with_set;
+        case Part::rings:
+            return rules.rings == PartMoves::with_set;
+        case Part::shells:
+            return rules.shells == PartMoves::with_set;
+        case Part::piston:
+        case Part::rod_big_end:
+        case Part::rod_small_end:
+            return true;
+    }
+    return true;
+}
+
+double crankpin_spread(const MatchingTask& task, const MatchingRules& rules,
+                       const std::array<std::vector<int>, 2>& from) {
+    return size_of(search_of_spread(task, rules), from);
+}
+
+std::optional<Shaking> shaking_of(const MatchingTask& task, const MatchingRules& rules,
+                                  const std::array<std::vector<int>, 2>& from) {
+    if (!task.no_shaking.empty()) {
+        return std::nullopt;
+    }
+    const SetSearch search = search_of_shaking(task, rules);
+    const auto sum = sum_of(search, from);
+    const auto part = [&](std::size_t i) { return Vector(sum[2 * i], sum[2 * i + 1]); };
+    const double arm = 0.5 * reach_of(task).length;
+    // Two parts that turn in opposite senses meet twice a turn.
+    return Shaking{
+        std::abs(part(0) + part(1)) + std::abs(part(2) + part(3)),
+        arm * (std::abs(part(1) - part(0)) + std::abs(part(3) - part(2))),
+        size_of(search, from) / std::sqrt(2.0),
+    };
+}
+
+std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rules) {
+    const std::size_t n = task.places.size();
+    const bool counts = std::any_of(all_parts.begin(), all_parts.end(), [&](Part part) {
+        return is_whole(task.masses[static_cast<std::size_t>(part)], n);
+    });
+    if (n == 0 || !counts) {
+        return std::nullopt;
+    }
+    Matched matched;
+    matched.goal = rules.goal;
+    matched.spacing_known = task.spacing_known;
+    if (rules.goal == MatchingGoal::fewest_moves && !rules.permitted_spread) {
+        matched.goal = MatchingGoal::least_spread;
+        matched.remark = CORE_TEXT("matching",
+                                   "By how much the crankpins may differ is missing: they are "
+                                   "made as equal as can be.");
+    }
+    if (rules.goal == MatchingGoal::least_shaking && !task.no_shaking.empty()) {
+        matched.goal = MatchingGoal::least_spread;
+        matched.remark = {CORE_TEXT("matching",
+                                    "What the engine feels is not known (%1): the crankpins are "
+                                    "made as equal as can be."),
+                          task.no_shaking};
+    }
+    const SetSearch by_spread = search_of_spread(task, rules);
+    SetSearch search =
+        matched.goal == MatchingGoal::least_shaking ? search_of_shaking(task, rules) : by_spread;
+    // A scale reads to hundredths of a gram: a microgram of rounding is no violation.
+    constexpr double rounding = 1e-9;
+    const bool has_limit = matched.goal == MatchingGoal::fewest_moves;
+    if (has_limit) {
+        search.enough = *rules.permitted_spread + rounding;
+    }
+    const SetsFound found = best_placing(search);
+    matched.pistons = found.from[0];
+    matched.rods = found.from[1];
+    matched.moved = found.moved;
+    matched.proven = found.proven;
+    matched.gap = found.proven ? 0.0 : std::max(0.0, found.size - found.least);
+    if (matched.goal == MatchingGoal::least_shaking) {
+        matched.gap /= std::sqrt(2.0);
+    }
+    std::array<std::vector<int>, 2> as_it_is;
+    for (auto& kind : as_it_is) {
+        kind.resize(n);
+        std::iota(kind.begin(), kind.end(), 0);
+    }
+    matched.spread = size_of(by_spread, found.from);
+    matched.spread_before = size_of(by_spread, as_it_is);
+    matched.shaking_before = shaking_of(task, rules, as_it_is);
+    matched.shaking = shaking_of(task, rules, found.from);
+    if (has_limit && matched.spread > search.enough) {
+        matched.remark = {
+            CORE_TEXT("matching",
+                      "No placing found brings the crankpins within %1 of one another: they are "
+                      "made as equal as can be. Take off what the heavier parts have too much."),
+            Number{*rules.permitted_spread / units::gram, units::gram, -2}};
+    }
+    return matched;
+}
+
+Json take_off_json(std::span<const Weighed> masses) {
+    Json list = Json::array();
+    for (const Weighed& mass : take_off(masses)) {
+        list.push_back(mass ? Json(*mass / units::gram) : Json());
+    }
+    return list;
+}
+
+Json matched_json(const Matched& matched, const std::optional<double>& crank_radius,
+                  const std::optional<double>& speed) {
+    const auto cylinders = [](const std::vector<int>& from) {
+        Json list = Json::array();
+        for (const int cylinder : from) {
+            list.push_back(cylinder + 1);
+        }
+        return list;
+    };
+    Json json{{"pistons_from_cylinder", cylinders(matched.pistons)},
+              {"rods_from_cylinder", cylinders(matched.rods)},
+              {"sets_moved", matched.moved},
+              {"goal", goal_words[static_cast<std::size_t>(matched.goal)].word},
+              {"spread_before_g", matched.spread_before / units::gram},
+              {"spread_g", matched.spread / units::gram},
+              {"proven", matched.proven}};
+    if (!matched.proven) {
+        json["gap_g"] = matched.gap / units::gram;
+    }
+    if (matched.shaking && matched.shaking_before) {
+        json["shaking_before"] =
+            amounts_json(*matched.shaking_before, matched.spacing_known, crank_radius, speed);
+        json["shaking"] =
+            amounts_json(*matched.shaking, matched.spacing_known, crank_radius, speed);
+    }
+    if (!matched.remark.empty()) {
+        json["remark"] = matched.remark.english();
+    }
+    return json;
+}
+
+void check_matching(const MatchingRules& rules, int angle_count) {
+    const std::string place = "/input/weigh_in/matching/";
+    if (!rules.crankpin_angles_deg.empty() &&
+        rules.crankpin_angles_deg.size() != static_cast<std::size_t>(angle_count)) {
+        throw InputError(place + std::string(field::crankpin_angles.key),
+                         {CORE_TEXT("matching", "must be a list of %1 angles"), angle_count},
+                         Number{static_cast<double>(rules.crankpin_angles_deg.size())});
+    }
+    if (rules.bank_offset && !rules.cylinder_spacing) {
+        throw InputError(place + std::string(field::cylinder_spacing.key),
+                         CORE_TEXT("matching", "is required where the bank offset is given"));
+    }
+}
+
+}  // namespace ravnoves::workshop

@@ -1,0 +1,146 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "case-file/json_fwd.h"
+#include "case-file/message.h"
+#include "workshop/weigh_in.h"
+
+/// Weighed parts are matched: what to take off each to reach the lightest, and which set goes to
+/// which cylinder.
+namespace ravnoves::workshop {
+
+/// Of the couple of an unbalance along the crankshaft.
+inline constexpr Unit gram_mm2{CORE_TEXT("core", "g·mm²").english, 1e-9};
+
+/// What to take off each part, so that it equals the lightest of its column; kg. Nothing for those
+/// that are not weighed.
+std::vector<Weighed> take_off(std::span<const Weighed> masses);
+
+/// Where a cylinder's parts act on the crankshaft.
+struct CylinderPlace {
+    int crankpin = 0;
+    int bank = 0;
+    double crank_angle = 0.0;  ///< ψ of its crankpin, rad
+    double axis = 0.0;         ///< β of its cylinder, rad
+    double position = 0.0;     ///< along the crankshaft, m; in spacings where that is not known
+};
+
+/// The crankshaft and its cylinders.
+struct Crank {
+    int cylinders = 0;
+    int rods_per_pin = 2;
+    CylinderNumbering numbering = CylinderNumbering::bank_by_bank;
+    bool has_banks = true;             ///< two
+    bool has_throws = true;            ///< each of two cylinders, one of either bank
+    std::optional<double> bank_angle;  ///< γ, rad
+    double split = 0.0;                ///< δ of the two crankpins of a throw, rad
+    /// Of the throws, else of the cylinders' crankpins, rad; empty: not known.
+    std::vector<double> angles;
+    std::optional<double> spacing;  ///< m
+    double bank_offset = 0.0;       ///< m
+
+    /// How many angles there must be.
+    int angle_count() const;
+};
+
+/// What the crank lacks, so that it is not known what the engine feels; empty where that is known.
+Message crank_fault(const Crank& crank);
+/// By cylinder. Crankpins of a throw at φ ∓ δ/2 for axes at ±γ/2, the first bank first.
+std::vector<CylinderPlace> places_of(const Crank& crank);
+
+/// What the differences of the parts do to the engine, as masses at the crank radius.
+///
+/// Every part by which a cylinder differs from the mean of its column pulls with the crank (what
+/// rotates: m e^{iψ}) or along its cylinder (what reciprocates, first order:
+/// ½ m e^{iψ} + ½ m e^{2iβ} e^{−iψ}, a part that turns with the crank and one that turns against
+/// it). Left out: what the engine leaves by its design, which no placing changes; higher orders;
+/// the bend of crankshaft and block; the tilt of the rods.
+struct Shaking {
+    double force;   ///< greatest over a turn, kg
+    double couple;  ///< the same about the middle, kg·m, or kg·spacing
+    double ends;    ///< at the end crankpins: root mean square over a turn and both ends, kg
+};
+
+/// What is to be matched.
+struct MatchingTask {
+    std::array<std::span<const Weighed>, 6> masses;  ///< in the order of all_parts
+    std::array<double, 6> factors{};  ///< how often a part counts in its crankpin; 0: it does not
+    std::vector<CylinderPlace> places;
+    bool spacing_known = false;
+    Message no_shaking;  ///< why it is not known what the engine feels; empty: it is
+};
+
+/// The masses of a sheet.
+template <typename Masses>
+std::array<std::span<const Weighed>, 6> masses_of(const WeighIn<Masses>& sheet) {
+    std::array<std::span<const Weighed>, 6> masses;
+    for (const Part part : all_parts) {
+        masses[static_cast<std::size_t>(part)] = sheet[part].mass;
+    }
+    return masses;
+}
+
+/// Which set goes where: element i is the cylinder (from 0) whose set goes to cylinder i.
+struct Matched {
+    std::vector<int> pistons;  ///< piston with its pin and rings
+    std::vector<int> rods;     ///< rod with its shells
+    double spread = 0.0;       ///< heaviest less lightest crankpin, kg
+    int moved = 0;             ///< sets that change their cylinder
+    double spread_before = 0.0;
+    std::optional<Shaking> shaking_before;
+    std::optional<Shaking> shaking;
+    MatchingGoal goal = MatchingGoal::least_spread;  ///< that was followed
+    bool proven = true;                              ///< no placing is better by the goal
+    double gap = 0.0;  ///< by so much another could be better at most, kg
+    Message remark;    ///< why it is not the goal asked for, or why that is not reached
+    bool spacing_known = false;
+};
+
+/// The best placing by the rules; see best_placing() for what is proven. Nothing where no column
+/// counts.
+std::optional<Matched> match(const MatchingTask& task, const MatchingRules& rules);
+
+/// What a placing makes of the spread and of the engine, whatever its goal.
+double crankpin_spread(const MatchingTask& task, const MatchingRules& rules,
+                       const std::array<std::vector<int>, 2>& from);
+std::optional<Shaking> shaking_of(const MatchingTask& task, const MatchingRules& rules,
+                                  const std::array<std::vector<int>, 2>& from);
+
+/// Whether a part changes its cylinder with its set.
+bool moves_with_set(const MatchingRules& rules, Part part);
+
+/// The sheet with the parts moved; the sets keep their numbers.
+template <typename Masses>
+void move_sets(WeighIn<Masses>& sheet, const std::vector<int>& pistons,
+               const std::vector<int>& rods) {
+    const WeighIn<Masses> before = sheet;
+    for (const Part part : all_parts) {
+        if (!moves_with_set(sheet.matching, part)) {
+            continue;
+        }
+        const std::vector<int>& from = is_of_piston(part) ? pistons : rods;
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            sheet[part].mass[i] = before[part].mass[static_cast<std::size_t>(from[i])];
+        }
+    }
+    sheet.piston_sets = moved_numbers(before.piston_sets, pistons);
+    sheet.rod_sets = moved_numbers(before.rod_sets, rods);
+}
+
+/// For a result file, but for what the scene knows of the crankpins.
+/// @param crank_radius  m; without it there are no forces
+/// @param speed         rad/s; without it there are none in N
+Json matched_json(const Matched& matched, const std::optional<double>& crank_radius,
+                  const std::optional<double>& speed);
+Json take_off_json(std::span<const Weighed> masses);
+
+/// Whether the rules contradict themselves or the engine.
+/// @param angle_count  Crank::angle_count() of the engine
+/// @throws InputError
+void check_matching(const MatchingRules& rules, int angle_count);
+
+}  // namespace ravnoves::workshop

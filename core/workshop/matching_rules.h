@@ -1,0 +1,149 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "case-file/field.h"
+
+namespace ravnoves {
+class FieldVisitor;
+}
+
+namespace ravnoves::workshop {
+
+/// What the matching of weighed parts aims at.
+enum class MatchingGoal {
+    least_spread,  ///< of the crankpins' weights
+    fewest_moves,  ///< that bring the crankpins within the permitted spread
+    least_shaking  ///< first-order forces at the ends of the crankshaft
+};
+
+/// Where a set may go.
+enum class SetMoves { anywhere, within_bank, stays };
+/// Whether a part goes with its set, or stays where it was fitted.
+enum class PartMoves { with_set, stays };
+
+/// How weighed parts are matched: pistons with their pins and rings, and rods with their shells,
+/// change places.
+struct MatchingRules {
+    MatchingGoal goal = MatchingGoal::least_spread;
+    SetMoves pistons = SetMoves::anywhere;
+    PartMoves pins = PartMoves::with_set;
+    PartMoves rings = PartMoves::with_set;
+    SetMoves rods = SetMoves::anywhere;
+    PartMoves shells = PartMoves::with_set;
+    std::optional<double> permitted_spread;  ///< of the crankpins' weights, kg
+    // What the engine feels. The angles count in the sense from the second bank to the first.
+    std::vector<double> crankpin_angles_deg;  ///< empty: those usual for the engine
+    std::optional<double> cylinder_spacing;   ///< along the crankshaft, m
+    std::optional<double> bank_offset;        ///< second bank behind the first, m
+    std::optional<double> crank_radius;       ///< m; of scenes whose engine does not say it
+
+    friend bool operator==(const MatchingRules&, const MatchingRules&) = default;
+};
+
+inline constexpr Word goal_words[] = {{"least-spread", CORE_TEXT("matching", "Equal crankpins")},
+                                      {"fewest-moves", CORE_TEXT("matching", "Fewest moves")},
+                                      {"least-shaking", CORE_TEXT("matching", "Least shaking")}};
+inline constexpr Word set_moves_words[] = {{"anywhere", CORE_TEXT("matching", "free")},
+                                           {"within-bank", CORE_TEXT("matching", "bank")},
+                                           {"stay", CORE_TEXT("matching", "stays")}};
+inline constexpr Word part_moves_words[] = {{"with-set", CORE_TEXT("matching", "goes")},
+                                            {"stay", CORE_TEXT("matching", "stays")}};
+
+namespace field {
+
+inline constexpr Field matching{
+    .key = "matching",
+    .hint = CORE_TEXT("matching", "How weighed parts are matched: the goal, and what may move.")};
+inline constexpr Field goal{
+    .key = "goal",
+    .label = CORE_TEXT("matching", "Place the parts for"),
+    .hint = CORE_TEXT("matching",
+                      "Crankpins whose weights differ least; the fewest sets moved that bring "
+                      "them within what they may differ by; or the least first-order force at "
+                      "both ends of the crankshaft, force and couple together, of what the parts "
+                      "differ by."),
+    .words = goal_words};
+inline constexpr Field piston_moves{
+    .key = "pistons",
+    .label = CORE_TEXT("matching", "Piston sets may go"),
+    .hint = CORE_TEXT("matching",
+                      "Piston with pin and rings: anywhere, within their bank where pockets or an "
+                      "offset pin ask for it, or they stay: fitted to their bores."),
+    .words = set_moves_words};
+inline constexpr Field pin_moves{
+    .key = "pins",
+    .label = CORE_TEXT("matching", "Pins may go"),
+    .hint = CORE_TEXT("matching", "With their piston, or they stay where they are."),
+    .words = part_moves_words};
+inline constexpr Field ring_moves{
+    .key = "rings",
+    .label = CORE_TEXT("matching", "Rings may go"),
+    .hint = CORE_TEXT("matching", "With their piston, or they stay: gapped to their bores."),
+    .words = part_moves_words};
+inline constexpr Field rod_moves{
+    .key = "rods",
+    .label = CORE_TEXT("matching", "Rods may go"),
+    .hint = CORE_TEXT("matching",
+                      "Rod with its shells: anywhere, within their bank where each faces its side "
+                      "of the crankpin, or they stay."),
+    .words = set_moves_words};
+inline constexpr Field shell_moves{
+    .key = "shells",
+    .label = CORE_TEXT("matching", "Shells may go"),
+    .hint = CORE_TEXT("matching", "With their rod, or they stay: chosen for their journal."),
+    .words = part_moves_words};
+inline constexpr Field permitted_crankpin_spread{
+    .key = "permitted_spread_g",
+    .unit = units::gram,
+    .range = Range::between(0, 100'000),
+    .label = CORE_TEXT("matching", "Crankpins may differ by"),
+    .hint = CORE_TEXT("matching",
+                      "Heaviest less lightest crankpin, as their bob weights: for the fewest moves "
+                      "within it."),
+    .placeholder = CORE_TEXT("matching", "no limit")};
+inline constexpr Field crankpin_angles{
+    .key = "crankpin_angles_deg",
+    .unit = units::degree,
+    .range = Range::between(-720, 720),
+    .label = CORE_TEXT("matching", "Crankpins at"),
+    .hint = CORE_TEXT("matching",
+                      "Angles of the throws from the front, in the sense from the second bank to "
+                      "the first. Empty: those usual for the engine, a cross-plane V-8 at 0; 90; "
+                      "270; 180."),
+    .placeholder = CORE_TEXT("matching", "as usual")};
+inline constexpr Field cylinder_spacing{
+    .key = "cylinder_spacing_mm",
+    .unit = units::mm,
+    .range = Range::between(1, 10'000),
+    .label = CORE_TEXT("matching", "Cylinder spacing"),
+    .hint = CORE_TEXT("matching",
+                      "Between neighbours of a bank, along the crankshaft: for the size of the "
+                      "couple."),
+    .placeholder = CORE_TEXT("matching", "no couple")};
+inline constexpr Field bank_offset{
+    .key = "bank_offset_mm",
+    .unit = units::mm,
+    .range = Range::between(-1000, 1000),
+    .label = CORE_TEXT("matching", "Bank offset"),
+    .hint = CORE_TEXT("matching",
+                      "By how much the second bank stands behind the first: the width of a big "
+                      "end. It needs the spacing."),
+    .placeholder = {"", "0"}};
+inline constexpr Field matching_crank_radius{
+    .key = "crank_radius_mm",
+    .unit = units::mm,
+    .range = Range::between(1, 5000),
+    .label = CORE_TEXT("matching", "Crank radius"),
+    .hint = CORE_TEXT("matching", "For forces in g·mm and N; without it they are masses at it."),
+    .placeholder = CORE_TEXT("matching", "no force")};
+
+}  // namespace field
+
+/// @param asks_radius  the scene's engine does not say its crank radius
+void visit_fields(FieldVisitor& visitor, MatchingRules& rules, bool asks_radius);
+/// The object "matching" of a weigh-in, written where one of its fields is changed.
+void visit_matching(FieldVisitor& visitor, MatchingRules& rules, bool asks_radius);
+
+}  // namespace ravnoves::workshop

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace ravnoves::workshop {
+
+/// One kind of sets that change places among themselves.
+struct SetKind {
+    /// What set s adds in place p, so many numbers as the search has dimensions, at
+    /// (s · places + p) · dimensions.
+    std::vector<double> adds;
+    std::vector<int> group;  ///< by place: sets change places within a group alone
+};
+
+/// Which of two kinds of sets goes where, so that what they add up to is as small as can be.
+struct SetSearch {
+    enum class Size {
+        spread,  ///< largest number less smallest
+        norm     ///< root of the sum of squares
+    };
+    std::size_t places = 0;
+    std::size_t dimensions = 0;
+    std::array<SetKind, 2> kinds;
+    std::vector<double> fixed;  ///< is added to what the sets add up to
+    Size size = Size::spread;
+    double enough = 0.0;      ///< smaller is no better
+    double rounding = 1e-14;  ///< sizes that differ by less are the same
+    /// By place: the place before it where each set adds the same as here; −1 where there is none.
+    std::vector<int> twin;
+};
+
+struct SetsFound {
+    std::array<std::vector<int>, 2> from;  ///< by place: the set that goes there
+    double size = 0.0;
+    double least = 0.0;   ///< no placing is smaller than that
+    bool proven = false;  ///< nothing is better
+    int moved = 0;        ///< sets that change their place
+};
+
+/// What a placing adds up to.
+std::vector<double> sum_of(const SetSearch& search, const std::array<std::vector<int>, 2>& from);
+double size_of(const SetSearch& search, const std::array<std::vector<int>, 2>& from);
+
+/// The smallest size; among those that are enough, or the same but for rounding, the fewest sets
+/// moved; among these again the smallest.
+///
+/// First single exchanges from the present placing and from a few others, as long as they help.
+/// Where each kind has no more placings than 8! (eight places; five and five in two groups) a proof
+/// follows, by branch and bound over pairs of boxes: the sums of each kind are points, sorted into
+/// a tree of boxes; of two boxes the size of no sum can be smaller than that of the box of sums,
+/// and what cannot beat the best is never opened. The work is bounded: what was not opened then
+/// gives the bound `least`.
+SetsFound best_placing(const SetSearch& search);
+
+}  // namespace ravnoves::workshop

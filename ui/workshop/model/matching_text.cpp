@@ -1,0 +1,245 @@
+#include "workshop/model/matching_text.h"
+
+#include <algorithm>
+
+namespace ravnoves::matching_text {
+
+using namespace workshop;
+
+namespace {
+
+const QString dot = QStringLiteral("·");
+
+QString gramsOf(const Words& words, double mass) {
+    return words.number(mass, units::gram, 2);
+}
+
+/// The force as an unbalance, or as a mass at the crank radius while that is not known.
+QString forceOf(const Words& words, const Shown& shown, double force) {
+    return shown.crank_radius ? words.number(force * *shown.crank_radius, units::gram_mm, 1)
+                              : gramsOf(words, force);
+}
+
+QString coupleOf(const Words& words, const Shown& shown, double couple) {
+    return shown.crank_radius ? words.number(couple * *shown.crank_radius, gram_mm2, 0)
+                              : words.number(couple, units::gram_mm, 1);
+}
+
+/// What the numbers in newtons are times.
+std::optional<double> newtonsPerMass(const Shown& shown) {
+    return shown.crank_radius && shown.speed
+               ? std::optional(*shown.crank_radius * *shown.speed * *shown.speed)
+               : std::nullopt;
+}
+
+}  // namespace
+
+QString summary(const Words& words, const Shown& shown) {
+    const Matched& matched = shown.matched;
+    const bool isMoved = !shown.piston_sets.empty() || !shown.rod_sets.empty();
+    const QString before = gramsOf(words, matched.spread_before);
+    if (matched.moved == 0 && isMoved) {
+        return words
+            .translate(
+                "V8", "Assemble by the numbers of the sets: placed so, the crankpins differ by %1.")
+            .arg(before);
+    }
+    if (matched.moved == 0 && matched.remark.empty()) {
+        return words
+            .translate("V8", "The parts are placed as well as can be: the crankpins differ by %1.")
+            .arg(before);
+    }
+    if (matched.moved == 0) {
+        return words.translate("Matching", "The parts stay: the crankpins differ by %1.")
+            .arg(before);
+    }
+    return words
+        .translate("V8", "Crankpins differ by %1 as weighed and by %2 after moving %3 sets.")
+        .arg(before, gramsOf(words, matched.spread), QString::number(matched.moved));
+}
+
+QStringList remarks(const Words& words, const Shown& shown) {
+    const Matched& matched = shown.matched;
+    QStringList list;
+    if (!matched.remark.empty()) {
+        list << words.message(matched.remark);
+    }
+    const bool byShaking = matched.goal == MatchingGoal::least_shaking;
+    if (!matched.proven) {
+        list << (matched.goal == MatchingGoal::fewest_moves
+                     ? words.translate("Matching",
+                                       "Too many placings to try all: fewer moves may "
+                                       "be enough.")
+                     : words
+                           .translate("Matching",
+                                      "Too many placings to try all: another may be better, by %1 "
+                                      "at most.")
+                           .arg(byShaking ? forceOf(words, shown, matched.gap)
+                                          : gramsOf(words, matched.gap)));
+    }
+    if (byShaking) {
+        QStringList angles;
+        for (const double angle : shown.crank.angles) {
+            angles << words.plain(angle / degree, 1) + QStringLiteral("°");
+        }
+        list << words.translate("Matching", "Throws from the front at %1.")
+                    .arg(angles.join(QStringLiteral("; ")));
+        if (!matched.spacing_known) {
+            list << words.translate("Matching",
+                                    "The couple counts; its size needs the cylinder spacing.");
+        }
+    }
+    return list;
+}
+
+QString felt(const Words& words, const Shown& shown) {
+    const auto& before = shown.matched.shaking_before;
+    const auto& after = shown.matched.shaking;
+    if (!before || !after) {
+        return {};
+    }
+    const QString force =
+        words.translate("Matching", "First-order force of the differences %1 → %2")
+            .arg(forceOf(words, shown, before->force), forceOf(words, shown, after->force));
+    if (!shown.matched.spacing_known) {
+        return force + QLatin1Char('.');
+    }
+    return force +
+           words.translate("Matching", ", couple %1 → %2.")
+               .arg(coupleOf(words, shown, before->couple), coupleOf(words, shown, after->couple));
+}
+
+QStringList effectHead(const Words& words) {
+    return {words.translate("Matching", "What differs"), words.translate("Matching", "as weighed"),
+            words.translate("Matching", "placed so")};
+}
+
+QVector<QStringList> effects(const Words& words, const Shown& shown) {
+    const Matched& matched = shown.matched;
+    QVector<QStringList> rows{{words.translate("Matching", "Crankpins, spread"),
+                               gramsOf(words, matched.spread_before),
+                               gramsOf(words, matched.spread)}};
+    if (!matched.shaking_before || !matched.shaking) {
+        return rows;
+    }
+    const Shaking& before = *matched.shaking_before;
+    const Shaking& after = *matched.shaking;
+    const auto newtons = newtonsPerMass(shown);
+    const QString speed =
+        shown.speed ? words.plainWithUnit(*shown.speed, units::rpm, 0) : QString();
+    rows << QStringList{shown.crank_radius
+                            ? words.translate("Matching", "Force")
+                            : words.translate("Matching", "Force, as mass at the crank radius"),
+                        forceOf(words, shown, before.force), forceOf(words, shown, after.force)};
+    if (newtons) {
+        rows << QStringList{words.translate("Matching", "Force at %1").arg(speed),
+                            words.number(before.force * *newtons, units::newton, 2),
+                            words.number(after.force * *newtons, units::newton, 2)};
+    }
+    if (matched.spacing_known) {
+        rows << QStringList{words.translate("Matching", "Couple"),
+                            coupleOf(words, shown, before.couple),
+                            coupleOf(words, shown, after.couple)};
+        if (newtons) {
+            rows << QStringList{words.translate("Matching", "Couple at %1").arg(speed),
+                                words.number(before.couple * *newtons, units::N_m, 3),
+                                words.number(after.couple * *newtons, units::N_m, 3)};
+        }
+    }
+    rows << QStringList{words.translate("Matching", "At the ends, mean"),
+                        forceOf(words, shown, before.ends), forceOf(words, shown, after.ends)};
+    return rows;
+}
+
+ResultTips effectTips(const Words& words) {
+    return {
+        {words.translate("Matching", "Crankpins, spread"),
+         words.translate("Matching", "Heaviest less lightest crankpin, as their bob weights")},
+        {words.translate("Matching", "Force"),
+         words.translate("Matching",
+                         "First-order force of what the parts differ by from their "
+                         "mean, greatest over a turn; what the engine leaves by its "
+                         "design is not in it")},
+        {words.translate("Matching", "Couple"),
+         words.translate("Matching", "The same along the crankshaft, about its middle")},
+        {words.translate("Matching", "At the ends, mean"),
+         words.translate("Matching",
+                         "Root mean square over a turn and both end cylinders, of "
+                         "force and couple together: what “Least shaking” "
+                         "makes small")},
+    };
+}
+
+QStringList cylinderHead(const Words& words, std::size_t cylinders) {
+    QStringList head{words.translate("Matching", "Cylinder")};
+    for (std::size_t i = 1; i <= cylinders; ++i) {
+        head << QString::number(i);
+    }
+    return head;
+}
+
+std::vector<int> setNumbers(const SetNumbers& numbers, std::size_t cylinders,
+                            const std::vector<int>* from) {
+    return whole_numbers(from != nullptr ? moved_numbers(numbers, *from) : numbers, cylinders);
+}
+
+QVector<QStringList> assignment(const Words& words, const Shown& shown) {
+    const auto row = [](const QString& name, const SetNumbers& numbers,
+                        const std::vector<int>& from) {
+        QStringList cells{name};
+        for (const int number : setNumbers(numbers, from.size(), &from)) {
+            // A set that stays where it was weighed needs no number.
+            const bool stays = number == static_cast<int>(cells.size());
+            cells << (stays ? dot : QString::number(number));
+        }
+        return cells;
+    };
+    return {
+        row(words.translate("Matching", "Piston from"), shown.piston_sets, shown.matched.pistons),
+        row(words.translate("Matching", "Rod from"), shown.rod_sets, shown.matched.rods)};
+}
+
+ResultTips assignmentTips(const Words& words) {
+    return {
+        {words.translate("Matching", "Cylinder"),
+         words.translate("Matching",
+                         "A dot: the part stays; a number: it comes from that "
+                         "cylinder")},
+        {words.translate("Matching", "Piston from"),
+         words.translate("Matching", "Cylinder from which the piston comes")},
+        {words.translate("Matching", "Rod from"),
+         words.translate("Matching", "Cylinder from which the rod comes")},
+    };
+}
+
+QStringList takeOffHead(const Words& words, std::size_t cylinders) {
+    QStringList head = cylinderHead(words, cylinders);
+    head.front() = words.translate("Matching", "Take off, %1").arg(words.unit(units::gram));
+    return head;
+}
+
+QStringList takeOff(const Words& words, std::span<const Weighed> masses) {
+    constexpr double nothing = 0.005 * units::gram;  // of what a scale reads
+    QStringList cells;
+    for (const Weighed& mass : take_off(masses)) {
+        cells << (!mass ? QString() : *mass <= nothing ? dot : words.digits(*mass, units::gram, 2));
+    }
+    return cells;
+}
+
+QVector<QStringList> takeOff(const Words& words,
+                             const std::array<std::span<const Weighed>, 6>& masses) {
+    QVector<QStringList> rows;
+    for (const Part part : all_parts) {
+        const QStringList cells = takeOff(words, masses[static_cast<std::size_t>(part)]);
+        const bool differs = std::any_of(cells.begin(), cells.end(), [](const QString& cell) {
+            return !cell.isEmpty() && cell != dot;
+        });
+        if (differs) {
+            rows << QStringList{words.text(part_word(part).label)} + cells;
+        }
+    }
+    return rows;
+}
+
+}  // namespace ravnoves::matching_text

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QStringList>
+#include <QVector>
+
+#include "text/result_tips.h"
+#include "workshop/matching.h"
+#include "workshop/model/words.h"
+
+/// What the pages of the workshop and their job cards say of matched parts.
+namespace ravnoves::matching_text {
+
+/// A placing, and what the scene knows of the engine beside it.
+struct Shown {
+    workshop::Matched matched;
+    workshop::Crank crank;
+    std::optional<double> crank_radius;  ///< m
+    std::optional<double> speed;         ///< rad/s
+    workshop::SetNumbers piston_sets;    ///< as they are on the sheet
+    workshop::SetNumbers rod_sets;
+};
+
+/// Which sets to move, in words.
+QString summary(const Words& words, const Shown& shown);
+/// Why it is not the goal asked for, what is not proven, what is taken for granted.
+QStringList remarks(const Words& words, const Shown& shown);
+/// What the engine feels before and after in a line; empty where that is not known.
+QString felt(const Words& words, const Shown& shown);
+
+/// What is gained: a quantity, as it is, placed so.
+QStringList effectHead(const Words& words);
+QVector<QStringList> effects(const Words& words, const Shown& shown);
+ResultTips effectTips(const Words& words);
+
+/// "Cylinder", 1, 2, …
+QStringList cylinderHead(const Words& words, std::size_t cylinders);
+/// From which cylinder each set comes; a dot where it was weighed there.
+QVector<QStringList> assignment(const Words& words, const Shown& shown);
+ResultTips assignmentTips(const Words& words);
+/// The number of the set that goes to each cylinder.
+/// @param from  null: as the sheet has them
+std::vector<int> setNumbers(const workshop::SetNumbers& numbers, std::size_t cylinders,
+                            const std::vector<int>* from);
+
+/// "Take off, g", 1, 2, …
+QStringList takeOffHead(const Words& words, std::size_t cylinders);
+/// What to take off each part to reach the lightest of its column, for columns that differ.
+QVector<QStringList> takeOff(const Words& words,
+                             const std::array<std::span<const workshop::Weighed>, 6>& masses);
+/// The same of one column, empty cells for what is the lightest or not weighed.
+QStringList takeOff(const Words& words, std::span<const workshop::Weighed> masses);
+
+}  // namespace ravnoves::matching_text
