@@ -42,6 +42,7 @@ MechanismView::MechanismView(BalanceShaftModel* model, QWidget* parent)
           parent),
       model_(model) {
     connect(model_, &BalanceShaftModel::shaftMoved, this, qOverload<>(&QWidget::update));
+    connect(model_, &BalanceShaftModel::shaftMoved, this, &ComparedFigure::pictureChanged);
     connect(model_, &BalanceShaftModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
 }
 
@@ -54,15 +55,23 @@ void MechanismView::step(double degrees) {
 }
 
 drawing::Frame MechanismView::frame() const {
-    const FrontView& sizes = model_->solver().front_view();
-    // Room for the shaft at any α, and for the cylinder above.
-    const double shaftReach = sizes.centre_distance +
-                              std::max(sizes.shaft_swing_radius, sizes.gear_tip_radius) +
-                              sizes.wall;
-    const double crankReach =
-        std::max(sizes.crank_swing_radius, sizes.gear_tip_radius) + sizes.wall;
-    const double reach = std::max(shaftReach, crankReach);
-    const double top = std::max(sizes.cylinder_top, reach);
+    double reach = 0.0;
+    double cylinderTop = 0.0;
+    for (const MechanismView* each : {this, ghost()}) {
+        if (each == nullptr) {
+            continue;
+        }
+        // Room for the shaft at any α, and for the cylinder above.
+        const FrontView& sizes = each->model_->solver().front_view();
+        const double shaftReach = sizes.centre_distance +
+                                  std::max(sizes.shaft_swing_radius, sizes.gear_tip_radius) +
+                                  sizes.wall;
+        const double crankReach =
+            std::max(sizes.crank_swing_radius, sizes.gear_tip_radius) + sizes.wall;
+        reach = std::max({reach, shaftReach, crankReach});
+        cylinderTop = std::max(cylinderTop, sizes.cylinder_top);
+    }
+    const double top = std::max(cylinderTop, reach);
     const double margin = 14.0;
     const double captions = 24.0;  // the rows of text above and below
     drawing::Frame frame;
@@ -72,6 +81,28 @@ drawing::Frame MechanismView::frame() const {
     const double used = (top + reach) * frame.pixelsPerUnit;
     frame.origin = QPointF(width() / 2.0, (height() + used) / 2.0 - reach * frame.pixelsPerUnit);
     return frame;
+}
+
+void MechanismView::paintGhost(QPainter& painter, const drawing::Frame& map) const {
+    const BalanceShaftModel& model = *ghost()->model_;
+    const FrontView& sizes = model.solver().front_view();
+    const Envelope& envelope = model.result().envelope;
+    const double alpha = model.input().shaft_angle;
+    const QPointF crank = map.at(0, 0);
+    const QPointF shaft =
+        map.at(sizes.centre_distance * std::sin(alpha), sizes.centre_distance * std::cos(alpha));
+    painter.setPen(ghostPen());
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(
+        QRectF(map.at(envelope.left, envelope.top), map.at(envelope.right, envelope.bottom)));
+    const double half = sizes.cylinder_bore / 2 + sizes.cylinder_wall;
+    painter.drawRect(QRectF(map.at(sizes.offset - half, sizes.cylinder_top),
+                            map.at(sizes.offset + half, sizes.cylinder_bottom)));
+    for (const auto& [axis, radius] :
+         {std::pair{crank, sizes.crank_swing_radius}, std::pair{shaft, sizes.shaft_swing_radius}}) {
+        painter.drawEllipse(axis, map.length(radius), map.length(radius));
+    }
+    painter.drawLine(crank, shaft);
 }
 
 void MechanismView::paintEvent(QPaintEvent* /*event*/) {
@@ -95,6 +126,9 @@ void MechanismView::paintEvent(QPaintEvent* /*event*/) {
     const QColor line = theme.text();
     const QColor metal = drawing::metal();
 
+    if (ghost() != nullptr) {
+        paintGhost(painter, map);
+    }
     // Envelope and axes.
     painter.setPen(QPen(theme.mutedText(), 1.0, Qt::DashLine));
     painter.setBrush(Qt::NoBrush);

@@ -32,6 +32,9 @@ class MechanismView : public MechanismPicture {
   private:
     /// The mapping of metres to pixels; it rests while the mechanism moves.
     drawing::Frame frame() const;
+    /// The mechanism of the reference: envelope, cylinder, swing circles and where its shaft lies.
+    void paintGhost(QPainter& painter, const drawing::Frame& map) const;
+    const MechanismView* ghost() const { return static_cast<const MechanismView*>(reference()); }
 
     BalanceShaftModel* model_;
     bool draggingShaft_ = false;

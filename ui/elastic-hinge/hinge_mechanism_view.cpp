@@ -60,6 +60,7 @@ HingeMechanismView::HingeMechanismView(ElasticHingeModel* model, QWidget* parent
           parent),
       model_(model) {
     connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
+    connect(model_, &SceneModel::changed, this, &ComparedFigure::pictureChanged);
     connect(model_, &ElasticHingeModel::viewChanged, this, qOverload<>(&QWidget::update));
     connect(model_, &ElasticHingeModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
 }
@@ -93,22 +94,30 @@ void HingeMechanismView::turnTo(double degrees) {
 }
 
 drawing::Frame HingeMechanismView::frame() const {
-    const auto& mechanism = model_->result().design->mechanism();
-    const Guide& guide = model_->result().crank_guide;
-    const double r = mechanism.crank_radius;
-    const double rod = mechanism.rod_length();
-    double ring = r;
-    if (guide.shape) {
-        // Room for the relief as it is drawn.
-        const double start = guide.shape->spring().start_radius(guide.branch);
-        const double rise = guide.feasible ? model_->exaggeration() * guide.relief : 0.0;
-        ring = std::max(r, start + rise + model_->input().roller_radius);
+    double left = 0.0;
+    double right = 0.0;
+    double tall = 0.0;
+    for (const HingeMechanismView* each : {this, ghost()}) {
+        if (each == nullptr) {
+            continue;
+        }
+        const auto& mechanism = each->model_->result().design->mechanism();
+        const Guide& guide = model_->result().crank_guide;
+        const double r = mechanism.crank_radius;
+        const double rod = mechanism.rod_length();
+        double ring = r;
+        if (guide.shape && each == this) {
+            // Room for the relief as it is drawn.
+            const double start = guide.shape->spring().start_radius(guide.branch);
+            const double rise = guide.feasible ? model_->exaggeration() * guide.relief : 0.0;
+            ring = std::max(r, start + rise + model_->input().roller_radius);
+        }
+        const double block = 0.5 * r;
+        left = std::max({left, ring, r + mechanism.counterweight_distance});
+        right = std::max({right, ring, r + rod + block});
+        tall = std::max(
+            {tall, ring, r + mechanism.counterweight_distance * mechanism.lambda + 0.2 * r, block});
     }
-    const double block = 0.5 * r;
-    const double left = std::max(ring, r + mechanism.counterweight_distance);
-    const double right = std::max(ring, r + rod + block);
-    const double tall =
-        std::max({ring, r + mechanism.counterweight_distance * mechanism.lambda + 0.2 * r, block});
     const double margin = 12.0;
     const double header = 16.0;
     drawing::Frame frame;
@@ -118,6 +127,23 @@ drawing::Frame HingeMechanismView::frame() const {
     frame.origin =
         QPointF(0.5 * (width() - used) + left * frame.pixelsPerUnit, 0.5 * (height() + header));
     return frame;
+}
+
+void HingeMechanismView::paintGhost(QPainter& painter, const drawing::Frame& map,
+                                    double phi) const {
+    const auto& result = ghost()->model_->result();
+    const MechanismPose pose = elastic_hinge::mechanism_pose(result, phi);
+    const double r = result.design->mechanism().crank_radius;
+    painter.setPen(ghostPen());
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolyline(QPolygonF{map.at(0, 0), map.at(pose.crankpin), map.at(pose.slider)});
+    painter.drawRect(QRectF(map.at(pose.slider.x - 0.36 * r, 0.26 * r),
+                            map.at(pose.slider.x + 0.36 * r, -0.26 * r)));
+    painter.drawEllipse(map.at(0, 0), map.length(r), map.length(r));
+    if (result.has_counterweight) {
+        painter.drawLine(map.at(pose.crankpin), map.at(pose.counterweight));
+        painter.drawEllipse(map.at(pose.counterweight), map.length(0.2 * r), map.length(0.2 * r));
+    }
 }
 
 void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
@@ -142,6 +168,9 @@ void HingeMechanismView::paintEvent(QPaintEvent* /*event*/) {
     const QPointF pin = map.at(pose.crankpin);
     const QPointF slider = map.at(pose.slider);
 
+    if (ghost() != nullptr) {
+        paintGhost(painter, map, phi);
+    }
     // Slider line with its ways.
     const double half = 0.26 * r;
     const double farthest = r + mechanism.rod_length() + 0.5 * r;

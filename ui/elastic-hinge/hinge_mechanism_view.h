@@ -35,6 +35,11 @@ class HingeMechanismView : public MechanismPicture {
   private:
     /// The mapping of metres to pixels; it rests while the mechanism moves.
     drawing::Frame frame() const;
+    /// Crank, rod, slider and counterweight of the reference.
+    void paintGhost(QPainter& painter, const drawing::Frame& map, double phi) const;
+    const HingeMechanismView* ghost() const {
+        return static_cast<const HingeMechanismView*>(reference());
+    }
 
     ElasticHingeModel* model_;
 };

@@ -60,6 +60,7 @@ EngineView::EngineView(InertiaMomentsModel* model, QWidget* parent)
           parent),
       model_(model) {
     connect(model_, &SceneModel::changed, this, qOverload<>(&QWidget::update));
+    connect(model_, &SceneModel::changed, this, &ComparedFigure::pictureChanged);
     connect(model_, &InertiaMomentsModel::crankAngleChanged, this, qOverload<>(&QWidget::update));
 }
 
@@ -89,7 +90,28 @@ QRectF EngineView::frontBounds() const {
             bottom = std::min(bottom, corner.imag());
         }
     }
-    return {left, bottom, right - left, top - bottom};
+    const QRectF bounds(left, bottom, right - left, top - bottom);
+    return ghost() != nullptr ? bounds.united(ghost()->frontBounds()) : bounds;
+}
+
+void EngineView::paintGhost(QPainter& painter, const drawing::Frame& frame) const {
+    const Engine& engine = ghost()->model_->result().engine;
+    const double radius = engine.crank_radius;
+    const double half = 0.95 * pistonHalf * radius;
+    painter.setPen(ghostPen());
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(frame.at(0.0, 0.0), frame.length(radius), frame.length(radius));
+    for (const CylinderPose& pose :
+         inertia_moments::engine_pose(engine, model_->crankAngleDeg() * degree)) {
+        const Complex axial = pose.axis_direction;
+        const Complex across = axial * Complex(0.0, half);
+        const Complex crown = pose.piston_pin + axial * 0.6 * radius;
+        const Complex skirt = pose.piston_pin - axial * 0.35 * radius;
+        painter.drawPolygon(QPolygonF{frame.at(crown + across), frame.at(crown - across),
+                                      frame.at(skirt - across), frame.at(skirt + across)});
+        painter.drawPolyline(QPolygonF{frame.at(pose.piston_pin), frame.at(pose.rod_foot),
+                                       frame.at(pose.crankpin), frame.at(0.0, 0.0)});
+    }
 }
 
 std::pair<QRectF, QRectF> EngineView::areas() const {
@@ -140,6 +162,9 @@ void EngineView::paintFront(QPainter& painter, const QRectF& area) {
         area.center() - QPointF(bounds.center().x(), -bounds.center().y()) * frame.pixelsPerUnit;
     crankPixel_ = frame.at({0.0, 0.0});
 
+    if (ghost() != nullptr) {
+        paintGhost(painter, frame);
+    }
     // Axes of the banks, past the crank's centre by their offsets.
     painter.setPen(QPen(theme.border(), 1.0));
     painter.drawLine(QPointF(area.left(), crankPixel_.y()), QPointF(area.right(), crankPixel_.y()));

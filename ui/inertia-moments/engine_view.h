@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "theme/theme.h"
+#include "widgets/drawing.h"
 #include "widgets/mechanism_picture.h"
 
 namespace ravnoves {
@@ -34,6 +35,9 @@ class EngineView : public MechanismPicture {
     std::pair<QRectF, QRectF> areas() const;
     /// What the front view must hold, m, y up: it does not depend on φ, so the picture rests.
     QRectF frontBounds() const;
+    const EngineView* ghost() const { return static_cast<const EngineView*>(reference()); }
+    /// Axes of the cylinders, pistons, rods and throws of the reference.
+    void paintGhost(QPainter& painter, const drawing::Frame& frame) const;
     void paintFront(QPainter& painter, const QRectF& area);
     void paintSide(QPainter& painter, const QRectF& area);
 

@@ -11,7 +11,6 @@
 #include "plot/picture_file.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
-#include "widgets/figure.h"
 #include "widgets/value_slider.h"
 
 namespace ravnoves {
@@ -24,10 +23,9 @@ constexpr qint64 longestStepMs = 100;  ///< after a standstill it goes on where 
 }  // namespace
 
 MechanismPicture::MechanismPicture(const QString& name, const QString& hint, QWidget* parent)
-    : QWidget(parent) {
+    : ComparedFigure(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(name);
-    makeFigure(this);
     setToolTip(hint);
     timer_.setInterval(frameMs);
     timer_.setTimerType(Qt::PreciseTimer);
@@ -44,6 +42,12 @@ void MechanismPicture::setPlaying(bool playing) {
     sinceStep_.start();
     playing ? timer_.start() : timer_.stop();
     Q_EMIT playingChanged(playing);
+}
+
+QPen MechanismPicture::ghostPen() {
+    QColor colour = Theme::instance().mutedText();
+    colour.setAlphaF(0.35F);
+    return {colour, 4.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
 }
 
 void MechanismPicture::keyPressEvent(QKeyEvent* event) {

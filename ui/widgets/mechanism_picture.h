@@ -3,19 +3,21 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
+#include "widgets/compared_figure.h"
 #include "widgets/panel.h"
 
 class QAction;
 class QHBoxLayout;
 class QPainter;
+class QPen;
 
 namespace ravnoves {
 
 class ValueSlider;
 
 /// A picture of a mechanism that turns. Space plays and pauses, the left and right arrows step by
-/// a degree.
-class MechanismPicture : public QWidget {
+/// a degree. Below its own it shows the mechanism of the reference, at the same crank angle.
+class MechanismPicture : public ComparedFigure {
     Q_OBJECT
 
   public:
@@ -34,6 +36,8 @@ class MechanismPicture : public QWidget {
     virtual void play(double seconds) = 0;
     /// An arrow key: −1 or +1, degrees.
     virtual void step(double degrees) = 0;
+    /// For the mechanism of the reference: pale and wide, as its curves in the plots.
+    static QPen ghostPen();
     /// The frame around a picture with the focus.
     void drawFocus(QPainter& painter) const;
 

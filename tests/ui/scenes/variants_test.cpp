@@ -23,6 +23,7 @@
 #include "shell/scene_page.h"
 #include "text/difference_text.h"
 #include "widgets/compared_figure.h"
+#include "widgets/mechanism_picture.h"
 #include "widgets/number_field.h"
 #include "widgets/result_table.h"
 
@@ -141,10 +142,18 @@ TEST_P(EveryPagesVariants, GhostsAreTheCurvesThatTheReferenceHad) {
     }
     EXPECT_GT(ghosts, 0);
     EXPECT_GT(moved, 0);
+    const auto pictures = page->findChildren<MechanismPicture*>();
+    std::vector<QImage> compared;
+    for (MechanismPicture* picture : pictures) {
+        compared.push_back(picture->grab().toImage());
+    }
     model().chooseReference(-1);
     EXPECT_EQ(comparison().twin(), nullptr);
     for (const PlotView* plot : plots) {
         EXPECT_EQ(plot->data().reference, nullptr);
+    }
+    for (std::size_t i = 0; i < compared.size(); ++i) {
+        EXPECT_NE(pictures[static_cast<qsizetype>(i)]->grab().toImage(), compared[i]);
     }
 }
 
