@@ -314,6 +314,8 @@ TEST_F(V8ModelTest, JobsAreSavedOpenedChangedAndCopied) {
 
     // Changed and saved again: the same job.
     number(model, "53-12");
+    model.keepVariant();
+    model.editText(model.title(), u"Ждать поршней"_s);
     model.desk()->saveJob(&ok);
     EXPECT_TRUE(ok);
     EXPECT_EQ(model.desk()->jobId(), id);
@@ -329,8 +331,12 @@ TEST_F(V8ModelTest, JobsAreSavedOpenedChangedAndCopied) {
     EXPECT_EQ(model.desk()->jobId(), id);
     EXPECT_EQ(model.input().job.engine_number, "53-12");
     EXPECT_EQ(model.input().engine, saved.engine);
+    EXPECT_EQ(model.variants().size(), 1);
+    EXPECT_EQ(model.notes(), u"Ждать поршней"_s);
 
     EXPECT_EQ(model.desk()->copyJob(id), QString());
+    EXPECT_TRUE(model.variants().isEmpty());
+    EXPECT_TRUE(model.notes().isEmpty());
     EXPECT_EQ(model.desk()->jobId(), 0);
     EXPECT_TRUE(model.input().job.engine_number.empty());
     EXPECT_EQ(model.input().job.customer, "Автобаза");

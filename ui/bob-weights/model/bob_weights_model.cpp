@@ -569,9 +569,14 @@ void BobWeightsModel::takeJob(const CaseFile& file, bool isCopy) {
         next.job.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
         forgetReadings(next);
     }
-    setTitle(QString::fromStdString(file.title));
+    editText(QString::fromStdString(file.title),
+             isCopy ? QString() : QString::fromStdString(file.notes));
     // Undo must not bring another job's values under this job's number.
     restart(next);
+    if (!isCopy) {
+        setVariants(variantsOf(file));
+        setStudy(file.study.is_null() ? std::string() : file.study.dump());
+    }
 }
 
 }  // namespace ravnoves

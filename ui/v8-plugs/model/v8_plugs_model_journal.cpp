@@ -76,10 +76,15 @@ void V8PlugsModel::takeJob(const CaseFile& file, bool isCopy) {
             next.balancing->rear_reading.reset();
         }
     }
-    setTitle(QString::fromStdString(file.title));
+    editText(QString::fromStdString(file.title),
+             isCopy ? QString() : QString::fromStdString(file.notes));
     carried_.reset();
     // Undo must not bring another job's values under this job's number.
     restart(next);
+    if (!isCopy) {
+        setVariants(variantsOf(file));
+        setStudy(file.study.is_null() ? std::string() : file.study.dump());
+    }
 }
 
 }  // namespace ravnoves

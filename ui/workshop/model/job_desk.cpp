@@ -113,10 +113,7 @@ void JobDesk::beginJob(const std::function<void()>& take) {
 }
 
 QByteArray JobDesk::formText() const {
-    return QByteArray::fromStdString(
-        write_case(
-            {model_->sceneName().toStdString(), model_->title().toStdString(), model_->inputJson()})
-            .dump());
+    return QByteArray::fromStdString(write_case(model_->caseFile()).dump());
 }
 
 QString JobDesk::backUpJournal(const QString& file) {
